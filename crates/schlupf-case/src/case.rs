@@ -1,0 +1,122 @@
+//! A case: what to solve, and how.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use schlupf::{Options, Problem};
+
+use crate::document;
+use crate::error::{CaseError, CaseErrors, Cause};
+use crate::fields;
+use crate::place::{Place, Source};
+use crate::read;
+use crate::settings::Settings;
+use crate::template::template;
+
+/// A case that was read and checked.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Title for the summary and the figures.
+    pub title: String,
+    /// What to solve.
+    pub problem: Problem,
+    /// How accurately.
+    pub options: Options,
+    /// Which way.
+    pub driver: Driver,
+    /// What was given without effect, each with its place.
+    pub notices: Vec<String>,
+    settings: Settings,
+}
+
+/// The way to the solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Driver {
+    /// Step by step in time.
+    Marching,
+}
+
+/// A field in effect.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Effective {
+    /// Dotted path.
+    pub path: &'static str,
+    /// Its value as it was written, or the default.
+    pub value: String,
+    /// Where it was given.
+    pub place: Place,
+}
+
+impl Case {
+    /// The text of the case that is solved when none is named.
+    pub fn default_text() -> String {
+        template()
+    }
+
+    /// Reads the text of a case. `name` is for messages, `folder` is where relative paths start, and
+    /// each override is `section.field=value`.
+    pub fn from_str(
+        text: &str,
+        name: &str,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, CaseErrors> {
+        let source = Arc::new(Source { name: name.to_owned(), text: text.to_owned() });
+        let mut entries = document::parse(&source)?;
+        for text in overrides {
+            document::apply(&mut entries, text)?;
+        }
+        let file = Place::File { name: name.to_owned() };
+        let (settings, errors) = Settings::read(&entries, file);
+        CaseErrors::check(errors)?;
+        Ok(Self {
+            title: settings.text("title")?,
+            problem: read::problem(&settings, folder)?,
+            options: read::options(&settings)?,
+            driver: Driver::Marching,
+            notices: settings.idle(),
+            settings,
+        })
+    }
+
+    /// Reads a case file.
+    pub fn from_path(path: &Path, overrides: &[String]) -> Result<Self, CaseErrors> {
+        let name = path.display().to_string();
+        let bytes = std::fs::read(path).map_err(|error| CaseError {
+            cause: Cause::FileSystem,
+            ..CaseError::new(
+                "",
+                format!("the case file cannot be read: {error}"),
+                Place::File { name: name.clone() },
+            )
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let line = 1 + error.as_bytes()[..error.utf8_error().valid_up_to()]
+                .iter()
+                .filter(|byte| **byte == b'\n')
+                .count();
+            let message = format!("the case file must be text in UTF-8, but is not in line {line}");
+            CaseError::new("", message, Place::File { name: name.clone() })
+        })?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::from_str(&text, &name, folder, overrides)
+    }
+
+    /// An error of the core, at the place of the field that it names.
+    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+        self.settings.explain(error)
+    }
+
+    /// All fields in effect, given or by default.
+    pub fn effective(&self) -> Vec<Effective> {
+        fields::all()
+            .filter(|field| self.settings.is_used(field))
+            .map(|field| Effective {
+                path: field.path,
+                value: self.settings.shown(field.path),
+                place: self.settings.place(field.path),
+            })
+            .filter(|effective| !effective.value.is_empty())
+            .collect()
+    }
+}

@@ -1,0 +1,259 @@
+//! The text of a case file as a flat list of fields with their places.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::error::{CaseError, CaseErrors};
+use crate::fields;
+use crate::place::{Place, Source};
+
+/// A value with its bytes in the text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Value {
+    /// What it is.
+    pub content: Content,
+    /// Where in the text.
+    pub span: Range<usize>,
+}
+
+/// What a value is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Content {
+    /// Text in quotes.
+    Text(String),
+    /// A whole number.
+    Integer(i64),
+    /// A number with a point or an exponent, infinity or nan.
+    Float(f64),
+    /// An array.
+    Array(Vec<Value>),
+    /// Something that no field takes, by its name.
+    Other(&'static str),
+}
+
+impl Content {
+    /// The number, where it is one.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Integer(number) => Some(*number as f64),
+            Self::Float(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// The value as an error message shows it.
+    pub fn shown(&self) -> String {
+        match self {
+            Self::Text(text) => format!("{:?}", shortened(text)),
+            Self::Integer(number) => number.to_string(),
+            Self::Float(number) => number.to_string(),
+            Self::Array(entries) => format!("an array of {}", entries.len()),
+            Self::Other(name) => (*name).to_owned(),
+        }
+    }
+}
+
+/// At most so much of a text as fits on a line.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 60;
+    if text.chars().count() <= MOST {
+        return text.to_owned();
+    }
+    text.chars().take(MOST).chain(['…']).collect()
+}
+
+/// A field that was given.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// Dotted path.
+    pub path: String,
+    /// Bytes of the key.
+    pub key: Range<usize>,
+    /// Its value.
+    pub value: Value,
+    /// Where it was given.
+    pub origin: Origin,
+}
+
+/// Where a field was given.
+#[derive(Debug, Clone)]
+pub enum Origin {
+    /// In the case file.
+    File(Arc<Source>),
+    /// By an override, the text after `--set`.
+    Override(String),
+}
+
+impl Origin {
+    /// The place of some bytes.
+    pub fn place(&self, span: &Range<usize>) -> Place {
+        match self {
+            Self::File(source) => {
+                Place::Text { source: Arc::clone(source), span: span.clone() }
+            }
+            Self::Override(text) => Place::Override { text: text.clone() },
+        }
+    }
+}
+
+/// All fields that a text gives, in its order.
+pub fn parse(source: &Arc<Source>) -> Result<Vec<Entry>, CaseErrors> {
+    let table = DeTable::parse(&source.text).map_err(|error| {
+        let span = error.span().unwrap_or(0..0);
+        let place = Place::Text { source: Arc::clone(source), span };
+        let message = error.message().trim().replace('\n', "; ");
+        CaseError::new("", format!("not TOML: {message}"), place)
+    })?;
+    let origin = Origin::File(Arc::clone(source));
+    let mut entries = Vec::new();
+    let mut errors = Vec::new();
+    for (key, value) in table.get_ref() {
+        flatten("", key, value, &origin, (&mut entries, &mut errors));
+    }
+    CaseErrors::check(errors)?;
+    entries.sort_by_key(|entry: &Entry| entry.key.start);
+    Ok(entries)
+}
+
+/// Appends the fields below a key. A table that is no section would vanish when it is empty: it is
+/// an error here.
+fn flatten(
+    parent: &str,
+    key: &Spanned<impl AsRef<str>>,
+    value: &Spanned<DeValue<'_>>,
+    origin: &Origin,
+    out: (&mut Vec<Entry>, &mut Vec<CaseError>),
+) {
+    let (entries, errors) = out;
+    let name = key.get_ref().as_ref();
+    let path = if parent.is_empty() { name.to_owned() } else { format!("{parent}.{name}") };
+    let is_section = !path.is_empty() && fields::section(&path).is_some();
+    match value.get_ref() {
+        DeValue::Table(table) if is_section => {
+            for (key, value) in table {
+                flatten(&path, key, value, origin, (&mut *entries, &mut *errors));
+            }
+        }
+        DeValue::Table(_) if fields::find(&path).is_none() => {
+            errors.push(unknown_section(&path, origin.place(&key.span())));
+        }
+        _ if is_section => {
+            let message = format!("{path} is a section, not a field");
+            let error = CaseError::new(&path, message, origin.place(&key.span()));
+            errors.push(error.help(format!("put its fields under a heading [{path}]")));
+        }
+        content => {
+            let value = Value { content: convert(content), span: value.span() };
+            entries.push(Entry { path, key: key.span(), value, origin: origin.clone() });
+        }
+    }
+}
+
+fn unknown_section(path: &str, place: Place) -> CaseError {
+    let names = || fields::SECTIONS.iter().map(|section| section.name).filter(|n| !n.is_empty());
+    let help = match fields::closest(path, names()) {
+        Some(name) => format!("did you mean [{name}]?"),
+        None => format!("the sections are {}", names().collect::<Vec<_>>().join(", ")),
+    };
+    CaseError::new(path, format!("unknown section `{path}`"), place).help(help)
+}
+
+fn convert(value: &DeValue<'_>) -> Content {
+    match value {
+        DeValue::String(text) => Content::Text(text.to_string()),
+        DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+            .map_or(Content::Other("a number of too many digits"), Content::Integer),
+        DeValue::Float(digits) => {
+            digits.as_str().parse().map_or(Content::Other("a number"), Content::Float)
+        }
+        DeValue::Boolean(true) => Content::Other("true"),
+        DeValue::Boolean(false) => Content::Other("false"),
+        DeValue::Datetime(_) => Content::Other("a date"),
+        DeValue::Table(_) => Content::Other("a table"),
+        DeValue::Array(entries) => Content::Array(
+            entries
+                .iter()
+                .map(|entry| Value { content: convert(entry.get_ref()), span: entry.span() })
+                .collect(),
+        ),
+    }
+}
+
+/// Puts an override `path=value` in place of what the file says. An empty value takes the field
+/// out.
+pub fn apply(entries: &mut Vec<Entry>, text: &str) -> Result<(), CaseError> {
+    let place = Place::Override { text: text.to_owned() };
+    let Some((path, value)) = text.split_once('=') else {
+        let message = format!("an override must be of the form section.field=value, but is {text:?}");
+        return Err(CaseError::new("", message, place));
+    };
+    let (path, value) = (path.trim(), value.trim());
+    entries.retain(|entry| entry.path != path);
+    // An unknown field stays in the list, to be reported with a suggestion.
+    if !value.is_empty() || fields::find(path).is_none() {
+        entries.push(Entry {
+            path: path.to_owned(),
+            key: 0..0,
+            value: Value { content: override_content(path, value), span: 0..0 },
+            origin: Origin::Override(text.to_owned()),
+        });
+    }
+    Ok(())
+}
+
+/// The value of an override: TOML if it is, else plain text, as shells eat quotes.
+fn override_content(path: &str, text: &str) -> Content {
+    let parsed = DeValue::parse(text).map(|value| convert(value.get_ref()));
+    let wants_text = fields::find(path).is_some_and(|field| field.kind.is_text());
+    match parsed {
+        Ok(Content::Text(text)) => Content::Text(text),
+        Ok(content) if !wants_text => content,
+        _ => Content::Text(text.to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entries(text: &str) -> Vec<Entry> {
+        let source = Source { name: "case.toml".to_owned(), text: text.to_owned() };
+        parse(&Arc::new(source)).unwrap()
+    }
+
+    #[test]
+    fn headings_dotted_keys_and_inline_tables_are_the_same() {
+        for text in [
+            "[kinematics]\nspeed = \"30 m/s\"",
+            "kinematics.speed = \"30 m/s\"",
+            "kinematics = { speed = \"30 m/s\" }",
+        ] {
+            let entries = entries(text);
+            assert_eq!(entries.len(), 1);
+            assert_eq!(entries[0].path, "kinematics.speed");
+            assert_eq!(&text[entries[0].value.span.clone()], "\"30 m/s\"");
+        }
+    }
+
+    #[test]
+    fn overrides_replace_and_remove() {
+        let mut entries = entries("[kinematics]\nspeed = \"30 m/s\"\ncreepage_x = 0.1");
+        apply(&mut entries, "kinematics.speed=60 km/h").unwrap();
+        apply(&mut entries, "kinematics.creepage_x=").unwrap();
+        assert_eq!(entries.len(), 1);
+        assert_eq!(entries[0].value.content, Content::Text("60 km/h".to_owned()));
+    }
+
+    #[test]
+    fn overrides_are_toml_or_text() {
+        assert_eq!(override_content("grid.cells_x", "12"), Content::Integer(12));
+        assert_eq!(override_content("title", "12"), Content::Text("12".to_owned()));
+        assert_eq!(override_content("title", "\"a b\""), Content::Text("a b".to_owned()));
+        let load = override_content("normal.load", "60 kN");
+        assert_eq!(load, Content::Text("60 kN".to_owned()));
+        assert!(matches!(override_content("history.time", "[\"0 s\"]"), Content::Array(_)));
+    }
+}

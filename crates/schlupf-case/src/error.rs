@@ -1,0 +1,99 @@
+//! Why a case cannot be read.
+
+use std::fmt;
+
+use crate::place::Place;
+
+/// One thing that is wrong with a case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CaseError {
+    /// Dotted path of the field; empty where the file as a whole is wrong.
+    pub field: String,
+    /// A sentence that names the field, what it must be and what it is.
+    pub message: String,
+    /// Where it stands.
+    pub place: Place,
+    /// What to do about it.
+    pub help: Option<String>,
+    /// Whose fault it is.
+    pub cause: Cause,
+}
+
+/// Whose fault an error is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// The input is wrong.
+    Input,
+    /// The file system did not give the case file.
+    FileSystem,
+}
+
+impl CaseError {
+    /// An error of the input.
+    pub fn new(field: &str, message: impl Into<String>, place: Place) -> Self {
+        Self {
+            field: field.to_owned(),
+            message: message.into(),
+            place,
+            help: None,
+            cause: Cause::Input,
+        }
+    }
+
+    /// The same with advice.
+    pub fn help(self, help: impl Into<Option<String>>) -> Self {
+        Self { help: help.into(), ..self }
+    }
+}
+
+impl fmt::Display for CaseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.message)?;
+        match &self.help {
+            Some(help) => write!(f, " ({help})"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for CaseError {}
+
+/// Everything that was found wrong with a case: at least one error.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CaseErrors {
+    /// The first one.
+    pub first: CaseError,
+    /// All others, in the order of the input.
+    pub others: Vec<CaseError>,
+}
+
+impl CaseErrors {
+    /// Fails if there are errors.
+    pub(crate) fn check(errors: Vec<CaseError>) -> Result<(), Self> {
+        let mut errors = errors.into_iter();
+        match errors.next() {
+            Some(first) => Err(Self { first, others: errors.collect() }),
+            None => Ok(()),
+        }
+    }
+
+    /// All errors.
+    pub fn iter(&self) -> impl Iterator<Item = &CaseError> {
+        std::iter::once(&self.first).chain(&self.others)
+    }
+}
+
+impl From<CaseError> for CaseErrors {
+    fn from(first: CaseError) -> Self {
+        Self { first, others: Vec::new() }
+    }
+}
+
+impl fmt::Display for CaseErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<String> = self.iter().map(ToString::to_string).collect();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+impl std::error::Error for CaseErrors {}

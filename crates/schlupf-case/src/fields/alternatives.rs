@@ -1,0 +1,71 @@
+//! Fields of which only one side may be given.
+
+/// Two groups of fields that say the same thing in different ways.
+#[derive(Debug)]
+pub struct Alternatives {
+    /// One way.
+    pub first: &'static [&'static str],
+    /// The other way.
+    pub second: &'static [&'static str],
+    /// Why only one may be given.
+    pub reason: &'static str,
+}
+
+/// All pairs of groups that exclude each other.
+pub const ALTERNATIVES: &[Alternatives] = &[
+    Alternatives {
+        first: &["kinematics.angular_velocity"],
+        second: &["kinematics.creepage_x", "history.creepage_x", "history.speed"],
+        reason: "the angular velocity determines the longitudinal creepage at a given speed",
+    },
+    Alternatives {
+        first: &["kinematics.yaw_angle"],
+        second: &["kinematics.creepage_y", "history.creepage_y"],
+        reason: "the yaw angle determines the lateral creepage",
+    },
+    Alternatives {
+        first: &["normal.peak_pressure"],
+        second: &["normal.load", "history.load"],
+        reason: "with the semi-axes, the peak pressure determines the load",
+    },
+    Alternatives {
+        first: &[
+            "elasticity.bedding_x",
+            "elasticity.bedding_y",
+            "elasticity.coupling_x",
+            "elasticity.coupling_y",
+        ],
+        second: &[
+            "elasticity.spring_x",
+            "elasticity.spring_y",
+            "elasticity.spring_coupling_x",
+            "elasticity.spring_coupling_y",
+        ],
+        reason: "stiffnesses are given per area (bedding, coupling) or for each cell (spring)",
+    },
+    Alternatives {
+        first: &["history.file"],
+        second: &[
+            "history.time",
+            "history.speed",
+            "history.creepage_x",
+            "history.creepage_y",
+            "history.spin",
+            "history.load",
+        ],
+        reason: "a history comes from a file or stands in the case",
+    },
+];
+
+impl Alternatives {
+    /// The fields on the other side of one.
+    pub fn opposite(&self, path: &str) -> &'static [&'static str] {
+        if self.first.contains(&path) {
+            self.second
+        } else if self.second.contains(&path) {
+            self.first
+        } else {
+            &[]
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! What a field is.
+
+use super::requirement::Requirement;
+use super::suggestion::closest;
+use crate::document::{Content, Value};
+use crate::setting::{Refusal, Setting};
+use crate::units::{Measure, QuantityError, parse_quantity};
+
+/// A part of the case file under one heading.
+#[derive(Debug)]
+pub struct Section {
+    /// Heading; empty for the top level.
+    pub name: &'static str,
+    /// What it is about.
+    pub doc: &'static str,
+    /// Its fields.
+    pub fields: &'static [Field],
+}
+
+/// One field of the case file.
+#[derive(Debug, Clone, Copy)]
+pub struct Field {
+    /// Dotted path, such as `kinematics.speed`.
+    pub path: &'static str,
+    /// What may stand there.
+    pub kind: Kind,
+    /// What its number must be, in SI units.
+    pub requirement: Requirement,
+    /// What it is when left out.
+    pub default: Default,
+    /// A value to show; the default where there is none.
+    pub example: Option<&'static str>,
+    /// The choice it belongs to: the path of the choice and the names it is used with.
+    pub used_with: Option<(&'static str, &'static [&'static str])>,
+    /// Its meaning, with the symbol.
+    pub doc: &'static str,
+}
+
+/// What may stand in a field.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// Text with a number and a unit.
+    Quantity(&'static Measure),
+    /// A dimensionless number.
+    Number,
+    /// A dimensionless whole number.
+    Count,
+    /// One of several names.
+    Choice(&'static [Choice]),
+    /// A dimensionless number or one of several names.
+    NumberOr(&'static [Choice]),
+    /// Any text.
+    Text,
+    /// A path relative to the case file.
+    Path,
+    /// An array of quantities with units.
+    Quantities(&'static Measure),
+    /// An array of dimensionless numbers.
+    Numbers,
+}
+
+/// One of several names.
+#[derive(Debug, Clone, Copy)]
+pub struct Choice {
+    /// The name.
+    pub name: &'static str,
+    /// What it stands for.
+    pub doc: &'static str,
+}
+
+/// What a field is when it is left out.
+#[derive(Debug, Clone, Copy)]
+pub enum Default {
+    /// Nothing; whether it is missed depends on the others.
+    Nothing,
+    /// This text.
+    Text(&'static str),
+    /// The same as another field.
+    Same(&'static str),
+    /// Something that is computed.
+    Computed(&'static str),
+}
+
+impl Default {
+    /// The text, where it is one.
+    pub fn text(self) -> Option<&'static str> {
+        match self {
+            Self::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+}
+
+impl Kind {
+    /// The names to choose from; empty where there is no choice.
+    pub fn choices(self) -> &'static [Choice] {
+        match self {
+            Self::Choice(choices) | Self::NumberOr(choices) => choices,
+            _ => &[],
+        }
+    }
+
+    /// Whether the value is text for which a shell may have eaten the quotes.
+    pub fn is_text(self) -> bool {
+        matches!(self, Self::Text | Self::Path | Self::Choice(_))
+    }
+
+    /// What is expected, in words.
+    fn expected(self) -> String {
+        match self {
+            Self::Quantity(measure) => with_unit(measure),
+            Self::Number => "a number without unit".to_owned(),
+            Self::Count => "a whole number".to_owned(),
+            Self::Choice(choices) => format!("one of {}", names(choices)),
+            Self::NumberOr(choices) => format!("a number without unit, or {}", names(choices)),
+            Self::Text => "text in quotes".to_owned(),
+            Self::Path => "the path of a file, as text in quotes".to_owned(),
+            Self::Quantities(measure) => format!("an array, each entry {}", with_unit(measure)),
+            Self::Numbers => "an array of numbers without unit".to_owned(),
+        }
+    }
+}
+
+fn with_unit(measure: &Measure) -> String {
+    format!("{} with its unit, as text in {}", measure.name, measure.examples)
+}
+
+fn names(choices: &[Choice]) -> String {
+    let quoted: Vec<String> = choices.iter().map(|choice| format!("{:?}", choice.name)).collect();
+    quoted.join(", ")
+}
+
+impl Field {
+    /// Name of the section it stands in.
+    pub fn section(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or("", |(section, _)| section)
+    }
+
+    /// Last part of its path.
+    pub fn name(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
+    }
+
+    /// The value of the field, in SI units, or why it cannot stand there.
+    pub fn read(&self, value: &Value) -> Result<Setting, Refusal> {
+        match (self.kind, &value.content) {
+            (Kind::Text | Kind::Path, Content::Text(text)) => Ok(Setting::Text(text.clone())),
+            (Kind::Choice(choices) | Kind::NumberOr(choices), Content::Text(text)) => {
+                self.choice(choices, text, value)
+            }
+            (Kind::Count, Content::Integer(_)) => self.number("", value),
+            (Kind::Number | Kind::NumberOr(_), Content::Integer(_) | Content::Float(_)) => {
+                self.number("", value)
+            }
+            (Kind::Quantity(measure), _) => self.quantity(measure, value).map(Setting::Number),
+            (Kind::Quantities(measure), Content::Array(entries)) => entries
+                .iter()
+                .map(|entry| self.quantity(measure, entry))
+                .collect::<Result<_, _>>()
+                .map(Setting::Series),
+            (Kind::Numbers, Content::Array(entries)) => entries
+                .iter()
+                .map(|entry| self.plain(entry))
+                .collect::<Result<_, _>>()
+                .map(Setting::Series),
+            _ => Err(self.wrong_type(value)),
+        }
+    }
+
+    fn choice(&self, choices: &[Choice], text: &str, value: &Value) -> Result<Setting, Refusal> {
+        if let Some(choice) = choices.iter().find(|choice| choice.name == text) {
+            return Ok(Setting::Choice(choice.name));
+        }
+        let help = closest(text, choices.iter().map(|choice| choice.name))
+            .map(|name| format!("did you mean {name:?}?"));
+        let help = help.or_else(|| self.quoted_number(value));
+        Err(Refusal::new(self.kind.expected(), value).help(help))
+    }
+
+    fn number(&self, unit: &str, value: &Value) -> Result<Setting, Refusal> {
+        let number = value.content.number().ok_or_else(|| self.wrong_type(value))?;
+        self.require(number, unit, value).map(Setting::Number)
+    }
+
+    fn plain(&self, value: &Value) -> Result<f64, Refusal> {
+        let number = value.content.number().ok_or_else(|| self.wrong_type(value))?;
+        self.require(number, "", value)
+    }
+
+    fn quantity(&self, measure: &Measure, value: &Value) -> Result<f64, Refusal> {
+        let number = match &value.content {
+            Content::Text(text) => parse_quantity(text, measure)
+                .map_err(|error| self.wrong_quantity(&error, measure, value))?,
+            Content::Float(number) if number.is_infinite() => *number,
+            content => {
+                let help = content.number().map(|number| {
+                    format!("write the unit and quotes, such as \"{number} {}\"", measure.unit)
+                });
+                return Err(Refusal::new(with_unit(measure), value).help(help));
+            }
+        };
+        self.require(number, measure.unit, value)
+    }
+
+    fn require(&self, number: f64, unit: &str, value: &Value) -> Result<f64, Refusal> {
+        if self.requirement.holds(number) {
+            return Ok(number);
+        }
+        Err(Refusal::new(self.requirement.text(unit), value))
+    }
+
+    fn wrong_quantity(&self, error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {
+        let refusal = Refusal::new(with_unit(measure), value).because(error.to_string());
+        let help = matches!(error, QuantityError::UnknownUnit { .. })
+            .then(|| format!("units may be combined, as in {}", measure.examples));
+        refusal.help(help)
+    }
+
+    fn wrong_type(&self, value: &Value) -> Refusal {
+        Refusal::new(self.kind.expected(), value).help(self.quoted_number(value))
+    }
+
+    /// Advice for a dimensionless number that was given as text.
+    fn quoted_number(&self, value: &Value) -> Option<String> {
+        let numeric = matches!(
+            self.kind,
+            Kind::Number | Kind::Count | Kind::NumberOr(_) | Kind::Numbers
+        );
+        let Content::Text(text) = &value.content else { return None };
+        let digit = text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        (numeric && digit).then(|| "write the number alone, without quotes and unit".to_owned())
+    }
+}
+
+impl Field {
+    /// The default as a case file would give it, where it is fixed.
+    pub fn default_value(&self) -> Option<Value> {
+        self.default.text().map(|text| self.value_of(text))
+    }
+
+    /// A text of the table as the value that a case file would give.
+    pub fn value_of(&self, text: &str) -> Value {
+        let number = || text.parse().map(Content::Float).ok();
+        let content = match self.kind {
+            Kind::Count => text.parse().map(Content::Integer).ok(),
+            Kind::Number | Kind::NumberOr(_) => number(),
+            _ => None,
+        };
+        Value { content: content.unwrap_or_else(|| Content::Text(text.to_owned())), span: 0..0 }
+    }
+
+    /// The line `name = value` with the example or the default, as TOML.
+    pub fn assignment(&self) -> Option<String> {
+        let text = self.example.or(self.default.text())?;
+        let literal = match (self.kind, self.value_of(text).content) {
+            (Kind::Quantities(_) | Kind::Numbers, _) => text.to_owned(),
+            (_, Content::Text(text)) => format!("{text:?}"),
+            // Numbers stay as the table writes them: 1e-6, not 0.000001.
+            _ => text.to_owned(),
+        };
+        Some(format!("{} = {literal}", self.name()))
+    }
+}

@@ -1,0 +1,563 @@
+//! The table.
+
+use super::field::Default::{self, Computed, Nothing, Same, Text};
+use super::field::{Choice, Field, Kind, Section};
+use super::requirement::Requirement::{
+    self, AboveUpTo, AtLeast, Between, Finite, Inside, NonNegative, Positive, Radius,
+};
+use crate::units::Measure;
+use schlupf::problem::MAX_CELLS;
+use std::f64::consts::FRAC_PI_2;
+
+const fn field(
+    path: &'static str,
+    kind: Kind,
+    requirement: Requirement,
+    default: Default,
+    doc: &'static str,
+) -> Field {
+    Field { path, kind, requirement, default, example: None, used_with: None, doc }
+}
+
+impl Field {
+    const fn example(self, text: &'static str) -> Self {
+        Self { example: Some(text), ..self }
+    }
+
+    const fn with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
+        Self { used_with: Some((choice, names)), ..self }
+    }
+}
+
+const fn quantity(measure: &'static Measure) -> Kind {
+    Kind::Quantity(measure)
+}
+
+const fn choice(name: &'static str, doc: &'static str) -> Choice {
+    Choice { name, doc }
+}
+
+macro_rules! body {
+    ($body:literal, $radius_x:literal, $radius_y:literal) => {
+        [
+            field(
+                concat!($body, ".young_modulus"),
+                quantity(&Measure::PRESSURE),
+                Positive,
+                Text("210 GPa"),
+                "E, Young's modulus",
+            ),
+            field(
+                concat!($body, ".poisson_ratio"),
+                Kind::Number,
+                Between(0.0, 0.5),
+                Text("0.28"),
+                "ν, Poisson's ratio",
+            ),
+            field(
+                concat!($body, ".conductivity"),
+                quantity(&Measure::CONDUCTIVITY),
+                Positive,
+                Text("50 W/(m K)"),
+                "λ, thermal conductivity",
+            ),
+            field(
+                concat!($body, ".density"),
+                quantity(&Measure::DENSITY),
+                Positive,
+                Text("7850 kg/m^3"),
+                "ρ, density",
+            ),
+            field(
+                concat!($body, ".specific_heat"),
+                quantity(&Measure::SPECIFIC_HEAT),
+                Positive,
+                Text("450 J/(kg K)"),
+                "c, specific heat",
+            ),
+            field(
+                concat!($body, ".bulk_temperature"),
+                quantity(&Measure::TEMPERATURE),
+                AtLeast(-273.15),
+                Text("20 degC"),
+                "temperature far from the contact",
+            ),
+            field(
+                concat!($body, ".radius_x"),
+                quantity(&Measure::LENGTH),
+                Radius,
+                Text($radius_x),
+                "radius of curvature along rolling: \"inf\" where straight, negative where concave",
+            ),
+            field(
+                concat!($body, ".radius_y"),
+                quantity(&Measure::LENGTH),
+                Radius,
+                Text($radius_y),
+                "radius of curvature across rolling",
+            ),
+        ]
+    };
+}
+
+/// All sections, in the order of the case file.
+pub const SECTIONS: &[Section] = &[
+    Section {
+        name: "",
+        doc: "",
+        fields: &[field(
+            "title",
+            Kind::Text,
+            Finite,
+            Text("wheel on rail"),
+            "stands over the summary and the figures",
+        )
+        .example("steel wheel, 80 kN, braking")],
+    },
+    Section {
+        name: "kinematics",
+        doc: "How the wheel moves over the rail. Braking has a positive creepage and a negative force.",
+        fields: KINEMATICS,
+    },
+    Section {
+        name: "wheel",
+        doc: "The wheel: elastic and thermal constants, temperature, curvature radii.",
+        fields: &body!("wheel", "0.46 m", "inf"),
+    },
+    Section {
+        name: "rail",
+        doc: "The rail: the same fields as the wheel.",
+        fields: &body!("rail", "inf", "300 mm"),
+    },
+    Section { name: "normal", doc: "Where the normal pressure comes from.", fields: NORMAL },
+    Section {
+        name: "elasticity",
+        doc: "How the bodies deform under tangential traction.",
+        fields: ELASTICITY,
+    },
+    Section {
+        name: "contact_law",
+        doc: "How traction grows with the sliding of rough surfaces.",
+        fields: CONTACT_LAW,
+    },
+    Section {
+        name: "friction",
+        doc: "Coefficient of friction. T is counted from the reference temperature.",
+        fields: FRICTION,
+    },
+    Section { name: "heat", doc: "Frictional heating of both surfaces.", fields: HEAT },
+    Section { name: "grid", doc: "Cells across the contact patch.", fields: GRID },
+    Section { name: "solver", doc: "How the equations are solved.", fields: SOLVER },
+    Section {
+        name: "history",
+        doc: "Transient rolling: values over time, linear in between, from arrays or from a CSV file.",
+        fields: HISTORY,
+    },
+];
+
+const KINEMATICS: &[Field] = &[
+    field(
+        "kinematics.speed",
+        quantity(&Measure::SPEED),
+        Positive,
+        Text("108 km/h"),
+        "v0, speed of the vehicle",
+    ),
+    field(
+        "kinematics.creepage_x",
+        Kind::Number,
+        Finite,
+        Text("0.0"),
+        "ξ, longitudinal creepage: positive when braking",
+    )
+    .example("0.008"),
+    field(
+        "kinematics.angular_velocity",
+        quantity(&Measure::ANGULAR_VELOCITY),
+        Finite,
+        Nothing,
+        "ω of the wheel, in place of creepage_x",
+    )
+    .example("64.7 rad/s"),
+    field(
+        "kinematics.wheel_radius",
+        quantity(&Measure::LENGTH),
+        Positive,
+        Same("wheel.radius_x"),
+        "R, rolling radius that goes with angular_velocity",
+    )
+    .example("0.46 m"),
+    field(
+        "kinematics.creepage_y",
+        Kind::Number,
+        Inside(-1.0, 1.0),
+        Text("0.0"),
+        "η, lateral creepage",
+    ),
+    field(
+        "kinematics.yaw_angle",
+        quantity(&Measure::ANGLE),
+        Inside(-FRAC_PI_2, FRAC_PI_2),
+        Nothing,
+        "α, slip angle, in place of creepage_y",
+    )
+    .example("0.5 deg"),
+    field(
+        "kinematics.spin",
+        quantity(&Measure::PER_LENGTH),
+        Finite,
+        Text("0 1/m"),
+        "φ, spin creepage",
+    ),
+];
+
+const NORMAL: &[Field] = &[
+    field(
+        "normal.model",
+        Kind::Choice(&[
+            choice("hertz", "from the radii and the moduli of both bodies, and load"),
+            choice("ellipse", "from semi_axis_x, semi_axis_y, and load or peak_pressure"),
+            choice("tabulated", "from file, scaled to load if that is given"),
+        ]),
+        Finite,
+        Text("hertz"),
+        "source of the pressure",
+    ),
+    field(
+        "normal.load",
+        quantity(&Measure::FORCE),
+        Positive,
+        Text("80 kN"),
+        "N, normal load",
+    ),
+    field(
+        "normal.semi_axis_x",
+        quantity(&Measure::LENGTH),
+        Positive,
+        Nothing,
+        "a, semi-axis along rolling",
+    )
+    .example("6 mm")
+    .with("normal.model", &["ellipse"]),
+    field(
+        "normal.semi_axis_y",
+        quantity(&Measure::LENGTH),
+        Positive,
+        Nothing,
+        "b, semi-axis across rolling",
+    )
+    .example("5 mm")
+    .with("normal.model", &["ellipse"]),
+    field(
+        "normal.peak_pressure",
+        quantity(&Measure::PRESSURE),
+        Positive,
+        Nothing,
+        "p0, largest pressure, in place of load",
+    )
+    .example("1 GPa")
+    .with("normal.model", &["ellipse"]),
+    field(
+        "normal.file",
+        Kind::Path,
+        Finite,
+        Nothing,
+        "CSV with the header `x [mm],y [mm],pressure [MPa]` or .npy in Pa, each row along x",
+    )
+    .example("pressure.csv")
+    .with("normal.model", &["tabulated"]),
+    field(
+        "normal.spacing_x",
+        quantity(&Measure::LENGTH),
+        Positive,
+        Nothing,
+        "distance of the columns of an .npy file",
+    )
+    .example("0.5 mm")
+    .with("normal.model", &["tabulated"]),
+    field(
+        "normal.spacing_y",
+        quantity(&Measure::LENGTH),
+        Positive,
+        Nothing,
+        "distance of the rows of an .npy file",
+    )
+    .example("0.5 mm")
+    .with("normal.model", &["tabulated"]),
+];
+
+const MODEL: &str = "elasticity.model";
+const LAYER: &[&str] = &["elastic-layer"];
+
+const ELASTICITY: &[Field] = &[
+    field(
+        "elasticity.model",
+        Kind::Choice(&[
+            choice("elastic-layer", "a bed of springs, each coupled with its neighbours"),
+            choice("winkler", "a bed of springs without coupling"),
+            choice("rigid", "no deformation: the slip is prescribed"),
+        ]),
+        Finite,
+        Text("elastic-layer"),
+        "model",
+    ),
+    field(
+        "elasticity.bedding_x",
+        quantity(&Measure::BEDDING),
+        Positive,
+        Text("1.0e13 N/m^3"),
+        "c, bedding stiffness for displacements along x",
+    )
+    .with(MODEL, &["elastic-layer", "winkler"]),
+    field(
+        "elasticity.bedding_y",
+        quantity(&Measure::BEDDING),
+        Positive,
+        Same("elasticity.bedding_x"),
+        "the same for displacements along y",
+    )
+    .example("1.0e13 N/m^3")
+    .with(MODEL, &["elastic-layer", "winkler"]),
+    field(
+        "elasticity.coupling_x",
+        quantity(&Measure::STIFFNESS),
+        NonNegative,
+        Text("3.24e7 N/m"),
+        "g, coupling stiffness for displacements along x",
+    )
+    .with(MODEL, LAYER),
+    field(
+        "elasticity.coupling_y",
+        quantity(&Measure::STIFFNESS),
+        NonNegative,
+        Same("elasticity.coupling_x"),
+        "the same for displacements along y",
+    )
+    .example("3.24e7 N/m")
+    .with(MODEL, LAYER),
+    field(
+        "elasticity.spring_x",
+        quantity(&Measure::STIFFNESS),
+        Positive,
+        Nothing,
+        "Δc, spring of one cell along x, in place of the stiffnesses per area",
+    )
+    .example("2.0e6 N/m")
+    .with(MODEL, LAYER),
+    field(
+        "elasticity.spring_y",
+        quantity(&Measure::STIFFNESS),
+        Positive,
+        Same("elasticity.spring_x"),
+        "the same along y",
+    )
+    .example("2.0e6 N/m")
+    .with(MODEL, LAYER),
+    field(
+        "elasticity.spring_coupling_x",
+        quantity(&Measure::STIFFNESS),
+        NonNegative,
+        Nothing,
+        "Δc_k, spring between neighbouring cells for displacements along x",
+    )
+    .example("3.24e7 N/m")
+    .with(MODEL, LAYER),
+    field(
+        "elasticity.spring_coupling_y",
+        quantity(&Measure::STIFFNESS),
+        NonNegative,
+        Same("elasticity.spring_coupling_x"),
+        "the same for displacements along y",
+    )
+    .example("3.24e7 N/m")
+    .with(MODEL, LAYER),
+    field(
+        "elasticity.margin",
+        quantity(&Measure::LENGTH),
+        Positive,
+        Computed("eight decay lengths √(g/c)"),
+        "width of the surroundings of the patch on each side",
+    )
+    .example("12 mm")
+    .with(MODEL, LAYER),
+];
+
+const CONTACT_LAW: &[Field] = &[
+    field(
+        "contact_law.model",
+        Kind::Choice(&[
+            choice("incremental", "right for any path of sliding"),
+            choice("total-displacement", "Neuhaus and Sextro 2014, for sliding in one direction"),
+        ]),
+        Finite,
+        Text("incremental"),
+        "model",
+    ),
+    field(
+        "contact_law.stiffness",
+        quantity(&Measure::PER_LENGTH),
+        Positive,
+        Text("5e6 1/m"),
+        "k_c, rate at which traction approaches the friction limit",
+    ),
+];
+
+const FALLING: &[&str] = &["temperature-linear"];
+
+const FRICTION: &[Field] = &[
+    field(
+        "friction.model",
+        Kind::Choice(&[
+            choice("temperature-linear", "μ = μ0 (1 − T/T_E), at least minimum_coefficient"),
+            choice("constant", "μ = μ0"),
+        ]),
+        Finite,
+        Text("temperature-linear"),
+        "model",
+    ),
+    field("friction.coefficient", Kind::Number, Positive, Text("0.4"), "μ0"),
+    field(
+        "friction.temperature_at_zero_friction",
+        quantity(&Measure::TEMPERATURE_DIFFERENCE),
+        Positive,
+        Text("700 K"),
+        "T_E, a difference",
+    )
+    .with("friction.model", FALLING),
+    field(
+        "friction.reference_temperature",
+        quantity(&Measure::TEMPERATURE),
+        AtLeast(-273.15),
+        Same("rail.bulk_temperature"),
+        "T is counted from it",
+    )
+    .example("20 degC")
+    .with("friction.model", FALLING),
+    field(
+        "friction.minimum_coefficient",
+        Kind::Number,
+        NonNegative,
+        Text("0.0"),
+        "floor of μ",
+    )
+    .with("friction.model", FALLING),
+];
+
+const HEAT: &[Field] = &[
+    field(
+        "heat.model",
+        Kind::Choice(&[
+            choice("duhamel", "each cell cools after it was heated"),
+            choice("constant-source", "Neuhaus and Sextro 2014: never cools"),
+            choice("none", "no heating"),
+        ]),
+        Finite,
+        Text("duhamel"),
+        "model",
+    ),
+    field(
+        "heat.partition",
+        Kind::NumberOr(&[choice("velocity", "from speeds and effusivities of both bodies")]),
+        Between(0.0, 1.0),
+        Text("0.5"),
+        "share of the wheel, or \"velocity\"",
+    )
+    .with("heat.model", &["duhamel", "constant-source"]),
+];
+
+const GRID: &[Field] = &[
+    field(
+        "grid.cells_x",
+        Kind::Count,
+        Between(2.0, MAX_CELLS as f64),
+        Text("24"),
+        "cells along rolling",
+    ),
+    field(
+        "grid.cells_y",
+        Kind::Count,
+        Between(1.0, MAX_CELLS as f64),
+        Text("24"),
+        "cells across rolling",
+    ),
+];
+
+const SOLVER: &[Field] = &[
+    field(
+        "solver.driver",
+        Kind::Choice(&[choice("marching", "step by step in time, until steady")]),
+        Finite,
+        Text("marching"),
+        "way to the steady state",
+    ),
+    field(
+        "solver.method",
+        Kind::Choice(&[choice("full", "the coupled equations")]),
+        Finite,
+        Text("full"),
+        "method",
+    ),
+    field(
+        "solver.tolerance",
+        Kind::Number,
+        Between(1e-13, 0.1),
+        Text("1e-6"),
+        "largest relative residual",
+    ),
+    field(
+        "solver.max_iterations",
+        Kind::Count,
+        AtLeast(1.0),
+        Text("200"),
+        "most Newton steps for one equilibrium",
+    ),
+    field(
+        "solver.max_steps",
+        Kind::Count,
+        AtLeast(1.0),
+        Text("2000"),
+        "most time steps on the way to the steady state",
+    ),
+    field(
+        "solver.slip_threshold",
+        Kind::Number,
+        AboveUpTo(0.0, 1.0),
+        Text("0.95"),
+        "a cell slides where |t| ≥ this · μ p_n",
+    ),
+];
+
+const HISTORY: &[Field] = &[
+    field(
+        "history.time",
+        Kind::Quantities(&Measure::TIME),
+        Finite,
+        Nothing,
+        "instants, increasing",
+    )
+    .example("[\"0 s\", \"1 ms\"]"),
+    field(
+        "history.creepage_x",
+        Kind::Numbers,
+        Finite,
+        Nothing,
+        "ξ at these instants; likewise the others",
+    )
+    .example("[0.0, 0.002]"),
+    field("history.creepage_y", Kind::Numbers, Inside(-1.0, 1.0), Nothing, "η")
+        .example("[0.0, 0.0]"),
+    field("history.spin", Kind::Quantities(&Measure::PER_LENGTH), Finite, Nothing, "φ")
+        .example("[\"0 1/m\", \"0 1/m\"]"),
+    field("history.speed", Kind::Quantities(&Measure::SPEED), Positive, Nothing, "v0")
+        .example("[\"30 m/s\", \"30 m/s\"]"),
+    field("history.load", Kind::Quantities(&Measure::FORCE), Positive, Nothing, "N")
+        .example("[\"80 kN\", \"60 kN\"]"),
+    field(
+        "history.file",
+        Kind::Path,
+        Finite,
+        Nothing,
+        "CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays",
+    )
+    .example("history.csv"),
+];

@@ -1,0 +1,27 @@
+//! Case files: TOML with units as text, from text to a [`schlupf::Problem`].
+//!
+//! One table of fields ([`fields::SECTIONS`]) says which fields there are, what each must be and what
+//! it is by default. Reading, the check for unknown fields, the JSON schema and the commented case
+//! file of `schlupf init` all follow from it.
+
+#![forbid(unsafe_code)]
+
+mod case;
+pub mod document;
+pub mod error;
+pub mod fields;
+pub mod place;
+mod read;
+mod schema;
+mod setting;
+mod settings;
+mod tables;
+mod template;
+pub mod units;
+
+pub use case::{Case, Driver, Effective};
+pub use error::{CaseError, CaseErrors, Cause};
+pub use place::{Place, Source};
+pub use schema::schema;
+pub use setting::{Refusal, Setting};
+pub use template::template;

@@ -1,0 +1,94 @@
+//! Where in the input something stands.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A text that was read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// Name of the file.
+    pub name: String,
+    /// All of its text.
+    pub text: String,
+}
+
+impl Source {
+    /// Line and column of a byte, both from 1; the column counts characters.
+    pub fn position(&self, byte: usize) -> (usize, usize) {
+        let before = self.text.get(..byte).unwrap_or(&self.text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let line = 1 + before.matches('\n').count();
+        (line, 1 + before[line_start..].chars().count())
+    }
+
+    /// Bytes of a line, numbered from 1, without its end.
+    pub fn line(&self, number: usize) -> Range<usize> {
+        let mut start = 0;
+        for line in self.text.split_inclusive('\n').take(number.saturating_sub(1)) {
+            start += line.len();
+        }
+        let length = self.text[start..].lines().next().map_or(0, str::len);
+        start..start + length
+    }
+}
+
+/// Where in the input something stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// In a text.
+    Text {
+        /// The text.
+        source: Arc<Source>,
+        /// Bytes of it.
+        span: Range<usize>,
+    },
+    /// In a file that is no text, or in all of a file.
+    File {
+        /// Name of the file.
+        name: String,
+    },
+    /// In a command-line override.
+    Override {
+        /// The text after `--set`.
+        text: String,
+    },
+    /// Nowhere: the default value of the field.
+    Default,
+}
+
+impl Place {
+    /// A line of a text, numbered from 1.
+    pub fn line(source: &Arc<Source>, number: usize) -> Self {
+        Self::Text { source: Arc::clone(source), span: source.line(number) }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Text { source, span } => {
+                let (line, column) = source.position(span.start);
+                write!(f, "{}:{line}:{column}", source.name)
+            }
+            Self::File { name } => f.write_str(name),
+            Self::Override { text } => write!(f, "--set {text}"),
+            Self::Default => f.write_str("default value"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_and_columns_are_counted_from_one() {
+        let source = Source { name: "case.toml".to_owned(), text: "a = 1\nφ = \"x\"\n".to_owned() };
+        assert_eq!(source.position(0), (1, 1));
+        let quote = source.text.find('"').unwrap();
+        assert_eq!(source.position(quote), (2, 5));
+        assert_eq!(&source.text[source.line(2)], "φ = \"x\"");
+        assert_eq!(source.line(99), source.text.len()..source.text.len());
+    }
+}

@@ -1,0 +1,58 @@
+//! `[history]`.
+
+use std::path::Path;
+
+use schlupf::history::History;
+
+use crate::error::CaseError;
+use crate::settings::Settings;
+use crate::tables;
+
+const SERIES: [&str; 5] = [
+    "history.speed",
+    "history.creepage_x",
+    "history.creepage_y",
+    "history.spin",
+    "history.load",
+];
+
+/// Values over time, where the case has them.
+pub fn history(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
+    if settings.is_given("history.file") {
+        let path = folder.join(settings.text("history.file")?);
+        let place = settings.place("history.file");
+        let bytes = tables::read_bytes(&path, "history.file", place)?;
+        return tables::history_from_csv(path.display().to_string(), bytes).map(Some);
+    }
+    let Some(time) = settings.series("history.time") else {
+        return if settings.any_given(&SERIES) {
+            settings.setting("history.time").map(|_| None)
+        } else {
+            Ok(None)
+        };
+    };
+    inline(settings, time).map(Some)
+}
+
+fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
+    for path in SERIES {
+        let Some(series) = settings.series(path) else { continue };
+        if series.len() != time.len() {
+            let message = format!(
+                "{path} must have as many entries as history.time, {}, but has {}",
+                time.len(),
+                series.len()
+            );
+            return Err(settings.error(path, message));
+        }
+    }
+    let [speed, creepage_x, creepage_y, spin, load] =
+        SERIES.map(|path| settings.series(path).map(<[f64]>::to_vec));
+    let history = History { time: time.to_vec(), speed, creepage_x, creepage_y, spin, load };
+    match tables::check_history(&history) {
+        Ok(()) => Ok(history),
+        Err((_, message)) => {
+            Err(settings.error("history.time", format!("history.time: {message}")))
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! `[kinematics]`.
+
+use schlupf::kinematics::Kinematics;
+
+use crate::error::CaseError;
+use crate::settings::Settings;
+
+/// Creepages as given, or from the angular velocity and the yaw angle, in any combination.
+pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
+    let speed = settings.number("kinematics.speed")?;
+    let yaw_angle = settings.optional_number("kinematics.yaw_angle")?;
+    let creepage_y = match yaw_angle {
+        Some(angle) => -angle.sin(),
+        None => settings.number("kinematics.creepage_y")?,
+    };
+    let creepage_x = match settings.optional_number("kinematics.angular_velocity")? {
+        Some(angular_velocity) => {
+            let radius = settings.number("kinematics.wheel_radius")?;
+            let angle = yaw_angle.unwrap_or_else(|| -creepage_y.asin());
+            Kinematics::from_wheel(speed, angular_velocity, radius, angle).creepage_x
+        }
+        None => settings.number("kinematics.creepage_x")?,
+    };
+    let spin = settings.number("kinematics.spin")?;
+    Ok(Kinematics { speed, creepage_x, creepage_y, spin })
+}

@@ -1,0 +1,74 @@
+//! `[normal]`.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use schlupf::material::{Material, contact_modulus};
+use schlupf::normal::PressureSource;
+use schlupf::normal::ellipse::Ellipse;
+use schlupf::normal::hertz::Hertz;
+use schlupf::normal::tabulated::{PressureTable, Tabulated};
+
+use super::bodies::{RAIL, WHEEL, radii};
+use crate::error::CaseError;
+use crate::settings::Settings;
+use crate::tables;
+
+const SPACINGS: [&str; 2] = ["normal.spacing_x", "normal.spacing_y"];
+
+/// The source of the normal pressure.
+pub fn source(
+    settings: &Settings,
+    folder: &Path,
+    wheel: &Material,
+    rail: &Material,
+) -> Result<Arc<dyn PressureSource>, CaseError> {
+    match settings.choice("normal.model")? {
+        "ellipse" => Ok(Arc::new(ellipse(settings)?)),
+        "tabulated" => Ok(Arc::new(tabulated(settings, folder)?)),
+        _ => Ok(Arc::new(hertz(settings, contact_modulus(wheel, rail))?)),
+    }
+}
+
+fn hertz(settings: &Settings, contact_modulus: f64) -> Result<Hertz, CaseError> {
+    let (wheel, rail) = (radii(settings, &WHEEL)?, radii(settings, &RAIL)?);
+    let load = settings.number("normal.load")?;
+    Hertz::new(wheel, rail, contact_modulus, load).map_err(|error| settings.explain(&error))
+}
+
+fn ellipse(settings: &Settings) -> Result<Ellipse, CaseError> {
+    let a = settings.number("normal.semi_axis_x")?;
+    let b = settings.number("normal.semi_axis_y")?;
+    let ellipse = match settings.optional_number("normal.peak_pressure")? {
+        Some(peak_pressure) => Ellipse::from_peak_pressure(a, b, peak_pressure),
+        None => Ellipse::from_load(a, b, settings.number("normal.load")?),
+    };
+    ellipse.map_err(|error| settings.explain(&error))
+}
+
+fn tabulated(settings: &Settings, folder: &Path) -> Result<Tabulated, CaseError> {
+    let table = table(settings, folder)?;
+    let load = settings.optional_number("normal.load")?;
+    Tabulated::new(table, load).map_err(|error| settings.explain(&error))
+}
+
+fn table(settings: &Settings, folder: &Path) -> Result<PressureTable, CaseError> {
+    let file = settings.text("normal.file")?;
+    let path = folder.join(&file);
+    let name = path.display().to_string();
+    let place = settings.place("normal.file");
+    let is_npy = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("npy"));
+    let bytes = tables::read_bytes(&path, "normal.file", place.clone())?;
+    if is_npy {
+        let spacings = [settings.number(SPACINGS[0])?, settings.number(SPACINGS[1])?];
+        return tables::pressure_from_npy(&name, &bytes, spacings, &place);
+    }
+    if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(path)) {
+        let message = format!(
+            "{spacing} must be given with an .npy file only, but is {} with {file:?}, which holds its own positions",
+            settings.shown(spacing)
+        );
+        return Err(settings.error(spacing, message));
+    }
+    tables::pressure_from_csv(name, bytes)
+}

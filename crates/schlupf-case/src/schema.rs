@@ -1,0 +1,144 @@
+//! The JSON schema of a case file, for editors that complete and check TOML.
+
+use serde_json::{Map, Value, json};
+
+use crate::fields::{ALTERNATIVES, Default, Field, Kind, Requirement, SECTIONS, Section};
+
+/// The JSON schema (2020-12) of a case file.
+pub fn schema() -> Value {
+    let mut properties = Map::new();
+    for section in SECTIONS {
+        if section.name.is_empty() {
+            properties.extend(fields(section));
+        } else {
+            properties.insert(section.name.to_owned(), section_schema(section));
+        }
+    }
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Case file of schlupf",
+        "type": "object",
+        "properties": properties,
+        "additionalProperties": false,
+    })
+}
+
+fn fields(section: &Section) -> Map<String, Value> {
+    section.fields.iter().map(|field| (field.name().to_owned(), field_schema(field))).collect()
+}
+
+fn section_schema(section: &Section) -> Value {
+    let mut schema = json!({
+        "type": "object",
+        "description": section.doc,
+        "properties": fields(section),
+        "additionalProperties": false,
+    });
+    let exclusions = exclusions(section);
+    if !exclusions.is_empty() {
+        schema["allOf"] = Value::Array(exclusions);
+    }
+    schema
+}
+
+/// Fields of a section that exclude each other, pair by pair.
+fn exclusions(section: &Section) -> Vec<Value> {
+    let name = |path: &'static str| {
+        section.fields.iter().find(|field| field.path == path).map(Field::name)
+    };
+    let mut exclusions = Vec::new();
+    for pair in ALTERNATIVES {
+        for first in pair.first.iter().filter_map(|path| name(path)) {
+            for second in pair.second.iter().filter_map(|path| name(path)) {
+                exclusions.push(json!({ "not": { "required": [first, second] } }));
+            }
+        }
+    }
+    exclusions
+}
+
+fn field_schema(field: &Field) -> Value {
+    let mut schema = kind_schema(field.kind, field.requirement);
+    let mut description = field.doc.to_owned();
+    if let Some((model, names)) = field.used_with {
+        description.push_str(&format!("; used with {model} {}", names.join(" or ")));
+    }
+    match field.default {
+        Default::Text(_) => {
+            if let Some(value) = field.default_value() {
+                schema["default"] = literal(&value.content);
+            }
+        }
+        Default::Same(text) | Default::Computed(text) => {
+            description.push_str(&format!("; default: {text}"));
+        }
+        Default::Nothing => {}
+    }
+    schema["description"] = description.into();
+    schema
+}
+
+fn literal(content: &crate::document::Content) -> Value {
+    use crate::document::Content;
+    match content {
+        Content::Text(text) => text.as_str().into(),
+        Content::Integer(number) => (*number).into(),
+        Content::Float(number) => (*number).into(),
+        Content::Array(_) | Content::Other(_) => Value::Null,
+    }
+}
+
+fn kind_schema(kind: Kind, requirement: Requirement) -> Value {
+    match kind {
+        Kind::Quantity(measure) => json!({
+            "type": "string",
+            "examples": [format!("1 {}", measure.unit)],
+            "$comment": format!("{} in {}; {}", measure.name, measure.examples, requirement.text(measure.unit)),
+        }),
+        Kind::Number => bounded("number", requirement),
+        Kind::Count => bounded("integer", requirement),
+        Kind::Choice(_) => json!({ "oneOf": constants(kind) }),
+        Kind::NumberOr(_) => {
+            let mut options = constants(kind);
+            options.push(bounded("number", requirement));
+            json!({ "oneOf": options })
+        }
+        Kind::Text | Kind::Path => json!({ "type": "string" }),
+        Kind::Quantities(_) => json!({ "type": "array", "items": { "type": "string" } }),
+        Kind::Numbers => json!({ "type": "array", "items": bounded("number", requirement) }),
+    }
+}
+
+fn constants(kind: Kind) -> Vec<Value> {
+    kind.choices()
+        .iter()
+        .map(|choice| json!({ "const": choice.name, "description": choice.doc }))
+        .collect()
+}
+
+fn bounded(kind: &str, requirement: Requirement) -> Value {
+    let mut schema = json!({ "type": kind });
+    for (keyword, bound) in requirement.bounds() {
+        schema[keyword] = bound.into();
+    }
+    schema
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_field_has_a_description() {
+        let schema = schema();
+        for section in SECTIONS.iter().filter(|section| !section.name.is_empty()) {
+            for field in section.fields {
+                let entry = &schema["properties"][section.name]["properties"][field.name()];
+                assert!(entry["description"].is_string(), "{}", field.path);
+            }
+        }
+        let speed = &schema["properties"]["kinematics"]["properties"]["speed"];
+        assert_eq!(speed["type"], "string");
+        assert_eq!(speed["default"], "108 km/h");
+    }
+}

@@ -1,0 +1,267 @@
+//! All settings of a case: what was given, what is the default, and where it comes from.
+
+use std::collections::HashMap;
+
+use crate::document::{Entry, Origin, Value};
+use crate::error::CaseError;
+use crate::fields::{self, ALTERNATIVES, Default, Field};
+use crate::place::Place;
+use crate::setting::{Refusal, Setting};
+
+/// The settings of a case.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    given: HashMap<&'static str, Given>,
+    /// Where to say that something is missing.
+    file: Place,
+}
+
+/// A field that was given.
+#[derive(Debug, Clone)]
+struct Given {
+    setting: Setting,
+    value: Value,
+    origin: Origin,
+    place: Place,
+}
+
+impl Settings {
+    /// Reads every entry; whatever cannot stand there is an error.
+    pub fn read(entries: &[Entry], file: Place) -> (Self, Vec<CaseError>) {
+        let mut settings = Self { given: HashMap::new(), file };
+        let mut errors = Vec::new();
+        for entry in entries {
+            match fields::find(&entry.path) {
+                None => errors.push(unknown_field(entry)),
+                Some(field) => match field.read(&entry.value) {
+                    Ok(setting) => settings.insert(field, setting, entry),
+                    Err(refusal) => errors.push(refused(field.path, &refusal, entry)),
+                },
+            }
+        }
+        if errors.is_empty() {
+            errors = settings.contradictions();
+        }
+        (settings, errors)
+    }
+
+    fn insert(&mut self, field: &Field, setting: Setting, entry: &Entry) {
+        let place = entry.origin.place(&entry.value.span);
+        let (value, origin) = (entry.value.clone(), entry.origin.clone());
+        self.given.insert(field.path, Given { setting, value, origin, place });
+    }
+
+    /// Whether a field was given and belongs to the models that were chosen.
+    pub fn is_given(&self, path: &str) -> bool {
+        self.given.contains_key(path) && fields::find(path).is_some_and(|field| self.is_used(field))
+    }
+
+    /// Whether any of these fields was given.
+    pub fn any_given(&self, paths: &[&str]) -> bool {
+        paths.iter().any(|path| self.is_given(path))
+    }
+
+    /// A number, in SI units or degC: the one given or the default.
+    pub fn number(&self, path: &str) -> Result<f64, CaseError> {
+        match self.setting(path)? {
+            Setting::Number(number) => Ok(number),
+            _ => Err(self.missing(path)),
+        }
+    }
+
+    /// A number that may be left out.
+    pub fn optional_number(&self, path: &str) -> Result<Option<f64>, CaseError> {
+        if self.is_given(path) { self.number(path).map(Some) } else { Ok(None) }
+    }
+
+    /// A number of cells or iterations.
+    pub fn count(&self, path: &str) -> Result<usize, CaseError> {
+        self.number(path).map(|number| number as usize)
+    }
+
+    /// The name that was chosen.
+    pub fn choice(&self, path: &str) -> Result<&'static str, CaseError> {
+        match self.setting(path)? {
+            Setting::Choice(name) => Ok(name),
+            _ => Err(self.missing(path)),
+        }
+    }
+
+    /// Text or a path.
+    pub fn text(&self, path: &str) -> Result<String, CaseError> {
+        match self.setting(path)? {
+            Setting::Text(text) => Ok(text),
+            _ => Err(self.missing(path)),
+        }
+    }
+
+    /// An array of numbers in SI units, where it was given.
+    pub fn series(&self, path: &str) -> Option<&[f64]> {
+        match &self.given.get(path)?.setting {
+            Setting::Series(series) => Some(series),
+            _ => None,
+        }
+    }
+
+    /// A number or a name: the one given or the default.
+    pub fn setting(&self, path: &str) -> Result<Setting, CaseError> {
+        if let Some(given) = self.given.get(path) {
+            return Ok(given.setting.clone());
+        }
+        let Some(field) = fields::find(path) else { return Err(self.missing(path)) };
+        match field.default {
+            Default::Text(_) => field
+                .default_value()
+                .and_then(|value| field.read(&value).ok())
+                .ok_or_else(|| self.missing(path)),
+            Default::Same(other) => self.same_as(field, other),
+            Default::Nothing | Default::Computed(_) => Err(self.missing(path)),
+        }
+    }
+
+    /// The setting of another field, as the default of one that may have a stricter requirement.
+    fn same_as(&self, field: &Field, other: &str) -> Result<Setting, CaseError> {
+        let setting = self.setting(other)?;
+        match setting {
+            Setting::Number(number) if !field.requirement.holds(number) => {
+                let requirement = field.requirement.text("");
+                let message = format!(
+                    "{} must be {requirement}, but is that of {other}, {}",
+                    field.path,
+                    self.shown(other)
+                );
+                let place = self.place(other);
+                Err(CaseError::new(field.path, message, place).help(format!("give {}", field.path)))
+            }
+            setting => Ok(setting),
+        }
+    }
+
+    /// Where a field was given.
+    pub fn place(&self, path: &str) -> Place {
+        self.given.get(path).map_or(Place::Default, |given| given.place.clone())
+    }
+
+    /// A field's value as it was written, or its default.
+    pub fn shown(&self, path: &str) -> String {
+        if let Some(given) = self.given.get(path) {
+            return given.value.content.shown();
+        }
+        let Some(field) = fields::find(path) else { return String::new() };
+        match (field.default, field.default_value()) {
+            (_, Some(value)) => value.content.shown(),
+            (Default::Same(other), _) => self.shown(other),
+            (Default::Computed(text), _) => text.to_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// An error of a field, at its place.
+    pub fn error(&self, path: &str, message: impl Into<String>) -> CaseError {
+        CaseError::new(path, message, self.place(path))
+    }
+
+    /// An error of the core, at the place of the field that it names.
+    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+        let (schlupf::Error::Invalid { quantity, .. }
+        | schlupf::Error::Contradiction { quantity, .. }) = error
+        else {
+            return CaseError::new("", error.to_string(), self.file.clone());
+        };
+        let given = std::iter::once(*quantity)
+            .chain(ALTERNATIVES.iter().flat_map(|pair| pair.opposite(quantity).iter().copied()))
+            .find(|path| self.is_given(path));
+        let field = given.unwrap_or(quantity);
+        self.error(field, error.to_string())
+    }
+
+    fn missing(&self, path: &str) -> CaseError {
+        let field = fields::find(path);
+        let because = field.and_then(|field| field.used_with).map_or_else(String::new, |(model, _)| {
+            format!(", which {model} = {} needs", self.shown(model))
+        });
+        let doc = field.map_or("", |field| field.doc);
+        let message = format!("{path} is missing{because}: {doc}");
+        let example = field.and_then(Field::assignment);
+        CaseError::new(path, message, self.file.clone())
+            .help(example.map(|example| format!("such as {example}")))
+    }
+
+    /// Whether a field belongs to the models that were chosen.
+    pub fn is_used(&self, field: &Field) -> bool {
+        field.used_with.is_none_or(|(model, names)| {
+            self.choice(model).is_ok_and(|choice| names.contains(&choice))
+        })
+    }
+
+    /// Fields that were given and have no effect. A model that was chosen by an override makes the
+    /// file's fields of other models idle on purpose: no word about those.
+    pub fn idle(&self) -> Vec<String> {
+        let mut notices = Vec::new();
+        for field in fields::all() {
+            let (Some(given), Some((model, _))) = (self.given.get(field.path), field.used_with)
+            else {
+                continue;
+            };
+            let overridden = |path| matches!(self.place(path), Place::Override { .. });
+            let on_purpose = overridden(model) && matches!(given.origin, Origin::File(_));
+            if !self.is_used(field) && !on_purpose {
+                notices.push(format!(
+                    "{}: {} has no effect with {model} = {}",
+                    given.place,
+                    field.path,
+                    self.shown(model)
+                ));
+            }
+        }
+        notices
+    }
+
+    fn contradictions(&self) -> Vec<CaseError> {
+        let given = |paths: &'static [&str]| paths.iter().copied().find(|path| self.is_given(path));
+        ALTERNATIVES
+            .iter()
+            .filter_map(|pair| Some((given(pair.first)?, given(pair.second)?, pair.reason)))
+            .map(|(first, second, reason)| self.contradiction(first, second, reason))
+            .collect()
+    }
+
+    fn contradiction(&self, first: &str, second: &str, reason: &str) -> CaseError {
+        let overridden = |path| matches!(self.place(path), Place::Override { .. });
+        let (later, earlier) =
+            if overridden(first) && !overridden(second) { (first, second) } else { (second, first) };
+        let message = format!(
+            "{later} must not be given together with {earlier}: {reason}, but {later} is {} and \
+             {earlier} is {} ({})",
+            self.shown(later),
+            self.shown(earlier),
+            self.place(earlier)
+        );
+        let remove = if overridden(later) && !overridden(earlier) {
+            format!("take {earlier} out of the file, or with --set {earlier}=")
+        } else {
+            "remove one of them".to_owned()
+        };
+        self.error(later, message).help(remove)
+    }
+}
+
+fn refused(path: &str, refusal: &Refusal, entry: &Entry) -> CaseError {
+    let place = entry.origin.place(&refusal.span);
+    CaseError::new(path, refusal.message(path), place).help(refusal.help.clone())
+}
+
+fn unknown_field(entry: &Entry) -> CaseError {
+    let path = &entry.path;
+    let place = entry.origin.place(&entry.key);
+    let section = path.rsplit_once('.').map_or("", |(section, _)| section);
+    let help = match (fields::closest_path(path), fields::section(section)) {
+        (Some(meant), _) => format!("did you mean `{meant}`?"),
+        (None, Some(section)) if !section.name.is_empty() => {
+            let names: Vec<_> = section.fields.iter().map(Field::name).collect();
+            format!("the fields of [{}] are {}", section.name, names.join(", "))
+        }
+        _ => "`schlupf init -` shows all fields".to_owned(),
+    };
+    CaseError::new(path, format!("unknown field `{path}`"), place).help(help)
+}

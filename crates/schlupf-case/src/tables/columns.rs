@@ -1,0 +1,196 @@
+//! CSV files whose header names columns and their units, such as `x [mm],pressure [MPa]`.
+
+use std::sync::Arc;
+
+use crate::error::CaseError;
+use crate::fields::closest;
+use crate::place::{Place, Source};
+use crate::units::{Conversion, Measure, parse_unit};
+
+/// A column that a file may have.
+#[derive(Debug, Clone, Copy)]
+pub struct Column {
+    /// Its name in the header.
+    pub name: &'static str,
+    /// What it measures; nothing where it is dimensionless.
+    pub measure: Option<&'static Measure>,
+    /// Whether the file must have it.
+    pub required: bool,
+}
+
+/// The columns of a file, in SI units.
+#[derive(Debug)]
+pub struct Columns {
+    /// The file.
+    pub source: Arc<Source>,
+    /// Number of the header's line, from 1.
+    pub header_line: usize,
+    /// Number of each row's line, from 1.
+    pub lines: Vec<usize>,
+    /// One entry for each column that was asked for, empty where the file does not have it.
+    pub values: Vec<Vec<f64>>,
+    field: &'static str,
+}
+
+/// A column that the file has: which one of those asked for, and how its numbers become SI.
+struct Assigned {
+    index: usize,
+    convert: Option<Conversion>,
+}
+
+impl Columns {
+    /// Reads a file that `field` names. Lines that begin with `#` are comments.
+    pub fn read(
+        name: String,
+        bytes: Vec<u8>,
+        field: &'static str,
+        wanted: &[Column],
+    ) -> Result<Self, CaseError> {
+        let text = String::from_utf8(bytes).map_err(|_| {
+            let message = format!("{field} must be a text file (UTF-8), but is not");
+            CaseError::new(field, message, Place::File { name: name.clone() })
+        })?;
+        let text = text.trim_start_matches('\u{feff}').to_owned();
+        let source = Arc::new(Source { name, text });
+        let values = vec![Vec::new(); wanted.len()];
+        let mut columns = Self { source, header_line: 1, lines: Vec::new(), values, field };
+        columns.fill(wanted)?;
+        Ok(columns)
+    }
+
+    /// An error at a line of the file.
+    pub fn error(&self, line: usize, message: impl Into<String>) -> CaseError {
+        CaseError::new(self.field, message, Place::line(&self.source, line))
+    }
+
+    fn fill(&mut self, wanted: &[Column]) -> Result<(), CaseError> {
+        let source = Arc::clone(&self.source);
+        let mut header: Option<Vec<Assigned>> = None;
+        for (line, text) in (1..).zip(source.text.lines()) {
+            if text.trim().is_empty() || text.starts_with('#') {
+                continue;
+            }
+            let cells: Vec<&str> =
+                text.split(',').map(|cell| cell.trim().trim_matches('"').trim()).collect();
+            match &header {
+                None => {
+                    self.header_line = line;
+                    header = Some(self.header(&cells, wanted)?);
+                }
+                Some(header) => self.row(&cells, line, header, wanted)?,
+            }
+        }
+        if header.is_some() {
+            return Ok(());
+        }
+        let expected = expected_header(wanted);
+        let message = format!("{} must have a header such as `{expected}`, but is empty", self.field);
+        Err(self.error(1, message))
+    }
+
+    fn header(&self, cells: &[&str], wanted: &[Column]) -> Result<Vec<Assigned>, CaseError> {
+        let mut assigned: Vec<Assigned> = Vec::new();
+        for cell in cells {
+            let (name, unit) = split_header(cell);
+            let Some(index) = wanted.iter().position(|column| column.name == name) else {
+                return Err(self.unknown_column(cell, name, wanted));
+            };
+            if assigned.iter().any(|column| column.index == index) {
+                return Err(self.error(self.header_line, format!("column `{name}` is given twice")));
+            }
+            let convert = self.column_unit(&wanted[index], unit)?;
+            assigned.push(Assigned { index, convert });
+        }
+        let is_missing =
+            |index: &usize| wanted[*index].required && assigned.iter().all(|c| c.index != *index);
+        if let Some(index) = (0..wanted.len()).find(is_missing) {
+            let message = format!(
+                "column `{}` is missing; the header must be such as `{}`",
+                wanted[index].name,
+                expected_header(wanted)
+            );
+            return Err(self.error(self.header_line, message));
+        }
+        Ok(assigned)
+    }
+
+    fn unknown_column(&self, cell: &str, name: &str, wanted: &[Column]) -> CaseError {
+        let expected = expected_header(wanted);
+        let message = format!("the header must be such as `{expected}`, but has a column `{cell}`");
+        let meant = closest(name, wanted.iter().map(|column| column.name));
+        let help = if cell.contains([';', '\t']) {
+            Some("separate the columns by commas".to_owned())
+        } else {
+            meant.map(|meant| format!("did you mean `{meant}`?"))
+        };
+        self.error(self.header_line, message).help(help)
+    }
+
+    fn column_unit(
+        &self,
+        column: &Column,
+        unit: Option<&str>,
+    ) -> Result<Option<Conversion>, CaseError> {
+        let name = column.name;
+        match (column.measure, unit) {
+            (Some(measure), unit) => {
+                parse_unit(unit.unwrap_or_default(), measure).map(Some).map_err(|error| {
+                    let message = format!(
+                        "column `{name}` must name its unit, {}, as in `{name} [{}]`: {error}",
+                        measure.examples, measure.unit
+                    );
+                    self.error(self.header_line, message)
+                })
+            }
+            (None, None | Some("" | "-" | "1")) => Ok(None),
+            (None, Some(unit)) => {
+                let message = format!("column `{name}` must be dimensionless, but has the unit `{unit}`");
+                Err(self.error(self.header_line, message))
+            }
+        }
+    }
+
+    fn row(
+        &mut self,
+        cells: &[&str],
+        line: usize,
+        header: &[Assigned],
+        wanted: &[Column],
+    ) -> Result<(), CaseError> {
+        if cells.len() != header.len() {
+            let (given, expected) = (cells.len(), header.len());
+            let message = format!("a row must have {expected} entries as the header, but has {given}");
+            return Err(self.error(line, message));
+        }
+        for (cell, column) in cells.iter().zip(header) {
+            let name = wanted[column.index].name;
+            let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
+            let number = number.ok_or_else(|| {
+                self.error(line, format!("{name} must be a finite number, but is {cell:?}"))
+            })?;
+            let value = column.convert.map_or(number, |convert| convert.apply(number));
+            self.values[column.index].push(value);
+        }
+        self.lines.push(line);
+        Ok(())
+    }
+}
+
+/// `pressure [MPa]` into its name and its unit.
+fn split_header(cell: &str) -> (&str, Option<&str>) {
+    match cell.strip_suffix(']').and_then(|cell| cell.split_once('[')) {
+        Some((name, unit)) => (name.trim(), Some(unit.trim())),
+        None => (cell, None),
+    }
+}
+
+fn expected_header(wanted: &[Column]) -> String {
+    let names: Vec<String> = wanted
+        .iter()
+        .map(|column| match column.measure {
+            Some(measure) => format!("{} [{}]", column.name, measure.unit),
+            None => column.name.to_owned(),
+        })
+        .collect();
+    names.join(",")
+}

@@ -1,0 +1,26 @@
+//! Files that a case names: tables of pressure and of time.
+
+mod columns;
+mod npy;
+mod pressure;
+mod time;
+
+pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
+pub use time::{from_csv as history_from_csv, check as check_history};
+
+use std::path::Path;
+
+use crate::error::CaseError;
+use crate::place::Place;
+
+/// Bytes of a file that a field names.
+pub fn read_bytes(path: &Path, field: &str, place: Place) -> Result<Vec<u8>, CaseError> {
+    std::fs::read(path).map_err(|error| {
+        let message = format!(
+            "{field} must be the path of a readable file, but is {:?}: {error}",
+            path.display().to_string()
+        );
+        CaseError::new(field, message, place)
+            .help("paths are relative to the case file".to_owned())
+    })
+}

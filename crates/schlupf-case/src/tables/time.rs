@@ -1,0 +1,116 @@
+//! Tables over time.
+
+use schlupf::history::History;
+
+use super::columns::{Column, Columns};
+use crate::error::CaseError;
+use crate::fields::Requirement;
+use crate::units::Measure;
+
+const FILE: &str = "history.file";
+
+const COLUMNS: [Column; 6] = [
+    Column { name: "time", measure: Some(&Measure::TIME), required: true },
+    Column { name: "creepage_x", measure: None, required: false },
+    Column { name: "creepage_y", measure: None, required: false },
+    Column { name: "spin", measure: Some(&Measure::PER_LENGTH), required: false },
+    Column { name: "speed", measure: Some(&Measure::SPEED), required: false },
+    Column { name: "load", measure: Some(&Measure::FORCE), required: false },
+];
+
+/// Requirement on each column after the time.
+const REQUIREMENTS: [Requirement; 5] = [
+    Requirement::Finite,
+    Requirement::Inside(-1.0, 1.0),
+    Requirement::Finite,
+    Requirement::Positive,
+    Requirement::Positive,
+];
+
+/// A history from a CSV file.
+pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
+    let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
+    for (column, requirement) in (1..).zip(REQUIREMENTS) {
+        let stray = columns.values[column].iter().position(|value| !requirement.holds(*value));
+        if let Some(row) = stray {
+            let name = COLUMNS[column].name;
+            let value = columns.values[column][row];
+            let unit = COLUMNS[column].measure.map_or("", |measure| measure.unit);
+            let requirement = requirement.text(unit);
+            let message = format!("{name} must be {requirement}, but is {value} {unit}");
+            return Err(columns.error(columns.lines[row], message.trim_end()));
+        }
+    }
+    let history = history(columns.values.clone());
+    check(&history).map_err(|(row, message)| {
+        let line = columns.lines.get(row).copied().unwrap_or(columns.header_line);
+        columns.error(line, message)
+    })?;
+    Ok(history)
+}
+
+/// Time, ξ, η, φ, v0, N to a history.
+fn history(columns: Vec<Vec<f64>>) -> History {
+    let mut columns = columns.into_iter();
+    let time = columns.next().unwrap_or_default();
+    let mut next = || columns.next().filter(|values| !values.is_empty());
+    let (creepage_x, creepage_y, spin) = (next(), next(), next());
+    let (speed, load) = (next(), next());
+    History { time, speed, creepage_x, creepage_y, spin, load }
+}
+
+/// Checks that time increases; the error names the row.
+pub fn check(history: &History) -> Result<(), (usize, String)> {
+    let time = &history.time;
+    if time.len() < 2 {
+        let message = format!("a history must have at least two instants, but has {}", time.len());
+        return Err((0, message));
+    }
+    let steps_back = time.windows(2).position(|pair| pair[1] <= pair[0]);
+    if let Some(row) = steps_back {
+        let (before, after) = (time[row], time[row + 1]);
+        let message = format!("time must increase, but {after} s comes after {before} s");
+        return Err((row + 1, message));
+    }
+    let values = [&history.speed, &history.creepage_x, &history.creepage_y, &history.spin, &history.load];
+    if values.iter().all(|values| values.is_none()) {
+        let message = "a history must have creepage_x, creepage_y, spin, speed or load besides time";
+        return Err((0, message.to_owned()));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<History, String> {
+        from_csv("h.csv".to_owned(), text.as_bytes().to_vec()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn columns_are_converted() {
+        let history = read("load [kN],time [ms],creepage_x\n80,0,0\n60,1,0.002\n").unwrap();
+        assert_eq!(history.time, [0.0, 0.001]);
+        assert_eq!(history.load, Some(vec![80e3, 60e3]));
+        assert_eq!(history.creepage_x, Some(vec![0.0, 0.002]));
+        assert_eq!(history.speed, None);
+    }
+
+    #[test]
+    fn each_defect_is_named_with_its_line() {
+        let cases = [
+            ("time [s],creepage_x\n0,0\n0,1\n", "h.csv:3:1: time must increase"),
+            ("time [s],creepage_x\n0,0\n", "at least two instants"),
+            ("time [s]\n0\n1\n", "besides time"),
+            ("time [s],load [kN]\n0,80\n1,0\n", "h.csv:3:1: load must be positive"),
+            ("time [s],creepage_x [mm]\n0,80\n1,0\n", "must be dimensionless"),
+            ("time [s],creepage_y\n0,0\n1,2\n", "h.csv:3:1: creepage_y must be above -1"),
+            ("time;creepage_x\n0;1\n", "separate the columns by commas"),
+        ];
+        for (text, expected) in cases {
+            let message = read(text).unwrap_err();
+            assert!(message.contains(expected), "{message}");
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! What a field of a case file measures, and in which units it may be given.
+
+use super::dimension::Dimension;
+
+/// A kind of quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measure {
+    /// Its name with an article, such as `a speed`.
+    pub name: &'static str,
+    /// The SI unit that values are converted to.
+    pub unit: &'static str,
+    /// Units it may be given in, for messages; any of the same dimension is accepted.
+    pub examples: &'static str,
+    /// What a unit must be to fit.
+    pub scale: Scale,
+}
+
+/// How the values of a measure are laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Multiples of a unit of this dimension.
+    Ratio(Dimension),
+    /// Absolute temperatures, each unit with its own zero; converted to degC.
+    AbsoluteTemperature,
+}
+
+const fn ratio(
+    name: &'static str,
+    unit: &'static str,
+    examples: &'static str,
+    dimension: Dimension,
+) -> Measure {
+    Measure { name, unit, examples, scale: Scale::Ratio(dimension) }
+}
+
+impl Measure {
+    /// Speed, in m/s.
+    pub const SPEED: Self =
+        ratio("a speed", "m/s", "m/s or km/h", Dimension::mechanical(1, 0, -1));
+    /// Length, in m.
+    pub const LENGTH: Self = ratio("a length", "m", "m, mm or µm", Dimension::LENGTH);
+    /// Time, in s.
+    pub const TIME: Self = ratio("a time", "s", "s or ms", Dimension::TIME);
+    /// Angle, in rad.
+    pub const ANGLE: Self = ratio("an angle", "rad", "deg, rad or mrad", Dimension::ANGLE);
+    /// Angular velocity, in rad/s.
+    pub const ANGULAR_VELOCITY: Self = ratio(
+        "an angular velocity",
+        "rad/s",
+        "rad/s, deg/s or rpm",
+        Dimension { angle: 1, time: -1, ..Dimension::NONE },
+    );
+    /// Inverse length, in 1/m.
+    pub const PER_LENGTH: Self =
+        ratio("an inverse length", "1/m", "1/m or 1/mm", Dimension::LENGTH.power(-1));
+    /// Force, in N.
+    pub const FORCE: Self = ratio("a force", "N", "N or kN", Dimension::FORCE);
+    /// Pressure or modulus, in Pa.
+    pub const PRESSURE: Self = ratio("a pressure", "Pa", "Pa, MPa or GPa", Dimension::PRESSURE);
+    /// Stiffness, in N/m.
+    pub const STIFFNESS: Self =
+        ratio("a stiffness", "N/m", "N/m or kN/mm", Dimension::mechanical(0, 1, -2));
+    /// Stiffness per area, in N/m³.
+    pub const BEDDING: Self = ratio(
+        "a stiffness per area",
+        "N/m^3",
+        "N/m^3 or MPa/mm",
+        Dimension::mechanical(-2, 1, -2),
+    );
+    /// Thermal conductivity, in W/(m K).
+    pub const CONDUCTIVITY: Self =
+        ratio(
+            "a thermal conductivity",
+            "W/(m K)",
+            "W/(m K)",
+            Dimension { length: 1, mass: 1, time: -3, temperature: -1, angle: 0 },
+        );
+    /// Density, in kg/m³.
+    pub const DENSITY: Self =
+        ratio("a density", "kg/m^3", "kg/m^3 or g/cm^3", Dimension::mechanical(-3, 1, 0));
+    /// Specific heat, in J/(kg K).
+    pub const SPECIFIC_HEAT: Self = ratio(
+        "a specific heat",
+        "J/(kg K)",
+        "J/(kg K) or kJ/(kg K)",
+        Dimension { length: 2, time: -2, temperature: -1, ..Dimension::NONE },
+    );
+    /// Temperature difference, in K.
+    pub const TEMPERATURE_DIFFERENCE: Self =
+        ratio("a temperature difference", "K", "K", Dimension::TEMPERATURE);
+    /// Absolute temperature, in degC.
+    pub const TEMPERATURE: Self = Self {
+        name: "a temperature",
+        unit: "degC",
+        examples: "degC, K or degF",
+        scale: Scale::AbsoluteTemperature,
+    };
+}

@@ -1,0 +1,251 @@
+//! Text of a number and a unit to a value in SI units.
+
+use super::dimension::Dimension;
+use super::expression;
+use super::measure::{Measure, Scale};
+
+/// Why a text is not the quantity it should be.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum QuantityError {
+    /// It does not begin with a number.
+    #[error("there is no number in front{}", if *decimal_comma { "; write a point for the decimal comma" } else { "" })]
+    NoNumber {
+        /// Whether it looks like a number with a decimal comma.
+        decimal_comma: bool,
+    },
+    /// The number is beyond the range of double precision.
+    #[error("the number is too large")]
+    TooLarge,
+    /// There is no unit.
+    #[error("the unit is missing")]
+    NoUnit,
+    /// A symbol is not known.
+    #[error("unknown unit `{symbol}`")]
+    UnknownUnit {
+        /// The symbol.
+        symbol: String,
+    },
+    /// The unit cannot be read.
+    #[error("`{text}` is not a product or quotient of units")]
+    MalformedUnit {
+        /// The unit.
+        text: String,
+    },
+    /// The unit is one of another quantity.
+    #[error("`{unit}` is {dimension} in base units")]
+    WrongDimension {
+        /// The unit.
+        unit: String,
+        /// Its dimension in base units.
+        dimension: String,
+    },
+    /// A temperature was given in place of a temperature difference.
+    #[error("`{unit}` is for temperatures counted from its own zero; a difference is given in K")]
+    TemperatureForDifference {
+        /// The unit.
+        unit: String,
+    },
+}
+
+/// Value in SI units (temperatures in degC) of a text such as `"108 km/h"`. Infinity needs no unit.
+pub fn parse_quantity(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
+    let (number, unit) = split_number(text.trim())?;
+    if !number.is_finite() && unit.is_empty() {
+        return Ok(number);
+    }
+    let convert = parse_unit(unit, measure)?;
+    Ok(convert.apply(number))
+}
+
+/// How a number of some unit becomes one of the measure's SI unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conversion {
+    factor: f64,
+    offset: f64,
+}
+
+impl Conversion {
+    /// The value in the SI unit (degC for temperatures).
+    pub fn apply(&self, number: f64) -> f64 {
+        number * self.factor + self.offset
+    }
+}
+
+/// How a number of the unit becomes one of the measure's SI unit.
+pub fn parse_unit(unit: &str, measure: &Measure) -> Result<Conversion, QuantityError> {
+    let unit = unit.trim();
+    if unit.is_empty() {
+        return Err(QuantityError::NoUnit);
+    }
+    match (measure.scale, absolute_temperature(unit)) {
+        (Scale::AbsoluteTemperature, Some(conversion)) => Ok(conversion),
+        (Scale::AbsoluteTemperature, None) => {
+            let parsed = expression::parse(unit)?;
+            Err(wrong_dimension(unit, &parsed.dimension.to_string()))
+        }
+        (Scale::Ratio(dimension), Some(_)) if unit != "K" => {
+            if dimension == Dimension::TEMPERATURE {
+                return Err(QuantityError::TemperatureForDifference { unit: unit.to_owned() });
+            }
+            Err(wrong_dimension(unit, "a temperature scale, not a unit,"))
+        }
+        (Scale::Ratio(dimension), _) => {
+            let parsed = expression::parse(unit)?;
+            if parsed.dimension != dimension {
+                return Err(wrong_dimension(unit, &parsed.dimension.to_string()));
+            }
+            Ok(Conversion { factor: parsed.factor, offset: 0.0 })
+        }
+    }
+}
+
+fn wrong_dimension(unit: &str, dimension: &str) -> QuantityError {
+    QuantityError::WrongDimension { unit: unit.to_owned(), dimension: dimension.to_owned() }
+}
+
+/// From an absolute temperature scale to degC.
+fn absolute_temperature(unit: &str) -> Option<Conversion> {
+    match unit {
+        "degC" | "°C" | "\u{2103}" => Some(Conversion { factor: 1.0, offset: 0.0 }),
+        "K" => Some(Conversion { factor: 1.0, offset: -273.15 }),
+        "degF" | "°F" => Some(Conversion { factor: 5.0 / 9.0, offset: -160.0 / 9.0 }),
+        _ => None,
+    }
+}
+
+/// The number in front, and what follows it. `inf` and `nan` are numbers, for the check that comes
+/// later to name them.
+fn split_number(text: &str) -> Result<(f64, &str), QuantityError> {
+    let (negative, unsigned) = match text.strip_prefix(['-', '−']) {
+        Some(rest) => (true, rest),
+        None => (false, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let sign = if negative { -1.0 } else { 1.0 };
+    for (word, value) in [("inf", f64::INFINITY), ("nan", f64::NAN)] {
+        let is_word = unsigned.get(..3).is_some_and(|start| start.eq_ignore_ascii_case(word));
+        if is_word && !unsigned[3..].starts_with(char::is_alphabetic) {
+            return Ok((sign * value, &unsigned[3..]));
+        }
+    }
+    let (digits, rest) = unsigned.split_at(number_length(unsigned));
+    let number: f64 = digits.parse().map_err(|_| QuantityError::NoNumber { decimal_comma: false })?;
+    if rest.starts_with(',') {
+        return Err(QuantityError::NoNumber { decimal_comma: true });
+    }
+    if number.is_infinite() {
+        return Err(QuantityError::TooLarge);
+    }
+    Ok((sign * number, rest))
+}
+
+/// Length of the decimal number that a text begins with: digits, point, exponent.
+fn number_length(text: &str) -> usize {
+    let digits = |from: usize| {
+        text[from..].bytes().take_while(u8::is_ascii_digit).count()
+    };
+    let mut end = digits(0);
+    if text[end..].starts_with('.') {
+        end += 1 + digits(end + 1);
+    }
+    if text[end..].starts_with(['e', 'E']) {
+        let signed = text[end + 1..].starts_with(['+', '-']);
+        let start = end + 1 + usize::from(signed);
+        let length = digits(start);
+        if length > 0 {
+            return start + length;
+        }
+    }
+    end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[track_caller]
+    fn assert_value(text: &str, measure: &Measure, expected: f64) {
+        let value = parse_quantity(text, measure).unwrap();
+        assert_relative_eq!(value, expected, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn quantities_of_the_interface_are_read() {
+        assert_value("108 km/h", &Measure::SPEED, 30.0);
+        assert_value("80 kN", &Measure::FORCE, 80e3);
+        assert_value("5e6 1/m", &Measure::PER_LENGTH, 5e6);
+        assert_value("5e6/m", &Measure::PER_LENGTH, 5e6);
+        assert_value("1.0e13 N/m^3", &Measure::BEDDING, 1e13);
+        assert_value("3.24e7 N/m", &Measure::STIFFNESS, 3.24e7);
+        assert_value("50 W/(m K)", &Measure::CONDUCTIVITY, 50.0);
+        assert_value("450 J/(kg K)", &Measure::SPECIFIC_HEAT, 450.0);
+        assert_value("7850 kg/m³", &Measure::DENSITY, 7850.0);
+        assert_value("0.5 deg", &Measure::ANGLE, 0.5_f64.to_radians());
+        assert_value("0.5°", &Measure::ANGLE, 0.5_f64.to_radians());
+        assert_value("64.7 rad/s", &Measure::ANGULAR_VELOCITY, 64.7);
+        assert_value("60 rpm", &Measure::ANGULAR_VELOCITY, 2.0 * std::f64::consts::PI);
+        assert_value("1 GPa", &Measure::PRESSURE, 1e9);
+        assert_value("-300mm", &Measure::LENGTH, -0.3);
+        assert_value("1 ms", &Measure::TIME, 1e-3);
+    }
+
+    #[test]
+    fn temperatures_are_converted_and_differences_are_not() {
+        assert_value("20 degC", &Measure::TEMPERATURE, 20.0);
+        assert_eq!(parse_quantity("inf", &Measure::LENGTH), Ok(f64::INFINITY));
+        assert_eq!(parse_quantity("-inf m", &Measure::LENGTH), Ok(f64::NEG_INFINITY));
+        assert_value("−20 °C", &Measure::TEMPERATURE, -20.0);
+        assert_value("293.15 K", &Measure::TEMPERATURE, 20.0);
+        assert_value("68 degF", &Measure::TEMPERATURE, 20.0);
+        assert_value("700 K", &Measure::TEMPERATURE_DIFFERENCE, 700.0);
+        assert_eq!(
+            parse_quantity("700 degC", &Measure::TEMPERATURE_DIFFERENCE),
+            Err(QuantityError::TemperatureForDifference { unit: "degC".to_owned() })
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_apart() {
+        let speed = |text| parse_quantity(text, &Measure::SPEED).unwrap_err().to_string();
+        assert_eq!(speed("108 kN"), "`kN` is kg m s^-2 in base units");
+        assert_eq!(speed("108"), "the unit is missing");
+        assert_eq!(speed("fast"), "there is no number in front");
+        assert_eq!(speed(""), "there is no number in front");
+        assert_eq!(speed("1,5 m/s"), "there is no number in front; write a point for the decimal comma");
+        assert_eq!(speed("108 kmh"), "unknown unit `kmh`");
+        assert_eq!(speed("108 km/"), "`km/` is not a product or quotient of units");
+        assert_eq!(speed("1e999 m/s"), "the number is too large");
+    }
+
+    #[test]
+    fn a_frequency_is_no_angular_velocity() {
+        assert!(parse_quantity("10 Hz", &Measure::ANGULAR_VELOCITY).is_err());
+        assert!(parse_quantity("10 1/s", &Measure::ANGULAR_VELOCITY).is_err());
+    }
+
+    #[test]
+    fn numbers_survive_the_way_through_text() {
+        for exponent in -30..=30 {
+            for mantissa in [1.0, -2.5, 9.999_999_999_999_9] {
+                let value = mantissa * 10f64.powi(exponent);
+                for text in [format!("{value:e} m"), format!("{value} m"), format!("{value:e}m")] {
+                    assert_eq!(parse_quantity(&text, &Measure::LENGTH), Ok(value), "{text}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_text_makes_it_panic() {
+        let pieces = ["", " ", "-", "1", ".", "e", "E+", "inf", "nan", "m", "°", "µ", "/", "(", ")", "^", "³", "𝛼"];
+        for a in pieces {
+            for b in pieces {
+                for c in pieces {
+                    for d in pieces {
+                        let _ = parse_quantity(&format!("{a}{b}{c}{d}"), &Measure::LENGTH);
+                    }
+                }
+            }
+        }
+    }
+}

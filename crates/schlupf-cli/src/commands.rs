@@ -1,0 +1,98 @@
+//! The commands that do not solve.
+
+use std::fmt::Write;
+use std::io::ErrorKind;
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+use schlupf_case::{Case, Place, schema as case_schema, template};
+
+use crate::arguments::{Arguments, CaseArguments, InitArguments};
+use crate::failure::Failure;
+use crate::{outputs, report, stdout};
+
+/// Reads the case that was named, or the default one.
+pub fn read_case(arguments: &CaseArguments) -> Result<Case, Failure> {
+    let overrides = &arguments.overrides;
+    let case = match &arguments.case {
+        Some(path) => Case::from_path(path, overrides),
+        None => Case::from_str(&Case::default_text(), "default case", Path::new(""), overrides),
+    };
+    Ok(case?)
+}
+
+/// `schlupf check`: reads a case and says what it would solve.
+pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
+    let case = read_case(arguments)?;
+    let normal = case
+        .problem
+        .normal
+        .normal_contact(None)
+        .map_err(|error| Failure::Case(case.explain(&error).into()))?
+        .summary;
+    for notice in &case.notices {
+        report::warn(notice);
+    }
+    let mut text = format!(
+        "{}\n\npatch      a = {:.4} mm, b = {:.4} mm, load {:.4} kN, peak pressure {:.2} MPa\n\
+         cells      {} x {} across the patch\n\nfields in effect\n",
+        case.title,
+        normal.semi_axis_x * 1e3,
+        normal.semi_axis_y * 1e3,
+        normal.load * 1e-3,
+        normal.peak_pressure * 1e-6,
+        case.options.cells_x,
+        case.options.cells_y,
+    );
+    for field in case.effective() {
+        let origin = match field.place {
+            Place::Default => "  (default)".to_owned(),
+            Place::Override { .. } => "  (--set)".to_owned(),
+            Place::Text { .. } | Place::File { .. } => String::new(),
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "  {:40} {}{origin}", field.path, field.value);
+    }
+    stdout::write(&text)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// `schlupf init`: writes a commented case file.
+pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
+    let (path, text) = (&arguments.file, template());
+    if path == Path::new("-") {
+        stdout::write(&text)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    outputs::check(&[("FILE", path)], None)?;
+    if arguments.force {
+        outputs::write(&[(path.clone(), text.into_bytes())])?;
+    } else {
+        outputs::write_new(path, text.as_bytes()).map_err(|failure| match failure {
+            Failure::File { path, cause } if cause.kind() == ErrorKind::AlreadyExists => {
+                let advice = "there is a file already; --force overwrites it";
+                Failure::File { path, cause: std::io::Error::new(cause.kind(), advice) }
+            }
+            failure => failure,
+        })?;
+    }
+    let path = path.display();
+    stdout::write(&format!("wrote {path}; `schlupf solve {path}` solves it\n"))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// `schlupf schema`: prints the JSON schema of a case file.
+pub fn schema() -> Result<ExitCode, Failure> {
+    stdout::write(&format!("{:#}\n", case_schema()))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// `schlupf completions`: prints a completion script.
+pub fn completions(shell: Shell) -> Result<ExitCode, Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "schlupf", &mut script);
+    stdout::write(&String::from_utf8_lossy(&script))?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,48 @@
+//! What can go wrong, and with which exit code.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use schlupf_case::{CaseErrors, Cause};
+use schlupf_output::figures::FigureError;
+
+/// Exit code of results that did not converge.
+pub const NOT_CONVERGED: u8 = 3;
+
+/// Why the command cannot do what it was asked to.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The case is wrong.
+    #[error(transparent)]
+    Case(#[from] CaseErrors),
+    /// The arguments are wrong in a way that the argument parser does not see.
+    #[error("{0}")]
+    Arguments(String),
+    /// A file or directory cannot be read or written.
+    #[error("{}: {cause}", path.display())]
+    File {
+        /// Which one.
+        path: PathBuf,
+        /// Why.
+        cause: io::Error,
+    },
+    /// A figure cannot be drawn.
+    #[error("figures: {0}")]
+    Figures(#[from] FigureError),
+}
+
+impl Failure {
+    /// A failure of the file system.
+    pub fn file(path: &Path, cause: impl Into<io::Error>) -> Self {
+        Self::File { path: path.to_owned(), cause: cause.into() }
+    }
+
+    /// Exit code: 1 for the file system, 2 for the input.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::File { .. } | Self::Figures(_) => 1,
+            Self::Case(errors) if errors.first.cause == Cause::FileSystem => 1,
+            Self::Case(_) | Self::Arguments(_) => 2,
+        }
+    }
+}

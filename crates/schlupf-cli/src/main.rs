@@ -1,0 +1,33 @@
+//! The command `schlupf`.
+
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod commands;
+mod failure;
+mod outputs;
+mod progress;
+mod report;
+mod solve;
+mod stdout;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let result = match arguments.command {
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::Check(arguments) => commands::check(&arguments),
+        Command::Init(arguments) => commands::init(&arguments),
+        Command::Schema => commands::schema(),
+        Command::Completions { shell } => commands::completions(shell),
+    };
+    result.unwrap_or_else(|failure| {
+        report::print(&failure);
+        ExitCode::from(failure.exit_code())
+    })
+}

@@ -1,0 +1,90 @@
+//! Errors on standard error, with the line they stand in.
+
+use std::fmt;
+use std::io::{IsTerminal, Write, stderr};
+
+use miette::{
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
+};
+use schlupf_case::{CaseError, Place};
+
+use crate::failure::Failure;
+
+/// Prints a failure. Nothing is left to do if that fails, too.
+pub fn print(failure: &Failure) {
+    let text = match failure {
+        Failure::Case(errors) => {
+            let reports: Vec<String> = errors.iter().map(|error| render(&Report::new(error))).collect();
+            reports.join("\n")
+        }
+        other => format!("error: {other}\n"),
+    };
+    let _ = stderr().write_all(text.as_bytes());
+}
+
+/// Prints a warning.
+pub fn warn(message: &str) {
+    let _ = writeln!(stderr(), "warning: {message}");
+}
+
+/// With colours and lines on a terminal, else in plain characters and without line breaks of its own.
+fn render(report: &Report) -> String {
+    let handler = if stderr().is_terminal() {
+        GraphicalReportHandler::new()
+    } else {
+        GraphicalReportHandler::new_themed(GraphicalTheme::none())
+            .with_width(10_000)
+            .with_wrap_lines(false)
+    };
+    let mut text = String::new();
+    match handler.with_links(false).render_report(&mut text, report) {
+        Ok(()) => text,
+        Err(fmt::Error) => format!("error: {report}\n"),
+    }
+}
+
+/// A case error in miette's terms.
+#[derive(Debug)]
+struct Report {
+    message: String,
+    help: Option<String>,
+    source: Option<NamedSource<String>>,
+    labels: Vec<LabeledSpan>,
+}
+
+impl Report {
+    fn new(error: &CaseError) -> Self {
+        let message = format!("{}: {}", error.place, error.message);
+        let help = error.help.clone();
+        let (source, labels) = match &error.place {
+            Place::Text { source, span } => (
+                Some(NamedSource::new(&source.name, source.text.clone())),
+                vec![LabeledSpan::new_with_span(None, span.clone())],
+            ),
+            _ => (None, Vec::new()),
+        };
+        Self { message, help, source, labels }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Report {}
+
+impl Diagnostic for Report {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as _)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.source.as_ref().map(|source| source as _)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        Some(Box::new(self.labels.iter().cloned()))
+    }
+}

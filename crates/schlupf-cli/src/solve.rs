@@ -1,0 +1,120 @@
+//! `schlupf solve`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use schlupf::rolling::marching;
+use schlupf::state::State;
+use schlupf::{Solution, Status};
+use schlupf_case::{Case, Driver};
+use schlupf_output::{csv, figures, json, summary, vtk};
+
+use crate::arguments::SolveArguments;
+use crate::commands::read_case;
+use crate::failure::{Failure, NOT_CONVERGED};
+use crate::progress::Progress;
+use crate::{outputs, report, stdout};
+
+/// Solves a case and writes the results.
+pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
+    check_outputs(arguments)?;
+    let mut case = read_case(&arguments.case)?;
+    if let Some(path) = &arguments.initial_state {
+        case.problem.initial_state = Some(read_state(path)?);
+    }
+    let progress = Progress::start();
+    let mut solution = solve(&case, &progress)?;
+    solution.warnings.splice(0..0, case.notices.iter().cloned());
+    let files = files(arguments, &case.title, &solution, &progress)?;
+    drop(progress);
+    if let Some(directory) = &arguments.figures {
+        fs::create_dir_all(directory).map_err(|cause| Failure::file(directory, cause))?;
+    }
+    outputs::write(&files)?;
+    print(arguments, &case.title, &solution)?;
+    match solution.status {
+        Status::Converged => Ok(ExitCode::SUCCESS),
+        Status::NotConverged => {
+            report::warn(&format!("not converged: the relative residual is {:.1e}", solution.residual));
+            Ok(ExitCode::from(NOT_CONVERGED))
+        }
+    }
+}
+
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+fn check_outputs(arguments: &SolveArguments) -> Result<(), Failure> {
+    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let outputs: Vec<(&str, &Path)> = [
+        ("--json", json),
+        ("--csv", arguments.csv.as_deref()),
+        ("--vtk", arguments.vtk.as_deref()),
+        ("--final-state", arguments.final_state.as_deref()),
+    ]
+    .into_iter()
+    .filter_map(|(option, path)| Some((option, path?)))
+    .collect();
+    outputs::check(&outputs, arguments.case.case.as_deref())?;
+    arguments.figures.as_deref().map_or(Ok(()), outputs::check_directory)
+}
+
+fn read_state(path: &Path) -> Result<State, Failure> {
+    let bytes = fs::read(path).map_err(|cause| Failure::file(path, cause))?;
+    serde_json::from_slice(&bytes).map_err(|error| {
+        let path = path.display();
+        Failure::Arguments(format!("--initial-state must be a file of --final-state, but {path} is not: {error}"))
+    })
+}
+
+fn solve(case: &Case, progress: &Progress) -> Result<Solution, Failure> {
+    let mut report = |state| progress.step(state);
+    let result = match case.driver {
+        Driver::Marching => marching::march(&case.problem, &case.options, &mut report),
+    };
+    result.map_err(|error| Failure::Case(case.explain(&error).into()))
+}
+
+/// All files in memory: what cannot be made is known before the first one is written.
+fn files(
+    arguments: &SolveArguments,
+    title: &str,
+    solution: &Solution,
+    progress: &Progress,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    let mut files = Vec::new();
+    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+        files.push((path.to_owned(), json::document(title, solution).into_bytes()));
+    }
+    if let Some(path) = &arguments.csv {
+        files.push((path.clone(), csv::fields(solution).into_bytes()));
+    }
+    if let Some(path) = &arguments.vtk {
+        files.push((path.clone(), vtk::structured_points(title, solution)));
+    }
+    if let Some(path) = &arguments.final_state {
+        let state = serde_json::to_vec(&solution.state)
+            .map_err(|error| Failure::file(path, std::io::Error::from(error)))?;
+        files.push((path.clone(), state));
+    }
+    if let Some(directory) = &arguments.figures {
+        progress.stage("drawing figures");
+        for figure in figures::all(title, solution)? {
+            files.push((directory.join(format!("{}.svg", figure.name)), figure.svg.into_bytes()));
+            files.push((directory.join(format!("{}.png", figure.name)), figure.png));
+        }
+    }
+    Ok(files)
+}
+
+fn print(arguments: &SolveArguments, title: &str, solution: &Solution) -> Result<(), Failure> {
+    if arguments.json.as_deref().is_some_and(is_stdout) {
+        stdout::write(&json::document(title, solution))
+    } else if arguments.quiet {
+        Ok(())
+    } else {
+        stdout::write(&summary::text(title, solution))
+    }
+}

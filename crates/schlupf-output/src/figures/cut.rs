@@ -1,0 +1,157 @@
+//! The contact along the line y = 0.
+
+use std::f64::consts::PI;
+
+use super::contour::{self, Sliding};
+use super::marks::{self, HEADING};
+use super::panels::{BLUE, Curve, GREEN, Panel, Stack, VERMILION};
+use super::patch::Patch;
+use super::quantity::scaled;
+use super::sampler::Sampler;
+use super::units;
+
+/// Traction on the rail with its bound, slip velocity, and temperature rise along y = 0.
+pub(super) fn draw(patch: &Patch) -> String {
+    let cut = Cut::new(patch);
+    let mut panels = vec![tractions(&cut), slip(&cut)];
+    panels.extend(temperature(&cut));
+    let stack = Stack {
+        x: cut.axis(),
+        label: "$x$ (mm)",
+        panels,
+        shaded: cut.sticking(),
+        shading: "stick",
+    };
+    let mut drawing = stack.drawing();
+    marks::heading(&mut drawing, patch, &cut.title());
+    let right = drawing.width - 116.0;
+    marks::rolling_direction(&mut drawing, [right, HEADING + 20.0]);
+    stack.draw(&mut drawing, HEADING + 40.0);
+    drawing.finish()
+}
+
+/// The line, from the trailing to the leading edge.
+struct Cut<'a> {
+    patch: &'a Patch<'a>,
+    /// In m.
+    y: f64,
+    /// In m.
+    range: [f64; 2],
+}
+
+impl<'a> Cut<'a> {
+    /// The line y = 0, or the one nearest to it that crosses the grid.
+    fn new(patch: &'a Patch<'a>) -> Self {
+        let grid = &patch.fields().grid;
+        let (first, last) = (grid.y(0), grid.y(grid.rows - 1));
+        let a = patch.semi_axes()[0];
+        let range = if patch.elliptic {
+            [-a, a]
+        } else {
+            [grid.edge_x(0), grid.edge_x(grid.columns)]
+        };
+        Self { patch, y: 0.0_f64.clamp(first, last), range }
+    }
+
+    fn title(&self) -> String {
+        if self.y == 0.0 {
+            return "Contact along the line $y$ = 0".to_owned();
+        }
+        format!("Contact along the line $y$ = {:.2} mm", self.y / 1e-3).replace('-', "\u{2212}")
+    }
+
+    /// Range of the axis, in mm.
+    fn axis(&self) -> [f64; 2] {
+        let margin = 0.03 * (self.range[1] - self.range[0]);
+        [(self.range[0] - margin) / 1e-3, (self.range[1] + margin) / 1e-3]
+    }
+
+    /// Values (one for each contact cell) along the line over x in mm, not a number outside the
+    /// contact. The points crowd at the ends, where a Hertzian field falls steeply.
+    fn along(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<[f64; 2]> {
+        const POINTS: u32 = 400;
+        let sampler = Sampler::new(self.patch, values, vanishes_at_rim);
+        let [a, b] = self.patch.semi_axes();
+        let [low, high] = self.range;
+        (0..=POINTS)
+            .map(|index| 0.5 - 0.5 * (f64::from(index) / f64::from(POINTS) * PI).cos())
+            .map(|share| low + (high - low) * share)
+            .map(|x| {
+                let inside = self.patch.elliptic || self.patch.contains([x, self.y]);
+                let value = sampler.value([x / a, self.y / b]);
+                [x / 1e-3, if inside { value } else { f64::NAN }]
+            })
+            .collect()
+    }
+
+    /// Ranges of x in which the line sticks, in mm.
+    fn sticking(&self) -> Vec<[f64; 2]> {
+        let Sliding { values, level } = contour::sliding(self.patch);
+        let points = self.along(&values, false);
+        let mut ranges: Vec<[f64; 2]> = Vec::new();
+        let mut stuck = false;
+        for pair in points.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            let sticks = from[1] < level && to[1] < level;
+            match ranges.last_mut() {
+                Some(last) if sticks && stuck => last[1] = to[0],
+                _ if sticks => ranges.push([from[0], to[0]]),
+                _ => {}
+            }
+            stuck = sticks;
+        }
+        ranges
+    }
+}
+
+fn tractions(cut: &Cut) -> Panel {
+    let fields = cut.patch.fields();
+    let bound: Vec<f64> =
+        fields.friction_coefficient.iter().zip(&fields.pressure).map(|(mu, p)| mu * p).collect();
+    let (unit, bound) = scaled(&bound, units::PRESSURE);
+    let on_rail = |traction: &[f64]| -> Vec<f64> { traction.iter().map(|t| -t / unit.size).collect() };
+    let [x, y] = [on_rail(&fields.traction_x), on_rail(&fields.traction_y)];
+    let largest = bound.iter().copied().fold(0.0, f64::max);
+    let below = |values: &[f64], share: f64| values.iter().any(|v| *v < -share * largest);
+    let mut curves = vec![Curve::dashed(cut.along(&bound, true), "#444444", "bound $μ$ $p$_n")];
+    if below(&x, 0.2) || below(&y, 0.2) {
+        let negative: Vec<f64> = bound.iter().map(|b| -b).collect();
+        curves.push(Curve::dashed(cut.along(&negative, true), "#444444", ""));
+    }
+    curves.push(Curve::solid(cut.along(&x, true), BLUE, "\u{2212}$t$_x"));
+    curves.push(Curve::solid(cut.along(&y, true), VERMILION, "\u{2212}$t$_y"));
+    Panel { label: format!("traction on the rail ({})", unit.symbol), height: 260.0, curves }
+}
+
+fn slip(cut: &Cut) -> Panel {
+    let fields = cut.patch.fields();
+    let largest = fields.slip_x.iter().chain(&fields.slip_y).copied();
+    let largest = largest.filter(|v| v.is_finite()).fold(0.0, |most: f64, v| most.max(v.abs()));
+    let unit = units::pick(units::VELOCITY, largest);
+    let curve = |field: &[f64], color, text| {
+        let values: Vec<f64> = field.iter().map(|v| v / unit.size).collect();
+        Curve::solid(cut.along(&values, false), color, text)
+    };
+    let curves = vec![
+        curve(&fields.slip_x, BLUE, "$v$_{sx}"),
+        curve(&fields.slip_y, VERMILION, "$v$_{sy}"),
+    ];
+    Panel { label: format!("slip velocity ({})", unit.symbol), height: 150.0, curves }
+}
+
+/// Nothing where there is no heat.
+fn temperature(cut: &Cut) -> Option<Panel> {
+    let fields = cut.patch.fields();
+    let (wheel, rail) = (&fields.temperature_rise_wheel, &fields.temperature_rise_rail);
+    let hot = |field: &[f64]| field.iter().any(|t| *t != 0.0 && t.is_finite());
+    let curves = if wheel == rail {
+        vec![Curve::solid(cut.along(wheel, false), GREEN, "wheel and rail")]
+    } else {
+        vec![
+            Curve::solid(cut.along(wheel, false), GREEN, "wheel"),
+            Curve::dashed(cut.along(rail, false), GREEN, "rail"),
+        ]
+    };
+    let label = "temperature rise (K)".to_owned();
+    (hot(wheel) || hot(rail)).then_some(Panel { label, height: 150.0, curves })
+}

@@ -1,0 +1,107 @@
+//! A rectangle with axes: ticks, grid, labels.
+
+use super::label::{Anchor, TextStyle};
+use super::svg::{Drawing, GRID_LINE, INK};
+use super::ticks::{Tick, round_ticks};
+
+/// Font size of tick labels.
+pub(super) const TICK_SIZE: f64 = 13.0;
+/// Font size of axis labels.
+pub(super) const LABEL_SIZE: f64 = 15.0;
+
+/// A plot area and the ranges it shows.
+#[derive(Debug, Clone)]
+pub(super) struct Frame {
+    /// Upper left corner in the drawing.
+    pub corner: [f64; 2],
+    /// Width and height in the drawing.
+    pub size: [f64; 2],
+    /// Range of x.
+    pub x: [f64; 2],
+    /// Range of y.
+    pub y: [f64; 2],
+}
+
+impl Frame {
+    /// Where a point lies in the drawing.
+    pub(super) fn at(&self, point: [f64; 2]) -> [f64; 2] {
+        let u = (point[0] - self.x[0]) / (self.x[1] - self.x[0]);
+        let v = (point[1] - self.y[0]) / (self.y[1] - self.y[0]);
+        [self.corner[0] + u * self.size[0], self.corner[1] + (1.0 - v) * self.size[1]]
+    }
+
+    /// Drawing units per unit of x and of y.
+    pub(super) fn scale(&self) -> [f64; 2] {
+        [self.size[0] / (self.x[1] - self.x[0]), self.size[1] / (self.y[1] - self.y[0])]
+    }
+
+    /// Lower edge in the drawing.
+    pub(super) fn bottom(&self) -> f64 {
+        self.corner[1] + self.size[1]
+    }
+
+    /// Right edge in the drawing.
+    pub(super) fn right(&self) -> f64 {
+        self.corner[0] + self.size[0]
+    }
+
+    /// Grid lines at the ticks, for what is drawn over them.
+    pub(super) fn draw_grid(&self, drawing: &mut Drawing) {
+        for tick in self.x_ticks() {
+            let x = self.at([tick.value, self.y[0]])[0];
+            drawing.line([x, self.corner[1]], [x, self.bottom()], GRID_LINE);
+        }
+        for tick in self.y_ticks() {
+            let y = self.at([self.x[0], tick.value])[1];
+            drawing.line([self.corner[0], y], [self.right(), y], GRID_LINE);
+        }
+    }
+
+    /// The outline, and ticks and label of the vertical axis.
+    pub(super) fn draw_vertical(&self, drawing: &mut Drawing, label: &str) {
+        let left = self.corner[0];
+        drawing.rectangle(self.corner, self.size, &outline());
+        let mut widest: f64 = 0.0;
+        for tick in self.y_ticks() {
+            let y = self.at([self.x[0], tick.value])[1];
+            drawing.line([left, y], [left - 5.0, y], &tick_line());
+            let style = TextStyle::new(TICK_SIZE, Anchor::End);
+            drawing.text([left - 9.0, y + 0.36 * TICK_SIZE], &style, &tick.label);
+            widest = widest.max(super::label::width(&tick.label) * TICK_SIZE);
+        }
+        let style = TextStyle { rotation: -90.0, ..TextStyle::new(LABEL_SIZE, Anchor::Middle) };
+        let middle = self.corner[1] + 0.5 * self.size[1];
+        drawing.text([left - 9.0 - widest.max(22.0) - 14.0, middle], &style, label);
+    }
+
+    /// Ticks and label of the horizontal axis.
+    pub(super) fn draw_horizontal(&self, drawing: &mut Drawing, label: &str) {
+        let bottom = self.bottom();
+        for tick in self.x_ticks() {
+            let x = self.at([tick.value, self.y[0]])[0];
+            drawing.line([x, bottom], [x, bottom + 5.0], &tick_line());
+            let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
+            drawing.text([x, bottom + 8.0 + TICK_SIZE], &style, &tick.label);
+        }
+        let style = TextStyle::new(LABEL_SIZE, Anchor::Middle);
+        drawing.text([self.corner[0] + 0.5 * self.size[0], bottom + 44.0], &style, label);
+    }
+
+    fn x_ticks(&self) -> Vec<Tick> {
+        round_ticks(self.x[0], self.x[1], ((self.size[0] / 70.0) as usize).clamp(2, 9))
+    }
+
+    fn y_ticks(&self) -> Vec<Tick> {
+        round_ticks(self.y[0], self.y[1], ((self.size[1] / 45.0) as usize).clamp(2, 8))
+    }
+}
+
+/// Stroke of the outline of a plot area.
+pub(super) fn outline() -> String {
+    format!(r#"fill="none" stroke="{INK}" stroke-width="1""#)
+}
+
+/// Stroke of a tick.
+pub(super) fn tick_line() -> String {
+    format!(r#"stroke="{INK}" stroke-width="1""#)
+}

@@ -1,0 +1,86 @@
+//! Forces and temperature while the wheel rolls.
+
+use schlupf::solution::Instant;
+
+use super::marks::{self, HEADING};
+use super::panels::{BLUE, Curve, GREEN, Panel, Stack, VERMILION};
+use super::patch::Patch;
+use super::units;
+
+/// Forces on the rail, creepages that change, and the largest temperature rise over the distance
+/// rolled.
+pub(super) fn draw(patch: &Patch) -> String {
+    let history = &patch.solution.history;
+    let distance = rolled_distance(history);
+    let total = distance.last().copied().unwrap_or(0.0);
+    let unit = units::pick(units::DISTANCE, total);
+    let x: Vec<f64> = distance.iter().map(|s| s / unit.size).collect();
+    let mut panels = vec![forces(history, &x)];
+    panels.extend(creepages(history, &x));
+    panels.extend(temperature(history, &x));
+    let end = if total > 0.0 && total.is_finite() { total / unit.size } else { 1.0 };
+    let label = if unit.symbol == "m" { "rolled distance (m)" } else { "rolled distance (mm)" };
+    let stack = Stack { x: [0.0, end], label, panels, shaded: Vec::new(), shading: "" };
+    let mut drawing = stack.drawing();
+    marks::heading(&mut drawing, patch, "Forces over the rolled distance");
+    stack.draw(&mut drawing, HEADING + 40.0);
+    drawing.finish()
+}
+
+/// Distance rolled up to each instant, in m.
+fn rolled_distance(history: &[Instant]) -> Vec<f64> {
+    let mut before = 0.0;
+    let mut distance = 0.0;
+    history
+        .iter()
+        .map(|instant| {
+            distance += instant.kinematics.speed * (instant.time - before);
+            before = instant.time;
+            distance
+        })
+        .collect()
+}
+
+fn points(x: &[f64], history: &[Instant], value: impl Fn(&Instant) -> f64) -> Vec<[f64; 2]> {
+    x.iter().zip(history).map(|(x, instant)| [*x, value(instant)]).collect()
+}
+
+fn forces(history: &[Instant], x: &[f64]) -> Panel {
+    let largest = history.iter().map(|instant| instant.force.x.hypot(instant.force.y));
+    let unit = units::pick(units::FORCE, largest.filter(|f| f.is_finite()).fold(0.0, f64::max));
+    let curves = vec![
+        Curve::solid(
+            points(x, history, |instant| -instant.force.x / unit.size),
+            BLUE,
+            "\u{2212}$F$_x",
+        ),
+        Curve::solid(
+            points(x, history, |instant| -instant.force.y / unit.size),
+            VERMILION,
+            "\u{2212}$F$_y",
+        ),
+    ];
+    Panel { label: format!("force on the rail ({})", unit.symbol), height: 260.0, curves }
+}
+
+/// Nothing where they are constant.
+fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
+    let first = history.first()?.kinematics;
+    let changes = history.iter().any(|instant| {
+        instant.kinematics.creepage_x != first.creepage_x
+            || instant.kinematics.creepage_y != first.creepage_y
+    });
+    let curves = vec![
+        Curve::solid(points(x, history, |instant| instant.kinematics.creepage_x), BLUE, "$ξ$"),
+        Curve::solid(points(x, history, |instant| instant.kinematics.creepage_y), VERMILION, "$η$"),
+    ];
+    changes.then_some(Panel { label: "creepage".to_owned(), height: 150.0, curves })
+}
+
+/// Nothing where there is no heat.
+fn temperature(history: &[Instant], x: &[f64]) -> Option<Panel> {
+    let hot = history.iter().any(|instant| instant.max_rise != 0.0);
+    let curves = vec![Curve::solid(points(x, history, |instant| instant.max_rise), GREEN, "")];
+    let label = "largest temperature rise (K)".to_owned();
+    hot.then_some(Panel { label, height: 180.0, curves })
+}

@@ -1,0 +1,184 @@
+//! Text with italics and subscripts.
+//!
+//! Markup: `$` begins and ends italics, `_` and `^` lower and raise the next character or the text
+//! in braces that follows: `$p$_n (MPa)`, `mm^{2}`.
+
+use std::fmt::Write;
+
+use super::svg::INK;
+
+/// Where the given point lies in the text.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Anchor {
+    /// At its start.
+    Start,
+    /// In its middle.
+    Middle,
+    /// At its end.
+    End,
+}
+
+/// How text is set.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TextStyle {
+    /// Font size in user units.
+    pub size: f64,
+    /// Where the given point lies along the text.
+    pub anchor: Anchor,
+    /// Colour.
+    pub color: &'static str,
+    /// Clockwise rotation about the given point, in degrees.
+    pub rotation: f64,
+    /// Whether a white rim sets the text off from what it lies on.
+    pub halo: bool,
+}
+
+impl TextStyle {
+    /// Upright dark text.
+    pub(super) const fn new(size: f64, anchor: Anchor) -> Self {
+        Self { size, anchor, color: INK, rotation: 0.0, halo: false }
+    }
+}
+
+/// The SVG element of a text whose inner part is given as SVG.
+pub(super) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
+    let [x, y] = at;
+    let anchor = match style.anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    };
+    let mut attributes = format!(
+        r#"x="{x:.2}" y="{y:.2}" font-size="{}" text-anchor="{anchor}" fill="{}""#,
+        style.size, style.color
+    );
+    if style.rotation != 0.0 {
+        // Writing to a String cannot fail.
+        let _ = write!(attributes, r#" transform="rotate({:.2} {x:.2} {y:.2})""#, style.rotation);
+    }
+    if style.halo {
+        let _ = write!(
+            attributes,
+            r##" stroke="#ffffff" stroke-width="3" stroke-linejoin="round" paint-order="stroke""##
+        );
+    }
+    format!("<text {attributes}>{inner}</text>")
+}
+
+/// Markup as SVG text spans for a font size.
+pub(super) fn spans(markup: &str, size: f64) -> String {
+    let mut inner = String::new();
+    let mut baseline = 0.0;
+    for run in runs(markup) {
+        let (shift, scale) = match run.script {
+            Script::Base => (0.0, 1.0),
+            Script::Lower => (0.22, 0.72),
+            Script::Upper => (-0.38, 0.72),
+        };
+        let style = if run.italic { r#" font-style="italic""# } else { "" };
+        // A shift holds for all text behind it, so each run states its own against the last one.
+        // Writing to a String cannot fail.
+        let _ = write!(
+            inner,
+            r#"<tspan dy="{:.2}" font-size="{:.2}"{style}>{}</tspan>"#,
+            (shift - baseline) * size,
+            scale * size,
+            escape(&run.text)
+        );
+        baseline = shift;
+    }
+    inner
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Script {
+    Base,
+    Lower,
+    Upper,
+}
+
+/// Characters set alike.
+#[derive(Debug)]
+struct Run {
+    text: String,
+    italic: bool,
+    script: Script,
+}
+
+fn runs(markup: &str) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let mut italic = false;
+    let mut characters = markup.chars();
+    while let Some(character) = characters.next() {
+        let (text, script) = match character {
+            '$' => {
+                italic = !italic;
+                continue;
+            }
+            '_' => (script(&mut characters), Script::Lower),
+            '^' => (script(&mut characters), Script::Upper),
+            other => (other.to_string(), Script::Base),
+        };
+        match runs.last_mut() {
+            Some(run) if run.italic == italic && run.script == script => run.text.push_str(&text),
+            _ => runs.push(Run { text, italic, script }),
+        }
+    }
+    runs
+}
+
+/// The next character, or the text in braces.
+fn script(characters: &mut std::str::Chars) -> String {
+    match characters.next() {
+        Some('{') => characters.by_ref().take_while(|&c| c != '}').collect(),
+        Some(character) => character.to_string(),
+        None => String::new(),
+    }
+}
+
+/// Text with the characters of XML escaped and control characters left out.
+pub(super) fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+/// About how wide a text is, in font sizes; enough to keep labels apart.
+pub(super) fn width(text: &str) -> f64 {
+    0.57 * text.chars().filter(|c| !"$_^{}".contains(*c)).count() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn xml_is_escaped_and_control_characters_are_dropped() {
+        assert_eq!(escape("a<b & \"c\"\u{1}"), "a&lt;b &amp; &quot;c&quot; ");
+    }
+
+    #[test]
+    fn a_subscript_is_lowered_and_what_follows_is_raised_again() {
+        let inner = spans("$p$_n (MPa)", 10.0);
+        assert_eq!(
+            inner,
+            r#"<tspan dy="0.00" font-size="10.00" font-style="italic">p</tspan><tspan dy="2.20" font-size="7.20">n</tspan><tspan dy="-2.20" font-size="10.00"> (MPa)</tspan>"#
+        );
+    }
+
+    #[test]
+    fn unfinished_markup_is_no_panic() {
+        for markup in ["$x", "a_", "b_{cd", "^"] {
+            spans(markup, 10.0);
+        }
+    }
+}

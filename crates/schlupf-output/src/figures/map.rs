@@ -1,0 +1,250 @@
+//! Flat maps of the patch: colours, arrows, the border between sticking and sliding.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use super::color::{ColorScale, paint};
+use super::contour::{Segment, outline, stick_border};
+use super::frame::Frame;
+use super::marks::{self, Entry, HEADING, Sample};
+use super::patch::Patch;
+use super::quantity::{Quantity, colors};
+use super::sampler::Sampler;
+use super::svg::{Drawing, open_path};
+
+/// Vectors drawn as arrows.
+#[derive(Debug)]
+pub(super) struct Arrows {
+    /// Component along rolling in every contact cell, in any unit.
+    pub x: Vec<f64>,
+    /// Component across rolling.
+    pub y: Vec<f64>,
+    /// Whether they vanish at the rim, as [`Quantity`] has it.
+    pub vanish_at_rim: bool,
+    /// What they are.
+    pub text: &'static str,
+}
+
+const MILLIMETRE: f64 = 1e-3;
+const ARROW: &str = r##"fill="#000000" stroke="#ffffff" stroke-width="0.8""##;
+const RIM: &str = r##"fill="none" stroke="#222222" stroke-width="1.3""##;
+const BORDER: [&str; 2] = [
+    r##"fill="none" stroke="#000000" stroke-width="4.4" stroke-linecap="round""##,
+    r##"fill="none" stroke="#ffffff" stroke-width="2.2" stroke-linecap="round""##,
+];
+
+/// The map of a quantity over x and y in mm, both to the same scale.
+pub(super) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) -> String {
+    let layout = Layout::new(patch);
+    let mut drawing = Drawing::new(layout.width, layout.height);
+    marks::heading(&mut drawing, patch, &quantity.title);
+    let frame = &layout.frame;
+    frame.draw_grid(&mut drawing);
+    let scale = colors(quantity.palette, quantity.range());
+    begin_patch_clip(&mut drawing, patch, frame);
+    draw_cells(&mut drawing, frame, &cells_by_level(patch, quantity, &scale), (patch, &scale));
+    drawing.end_group();
+    draw_rim(&mut drawing, patch, frame);
+    let border = stick_border(patch);
+    begin_patch_clip(&mut drawing, patch, frame);
+    for stroke in BORDER {
+        drawing.path(&segments_path(frame, &border), stroke);
+    }
+    drawing.end_group();
+    if let Some(arrows) = arrows {
+        draw_arrows(&mut drawing, patch, frame, arrows);
+    }
+    let center = [frame.corner[0] + 0.5 * frame.size[0], HEADING + 14.0];
+    marks::rolling_direction(&mut drawing, center);
+    frame.draw_vertical(&mut drawing, "$y$ (mm)");
+    frame.draw_horizontal(&mut drawing, "$x$ (mm)");
+    marks::color_bar(&mut drawing, layout.bar, layout.bar_height, &scale, &quantity.label);
+    marks::legend(&mut drawing, layout.legend, layout.width - 48.0, &entries(&border, arrows));
+    drawing.finish()
+}
+
+struct Layout {
+    width: f64,
+    height: f64,
+    frame: Frame,
+    bar: [f64; 2],
+    bar_height: f64,
+    legend: [f64; 2],
+}
+
+impl Layout {
+    /// The plot as large as its proportions allow, colour bar to its right, legend below.
+    fn new(patch: &Patch) -> Self {
+        const LARGEST: [f64; 2] = [600.0, 520.0];
+        const LEAST_HEIGHT: f64 = 200.0;
+        const BAR: f64 = 150.0;
+        let ranges = ranges(patch).map(|range| range.map(|end| end / MILLIMETRE));
+        let spans = ranges.map(|[low, high]| high - low);
+        let scale = (LARGEST[0] / spans[0]).min(LARGEST[1] / spans[1]);
+        let size = spans.map(|span| span * scale);
+        let width = (84.0 + size[0] + BAR).max(640.0);
+        let left = 84.0 + 0.5 * (width - 84.0 - size[0] - BAR);
+        let area = size[1].max(LEAST_HEIGHT);
+        let top = HEADING + 36.0;
+        let frame = Frame {
+            corner: [left, top + 0.5 * (area - size[1])],
+            size,
+            x: ranges[0],
+            y: ranges[1],
+        };
+        let bar_height = area - 28.0;
+        let below = frame.bottom().max(top + area - 40.0) + 78.0;
+        Self {
+            width,
+            height: below + 34.0,
+            bar: [frame.right() + 30.0, top + 28.0],
+            bar_height,
+            legend: [24.0, below],
+            frame,
+        }
+    }
+}
+
+/// What the map spans, in m: the patch and a little more.
+fn ranges(patch: &Patch) -> [[f64; 2]; 2] {
+    let grid = &patch.fields().grid;
+    if patch.elliptic {
+        return patch.semi_axes().map(|axis| [-1.08 * axis, 1.08 * axis]);
+    }
+    [
+        [grid.edge_x(0), grid.edge_x(grid.columns)],
+        [grid.edge_y(0) - grid.spacing_y, grid.edge_y(grid.rows) + grid.spacing_y],
+    ]
+}
+
+/// The cells of each colour as one path on the lattice of the grid; cells of one colour that follow
+/// each other in a row are one rectangle.
+fn cells_by_level(patch: &Patch, quantity: &Quantity, scale: &ColorScale) -> BTreeMap<usize, String> {
+    let fields = patch.fields();
+    let level = |column: usize, row: usize| {
+        let cell = patch.cell(column, row)?;
+        let value = quantity.values[cell];
+        // The patch is clipped at its rim, so its cells show the mean of what remains of them.
+        let partial = patch.elliptic && quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
+        Some(scale.level(if partial { value / fields.covered[cell] } else { value }))
+    };
+    let mut paths: BTreeMap<usize, String> = BTreeMap::new();
+    for row in 0..fields.grid.rows {
+        let mut column = 0;
+        while column < fields.grid.columns {
+            let Some(here) = level(column, row) else {
+                column += 1;
+                continue;
+            };
+            let same = (column..fields.grid.columns).take_while(|&c| level(c, row) == Some(here));
+            let count = same.count();
+            // Writing to a String cannot fail.
+            let _ = write!(paths.entry(here).or_default(), "M{column} {row}h{count}v1h-{count}z");
+            column += count;
+        }
+    }
+    paths
+}
+
+fn draw_cells(
+    drawing: &mut Drawing,
+    frame: &Frame,
+    paths: &BTreeMap<usize, String>,
+    (patch, scale): (&Patch, &ColorScale),
+) {
+    let grid = &patch.fields().grid;
+    let origin = frame.at([grid.origin_x / MILLIMETRE, grid.origin_y / MILLIMETRE]);
+    let cell = [grid.spacing_x / MILLIMETRE * frame.scale()[0], grid.spacing_y / MILLIMETRE * frame.scale()[1]];
+    drawing.begin_group(&format!(
+        r#"transform="matrix({:.6} 0 0 {:.6} {:.4} {:.4})" shape-rendering="crispEdges""#,
+        cell[0], -cell[1], origin[0], origin[1]
+    ));
+    for (level, path) in paths {
+        drawing.path(path, &format!(r#"fill="{}""#, paint(scale.palette, *level)));
+    }
+    drawing.end_group();
+}
+
+/// Clips to the patch: its ellipse, or its cells.
+fn begin_patch_clip(drawing: &mut Drawing, patch: &Patch, frame: &Frame) {
+    if patch.elliptic {
+        drawing.begin_clip(&ellipse(patch, frame, ""));
+        return;
+    }
+    let grid = &patch.fields().grid;
+    let mut path = String::new();
+    for &[i, j] in &patch.fields().cell {
+        let corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
+            .map(|[i, j]| frame.at([grid.edge_x(i) / MILLIMETRE, grid.edge_y(j) / MILLIMETRE]));
+        path += &open_path(&corners);
+        path.push('z');
+    }
+    drawing.begin_clip(&format!(r#"<path d="{path}"/>"#));
+}
+
+fn ellipse(patch: &Patch, frame: &Frame, style: &str) -> String {
+    let [x, y] = frame.at([0.0, 0.0]);
+    let [a, b] = patch.semi_axes();
+    let [rx, ry] = [a / MILLIMETRE * frame.scale()[0], b / MILLIMETRE * frame.scale()[1]];
+    format!(r#"<ellipse cx="{x:.2}" cy="{y:.2}" rx="{rx:.2}" ry="{ry:.2}" {style}/>"#)
+}
+
+fn draw_rim(drawing: &mut Drawing, patch: &Patch, frame: &Frame) {
+    if patch.elliptic {
+        drawing.shape(&ellipse(patch, frame, RIM));
+    } else {
+        drawing.path(&segments_path(frame, &outline(patch)), RIM);
+    }
+}
+
+fn segments_path(frame: &Frame, segments: &[Segment]) -> String {
+    let place = |point: [f64; 2]| frame.at([point[0] / MILLIMETRE, point[1] / MILLIMETRE]);
+    segments.iter().map(|segment| open_path(&segment.map(place))).collect()
+}
+
+/// Arrows on a lattice about the middle, the longest almost as long as they are apart.
+fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arrows) {
+    const SPACING: f64 = 36.0;
+    let largest = arrows.x.iter().zip(&arrows.y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
+    if !(largest.is_finite() && largest > 0.0) {
+        return;
+    }
+    let [a, b] = patch.semi_axes();
+    let [x, y] = [&arrows.x, &arrows.y].map(|v| Sampler::new(patch, v, arrows.vanish_at_rim));
+    let steps = |axis: usize| {
+        let half = (0.5 * frame.size[axis] / SPACING) as i32;
+        let step = SPACING / frame.scale()[axis] * MILLIMETRE;
+        let middle = 0.5 * (ranges(patch)[axis][0] + ranges(patch)[axis][1]);
+        (-half..=half).map(move |index| middle + f64::from(index) * step)
+    };
+    let mut path = String::new();
+    for place in steps(1).flat_map(|y| steps(0).map(move |x| [x, y])) {
+        let normalised = [place[0] / a, place[1] / b];
+        let vector = [x.value(normalised) / largest, y.value(normalised) / largest];
+        if !patch.contains(place) || vector[0].hypot(vector[1]) < 0.05 {
+            continue;
+        }
+        let [x, y] = frame.at(place.map(|coordinate| coordinate / MILLIMETRE));
+        let half = [0.45 * SPACING * vector[0], -0.45 * SPACING * vector[1]];
+        path += &marks::arrow([x - half[0], y - half[1]], [x + half[0], y + half[1]], 9.0);
+    }
+    drawing.path(&path, ARROW);
+}
+
+fn entries(border: &[Segment], arrows: Option<&Arrows>) -> Vec<Entry> {
+    let mut entries = vec![Entry {
+        sample: Sample::Line(vec![RIM.to_owned()]),
+        text: "contact".to_owned(),
+    }];
+    if !border.is_empty() {
+        entries.push(Entry {
+            sample: Sample::Line(BORDER.map(str::to_owned).to_vec()),
+            text: "stick | slip".to_owned(),
+        });
+    }
+    if let Some(arrows) = arrows {
+        entries
+            .push(Entry { sample: Sample::Arrow(ARROW.to_owned()), text: arrows.text.to_owned() });
+    }
+    entries
+}

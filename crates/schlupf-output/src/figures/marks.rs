@@ -1,0 +1,179 @@
+//! What several figures have in common: heading, colour bar, arrows, legend.
+
+use schlupf::Status;
+
+use super::color::{ColorScale, LEVELS, paint};
+use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
+use super::label::{self, Anchor, TextStyle};
+use super::patch::Patch;
+use super::svg::{Drawing, INK, MUTED, open_path};
+use super::ticks::round_ticks;
+
+/// Height of the heading.
+pub(super) const HEADING: f64 = 84.0;
+/// Left end of the heading.
+const MARGIN: f64 = 24.0;
+
+/// Title of the figure, title of the case, and its kinematics.
+pub(super) fn heading(drawing: &mut Drawing, patch: &Patch, title: &str) {
+    drawing.text([MARGIN, 32.0], &TextStyle::new(19.0, Anchor::Start), title);
+    let small = TextStyle { color: MUTED, ..TextStyle::new(13.0, Anchor::Start) };
+    let room = (drawing.width - 2.0 * MARGIN) / small.size;
+    drawing.plain_text([MARGIN, 54.0], &small, &shortened(patch.title, room));
+    drawing.text([MARGIN, 74.0], &small, &conditions(patch));
+    if patch.solution.status == Status::NotConverged {
+        let style = TextStyle { color: "#b40426", ..TextStyle::new(15.0, Anchor::End) };
+        drawing.text([drawing.width - MARGIN, 32.0], &style, "not converged");
+    }
+}
+
+/// A text cut to a width in font sizes.
+fn shortened(text: &str, room: f64) -> String {
+    if label::width(text) <= room {
+        return text.to_owned();
+    }
+    let kept = (room / 0.6) as usize;
+    text.chars().take(kept.saturating_sub(1)).chain(['…']).collect()
+}
+
+fn conditions(patch: &Patch) -> String {
+    let kinematics = &patch.solution.kinematics;
+    let mut parts = vec![format!("$ξ$ = {}", short(kinematics.creepage_x))];
+    if kinematics.creepage_y != 0.0 {
+        parts.push(format!("$η$ = {}", short(kinematics.creepage_y)));
+    }
+    if kinematics.spin != 0.0 {
+        parts.push(format!("$φ$ = {} 1/m", short(kinematics.spin)));
+    }
+    parts.push(format!("$v$_0 = {} m/s", short(kinematics.speed)));
+    parts.push(format!("$N$ = {} kN", short(patch.solution.normal.load / 1e3)));
+    parts.join(", ")
+}
+
+/// Four significant digits without trailing zeros.
+fn short(value: f64) -> String {
+    if !value.is_finite() {
+        return "?".to_owned();
+    }
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    let text = if (1e-4..1e5).contains(&rounded.abs()) || rounded == 0.0 {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    };
+    text.replace('-', "\u{2212}")
+}
+
+/// A vertical colour bar from its upper left corner, with ticks and a label on top.
+pub(super) fn color_bar(drawing: &mut Drawing, corner: [f64; 2], height: f64, scale: &ColorScale, label: &str) {
+    const WIDTH: f64 = 18.0;
+    let [left, top] = corner;
+    let step = height / LEVELS as f64;
+    drawing.begin_group(r#"shape-rendering="crispEdges""#);
+    for level in 0..LEVELS {
+        let y = top + height - (level + 1) as f64 * step;
+        let fill = format!(r#"fill="{}""#, paint(scale.palette, level));
+        // A little taller than a level, so that no gap shows between two of them.
+        drawing.rectangle([left, y], [WIDTH, step + 0.5], &fill);
+    }
+    drawing.end_group();
+    drawing.rectangle(corner, [WIDTH, height], &outline());
+    let right = left + WIDTH;
+    for tick in round_ticks(scale.low, scale.high, ((height / 55.0) as usize).clamp(3, 8)) {
+        let y = top + height * (1.0 - (tick.value - scale.low) / (scale.high - scale.low));
+        drawing.line([right, y], [right + 5.0, y], &tick_line());
+        let style = TextStyle::new(TICK_SIZE, Anchor::Start);
+        drawing.text([right + 9.0, y + 0.36 * TICK_SIZE], &style, &tick.label);
+    }
+    drawing.text([left, top - 12.0], &TextStyle::new(LABEL_SIZE, Anchor::Start), label);
+}
+
+/// The outline of an arrow as path data; `width` is that of its head. Nothing without a length.
+pub(super) fn arrow(from: [f64; 2], to: [f64; 2], width: f64) -> String {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let length = dx.hypot(dy);
+    if length.is_nan() || length < 1e-6 {
+        return String::new();
+    }
+    let along = [dx / length, dy / length];
+    let point = |distance: f64, aside: f64| {
+        [
+            from[0] + along[0] * distance - along[1] * aside,
+            from[1] + along[1] * distance + along[0] * aside,
+        ]
+    };
+    // A short arrow is a smaller one, not a squeezed one.
+    let head = (1.4 * width).min(0.6 * length);
+    let half_head = head / 2.8;
+    let half_shaft = 0.3 * half_head;
+    let neck = length - head;
+    let outline = [
+        point(0.0, half_shaft),
+        point(neck, half_shaft),
+        point(neck, half_head),
+        point(length, 0.0),
+        point(neck, -half_head),
+        point(neck, -half_shaft),
+        point(0.0, -half_shaft),
+    ];
+    open_path(&outline) + "z"
+}
+
+/// The rolling direction: an arrow to the right with its name before it, centred on a point.
+pub(super) fn rolling_direction(drawing: &mut Drawing, center: [f64; 2]) {
+    let [x, y] = center;
+    let style = TextStyle::new(TICK_SIZE, Anchor::End);
+    drawing.text([x + 28.0, y + 0.36 * TICK_SIZE], &style, "rolling direction");
+    let path = arrow([x + 36.0, y], [x + 86.0, y], 9.0);
+    drawing.path(&path, &format!(r#"fill="{INK}""#));
+}
+
+/// An entry of a legend: sample strokes (SVG attributes, drawn one over the other) and text.
+#[derive(Debug)]
+pub(super) struct Entry {
+    /// How the sample is drawn.
+    pub sample: Sample,
+    /// What it means.
+    pub text: String,
+}
+
+/// A sample in a legend.
+#[derive(Debug)]
+pub(super) enum Sample {
+    /// A line drawn with each of the strokes.
+    Line(Vec<String>),
+    /// A filled field.
+    Area(String),
+    /// An arrow.
+    Arrow(String),
+}
+
+/// Entries in a row from the left end of its base line, in more rows if they do not fit; returns the
+/// height taken.
+pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &[Entry]) -> f64 {
+    const ROW: f64 = 22.0;
+    const SAMPLE: f64 = 30.0;
+    let [left, top] = at;
+    let [mut x, mut y] = at;
+    for entry in entries {
+        let entry_width = SAMPLE + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
+        if x > left && x + entry_width > left + width {
+            [x, y] = [left, y + ROW];
+        }
+        let middle = y - 0.36 * TICK_SIZE;
+        match &entry.sample {
+            Sample::Line(strokes) => {
+                for stroke in strokes {
+                    drawing.line([x, middle], [x + SAMPLE, middle], stroke);
+                }
+            }
+            Sample::Area(style) => drawing.rectangle([x, middle - 6.0], [SAMPLE, 12.0], style),
+            Sample::Arrow(style) => {
+                drawing.path(&arrow([x, middle], [x + SAMPLE, middle], 9.0), style);
+            }
+        }
+        drawing.text([x + SAMPLE + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);
+        x += entry_width;
+    }
+    y - top + ROW
+}

@@ -1,0 +1,112 @@
+//! Figures of a solution, each as SVG and as PNG of the same drawing.
+//!
+//! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
+//! the arrows of the maps. Quantities that are zero throughout have no figure.
+
+mod color;
+mod contour;
+mod cut;
+mod font;
+mod frame;
+mod history;
+mod label;
+mod map;
+mod marks;
+mod mesh;
+mod panels;
+mod patch;
+mod projection;
+mod quantity;
+mod raster;
+mod sampler;
+mod surface;
+mod svg;
+mod ticks;
+mod units;
+
+use schlupf::Solution;
+
+use map::Arrows;
+use patch::Patch;
+
+/// A figure.
+#[derive(Debug, Clone)]
+pub struct Figure {
+    /// Name for its files, without an ending.
+    pub name: String,
+    /// The drawing, with its fonts embedded.
+    pub svg: String,
+    /// The same drawing rendered for print.
+    pub png: Vec<u8>,
+}
+
+/// Why there is no figure.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FigureError {
+    /// The solution has nothing to draw.
+    #[error("the solution has no contact patch of finite size to draw")]
+    NoPatch,
+    /// The drawing could not be turned into a picture.
+    #[error("the figure could not be rendered: {0}")]
+    Render(String),
+}
+
+/// All figures that the solution has something to show in: `surface_…` over the patch, flat `map_…`,
+/// `cut_y0` along y = 0, and `history` over the rolled distance.
+pub fn all(title: &str, solution: &Solution) -> Result<Vec<Figure>, FigureError> {
+    let fonts = font::database();
+    drawings(title, solution)?
+        .into_iter()
+        .map(|(name, svg)| {
+            let png = raster::png(&svg, &fonts)?;
+            Ok(Figure { name, svg, png })
+        })
+        .collect()
+}
+
+/// Names and SVG documents of all figures.
+fn drawings(title: &str, solution: &Solution) -> Result<Vec<(String, String)>, FigureError> {
+    /// What is left out, over the largest that the normalised quantities of the paper can be.
+    const INVISIBLE: f64 = 1e-3;
+    let patch = Patch::new(title, solution).ok_or(FigureError::NoPatch)?;
+    let mut drawings = Vec::new();
+    for quantity in quantity::of_the_paper(&patch) {
+        if quantity.is_visible(if quantity.normalised { INVISIBLE } else { 0.0 }) {
+            drawings.push((format!("surface_{}", quantity.name), surface::draw(&patch, &quantity)));
+        }
+    }
+    for quantity in quantity::physical(&patch) {
+        if quantity.is_visible(0.0) {
+            let arrows = arrows(&patch, quantity.name);
+            let svg = map::draw(&patch, &quantity, arrows.as_ref());
+            drawings.push((format!("map_{}", quantity.name), svg));
+        }
+    }
+    drawings.push(("cut_y0".to_owned(), cut::draw(&patch)));
+    if solution.history.len() > 1 {
+        drawings.push(("history".to_owned(), history::draw(&patch)));
+    }
+    Ok(drawings)
+}
+
+/// The arrows that belong to a map.
+fn arrows(patch: &Patch, name: &str) -> Option<Arrows> {
+    let fields = patch.fields();
+    let opposite = |field: &[f64]| field.iter().map(|value| -value).collect();
+    match name {
+        "traction" => Some(Arrows {
+            x: opposite(&fields.traction_x),
+            y: opposite(&fields.traction_y),
+            vanish_at_rim: true,
+            text: "traction on the rail",
+        }),
+        "slip" => Some(Arrows {
+            x: fields.slip_x.clone(),
+            y: fields.slip_y.clone(),
+            vanish_at_rim: false,
+            text: "slip of the wheel over the rail",
+        }),
+        _ => None,
+    }
+}

@@ -1,0 +1,158 @@
+//! Curves over a common horizontal axis, in panels one above the other.
+
+use super::frame::Frame;
+use super::marks::{self, Entry, HEADING, Sample};
+use super::svg::{Drawing, INK};
+use super::ticks::round_limits;
+
+/// Line colours that colour-blind readers tell apart (Okabe and Ito 2008).
+pub(super) const BLUE: &str = "#0072b2";
+/// Second line colour.
+pub(super) const VERMILION: &str = "#d55e00";
+/// Third line colour.
+pub(super) const GREEN: &str = "#009e73";
+
+/// A curve.
+#[derive(Debug)]
+pub(super) struct Curve {
+    /// Its points; those that are not finite interrupt it.
+    pub points: Vec<[f64; 2]>,
+    /// SVG attributes of its stroke.
+    pub stroke: String,
+    /// Its name in the legend, in the markup of labels; none if empty.
+    pub text: String,
+}
+
+impl Curve {
+    /// A solid curve.
+    pub(super) fn solid(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
+        let stroke = format!(r#"stroke="{color}" stroke-width="2.2" stroke-linejoin="round""#);
+        Self { points, stroke, text: text.to_owned() }
+    }
+
+    /// A dashed curve.
+    pub(super) fn dashed(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
+        let stroke = format!(r#"stroke="{color}" stroke-width="1.6" stroke-dasharray="7 4""#);
+        Self { points, stroke, text: text.to_owned() }
+    }
+}
+
+/// Curves with a vertical axis of their own.
+#[derive(Debug)]
+pub(super) struct Panel {
+    /// Label of the vertical axis.
+    pub label: String,
+    /// Height of the plot area.
+    pub height: f64,
+    /// The curves.
+    pub curves: Vec<Curve>,
+}
+
+/// Panels over one horizontal axis.
+#[derive(Debug)]
+pub(super) struct Stack {
+    /// Range of the horizontal axis.
+    pub x: [f64; 2],
+    /// Label of the horizontal axis.
+    pub label: &'static str,
+    /// The panels from top to bottom.
+    pub panels: Vec<Panel>,
+    /// Shaded ranges of the horizontal axis.
+    pub shaded: Vec<[f64; 2]>,
+    /// What the shading means.
+    pub shading: &'static str,
+}
+
+const WIDTH: f64 = 900.0;
+const LEFT: f64 = 92.0;
+const RIGHT: f64 = 30.0;
+const SHADE: &str = r##"fill="#e9eef4""##;
+const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
+
+impl Stack {
+    /// Height of the drawing.
+    pub(super) fn height(&self) -> f64 {
+        let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
+        HEADING + 30.0 + panels + 36.0
+    }
+
+    /// An empty drawing of the right size.
+    pub(super) fn drawing(&self) -> Drawing {
+        Drawing::new(WIDTH, self.height())
+    }
+
+    /// Draws all panels, from `top` down.
+    pub(super) fn draw(&self, drawing: &mut Drawing, top: f64) {
+        let mut top = top;
+        for (index, panel) in self.panels.iter().enumerate() {
+            let frame = Frame {
+                corner: [LEFT, top],
+                size: [WIDTH - LEFT - RIGHT, panel.height],
+                x: self.x,
+                y: panel.range(),
+            };
+            self.draw_panel(drawing, panel, &frame);
+            if index + 1 == self.panels.len() {
+                frame.draw_horizontal(drawing, self.label);
+            }
+            top += panel.height + GAP;
+        }
+    }
+
+    fn draw_panel(&self, drawing: &mut Drawing, panel: &Panel, frame: &Frame) {
+        for &[from, to] in &self.shaded {
+            let [left, right] = [from, to].map(|x| frame.at([x, 0.0])[0]);
+            drawing.rectangle([left, frame.corner[1]], [right - left, panel.height], SHADE);
+        }
+        frame.draw_grid(drawing);
+        let zero = frame.at([self.x[0], 0.0])[1];
+        drawing.line([LEFT, zero], [frame.right(), zero], ZERO);
+        for curve in &panel.curves {
+            let pieces = curve.points.split(|point| !point.iter().all(|c| c.is_finite()));
+            for piece in pieces.filter(|piece| !piece.is_empty()) {
+                let points: Vec<[f64; 2]> = piece.iter().map(|point| frame.at(*point)).collect();
+                drawing.polyline(&points, &curve.stroke);
+            }
+        }
+        frame.draw_vertical(drawing, &panel.label);
+        marks::legend(drawing, [LEFT, frame.corner[1] - 9.0], frame.size[0], &self.entries(panel));
+    }
+
+    fn entries(&self, panel: &Panel) -> Vec<Entry> {
+        let named = panel.curves.iter().filter(|curve| !curve.text.is_empty());
+        let mut entries: Vec<Entry> = named
+            .map(|curve| Entry {
+                sample: Sample::Line(vec![curve.stroke.clone()]),
+                text: curve.text.clone(),
+            })
+            .collect();
+        let first = self.panels.first().is_some_and(|first| std::ptr::eq(first, panel));
+        if first && !self.shaded.is_empty() {
+            let style = format!(r#"{SHADE} stroke="{INK}" stroke-width="0.4""#);
+            entries.push(Entry { sample: Sample::Area(style), text: self.shading.to_owned() });
+        }
+        entries
+    }
+}
+
+/// Between two panels, for the legend of the lower one.
+const GAP: f64 = 36.0;
+
+impl Panel {
+    /// Range of its curves and zero, a little widened.
+    fn range(&self) -> [f64; 2] {
+        let values = || {
+            self.curves
+                .iter()
+                .flat_map(|curve| &curve.points)
+                .map(|point| point[1])
+                .filter(|value| value.is_finite())
+        };
+        let [low, high] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+        let margin = 0.04 * (high - low);
+        let about = ((self.height / 45.0) as usize).clamp(2, 8);
+        let [below, above] = round_limits(low, high, about);
+        // Up to the next tick, unless that would leave much of the panel empty.
+        [below.max(low - 2.5 * margin), above.min(high + 2.5 * margin)]
+    }
+}

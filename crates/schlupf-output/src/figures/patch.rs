@@ -1,0 +1,113 @@
+//! The contact patch as the figures see it.
+
+use schlupf::solution::{Fields, Solution};
+
+/// A solution with what all figures need to know of its patch.
+#[derive(Debug)]
+pub(super) struct Patch<'a> {
+    /// The solution.
+    pub solution: &'a Solution,
+    /// Title of the case.
+    pub title: &'a str,
+    /// Whether the pressure is the ellipsoid of Hertz; if so, the rim of the patch is known exactly
+    /// and the figures end there.
+    pub elliptic: bool,
+    /// Cold coefficient of friction μ0, dimensionless; one where there is no telling.
+    pub cold_friction: f64,
+    /// Contact cell at each place of the grid.
+    cell_at: Vec<Option<usize>>,
+}
+
+impl<'a> Patch<'a> {
+    /// The patch of a solution; none if it has no cells or no size.
+    pub(super) fn new(title: &'a str, solution: &'a Solution) -> Option<Self> {
+        let fields = &solution.fields;
+        let grid = &fields.grid;
+        let normal = &solution.normal;
+        let sizes = [grid.spacing_x, grid.spacing_y, normal.semi_axis_x, normal.semi_axis_y];
+        let sized = sizes.iter().all(|size| size.is_finite() && *size > 0.0)
+            && grid.origin_x.is_finite()
+            && grid.origin_y.is_finite();
+        if fields.is_empty() || !sized {
+            return None;
+        }
+        let mut cell_at = vec![None; grid.len()];
+        for (cell, &[column, row]) in fields.cell.iter().enumerate() {
+            *cell_at.get_mut(grid.index(column, row))? = Some(cell);
+        }
+        Some(Self {
+            solution,
+            title,
+            elliptic: is_elliptic(solution),
+            cold_friction: cold_friction(solution),
+            cell_at,
+        })
+    }
+
+    /// The fields.
+    pub(super) fn fields(&self) -> &'a Fields {
+        &self.solution.fields
+    }
+
+    /// Semi-axes a and b, in m.
+    pub(super) fn semi_axes(&self) -> [f64; 2] {
+        [self.solution.normal.semi_axis_x, self.solution.normal.semi_axis_y]
+    }
+
+    /// The contact cell in a column and row of the grid.
+    pub(super) fn cell(&self, column: usize, row: usize) -> Option<usize> {
+        let grid = &self.fields().grid;
+        if column >= grid.columns || row >= grid.rows {
+            return None;
+        }
+        self.cell_at[grid.index(column, row)]
+    }
+
+    /// Whether a point (in m) is in contact.
+    pub(super) fn contains(&self, [x, y]: [f64; 2]) -> bool {
+        if self.elliptic {
+            let [a, b] = self.semi_axes();
+            return Self::ellipsoid([x / a, y / b]) > 0.0;
+        }
+        let grid = &self.fields().grid;
+        let column = (x - grid.origin_x) / grid.spacing_x;
+        let row = (y - grid.origin_y) / grid.spacing_y;
+        column >= 0.0 && row >= 0.0 && self.cell(column as usize, row as usize).is_some()
+    }
+
+    /// √(1 − x²/a² − y²/b²), the shape of the Hertzian pressure; zero outside. Dimensionless; the
+    /// position is over a and b.
+    pub(super) fn ellipsoid(position: [f64; 2]) -> f64 {
+        let [x, y] = position;
+        (1.0 - x * x - y * y).max(0.0).sqrt()
+    }
+}
+
+/// The cold coefficient of friction, by which the solver normalised the force; from the field where
+/// there is no force.
+fn cold_friction(solution: &Solution) -> f64 {
+    let force = solution.force.x.hypot(solution.force.y);
+    let normalised = solution.normalised.x.hypot(solution.normalised.y);
+    let friction = force / (normalised * solution.normal.load);
+    if friction.is_finite() && friction > 0.0 {
+        return friction;
+    }
+    let field = &solution.fields.friction_coefficient;
+    let largest = field.iter().copied().filter(|mu| mu.is_finite()).fold(0.0, f64::max);
+    if largest > 0.0 { largest } else { 1.0 }
+}
+
+/// Whether the cells cover the ellipse, and those inside it carry the pressure of Hertz. The
+/// tolerance is for the difference between the mean over a cell and the value in its centre.
+fn is_elliptic(solution: &Solution) -> bool {
+    let Solution { fields, normal, .. } = solution;
+    let covered: f64 = fields.covered.iter().sum::<f64>() * fields.grid.cell_area();
+    let ellipse = std::f64::consts::PI * normal.semi_axis_x * normal.semi_axis_y;
+    let same_area = (covered / ellipse - 1.0).abs() < 0.02;
+    let hertzian = (0..fields.len()).filter(|&cell| fields.covered[cell] > 0.999).all(|cell| {
+        let position = [fields.x[cell] / normal.semi_axis_x, fields.y[cell] / normal.semi_axis_y];
+        let pressure = fields.pressure[cell] / normal.peak_pressure;
+        (pressure - Patch::ellipsoid(position)).abs() < 0.1
+    });
+    same_area && hertzian
+}

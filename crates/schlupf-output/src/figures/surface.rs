@@ -1,0 +1,141 @@
+//! Fields as surfaces over the patch, as in Figures 4 to 7 of Neuhaus and Sextro (2014).
+
+use std::f64::consts::TAU;
+
+use super::color::ColorScale;
+use super::frame::{LABEL_SIZE, TICK_SIZE, tick_line};
+use super::label::{Anchor, TextStyle};
+use super::marks::{self, HEADING};
+use super::mesh::{self, Facet};
+use super::patch::Patch;
+use super::projection::Projection;
+use super::quantity::{Quantity, colors};
+use super::sampler::Sampler;
+use super::svg::{Drawing, GRID_LINE, INK};
+use super::ticks::{Tick, round_limits, round_ticks};
+
+const SIZE: [f64; 2] = [900.0, 740.0];
+
+/// The surface of a quantity over x* = x/a and y* = y/b.
+pub(super) fn draw(patch: &Patch, quantity: &Quantity) -> String {
+    let mut drawing = Drawing::new(SIZE[0], SIZE[1]);
+    marks::heading(&mut drawing, patch, &quantity.title);
+    let facets = mesh::facets(patch, &Sampler::new(patch, &quantity.values, quantity.vanishes_at_rim));
+    let heights = || facets.iter().flat_map(|facet| &facet.corners).map(|corner| corner[2]);
+    let range = [heights().fold(0.0, f64::min), heights().fold(0.0, f64::max)];
+    let [x, y] = mesh::extent(patch);
+    let projection = Projection {
+        ranges: [x, y, round_limits(range[0], range[1], 5)],
+        center: [402.0, 478.0],
+        scale: 230.0,
+    };
+    let scale = colors(quantity.palette, range);
+    draw_box(&mut drawing, &projection);
+    draw_axes(&mut drawing, &projection, &quantity.label);
+    if patch.elliptic {
+        draw_rim(&mut drawing, &projection);
+    }
+    draw_facets(&mut drawing, &projection, facets, &scale);
+    marks::color_bar(&mut drawing, [792.0, HEADING + 60.0], 340.0, &scale, &quantity.label);
+    drawing.finish()
+}
+
+/// Far facets first, so that near ones cover them.
+fn draw_facets(drawing: &mut Drawing, projection: &Projection, mut facets: Vec<Facet>, scale: &ColorScale) {
+    let least_wall = 0.004 * (projection.ranges[2][1] - projection.ranges[2][0]);
+    facets.retain(|facet| !facet.wall || facet.value().abs() > least_wall);
+    facets.sort_by(|p, q| {
+        projection.distance(q.place()).total_cmp(&projection.distance(p.place()))
+    });
+    drawing.begin_group(
+        r##"stroke="#000000" stroke-opacity="0.25" stroke-width="0.5" stroke-linejoin="round""##,
+    );
+    for facet in facets {
+        let corners: Vec<[f64; 2]> = facet.corners.iter().map(|c| projection.at(*c)).collect();
+        let color = scale.paint(facet.value());
+        let wall = format!(r#"fill="{color}" stroke="{color}" stroke-opacity="1""#);
+        let style = if facet.wall { wall } else { format!(r#"fill="{color}""#) };
+        drawing.polygon(&corners, &style);
+    }
+    drawing.end_group();
+}
+
+/// Floor and back walls with grid lines.
+fn draw_box(drawing: &mut Drawing, projection: &Projection) {
+    let [[x0, x1], [y0, y1], [z0, z1]] = projection.ranges;
+    let mut line = |p: [f64; 3], q: [f64; 3]| {
+        drawing.line(projection.at(p), projection.at(q), GRID_LINE);
+    };
+    for Tick { value: x, .. } in floor_ticks(x0, x1) {
+        line([x, y0, z0], [x, y1, z0]);
+        line([x, y1, z0], [x, y1, z1]);
+    }
+    for Tick { value: y, .. } in floor_ticks(y0, y1) {
+        line([x0, y, z0], [x1, y, z0]);
+        line([x0, y, z0], [x0, y, z1]);
+    }
+    for Tick { value: z, .. } in round_ticks(z0, z1, 5) {
+        line([x0, y0, z], [x0, y1, z]);
+        line([x0, y1, z], [x1, y1, z]);
+    }
+    let edges = [
+        [[x0, y0, z0], [x1, y0, z0]],
+        [[x1, y0, z0], [x1, y1, z0]],
+        [[x0, y0, z0], [x0, y0, z1]],
+    ];
+    for [p, q] in edges {
+        drawing.line(projection.at(p), projection.at(q), &tick_line());
+    }
+}
+
+fn floor_ticks(low: f64, high: f64) -> Vec<Tick> {
+    round_ticks(low, high, 4)
+}
+
+/// Ticks and labels along the two near edges of the floor and the left upright, and the rolling
+/// direction.
+fn draw_axes(drawing: &mut Drawing, projection: &Projection, label: &str) {
+    let [[x0, x1], [y0, y1], [z0, z1]] = projection.ranges;
+    let [wide, deep] = [0.5 * (x1 - x0), 0.5 * (y1 - y0)];
+    let floor = |x: f64, y: f64| projection.at([x, y, z0]);
+    // Below the numbers of the upright, to the side on which the axis recedes.
+    let beside = |[x, y]: [f64; 2], aside: f64| [x + aside, y + 1.2 * TICK_SIZE];
+    let numbers = TextStyle::new(TICK_SIZE, Anchor::Middle);
+    for Tick { value: x, label } in floor_ticks(x0, x1) {
+        drawing.line(floor(x, y0), floor(x, y0 - 0.04 * deep), &tick_line());
+        drawing.text(beside(floor(x, y0 - 0.04 * deep), -12.0), &numbers, &label);
+    }
+    for Tick { value: y, label } in floor_ticks(y0, y1) {
+        drawing.line(floor(x1, y), floor(x1 + 0.04 * wide, y), &tick_line());
+        drawing.text(beside(floor(x1 + 0.04 * wide, y), 16.0), &numbers, &label);
+    }
+    for Tick { value: z, label } in round_ticks(z0, z1, 5) {
+        let [left, height] = projection.at([x0, y0, z]);
+        drawing.line([left, height], [left - 5.0, height], &tick_line());
+        let style = TextStyle::new(TICK_SIZE, Anchor::End);
+        drawing.text([left - 9.0, height + 0.36 * TICK_SIZE], &style, &label);
+    }
+    let [left, top] = projection.at([x0, y0, z1]);
+    drawing.text([left, top - 16.0], &TextStyle::new(LABEL_SIZE, Anchor::Middle), label);
+
+    let [middle_x, middle_y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
+    let turned = |rotation| TextStyle { rotation, ..TextStyle::new(LABEL_SIZE, Anchor::Middle) };
+    let along_x = projection.angle([x0, y0], [x1, y0]);
+    let along_y = projection.angle([x1, y0], [x1, y1]);
+    drawing.text(floor(middle_x, y0 - 0.36 * deep), &turned(along_x), "$x$* = $x$/$a$");
+    drawing.text(floor(x1 + 0.36 * wide, middle_y), &turned(along_y), "$y$* = $y$/$b$");
+    let aside = y0 - 0.54 * deep;
+    let [tail, tip] = [floor(middle_x - 0.3 * wide, aside), floor(middle_x + 0.3 * wide, aside)];
+    drawing.path(&marks::arrow(tail, tip, 9.0), &format!(r#"fill="{INK}""#));
+    let style = TextStyle { size: TICK_SIZE, ..turned(along_x) };
+    drawing.text(floor(middle_x, y0 - 0.67 * deep), &style, "rolling direction");
+}
+
+/// The rim of the patch at zero.
+fn draw_rim(drawing: &mut Drawing, projection: &Projection) {
+    let points: Vec<[f64; 2]> = (0..=120)
+        .map(|step| f64::from(step) / 120.0 * TAU)
+        .map(|angle| projection.at([angle.cos(), angle.sin(), 0.0]))
+        .collect();
+    drawing.polyline(&points, &format!(r#"stroke="{INK}" stroke-width="1.2""#));
+}

@@ -1,0 +1,78 @@
+//! Ticks at round numbers.
+
+/// A tick of an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tick {
+    /// Where it is, in the unit of the axis.
+    pub value: f64,
+    /// The number to write.
+    pub label: String,
+}
+
+/// Between `about`/2 and `about`·2 ticks within the range, at multiples of 1, 2 or 5 times a power of
+/// ten. An empty or non-finite range has none.
+pub(super) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
+    let range = high - low;
+    if !(range.is_finite() && range > 0.0) {
+        return Vec::new();
+    }
+    let step = round_step(range, about);
+    let first = (low / step - 1e-9).ceil() as i64;
+    let last = (high / step + 1e-9).floor() as i64;
+    let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
+    (first..=last)
+        .map(|multiple| multiple as f64 * step)
+        .map(|value| Tick { value, label: number(value, decimals) })
+        .collect()
+}
+
+/// The range widened to the next ticks; a range of one, where there is none.
+pub(super) fn round_limits(low: f64, high: f64, about: usize) -> [f64; 2] {
+    let range = high - low;
+    if !(range.is_finite() && range > 0.0) {
+        return [0.0, 1.0];
+    }
+    let step = round_step(range, about);
+    [(low / step + 1e-6).floor() * step, (high / step - 1e-6).ceil() * step]
+}
+
+/// 1, 2 or 5 times a power of ten, about `range` / `about`.
+fn round_step(range: f64, about: usize) -> f64 {
+    let raw = range / about.max(1) as f64;
+    let magnitude = 10_f64.powf(raw.log10().floor());
+    let digit = raw / magnitude;
+    magnitude * [1.0, 2.0, 5.0].into_iter().find(|s| *s >= digit * 0.75).unwrap_or(10.0)
+}
+
+/// A number with a true minus sign; in powers of ten where digits would not fit.
+pub(super) fn number(value: f64, decimals: usize) -> String {
+    let text = if decimals > 4 || value.abs() >= 1e5 {
+        if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+    } else {
+        format!("{value:.decimals$}")
+    };
+    text.replace('-', "\u{2212}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(low: f64, high: f64, about: usize) -> Vec<String> {
+        round_ticks(low, high, about).into_iter().map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn ticks_are_round() {
+        assert_eq!(labels(-1.0, 1.0, 4), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
+        assert_eq!(labels(0.0, 770.4, 5), ["0", "200", "400", "600"]);
+        assert_eq!(labels(-6.9, 6.9, 6), ["−6", "−4", "−2", "0", "2", "4", "6"]);
+    }
+
+    #[test]
+    fn no_range_has_no_ticks() {
+        assert!(round_ticks(1.0, 1.0, 5).is_empty());
+        assert!(round_ticks(0.0, f64::NAN, 5).is_empty());
+        assert!(round_ticks(0.0, f64::INFINITY, 5).is_empty());
+    }
+}

@@ -1,0 +1,34 @@
+//! Units in which figures and summaries show quantities: the largest that leaves no leading zero.
+
+/// A unit and its size in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Unit {
+    /// What one of it is in SI units.
+    pub size: f64,
+    /// Its symbol, with the markup of figure labels.
+    pub symbol: &'static str,
+}
+
+const fn unit(size: f64, symbol: &'static str) -> Unit {
+    Unit { size, symbol }
+}
+
+/// Units of pressure and traction.
+pub(crate) const PRESSURE: &[Unit] = &[unit(1e6, "MPa"), unit(1e3, "kPa"), unit(1.0, "Pa")];
+/// Units of slip velocity.
+pub(crate) const VELOCITY: &[Unit] = &[unit(1.0, "m/s"), unit(1e-3, "mm/s"), unit(1e-6, "µm/s")];
+/// Units of power per area.
+pub(crate) const POWER_PER_AREA: &[Unit] =
+    &[unit(1e6, "W/mm²"), unit(1e3, "kW/m²"), unit(1.0, "W/m²")];
+/// Units of temperature differences.
+pub(crate) const TEMPERATURE_RISE: &[Unit] = &[unit(1.0, "K")];
+/// Units of force.
+pub(crate) const FORCE: &[Unit] = &[unit(1e3, "kN"), unit(1.0, "N")];
+/// Units of distance along the rail.
+pub(crate) const DISTANCE: &[Unit] = &[unit(1.0, "m"), unit(1e-3, "mm")];
+
+/// The first unit, from large to small, of which `largest` is at least one; else the last.
+pub(crate) fn pick(units: &[Unit], largest: f64) -> Unit {
+    let fits = units.iter().find(|unit| largest >= unit.size);
+    *fits.or(units.last()).unwrap_or(&Unit { size: 1.0, symbol: "" })
+}

@@ -1,0 +1,191 @@
+//! The result as JSON, for other programs. Names and signs are fixed; see the interface page.
+
+use serde::Serialize;
+
+use schlupf::solution::{Instant, Resultant, Solution, Status};
+
+/// The result of a case as a JSON document: SI units, temperatures in degC and their rises in K,
+/// forces on the wheel. A number that is not finite becomes `null`.
+pub fn document(title: &str, solution: &Solution) -> String {
+    let document = Document::new(title, solution);
+    // Plain structs of numbers and text with text keys: there is nothing that could fail.
+    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    program: String,
+    title: &'a str,
+    status: &'static str,
+    normal: Normal,
+    kinematics: Kinematics,
+    force: Vector,
+    normalised: Vector,
+    traction_coefficient: f64,
+    power: Power,
+    t_gamma: TGamma,
+    temperature: Temperature,
+    area: Area,
+    /// Derivatives of the forces: not computed by the present drivers.
+    sensitivity: Option<()>,
+    history: History,
+    warnings: &'a [String],
+    residual: f64,
+    work: Work,
+}
+
+#[derive(Serialize)]
+struct Normal {
+    load: f64,
+    semi_axis_x: f64,
+    semi_axis_y: f64,
+    peak_pressure: f64,
+    approach: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Kinematics {
+    speed: f64,
+    creepage_x: f64,
+    creepage_y: f64,
+    spin: f64,
+}
+
+#[derive(Serialize)]
+struct Vector {
+    x: f64,
+    y: f64,
+    moment_z: f64,
+}
+
+#[derive(Serialize)]
+struct Power {
+    friction: f64,
+    creep: f64,
+    returned: f64,
+}
+
+#[derive(Serialize)]
+struct TGamma {
+    without_spin: f64,
+    with_spin: f64,
+}
+
+#[derive(Serialize)]
+struct Temperature {
+    max_rise: f64,
+    max_rise_wheel: f64,
+    max_rise_rail: f64,
+    max_wheel: f64,
+    max_rail: f64,
+    x: f64,
+    y: f64,
+}
+
+#[derive(Serialize)]
+struct Area {
+    contact: f64,
+    stick: f64,
+    slip: f64,
+}
+
+/// One array per quantity, all of the same length.
+#[derive(Serialize)]
+struct History {
+    time: Vec<f64>,
+    speed: Vec<f64>,
+    creepage_x: Vec<f64>,
+    creepage_y: Vec<f64>,
+    spin: Vec<f64>,
+    load: Vec<f64>,
+    force_x: Vec<f64>,
+    force_y: Vec<f64>,
+    moment_z: Vec<f64>,
+    max_rise: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct Work {
+    newton_iterations: usize,
+    operator_products: f64,
+    outer_iterations: usize,
+    steps: usize,
+    cells: usize,
+}
+
+impl<'a> Document<'a> {
+    fn new(title: &'a str, solution: &'a Solution) -> Self {
+        let Solution { normal, kinematics, power, t_gamma, temperature, area, work, .. } = solution;
+        Self {
+            program: concat!("schlupf ", env!("CARGO_PKG_VERSION")).to_owned(),
+            title,
+            status: match solution.status {
+                Status::Converged => "converged",
+                Status::NotConverged => "not-converged",
+            },
+            normal: Normal {
+                load: normal.load,
+                semi_axis_x: normal.semi_axis_x,
+                semi_axis_y: normal.semi_axis_y,
+                peak_pressure: normal.peak_pressure,
+                approach: normal.approach,
+            },
+            kinematics: Kinematics {
+                speed: kinematics.speed,
+                creepage_x: kinematics.creepage_x,
+                creepage_y: kinematics.creepage_y,
+                spin: kinematics.spin,
+            },
+            force: solution.force.into(),
+            normalised: solution.normalised.into(),
+            traction_coefficient: solution.traction_coefficient,
+            power: Power { friction: power.friction, creep: power.creep, returned: power.returned },
+            t_gamma: TGamma { without_spin: t_gamma.without_spin, with_spin: t_gamma.with_spin },
+            temperature: Temperature {
+                max_rise: temperature.max_rise,
+                max_rise_wheel: temperature.max_rise_wheel,
+                max_rise_rail: temperature.max_rise_rail,
+                max_wheel: temperature.max_wheel,
+                max_rail: temperature.max_rail,
+                x: temperature.x,
+                y: temperature.y,
+            },
+            area: Area { contact: area.contact, stick: area.stick, slip: area.slip },
+            sensitivity: None,
+            history: History::new(&solution.history),
+            warnings: &solution.warnings,
+            residual: solution.residual,
+            work: Work {
+                newton_iterations: work.newton_iterations,
+                operator_products: work.operator_products,
+                outer_iterations: work.outer_iterations,
+                steps: work.steps,
+                cells: work.cells,
+            },
+        }
+    }
+}
+
+impl From<Resultant> for Vector {
+    fn from(resultant: Resultant) -> Self {
+        Self { x: resultant.x, y: resultant.y, moment_z: resultant.moment_z }
+    }
+}
+
+impl History {
+    fn new(history: &[Instant]) -> Self {
+        let column = |value: fn(&Instant) -> f64| history.iter().map(value).collect();
+        Self {
+            time: column(|instant| instant.time),
+            speed: column(|instant| instant.kinematics.speed),
+            creepage_x: column(|instant| instant.kinematics.creepage_x),
+            creepage_y: column(|instant| instant.kinematics.creepage_y),
+            spin: column(|instant| instant.kinematics.spin),
+            load: column(|instant| instant.load),
+            force_x: column(|instant| instant.force.x),
+            force_y: column(|instant| instant.force.y),
+            moment_z: column(|instant| instant.force.moment_z),
+            max_rise: column(|instant| instant.max_rise),
+        }
+    }
+}

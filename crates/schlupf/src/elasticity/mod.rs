@@ -1,0 +1,33 @@
+//! How the two bodies deform under tangential traction, u = A t.
+
+pub mod elastic_layer;
+pub mod rigid;
+pub mod static_condensation;
+pub mod winkler;
+
+use std::fmt::Debug;
+
+use crate::error::Error;
+use crate::grid::{Grid, VectorField};
+
+/// A model of elasticity. Extension point.
+pub trait Elasticity: Debug + Send + Sync {
+    /// The compliance on the cells of a grid.
+    fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error>;
+}
+
+/// Displacement from traction on the cells of one grid; symmetric and not negative.
+pub trait Compliance: Debug + Send {
+    /// Displacement difference u, wheel minus rail (in m), of every cell of the grid under the
+    /// traction t on the wheel (in Pa).
+    fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField);
+
+    /// Whether a loaded cell moves its neighbours. If not, nothing moves ahead of the leading edge.
+    fn couples_cells(&self) -> bool;
+
+    /// Largest displacement at the outer edge of the modelled surface over the largest one
+    /// anywhere, dimensionless; zero where the model has no outer edge.
+    fn edge_displacement(&mut self, _traction: &VectorField) -> f64 {
+        0.0
+    }
+}

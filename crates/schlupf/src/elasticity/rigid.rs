@@ -1,0 +1,26 @@
+//! Rigid bodies, u = 0: the slip is prescribed. For heat and friction on their own.
+
+use super::{Compliance, Elasticity};
+use crate::error::Error;
+use crate::grid::{Grid, VectorField};
+
+/// Bodies that do not deform tangentially.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Rigid;
+
+impl Elasticity for Rigid {
+    fn compliance(&self, _grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        Ok(Box::new(Self))
+    }
+}
+
+impl Compliance for Rigid {
+    fn displacement(&mut self, _traction: &VectorField, displacement: &mut VectorField) {
+        displacement.x.fill(0.0);
+        displacement.y.fill(0.0);
+    }
+
+    fn couples_cells(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,118 @@
+//! Inexact Newton's method with a line search on the residual norm (Eisenstat and Walker 1996).
+
+use super::gmres::Gmres;
+use super::{Equilibrium, Limits, Outcome, add_scaled, norm};
+
+/// Largest linear residual asked of the Krylov method, relative to that of the Newton step.
+const LARGEST_FORCING: f64 = 0.1;
+
+/// Least fall of the residual norm that a step of length λ must bring, relative to λ.
+const SUFFICIENT_FALL: f64 = 1e-4;
+
+/// Halvings of a step before it is given up.
+const MAX_HALVINGS: usize = 10;
+
+/// Safe steps after which Newton's method is tried again.
+const SAFE_STEPS: usize = 20;
+
+/// Solves F(p) = 0 from the given p, in place.
+pub fn solve(system: &mut impl Equilibrium, p: &mut [f64], limits: &Limits) -> Outcome {
+    let size = system.size();
+    let scale = system.scale();
+    let mut newton = Newton::new(size);
+    let mut outcome = Outcome { products: 1, ..Outcome::default() };
+    system.compliance_product(p, &mut newton.u);
+    system.residual(p, &newton.u, &mut newton.residual);
+    let mut length = norm(&newton.residual);
+    let mut forcing = LARGEST_FORCING;
+    loop {
+        outcome.residual = if scale > 0.0 { length / scale } else { length };
+        outcome.converged = outcome.residual <= limits.tolerance;
+        if outcome.converged || outcome.iterations == limits.max_iterations || !length.is_finite()
+        {
+            return outcome;
+        }
+        outcome.iterations += 1;
+        outcome.products += newton.direction(system, forcing);
+        let previous = length;
+        length = match newton.line_search(system, p, length) {
+            Some(length) => length,
+            None => newton.safe_steps(system, p, &mut outcome),
+        };
+        let enough = 0.5 * limits.tolerance / outcome.residual;
+        forcing = (0.9 * (length / previous).powi(2)).clamp(1e-4, LARGEST_FORCING).max(enough);
+        forcing = forcing.min(0.5);
+    }
+}
+
+struct Newton {
+    u: Vec<f64>,
+    residual: Vec<f64>,
+    step: Vec<f64>,
+    compliance_step: Vec<f64>,
+    trial: [Vec<f64>; 3],
+    krylov: Gmres,
+}
+
+impl Newton {
+    fn new(size: usize) -> Self {
+        let zeros = || vec![0.0; size];
+        Self {
+            u: zeros(),
+            residual: zeros(),
+            step: zeros(),
+            compliance_step: zeros(),
+            trial: [zeros(), zeros(), zeros()],
+            krylov: Gmres::default(),
+        }
+    }
+
+    fn direction(&mut self, system: &mut impl Equilibrium, forcing: f64) -> usize {
+        let target = [self.step.as_mut_slice(), self.compliance_step.as_mut_slice()];
+        self.krylov.solve(system, &self.residual, forcing, target)
+    }
+
+    /// Goes along the step as far as the residual norm falls enough, and returns it. A trial costs
+    /// no product, because A is linear.
+    fn line_search(
+        &mut self,
+        system: &mut impl Equilibrium,
+        p: &mut [f64],
+        length: f64,
+    ) -> Option<f64> {
+        let mut fraction = 1.0;
+        for _ in 0..=MAX_HALVINGS {
+            let [trial_p, trial_u, trial_residual] = &mut self.trial;
+            trial_p.copy_from_slice(p);
+            trial_u.copy_from_slice(&self.u);
+            add_scaled(trial_p, fraction, &self.step);
+            add_scaled(trial_u, fraction, &self.compliance_step);
+            system.residual(trial_p, trial_u, trial_residual);
+            let trial_length = norm(trial_residual);
+            if trial_length <= (1.0 - SUFFICIENT_FALL * fraction) * length {
+                p.copy_from_slice(trial_p);
+                std::mem::swap(&mut self.u, trial_u);
+                std::mem::swap(&mut self.residual, trial_residual);
+                return Some(trial_length);
+            }
+            fraction *= 0.5;
+        }
+        None
+    }
+
+    fn safe_steps(
+        &mut self,
+        system: &mut impl Equilibrium,
+        p: &mut [f64],
+        outcome: &mut Outcome,
+    ) -> f64 {
+        for _ in 0..SAFE_STEPS {
+            system.safe_step(p, &self.u);
+            system.compliance_product(p, &mut self.u);
+        }
+        outcome.safe_steps += SAFE_STEPS;
+        outcome.products += SAFE_STEPS;
+        system.residual(p, &self.u, &mut self.residual);
+        norm(&self.residual)
+    }
+}

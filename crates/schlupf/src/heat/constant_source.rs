@@ -1,0 +1,17 @@
+//! The paper's heat model: each step as if its source had always been constant; Eqs. (21), (22).
+
+use std::f64::consts::FRAC_2_SQRT_PI;
+
+use super::{HeatModel, HeatStep};
+
+/// T_j² = T_(j−1)² + ΔT², ΔT = (2/√π) √(κ/v0) (α q/λ) √Δx (Neuhaus and Sextro 2014, Eqs. 21, 22).
+/// Exact for a constant source only. It cannot cool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ConstantSource;
+
+impl HeatModel for ConstantSource {
+    fn rise_times_effusivity(&self, record: &[HeatStep]) -> f64 {
+        let squares: f64 = record.iter().map(|s| s.flux * s.flux * s.duration).sum();
+        FRAC_2_SQRT_PI * squares.sqrt()
+    }
+}

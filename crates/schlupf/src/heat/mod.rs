@@ -1,0 +1,60 @@
+//! Frictional heating and surface temperatures, Eqs. (17)–(22).
+//!
+//! A material point carries the record of the heat it has received since it entered the contact.
+//! At the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt
+//! 1995), so this record determines the temperature of the point.
+
+pub mod constant_source;
+pub mod duhamel;
+pub mod partition;
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, require};
+use partition::Partition;
+
+/// Heat received by a material point in one step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct HeatStep {
+    /// Heat per area and time, both bodies together, in W/m².
+    pub flux: f64,
+    /// How long the step lasted, in s.
+    pub duration: f64,
+}
+
+/// A model of the temperature of a heated surface. Extension point.
+pub trait HeatModel: Debug + Send + Sync {
+    /// Temperature rise times the effusivity β = √(λρc) (in W √s/m²) of a half-space that took all
+    /// of the heat in `record`, the latest step first.
+    fn rise_times_effusivity(&self, record: &[HeatStep]) -> f64;
+}
+
+/// How friction heats the bodies.
+#[derive(Debug, Clone)]
+pub struct Heat {
+    /// The model; `None` leaves the material at the temperature with which it enters.
+    pub model: Option<Arc<dyn HeatModel>>,
+    /// Which body takes how much.
+    pub partition: Partition,
+}
+
+impl Heat {
+    /// Checks the partition.
+    pub fn check(&self) -> Result<(), Error> {
+        match self.partition {
+            Partition::Velocity => Ok(()),
+            Partition::Given(share) => {
+                let legal = (0.0..=1.0).contains(&share);
+                require(legal, "heat.partition", "between 0 and 1, or \"velocity\"", share, "")
+            }
+        }
+    }
+
+    /// Temperature rise times effusivity of a record, in W √s/m².
+    pub fn rise_times_effusivity(&self, record: &[HeatStep]) -> f64 {
+        self.model.as_ref().map_or(0.0, |model| model.rise_times_effusivity(record))
+    }
+}

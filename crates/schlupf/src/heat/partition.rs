@@ -1,0 +1,110 @@
+//! How the heat divides between wheel and rail, and the temperatures that result.
+
+use crate::kinematics::Kinematics;
+use crate::material::Body;
+
+/// Share of the wheel in the frictional heat.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Partition {
+    /// Given, dimensionless, between 0 and 1 (0.5 in the paper). Both bodies then pass through the
+    /// contact with the speed v0.
+    Given(f64),
+    /// From equal surface temperatures: β_w √(ωR) / (β_w √(ωR) + β_r √v0). Each body passes with its
+    /// own speed.
+    Velocity,
+}
+
+/// What a pair of bodies makes of heat, at given speeds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conduction {
+    /// Temperature of both surfaces on entry, in degC: the mean of the bulk temperatures, weighted
+    /// by β√v.
+    pub entry_temperature: f64,
+    /// Bulk temperatures of wheel and rail, in degC.
+    bulk: [f64; 2],
+    /// Rise of wheel and rail over the rise times effusivity, in m² √s K/W.
+    factor: [f64; 2],
+    /// Weight of the wheel's surface in the contact temperature, dimensionless.
+    wheel_weight: f64,
+}
+
+impl Conduction {
+    /// Conduction in wheel and rail at the speeds of `kinematics`.
+    pub fn new(partition: Partition, wheel: &Body, rail: &Body, kinematics: &Kinematics) -> Self {
+        let effusivity = [wheel.material.effusivity(), rail.material.effusivity()];
+        // Time in contact of the wheel's material over that of the rail's.
+        let slowness = match partition {
+            Partition::Given(_) => 1.0,
+            Partition::Velocity => kinematics.speed / kinematics.circumferential_speed(),
+        };
+        let drawn = [effusivity[0] / slowness.sqrt(), effusivity[1]];
+        let wheel_weight = drawn[0] / (drawn[0] + drawn[1]);
+        let share = match partition {
+            Partition::Given(share) => share,
+            Partition::Velocity => wheel_weight,
+        };
+        let bulk = [wheel.bulk_temperature, rail.bulk_temperature];
+        Self {
+            entry_temperature: wheel_weight * bulk[0] + (1.0 - wheel_weight) * bulk[1],
+            bulk,
+            factor: [share * slowness.sqrt() / effusivity[0], (1.0 - share) / effusivity[1]],
+            wheel_weight,
+        }
+    }
+
+    /// Surface temperatures of wheel and rail (in degC) for a rise times effusivity, in W √s/m².
+    pub fn surface_temperatures(&self, rise_times_effusivity: f64) -> [f64; 2] {
+        self.factor.map(|factor| self.entry_temperature + factor * rise_times_effusivity)
+    }
+
+    /// Rises of the surfaces of wheel and rail over their own bulk temperatures, in K.
+    pub fn rises(&self, rise_times_effusivity: f64) -> [f64; 2] {
+        let surface = self.surface_temperatures(rise_times_effusivity);
+        [surface[0] - self.bulk[0], surface[1] - self.bulk[1]]
+    }
+
+    /// The temperature that friction depends on, in degC: the mean of the two surfaces, weighted by
+    /// β√v.
+    pub fn contact_temperature(&self, rise_times_effusivity: f64) -> f64 {
+        let surface = self.surface_temperatures(rise_times_effusivity);
+        self.wheel_weight * surface[0] + (1.0 - self.wheel_weight) * surface[1]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::material::Material;
+
+    fn kinematics(creepage_x: f64) -> Kinematics {
+        Kinematics { speed: 30.0, creepage_x, creepage_y: 0.0, spin: 0.0 }
+    }
+
+    /// With the partition from the velocities both surfaces are equally hot, whatever they are made
+    /// of, and a hot wheel on a cold rail of the same steel enters at the mean.
+    #[test]
+    fn velocity_partition_makes_equal_surfaces() {
+        let mut wheel = Body { bulk_temperature: 150.0, ..Body::STEEL };
+        let rail = Body { bulk_temperature: 0.0, ..Body::STEEL };
+        let equal = Conduction::new(Partition::Velocity, &wheel, &rail, &kinematics(0.0));
+        assert_relative_eq!(equal.entry_temperature, 75.0, max_relative = 1e-14);
+        wheel.material = Material { conductivity: 20.0, ..Material::STEEL };
+        let conduction = Conduction::new(Partition::Velocity, &wheel, &rail, &kinematics(0.1));
+        let [hot, cold] = conduction.surface_temperatures(2e6);
+        assert_relative_eq!(hot, cold, max_relative = 1e-14);
+        assert_relative_eq!(conduction.contact_temperature(2e6), hot, max_relative = 1e-14);
+    }
+
+    /// With a given partition each body takes its share, at the speed v0.
+    #[test]
+    fn given_partition_is_taken_as_it_is() {
+        let conduction =
+            Conduction::new(Partition::Given(0.3), &Body::STEEL, &Body::STEEL, &kinematics(0.1));
+        let [wheel, rail] = conduction.rises(1e6);
+        assert_relative_eq!(wheel / rail, 3.0 / 7.0, max_relative = 1e-12);
+        let effusivity = Material::STEEL.effusivity();
+        assert_relative_eq!(wheel + rail, 1e6 / effusivity, max_relative = 1e-12);
+    }
+}

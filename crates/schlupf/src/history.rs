@@ -1,0 +1,158 @@
+//! Creepages, speed and load over time: transient rolling.
+
+use crate::error::{Error, require_positive};
+use crate::kinematics::Kinematics;
+
+/// Quantities over time, linear between the times and constant outside. `None` is constant.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct History {
+    /// Times, strictly ascending, in s.
+    pub time: Vec<f64>,
+    /// Speed v0, in m/s.
+    pub speed: Option<Vec<f64>>,
+    /// Longitudinal creepage ξ, dimensionless.
+    pub creepage_x: Option<Vec<f64>>,
+    /// Lateral creepage η, dimensionless.
+    pub creepage_y: Option<Vec<f64>>,
+    /// Spin creepage φ, in 1/m.
+    pub spin: Option<Vec<f64>>,
+    /// Normal load, in N.
+    pub load: Option<Vec<f64>>,
+}
+
+impl History {
+    /// Checks the tables, and that the wheel rolls at every time.
+    pub fn check(&self, otherwise: &Kinematics) -> Result<(), Error> {
+        let contradiction = |quantity, reason| Err(Error::Contradiction { quantity, reason });
+        let count = self.time.len();
+        if count < 2 {
+            let reason = format!("at least two times are required, but there are {count}");
+            return contradiction("history.time", reason);
+        }
+        if let Some(k) = self.time.iter().position(|t| !t.is_finite()) {
+            let reason = format!("time {} is {} s, not finite", k + 1, self.time[k]);
+            return contradiction("history.time", reason);
+        }
+        if let Some(k) = self.time.windows(2).position(|pair| pair[1] <= pair[0]) {
+            let (before, after) = (self.time[k], self.time[k + 1]);
+            let reason =
+                format!("times must ascend strictly, but {after} s comes after {before} s");
+            return contradiction("history.time", reason);
+        }
+        for (quantity, table) in [
+            ("history.speed", &self.speed),
+            ("history.creepage_x", &self.creepage_x),
+            ("history.creepage_y", &self.creepage_y),
+            ("history.spin", &self.spin),
+            ("history.load", &self.load),
+        ] {
+            let length = table.as_ref().map_or(count, Vec::len);
+            if length != count {
+                let reason = format!("{length} values for {count} times");
+                return contradiction(quantity, reason);
+            }
+        }
+        for &time in &self.time {
+            self.kinematics(time, otherwise).check().map_err(|error| in_history(&error, time))?;
+            if let Some(load) = self.load(time) {
+                require_positive("history.load", load, &format!("N at {time} s"))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Speed and creepages at a time (in s).
+    pub fn kinematics(&self, time: f64, otherwise: &Kinematics) -> Kinematics {
+        let at = |table: &Option<Vec<f64>>, constant: f64| {
+            table.as_ref().map_or(constant, |values| self.interpolate(values, time))
+        };
+        Kinematics {
+            speed: at(&self.speed, otherwise.speed),
+            creepage_x: at(&self.creepage_x, otherwise.creepage_x),
+            creepage_y: at(&self.creepage_y, otherwise.creepage_y),
+            spin: at(&self.spin, otherwise.spin),
+        }
+    }
+
+    /// Normal load (in N) at a time (in s), where it changes.
+    pub fn load(&self, time: f64) -> Option<f64> {
+        self.load.as_ref().map(|values| self.interpolate(values, time))
+    }
+
+    /// Largest normal load, in N, where it changes.
+    pub fn largest_load(&self) -> Option<f64> {
+        self.load.as_ref().and_then(|loads| loads.iter().copied().reduce(f64::max))
+    }
+
+    /// First and last time, in s.
+    pub fn span(&self) -> [f64; 2] {
+        let first = self.time.first().copied().unwrap_or(0.0);
+        [first, self.time.last().copied().unwrap_or(first)]
+    }
+
+    fn interpolate(&self, values: &[f64], time: f64) -> f64 {
+        let after = self.time.partition_point(|t| *t <= time);
+        if after == 0 {
+            return values[0];
+        }
+        if after == values.len() {
+            return values[after - 1];
+        }
+        let (start, end) = (self.time[after - 1], self.time[after]);
+        let share = (time - start) / (end - start);
+        (1.0 - share) * values[after - 1] + share * values[after]
+    }
+}
+
+fn in_history(error: &Error, time: f64) -> Error {
+    let quantity = match error {
+        Error::Invalid { quantity, .. } | Error::Contradiction { quantity, .. } => *quantity,
+    };
+    let quantity = match quantity {
+        "kinematics.speed" => "history.speed",
+        "kinematics.creepage_y" => "history.creepage_y",
+        "kinematics.spin" => "history.spin",
+        _ => "history.creepage_x",
+    };
+    Error::Contradiction { quantity, reason: format!("at {time} s, {error}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROLLING: Kinematics =
+        Kinematics { speed: 30.0, creepage_x: 0.0, creepage_y: 0.001, spin: 0.0 };
+
+    #[test]
+    fn values_are_linear_in_between_and_constant_outside() {
+        let history = History {
+            time: vec![0.0, 1.0, 3.0],
+            creepage_x: Some(vec![0.0, 0.002, 0.0]),
+            ..History::default()
+        };
+        history.check(&ROLLING).unwrap();
+        let at = |time| history.kinematics(time, &ROLLING);
+        assert_eq!(at(-1.0).creepage_x, 0.0);
+        assert_eq!(at(0.5).creepage_x, 0.001);
+        assert_eq!(at(2.0).creepage_x, 0.001);
+        assert_eq!(at(9.0).creepage_x, 0.0);
+        assert_eq!(at(0.5).creepage_y, 0.001);
+    }
+
+    #[test]
+    fn what_is_no_history_is_refused() {
+        let refuse = |history: History| history.check(&ROLLING).unwrap_err().to_string();
+        let times = vec![0.0, 1.0];
+        assert!(refuse(History::default()).contains("at least two times"));
+        let backwards = History { time: vec![1.0, 1.0], ..History::default() };
+        assert!(refuse(backwards).contains("ascend strictly"));
+        let short =
+            History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };
+        assert!(refuse(short).contains("history.spin: 1 values for 2 times"));
+        let locked =
+            History { time: times, creepage_x: Some(vec![0.0, 2.0]), ..History::default() };
+        let message = refuse(locked);
+        assert!(message.contains("history.creepage_x: at 1 s") && message.contains("reversed"));
+    }
+}

@@ -1,0 +1,72 @@
+//! Friction that falls linearly with the contact temperature; Eq. (23).
+
+use super::{FrictionLaw, FrictionState, require_coefficient};
+use crate::error::{Error, require, require_positive};
+
+/// μ = μ0 (1 − T/T_E), at least a floor (Neuhaus and Sextro 2014, Eq. 23; the floor is zero there).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TemperatureLinear {
+    coefficient: f64,
+    temperature_at_zero_friction: f64,
+    minimum_coefficient: f64,
+}
+
+impl TemperatureLinear {
+    /// Cold coefficient μ0 (dimensionless), T_E over the reference (in K), floor (dimensionless).
+    pub fn new(
+        coefficient: f64,
+        temperature_at_zero_friction: f64,
+        minimum_coefficient: f64,
+    ) -> Result<Self, Error> {
+        require_coefficient(coefficient)?;
+        let quantity = "friction.temperature_at_zero_friction";
+        require_positive(quantity, temperature_at_zero_friction, "K")?;
+        require(
+            (0.0..=coefficient).contains(&minimum_coefficient),
+            "friction.minimum_coefficient",
+            &format!("between 0 and friction.coefficient = {coefficient}"),
+            minimum_coefficient,
+            "",
+        )?;
+        Ok(Self { coefficient, temperature_at_zero_friction, minimum_coefficient })
+    }
+}
+
+impl FrictionLaw for TemperatureLinear {
+    fn coefficient(&self, state: &FrictionState) -> f64 {
+        let falling = 1.0 - state.temperature / self.temperature_at_zero_friction;
+        (self.coefficient * falling).max(self.minimum_coefficient)
+    }
+
+    fn temperature_limit(&self) -> f64 {
+        self.temperature_at_zero_friction
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Neuhaus and Sextro 2014, Eq. (23), with a floor.
+    #[test]
+    fn neuhaus_sextro_2014_linear_fall() {
+        let law = TemperatureLinear::new(0.4, 700.0, 0.1).unwrap();
+        let at = |temperature| {
+            law.coefficient(&FrictionState { temperature, ..FrictionState::default() })
+        };
+        assert_eq!(at(0.0), 0.4);
+        assert_relative_eq!(at(350.0), 0.2, max_relative = 1e-14);
+        assert_eq!(at(690.0), 0.1);
+        assert_eq!(at(2000.0), 0.1);
+    }
+
+    #[test]
+    fn impossible_constants_are_named() {
+        let message = |m0, te, floor| TemperatureLinear::new(m0, te, floor).unwrap_err().to_string();
+        assert!(message(0.4, 0.0, 0.0).starts_with("friction.temperature_at_zero_friction"));
+        assert!(message(0.4, -5.0, 0.0).contains("-5 K"));
+        assert!(message(0.4, 700.0, 0.5).starts_with("friction.minimum_coefficient"));
+        assert!(message(f64::NAN, 700.0, 0.0).starts_with("friction.coefficient"));
+    }
+}

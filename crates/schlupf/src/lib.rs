@@ -1,0 +1,33 @@
+//! Rolling contact of wheel and rail: tangential stress, slip and temperature in the contact patch.
+//!
+//! The model is that of Neuhaus and Sextro, *Thermo-mechanical model for wheel rail contact using
+//! coupled point contact elements* (ICCM 2014); bare equation numbers in this crate are theirs. The
+//! modules stand in the order in which data flows, from the constants of the two bodies to the
+//! solution; each uses only what stands above it.
+//!
+//! All quantities are SI, temperatures are in degC and their differences in K. The contact frame
+//! moves with the patch: x along rolling, the leading edge at larger x, y to the left, z up into the
+//! wheel. Tractions, forces and moments act on the wheel.
+
+#![forbid(unsafe_code)]
+
+pub mod error;
+pub mod material;
+pub mod kinematics;
+pub mod grid;
+pub mod normal;
+pub mod patch;
+pub mod elasticity;
+pub mod interface;
+pub mod equilibrium;
+pub mod heat;
+pub mod history;
+pub mod state;
+pub mod problem;
+pub mod solution;
+pub mod rolling;
+pub mod reference;
+
+pub use error::Error;
+pub use problem::{Options, Problem};
+pub use solution::{Solution, Status};

@@ -1,0 +1,74 @@
+//! An elliptic patch with given semi-axes and Hertzian pressure.
+
+use std::f64::consts::TAU;
+
+use super::{NormalContact, NormalSummary, Pressure, PressureSource};
+use crate::error::{Error, require_positive};
+
+/// Semi-ellipsoidal pressure on an ellipse of given semi-axes, N = (2/3) π a b p0.
+///
+/// Under another load (`[history]`) the patch grows as that of two bodies of fixed curvature would:
+/// a, b and p0 with the cube root of the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ellipse {
+    semi_axis_x: f64,
+    semi_axis_y: f64,
+    load: f64,
+}
+
+impl Ellipse {
+    /// From the semi-axes (in m) and the load (in N).
+    pub fn from_load(semi_axis_x: f64, semi_axis_y: f64, load: f64) -> Result<Self, Error> {
+        require_positive("normal.semi_axis_x", semi_axis_x, "m")?;
+        require_positive("normal.semi_axis_y", semi_axis_y, "m")?;
+        require_positive("normal.load", load, "N")?;
+        Ok(Self { semi_axis_x, semi_axis_y, load })
+    }
+
+    /// From the semi-axes (in m) and the largest pressure (in Pa).
+    pub fn from_peak_pressure(
+        semi_axis_x: f64,
+        semi_axis_y: f64,
+        peak_pressure: f64,
+    ) -> Result<Self, Error> {
+        require_positive("normal.peak_pressure", peak_pressure, "Pa")?;
+        let load = TAU / 3.0 * semi_axis_x * semi_axis_y * peak_pressure;
+        require_positive("normal.semi_axis_x", semi_axis_x, "m")?;
+        require_positive("normal.semi_axis_y", semi_axis_y, "m")?;
+        Self::from_load(semi_axis_x, semi_axis_y, load)
+    }
+}
+
+impl PressureSource for Ellipse {
+    fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
+        let load = load.unwrap_or(self.load);
+        require_positive("normal.load", load, "N")?;
+        let growth = (load / self.load).cbrt();
+        let (a, b) = (growth * self.semi_axis_x, growth * self.semi_axis_y);
+        let summary = NormalSummary {
+            load,
+            semi_axis_x: a,
+            semi_axis_y: b,
+            peak_pressure: 3.0 * load / (TAU * a * b),
+            approach: None,
+        };
+        Ok(NormalContact { summary, pressure: Pressure::Elliptic })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn load_and_peak_pressure_say_the_same() {
+        let load = TAU / 3.0 * 6e-3 * 5e-3 * 1e9;
+        let one = Ellipse::from_load(6e-3, 5e-3, load).unwrap();
+        let two = Ellipse::from_peak_pressure(6e-3, 5e-3, 1e9).unwrap();
+        assert_eq!(one, two);
+        let contact = one.normal_contact(Some(8.0 * load)).unwrap().summary;
+        assert_relative_eq!(contact.semi_axis_x, 12e-3, max_relative = 1e-14);
+        assert_relative_eq!(contact.peak_pressure, 2e9, max_relative = 1e-14);
+    }
+}

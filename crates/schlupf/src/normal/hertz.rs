@@ -1,0 +1,243 @@
+//! Hertz contact of two smooth elastic bodies with curvatures in two planes (Hertz 1882; Johnson,
+//! *Contact Mechanics*, 1985, §4.2).
+//!
+//! The displacement under a semi-ellipsoidal pressure is, for an ellipse with semi-axes a and b,
+//!
+//! u_z(x, y) = 3N/(4πE*) ∫₀^∞ (1 − x²/(a²+s) − y²/(b²+s)) ds / √((a²+s)(b²+s)s),
+//!
+//! which must be δ − A x² − B y². In Carlson's symmetric integrals, for any ratio of a to b,
+//!
+//! δ = 3N/(2πE*) R_F(0, a², b²),  A = N/(2πE*) R_D(0, b², a²),  B = N/(2πE*) R_D(0, a², b²).
+
+use std::f64::consts::TAU;
+
+use ellip::{elliprd, elliprf};
+
+use super::{NormalContact, NormalSummary, Pressure, PressureSource};
+use crate::error::{Error, require, require_positive};
+
+/// Radii of curvature of a body at the contact: positive where convex, negative where concave,
+/// infinite where flat.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Radii {
+    /// In the plane along rolling, in m.
+    pub x: f64,
+    /// In the plane across rolling, in m.
+    pub y: f64,
+}
+
+/// Hertz contact from the radii of two bodies and their load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hertz {
+    curvature_x: f64,
+    curvature_y: f64,
+    contact_modulus: f64,
+    load: f64,
+}
+
+/// Largest and smallest ratio of the curvature sums; beyond it the contact is a line.
+const LARGEST_CURVATURE_RATIO: f64 = 1e5;
+
+impl Hertz {
+    /// A contact of bodies with the given radii and contact modulus E* (in Pa) under `load` (in N).
+    ///
+    /// # Errors
+    /// A radius of zero, a curvature sum that is not positive (a flat contact, or a line), or one
+    /// so much smaller than the other that the contact is practically a line.
+    pub fn new(wheel: Radii, rail: Radii, contact_modulus: f64, load: f64) -> Result<Self, Error> {
+        require_positive("normal.load", load, "N")?;
+        let curvature_x = curvature_sum(
+            [("wheel.radius_x", wheel.x), ("rail.radius_x", rail.x)],
+            "along rolling (wheel.radius_x, rail.radius_x)",
+        )?;
+        let curvature_y = curvature_sum(
+            [("wheel.radius_y", wheel.y), ("rail.radius_y", rail.y)],
+            "across rolling (wheel.radius_y, rail.radius_y)",
+        )?;
+        let ratio = curvature_x / curvature_y;
+        if !(1.0 / LARGEST_CURVATURE_RATIO..=LARGEST_CURVATURE_RATIO).contains(&ratio) {
+            return Err(Error::Contradiction {
+                quantity: if ratio > 1.0 { "wheel.radius_y" } else { "wheel.radius_x" },
+                reason: format!(
+                    "the curvature sums along and across rolling are {curvature_x} and \
+                     {curvature_y} 1/m; a ratio beyond {LARGEST_CURVATURE_RATIO} is a line contact, \
+                     which has no elliptic patch"
+                ),
+            });
+        }
+        Ok(Self { curvature_x, curvature_y, contact_modulus, load })
+    }
+
+    /// A contact with the undeformed distance z = A x² + B y², A and B in 1/m.
+    pub fn from_curvatures(
+        distance_x: f64,
+        distance_y: f64,
+        contact_modulus: f64,
+        load: f64,
+    ) -> Result<Self, Error> {
+        let radii = Radii { x: 0.5 / distance_x, y: 0.5 / distance_y };
+        let flat = Radii { x: f64::INFINITY, y: f64::INFINITY };
+        Self::new(radii, flat, contact_modulus, load)
+    }
+
+    /// Semi-axes a and b (in m) under `load` (in N).
+    fn semi_axes(&self, load: f64) -> [f64; 2] {
+        let ratio = axis_ratio(self.curvature_x / self.curvature_y);
+        // With a = r c and b = c/r the integrals scale as c⁻³.
+        let root = ratio.sqrt();
+        let unit_integral = carlson_d(root.recip().powi(2), root.powi(2));
+        let distance_x = 0.5 * self.curvature_x;
+        let scale = (load * unit_integral / (TAU * self.contact_modulus * distance_x)).cbrt();
+        [scale * root, scale / root]
+    }
+}
+
+impl PressureSource for Hertz {
+    fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
+        let load = load.unwrap_or(self.load);
+        require_positive("normal.load", load, "N")?;
+        let [a, b] = self.semi_axes(load);
+        let approach = 3.0 * load / (TAU * self.contact_modulus) * carlson_f(a * a, b * b);
+        let summary = NormalSummary {
+            load,
+            semi_axis_x: a,
+            semi_axis_y: b,
+            peak_pressure: 3.0 * load / (TAU * a * b),
+            approach: Some(approach),
+        };
+        Ok(NormalContact { summary, pressure: Pressure::Elliptic })
+    }
+}
+
+/// 1/R₁ + 1/R₂, in 1/m; positive.
+fn curvature_sum(radii: [(&'static str, f64); 2], plane: &str) -> Result<f64, Error> {
+    for (quantity, radius) in radii {
+        let legal = !radius.is_nan() && radius != 0.0;
+        require(legal, quantity, "not zero and not NaN (inf where flat)", radius, "m")?;
+    }
+    let sum = radii[0].1.recip() + radii[1].1.recip();
+    if sum > 0.0 && sum.is_finite() {
+        return Ok(sum);
+    }
+    let reason = if sum == 0.0 {
+        format!(
+            "the sum of curvatures {plane} is zero: a line contact, which has no elliptic patch; \
+             at least one radius must be finite"
+        )
+    } else {
+        format!("the sum of curvatures {plane} must be positive, but is {sum} 1/m")
+    };
+    Err(Error::Contradiction { quantity: radii[0].0, reason })
+}
+
+/// a/b of the ellipse that belongs to the ratio of curvature sums A/B = R_D(0,b²,a²)/R_D(0,a²,b²).
+///
+/// The right-hand side falls monotonically from ∞ to 0 with a/b: bisection on ln(a/b).
+fn axis_ratio(curvature_ratio: f64) -> f64 {
+    let excess = |log_ratio: f64| {
+        let square = log_ratio.exp();
+        carlson_d(square.recip(), square) / carlson_d(square, square.recip()) - curvature_ratio
+    };
+    let (mut low, mut high) = (-10.0, 10.0);
+    // 20 · 2⁻⁶⁰ is below the spacing of the numbers around 10.
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    (0.5 * (low + high)).exp()
+}
+
+/// R_D(0, y, z). The arguments are positive here, which is the whole domain.
+fn carlson_d(y: f64, z: f64) -> f64 {
+    elliprd(0.0, y, z).unwrap_or(f64::NAN)
+}
+
+/// R_F(0, y, z). The arguments are positive here, which is the whole domain.
+fn carlson_f(y: f64, z: f64) -> f64 {
+    elliprf(0.0, y, z).unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    const FLAT: Radii = Radii { x: f64::INFINITY, y: f64::INFINITY };
+
+    /// Contact modulus of two bodies with G = 82 GPa and ν = 0.28.
+    fn steel() -> f64 {
+        82.0e9 / (1.0 - 0.28)
+    }
+
+    /// Johnson 1985, Eqs. (4.22)–(4.24): a³ = 3NR/(4E*), δ = a²/R, p0 = 3N/(2πa²).
+    #[test]
+    fn johnson_1985_sphere_on_plane() {
+        let (radius, load) = (0.4, 5.0e4);
+        let hertz = Hertz::new(Radii { x: radius, y: radius }, FLAT, steel(), load).unwrap();
+        let contact = hertz.normal_contact(None).unwrap().summary;
+        let a = (0.75 * load * radius / steel()).cbrt();
+        assert_relative_eq!(contact.semi_axis_x, a, max_relative = 1e-12);
+        assert_relative_eq!(contact.semi_axis_y, a, max_relative = 1e-12);
+        assert_relative_eq!(contact.approach.unwrap(), a * a / radius, max_relative = 1e-12);
+    }
+
+    /// Eurosprinter wheel of the CONTACT user guide (Vollebregt 2022), R = 625 mm, 106.7 kN.
+    #[test]
+    fn vollebregt_2022_locomotive_wheel() {
+        let hertz = Hertz::new(Radii { x: 0.625, y: 1.7767 }, FLAT, steel(), 106.7e3).unwrap();
+        let contact = hertz.normal_contact(None).unwrap().summary;
+        assert_relative_eq!(contact.semi_axis_x, 6.304e-3, max_relative = 2e-4);
+        assert_relative_eq!(contact.semi_axis_y, 12.61e-3, max_relative = 2e-4);
+        assert_relative_eq!(contact.peak_pressure, 641.1e6, max_relative = 2e-4);
+        assert_relative_eq!(contact.approach.unwrap(), 0.0765e-3, max_relative = 1e-3);
+    }
+
+    /// Curvature sums of CONTACT's Manchester-type example: a = 5.88 mm, b = 10.54 mm, 770.4 MPa.
+    #[test]
+    fn vollebregt_2022_curvature_sums() {
+        let hertz = Hertz::from_curvatures(1.015, 0.4215, steel(), 100.0e3).unwrap();
+        let contact = hertz.normal_contact(None).unwrap().summary;
+        assert_relative_eq!(contact.semi_axis_x, 5.88e-3, max_relative = 1e-3);
+        assert_relative_eq!(contact.semi_axis_y, 10.54e-3, max_relative = 1e-3);
+        assert_relative_eq!(contact.peak_pressure, 770.4e6, max_relative = 1e-3);
+    }
+
+    /// Turning the bodies by 90° swaps the axes and changes nothing else; the displacement under
+    /// the pressure is the undeformed distance.
+    #[test]
+    fn hertz_1882_axes_swap_with_the_radii() {
+        for radius in [0.01, 0.1, 0.5, 2.0, 500.0] {
+            let along = Radii { x: radius, y: f64::INFINITY };
+            let across = Radii { x: f64::INFINITY, y: radius };
+            let cylinder = Radii { x: f64::INFINITY, y: 0.3 };
+            let turned = Radii { x: 0.3, y: f64::INFINITY };
+            let one = Hertz::new(along, cylinder, steel(), 1e5).unwrap();
+            let two = Hertz::new(across, turned, steel(), 1e5).unwrap();
+            let (one, two) =
+                (one.normal_contact(None).unwrap().summary, two.normal_contact(None).unwrap().summary);
+            assert_relative_eq!(one.semi_axis_x, two.semi_axis_y, max_relative = 1e-10);
+            assert_relative_eq!(one.semi_axis_y, two.semi_axis_x, max_relative = 1e-10);
+            assert_relative_eq!(one.approach.unwrap(), two.approach.unwrap(), max_relative = 1e-10);
+        }
+    }
+
+    #[test]
+    fn a_concave_rail_is_legal_and_a_line_is_refused() {
+        let wheel = Radii { x: 0.46, y: 0.33 };
+        let groove = Radii { x: f64::INFINITY, y: -0.4 };
+        assert!(Hertz::new(wheel, groove, steel(), 8e4).is_ok());
+        let tight = Radii { x: f64::INFINITY, y: -0.2 };
+        let error = Hertz::new(wheel, tight, steel(), 8e4).unwrap_err().to_string();
+        assert!(error.contains("must be positive"), "{error}");
+        let roller = Radii { x: 0.46, y: f64::INFINITY };
+        let error = Hertz::new(roller, FLAT, steel(), 8e4).unwrap_err().to_string();
+        assert!(error.contains("line contact"), "{error}");
+        let zero = Radii { x: 0.0, y: 1.0 };
+        let error = Hertz::new(zero, FLAT, steel(), 8e4).unwrap_err().to_string();
+        assert!(error.contains("wheel.radius_x must be not zero"), "{error}");
+    }
+}

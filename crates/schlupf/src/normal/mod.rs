@@ -1,0 +1,65 @@
+//! Normal contact: the pressure, an input of the tangential problem.
+
+pub mod ellipse;
+pub mod hertz;
+pub mod tabulated;
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use crate::error::Error;
+use crate::grid::Extent;
+
+use tabulated::PressureTable;
+
+/// Where the normal pressure comes from. Extension point.
+pub trait PressureSource: Debug + Send + Sync {
+    /// The normal contact under `load` (in N), or under the source's own load.
+    fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error>;
+}
+
+/// A loaded normal contact.
+#[derive(Debug, Clone)]
+pub struct NormalContact {
+    /// Its sizes.
+    pub summary: NormalSummary,
+    /// Its pressure.
+    pub pressure: Pressure,
+}
+
+/// Sizes of a normal contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NormalSummary {
+    /// Normal load N, in N.
+    pub load: f64,
+    /// Semi-axis a along rolling, in m; half the extent where the patch is no ellipse.
+    pub semi_axis_x: f64,
+    /// Semi-axis b across rolling, in m; half the extent where the patch is no ellipse.
+    pub semi_axis_y: f64,
+    /// Largest pressure p0, in Pa.
+    pub peak_pressure: f64,
+    /// Approach of distant points of the two bodies, in m, where the source knows it.
+    pub approach: Option<f64>,
+}
+
+/// A distribution of normal pressure.
+#[derive(Debug, Clone)]
+pub enum Pressure {
+    /// p0 √(1 − x²/a² − y²/b²), sizes in the summary (Hertz 1882).
+    Elliptic,
+    /// A table times a factor (dimensionless).
+    Tabulated(Arc<PressureTable>, f64),
+}
+
+impl NormalContact {
+    /// The rectangle that the patch spans.
+    pub fn extent(&self) -> Extent {
+        match &self.pressure {
+            Pressure::Elliptic => {
+                let (a, b) = (self.summary.semi_axis_x, self.summary.semi_axis_y);
+                Extent { x: [-a, a], y: [-b, b] }
+            }
+            Pressure::Tabulated(table, _) => table.extent(),
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! Pressure from a table: finite elements, a measurement, another program.
+
+use std::sync::Arc;
+
+use super::{NormalContact, NormalSummary, Pressure, PressureSource};
+use crate::error::{Error, require, require_positive};
+use crate::grid::Extent;
+
+/// Normal pressure sampled on an equidistant rectangular lattice, linear in between in each
+/// direction, falling to zero within one spacing outside the lattice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PressureTable {
+    x: Axis,
+    y: Axis,
+    pressure: Vec<f64>,
+}
+
+/// Equidistant positions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Axis {
+    pub start: f64,
+    pub spacing: f64,
+    pub count: usize,
+}
+
+impl Axis {
+    pub fn at(&self, k: usize) -> f64 {
+        self.start + k as f64 * self.spacing
+    }
+
+    fn from_positions(positions: &[f64]) -> Result<Self, Error> {
+        let invalid = |requirement: &str, value: String| Error::Invalid {
+            quantity: "normal.file",
+            requirement: format!("a table with {requirement}"),
+            value,
+        };
+        let count = positions.len();
+        if count < 2 {
+            return Err(invalid(
+                "at least two positions in each direction",
+                format!("one with {count} in one direction"),
+            ));
+        }
+        let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
+        let axis = Self { start: positions[0], spacing, count };
+        let deviates = |k: usize| !((positions[k] - axis.at(k)).abs() <= SPACING_TOLERANCE * spacing);
+        if let Some(k) = (0..count).find(|&k| deviates(k)) {
+            return Err(invalid(
+                "ascending, equidistant positions",
+                format!("one with {} m where {} m was expected", positions[k], axis.at(k)),
+            ));
+        }
+        Ok(axis)
+    }
+}
+
+/// Positions may deviate from equidistance by this part of the spacing: printed numbers are rounded.
+const SPACING_TOLERANCE: f64 = 1e-2;
+
+impl PressureTable {
+    /// A table of `pressure` (in Pa) at the positions `x` × `y` (in m, ascending and equidistant),
+    /// rows along x: the value at (i, j) is `pressure[j * x.len() + i]`.
+    ///
+    /// # Errors
+    /// Positions that are not equidistant, a wrong number of values, a value that is negative or
+    /// not finite, or no positive value at all.
+    pub fn new(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
+        let (x, y) = (Axis::from_positions(x)?, Axis::from_positions(y)?);
+        let invalid = |requirement: String, value: String| Error::Invalid {
+            quantity: "normal.file",
+            requirement,
+            value,
+        };
+        if pressure.len() != x.count * y.count {
+            return Err(invalid(
+                format!("a table of {} × {} values", x.count, y.count),
+                format!("one of {}", pressure.len()),
+            ));
+        }
+        if let Some(k) = pressure.iter().position(|p| !(*p >= 0.0 && p.is_finite())) {
+            let (at_x, at_y) = (x.at(k % x.count), y.at(k / x.count));
+            return Err(invalid(
+                "a table of finite pressures that are not negative".to_owned(),
+                format!("one with {} Pa at x = {at_x} m, y = {at_y} m", pressure[k]),
+            ));
+        }
+        if !pressure.iter().any(|p| *p > 0.0) {
+            return Err(invalid(
+                "a table with a positive pressure somewhere".to_owned(),
+                "zero everywhere".to_owned(),
+            ));
+        }
+        Ok(Self { x, y, pressure })
+    }
+
+    /// ∫ p dA of the table, in N.
+    pub fn load(&self) -> f64 {
+        self.pressure.iter().sum::<f64>() * self.x.spacing * self.y.spacing
+    }
+
+    /// Largest pressure, in Pa.
+    pub fn peak(&self) -> f64 {
+        self.pressure.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The rectangle that the positive pressure spans.
+    pub fn extent(&self) -> Extent {
+        let row = |j: usize| self.pressure[j * self.x.count..(j + 1) * self.x.count].to_vec();
+        let column = |i: usize| (0..self.y.count).map(|j| self.at(i, j)).collect::<Vec<_>>();
+        Extent {
+            x: span((0..self.y.count).map(row), &self.x),
+            y: span((0..self.x.count).map(column), &self.y),
+        }
+    }
+
+    pub(crate) fn axis_x(&self) -> &Axis {
+        &self.x
+    }
+
+    /// Pressure along x, mean over the strip from `low` to `high` (in m); whatever lies beyond the
+    /// first or last strip of a grid belongs to it, so an infinite bound is legal.
+    pub(crate) fn mean_over(&self, low: f64, high: f64, width: f64) -> Vec<f64> {
+        let weight = |j: usize| {
+            let at = self.y.at(j);
+            hat_integral((high - at) / self.y.spacing) - hat_integral((low - at) / self.y.spacing)
+        };
+        let mut mean = vec![0.0; self.x.count];
+        for j in 0..self.y.count {
+            let share = weight(j) * self.y.spacing / width;
+            if share != 0.0 {
+                for (i, value) in mean.iter_mut().enumerate() {
+                    *value += share * self.at(i, j);
+                }
+            }
+        }
+        mean
+    }
+
+    fn at(&self, i: usize, j: usize) -> f64 {
+        self.pressure[j * self.x.count + i]
+    }
+}
+
+/// Integral of the hat function from −∞ to `s`, both in spacings.
+pub(crate) fn hat_integral(s: f64) -> f64 {
+    let s = s.clamp(-1.0, 1.0);
+    if s < 0.0 { 0.5 * (1.0 + s).powi(2) } else { 1.0 - 0.5 * (1.0 - s).powi(2) }
+}
+
+/// A run of positive samples, and where the pressure vanishes before and behind it, in m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Run {
+    pub first: usize,
+    pub last: usize,
+    pub edges: [f64; 2],
+}
+
+/// The runs of positive samples in a line.
+///
+/// Near its edge a contact pressure goes with the root of the distance, so its square is linear
+/// there: the edge is where the line through the two outer squares vanishes, within one spacing.
+pub(crate) fn positive_runs(samples: &[f64], axis: &Axis) -> Vec<Run> {
+    let mut runs = Vec::new();
+    let mut k = 0;
+    while k < samples.len() {
+        if samples[k] <= 0.0 {
+            k += 1;
+            continue;
+        }
+        let first = k;
+        while k < samples.len() && samples[k] > 0.0 {
+            k += 1;
+        }
+        let last = k - 1;
+        let beyond = |outer: usize, inner: usize| {
+            let (p, q) = (samples[outer].powi(2), samples[inner].powi(2));
+            // The least distance keeps the outermost sample within the contact.
+            if q > p { (p / (q - p)).clamp(1e-3, 1.0) } else { 0.5 }
+        };
+        let ahead = if first == last { 0.5 } else { beyond(last, last - 1) };
+        let behind = if first == last { 0.5 } else { beyond(first, first + 1) };
+        let edges = [
+            axis.at(first) - behind * axis.spacing,
+            axis.at(last) + ahead * axis.spacing,
+        ];
+        runs.push(Run { first, last, edges });
+    }
+    runs
+}
+
+fn span(lines: impl Iterator<Item = Vec<f64>>, axis: &Axis) -> [f64; 2] {
+    let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
+    for run in lines.flat_map(|line| positive_runs(&line, axis)) {
+        extent = [extent[0].min(run.edges[0]), extent[1].max(run.edges[1])];
+    }
+    extent
+}
+
+/// Pressure from a table, scaled to a load where one is given.
+#[derive(Debug, Clone)]
+pub struct Tabulated {
+    table: Arc<PressureTable>,
+    load: f64,
+}
+
+impl Tabulated {
+    /// The table as it is, or scaled to `load` (in N).
+    pub fn new(table: PressureTable, load: Option<f64>) -> Result<Self, Error> {
+        let load = load.unwrap_or_else(|| table.load());
+        require_positive("normal.load", load, "N")?;
+        Ok(Self { table: Arc::new(table), load })
+    }
+}
+
+impl PressureSource for Tabulated {
+    fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
+        let load = load.unwrap_or(self.load);
+        require_positive("normal.load", load, "N")?;
+        let factor = load / self.table.load();
+        let extent = self.table.extent();
+        let half = |range: [f64; 2]| 0.5 * (range[1] - range[0]);
+        require(half(extent.x) > 0.0, "normal.file", "a table with an area", 0.0, "m")?;
+        let summary = NormalSummary {
+            load,
+            semi_axis_x: half(extent.x),
+            semi_axis_y: half(extent.y),
+            peak_pressure: factor * self.table.peak(),
+            approach: None,
+        };
+        let pressure = Pressure::Tabulated(Arc::clone(&self.table), factor);
+        Ok(NormalContact { summary, pressure })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn hertz_table(count: usize) -> PressureTable {
+        let (a, b) = (6e-3, 4e-3);
+        let axis = |half: f64| -> Vec<f64> {
+            (0..count).map(|k| half * 1.1 * (2.0 * k as f64 / (count - 1) as f64 - 1.0)).collect()
+        };
+        let (x, y) = (axis(a), axis(b));
+        let value = |x: f64, y: f64| {
+            1e9 * (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt()
+        };
+        let pressure = y.iter().flat_map(|y| x.iter().map(|x| value(*x, *y))).collect();
+        PressureTable::new(&x, &y, pressure).unwrap()
+    }
+
+    /// The edge of a Hertzian table is found far more exactly than its spacing (6 % of a here).
+    #[test]
+    fn extent_of_a_hertzian_table_is_its_ellipse() {
+        let extent = hertz_table(37).extent();
+        assert_relative_eq!(extent.x[1], 6e-3, max_relative = 0.01);
+        assert_relative_eq!(extent.y[0], -4e-3, max_relative = 0.01);
+    }
+
+    #[test]
+    fn a_given_load_scales_the_table() {
+        let table = hertz_table(61);
+        let peak = table.peak();
+        let half = Tabulated::new(table.clone(), Some(0.5 * table.load())).unwrap();
+        let contact = half.normal_contact(None).unwrap().summary;
+        assert_relative_eq!(contact.peak_pressure, 0.5 * peak, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn what_is_no_table_is_refused_by_name() {
+        let refuse = |x: &[f64], y: &[f64], p: Vec<f64>| {
+            PressureTable::new(x, y, p).unwrap_err().to_string()
+        };
+        let axis = [0.0, 1.0, 2.0];
+        assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("3 × 2 values"));
+        assert!(refuse(&[0.0, 1.0, 3.0], &axis, vec![1.0; 9]).contains("equidistant"));
+        assert!(refuse(&axis, &[0.0], vec![1.0; 3]).contains("at least two"));
+        assert!(refuse(&axis, &axis, vec![0.0; 9]).contains("positive pressure"));
+        let mut hole = vec![1.0; 9];
+        hole[4] = f64::NAN;
+        assert!(refuse(&axis, &axis, hole).contains("x = 1 m, y = 1 m"));
+    }
+}

@@ -1,0 +1,127 @@
+//! What is to be solved ([`Problem`], the physics) and how ([`Options`], the numerics).
+
+use std::sync::Arc;
+
+use crate::elasticity::Elasticity;
+use crate::error::{Error, require, require_positive};
+use crate::heat::Heat;
+use crate::heat::partition::Conduction;
+use crate::interface::contact_law::ContactLaw;
+use crate::interface::friction::Friction;
+use crate::kinematics::Kinematics;
+use crate::material::Body;
+use crate::normal::PressureSource;
+use crate::history::History;
+use crate::state::State;
+
+/// A rolling contact: two bodies, how they move, and the laws that hold between them.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// Speed and creepages. Where [`Self::history`] gives one as a function of time, that counts.
+    pub kinematics: Kinematics,
+    /// The wheel.
+    pub wheel: Body,
+    /// The rail.
+    pub rail: Body,
+    /// Where the normal pressure comes from.
+    pub normal: Arc<dyn PressureSource>,
+    /// How the bodies deform under tangential traction.
+    pub elasticity: Arc<dyn Elasticity>,
+    /// How the traction of a point depends on its sliding, Eq. (8).
+    pub contact_law: Arc<dyn ContactLaw>,
+    /// Coefficient of friction, Eq. (23).
+    pub friction: Friction,
+    /// Frictional heating, Eqs. (17)–(22).
+    pub heat: Heat,
+    /// Creepages, speed and load over time: transient rolling. `None` is steady rolling.
+    pub history: Option<History>,
+    /// State to start marching from. `None` is rest: no tangential traction, bulk temperatures.
+    pub initial_state: Option<State>,
+}
+
+impl Problem {
+    /// How the two bodies divide and conduct heat at the speeds of `kinematics`.
+    pub fn conduction(&self, kinematics: &Kinematics) -> Conduction {
+        Conduction::new(self.heat.partition, &self.wheel, &self.rail, kinematics)
+    }
+
+    /// Checks whatever can be checked before the patch is known.
+    pub fn check(&self) -> Result<(), Error> {
+        self.kinematics.check()?;
+        self.wheel.check_wheel()?;
+        self.rail.check_rail()?;
+        if let Some(history) = &self.history {
+            history.check(&self.kinematics)?;
+        }
+        self.heat.check()?;
+        self.friction.check(self.conduction(&self.kinematics).entry_temperature)
+    }
+}
+
+/// Most cells in one direction across the patch.
+pub const MAX_CELLS: usize = 1024;
+
+/// How a problem is solved. No choice here changes the physics.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Cells along rolling across the patch.
+    pub cells_x: usize,
+    /// Cells across rolling over the patch.
+    pub cells_y: usize,
+    /// Largest residual ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, dimensionless. Marching to the steady state ends
+    /// when a step also changes the traction by less, and the temperature by less than this part of
+    /// its largest rise.
+    pub tolerance: f64,
+    /// Most Newton steps for one equilibrium.
+    pub max_iterations: usize,
+    /// Most time steps on the way to the steady state.
+    pub max_steps: usize,
+    /// A cell slides where |t| ≥ this · μ pₙ; dimensionless.
+    pub slip_threshold: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            cells_x: 24,
+            cells_y: 24,
+            tolerance: 1e-6,
+            max_iterations: 200,
+            max_steps: 2000,
+            slip_threshold: 0.95,
+        }
+    }
+}
+
+impl Options {
+    /// Checks that the numbers are usable.
+    pub fn check(&self) -> Result<(), Error> {
+        let cells = |quantity, count: usize, least: usize| {
+            let range = format!("between {least} and {MAX_CELLS}");
+            require((least..=MAX_CELLS).contains(&count), quantity, &range, count as f64, "cells")
+        };
+        cells("grid.cells_x", self.cells_x, 2)?;
+        cells("grid.cells_y", self.cells_y, 1)?;
+        require_positive("solver.tolerance", self.tolerance, "")?;
+        require(
+            (1e-13..=0.1).contains(&self.tolerance),
+            "solver.tolerance",
+            "between 1e-13 and 0.1",
+            self.tolerance,
+            "",
+        )?;
+        let positive = |quantity, count: usize| {
+            require(count > 0, quantity, "at least 1", count as f64, "")
+        };
+        positive("solver.max_iterations", self.max_iterations)?;
+        positive("solver.max_steps", self.max_steps)?;
+        let threshold = self.slip_threshold;
+        require(
+            threshold > 0.0 && threshold <= 1.0,
+            "solver.slip_threshold",
+            "above 0 and at most 1",
+            threshold,
+            "",
+        )
+    }
+}

@@ -1,0 +1,3 @@
+//! Exact solutions, to test against and to compare with.
+
+pub mod moving_source;

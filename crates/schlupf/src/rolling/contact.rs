@@ -1,0 +1,127 @@
+//! The discretised contact: a patch and the compliance of its cells.
+
+use crate::elasticity::Compliance;
+use crate::equilibrium::{dot, norm};
+use crate::grid::VectorField;
+use crate::normal::NormalSummary;
+use crate::patch::{Interpolation, Patch};
+
+/// A patch with the compliance between its cells.
+pub(super) struct DiscreteContact {
+    pub normal: NormalSummary,
+    pub patch: Patch,
+    pub compliance: Box<dyn Compliance>,
+    interpolation: Interpolation,
+    traction: VectorField,
+    /// A p on the whole grid, of the last product.
+    pub displacement: VectorField,
+    /// Largest eigenvalue of A, in m/Pa, once it has been asked for.
+    norm: Option<f64>,
+}
+
+impl DiscreteContact {
+    pub fn new(normal: NormalSummary, patch: Patch, compliance: Box<dyn Compliance>) -> Self {
+        let zeros = VectorField::zeros(patch.grid.len());
+        Self {
+            interpolation: interpolation(&patch, compliance.as_ref()),
+            normal,
+            patch,
+            compliance,
+            traction: zeros.clone(),
+            displacement: zeros,
+            norm: None,
+        }
+    }
+
+    /// Another patch on the same grid.
+    pub fn set_patch(&mut self, normal: NormalSummary, patch: Patch) {
+        self.interpolation = interpolation(&patch, self.compliance.as_ref());
+        self.normal = normal;
+        self.patch = patch;
+        self.norm = None;
+    }
+
+    /// u = A p at the cells' points; the displacement of the whole grid is left in the field.
+    pub fn product(&mut self, p: &[f64], u: &mut [f64]) {
+        self.interpolation.spread(p, &mut self.traction);
+        self.compliance.displacement(&self.traction, &mut self.displacement);
+        self.interpolation.gather(&self.displacement, u);
+    }
+
+    /// The displacement field of the last product at the cells' points.
+    pub fn displacement_at_cells(&self, u: &mut [f64]) {
+        self.interpolation.gather(&self.displacement, u);
+    }
+
+    /// The displacement field of the last product where the material of each cell entered.
+    pub fn displacement_at_entries(&self, u: &mut [f64]) {
+        self.interpolation.gather_at_entries(&self.displacement, u);
+    }
+
+    /// The displacement field of the last product at the trailing edge of strip `s`.
+    pub fn displacement_at_exit(&self, s: usize) -> [f64; 2] {
+        self.interpolation.at_exit(s, &self.displacement)
+    }
+
+    /// Displacement at the outer edge of the modelled surface over the largest one.
+    pub fn edge_displacement(&mut self, p: &[f64]) -> f64 {
+        self.interpolation.spread(p, &mut self.traction);
+        self.compliance.edge_displacement(&self.traction)
+    }
+
+    /// Whether a loaded cell moves others.
+    pub fn is_coupled(&self) -> bool {
+        self.compliance.couples_cells()
+    }
+
+    /// Displacement over traction of the patch as a whole under tractions like the pressure, for
+    /// each component, in m/Pa.
+    pub fn stand_in(&mut self) -> [f64; 2] {
+        let p: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
+        let mut u = vec![0.0; p.len()];
+        self.product(&p, &mut u);
+        [0, 1].map(|c| {
+            let every_other = |values: &[f64]| -> Vec<f64> {
+                values.iter().skip(c).step_by(2).copied().collect()
+            };
+            let (p, u) = (every_other(&p), every_other(&u));
+            dot(&p, &u) / dot(&p, &p)
+        })
+    }
+
+    /// An upper estimate of ‖A‖₂ in m/Pa, by power iteration.
+    pub fn norm(&mut self) -> f64 {
+        if let Some(norm) = self.norm {
+            return norm;
+        }
+        let mut v: Vec<f64> = vec![1.0; 2 * self.patch.len()];
+        let mut u = v.clone();
+        let mut largest = 0.0;
+        for _ in 0..POWER_ITERATIONS {
+            let length = norm(&v);
+            v.iter_mut().for_each(|v| *v /= length);
+            self.product(&v, &mut u);
+            largest = norm(&u);
+            if largest == 0.0 {
+                break;
+            }
+            std::mem::swap(&mut v, &mut u);
+        }
+        let estimate = SAFETY * largest;
+        self.norm = Some(estimate);
+        estimate
+    }
+}
+
+const POWER_ITERATIONS: usize = 10;
+
+/// The power iteration comes from below.
+const SAFETY: f64 = 1.2;
+
+fn interpolation(patch: &Patch, compliance: &dyn Compliance) -> Interpolation {
+    if compliance.couples_cells() {
+        Interpolation::new(patch)
+    } else {
+        Interpolation::uncoupled(patch)
+    }
+}

@@ -1,0 +1,381 @@
+//! Marching: the paper's simulation procedure. The material moves on by one cell a time step, and
+//! every step is an equilibrium; friction follows the temperatures of the step before.
+
+use crate::equilibrium::{Limits, Outcome, norm};
+use crate::error::Error;
+use crate::grid::Grid;
+use crate::interface::contact_law::Slide;
+use crate::interface::friction::FrictionState;
+use crate::kinematics::Kinematics;
+use crate::normal::NormalContact;
+use crate::patch::Patch;
+use crate::problem::{Options, Problem};
+use crate::solution::{Instant, Solution, Status, Work};
+use crate::state::{Element, State};
+
+use super::Progress;
+use super::arrival::{Arrival, carry_over, positions};
+use super::contact::DiscreteContact;
+use super::snapshot::{EdgeWeights, Exit, Snapshot};
+use super::summary;
+use super::time_step::TimeStep;
+
+/// Solves a problem by marching: to the end of its history, or to the steady state.
+///
+/// `report` is called after every time step.
+pub fn march(
+    problem: &Problem,
+    options: &Options,
+    report: &mut dyn FnMut(Progress),
+) -> Result<Solution, Error> {
+    problem.check()?;
+    options.check()?;
+    let mut march = March::new(problem, options)?;
+    while !march.is_finished() {
+        let arrivals = march.move_on()?;
+        march.find_equilibrium(&arrivals);
+        march.heat_up(&arrivals);
+        march.note();
+        report(march.progress());
+    }
+    Ok(march.into_solution())
+}
+
+/// All that changes from step to step.
+struct March<'a> {
+    problem: &'a Problem,
+    options: &'a Options,
+    contact: DiscreteContact,
+    /// Displacement over traction of the patch as a whole, in m/Pa.
+    stand_in: [f64; 2],
+    time: f64,
+    now: Snapshot,
+    /// The elements, in the order of the patch.
+    elements: Vec<Element>,
+    outcome: Outcome,
+    /// Relative change of traction and temperature in the last step.
+    change: f64,
+    worst_residual: f64,
+    work: Work,
+    history: Vec<Instant>,
+}
+
+impl<'a> March<'a> {
+    fn new(problem: &'a Problem, options: &'a Options) -> Result<Self, Error> {
+        let start = problem.history.as_ref().map(|history| history.span()[0]);
+        let load = start.and_then(|t| problem.history.as_ref()?.load(t));
+        let grid = grid_over_history(problem, options)?;
+        let normal = problem.normal.normal_contact(load)?;
+        let patch = Patch::new(&normal, grid);
+        let state = match &problem.initial_state {
+            Some(state) => fitting(state, &grid)?,
+            None => State::at_rest(&patch),
+        };
+        let time = start.unwrap_or(state.time);
+        let kinematics = kinematics_at(problem, time);
+        let conduction = problem.conduction(&kinematics);
+        let compliance = problem.elasticity.compliance(&grid)?;
+        let mut contact = DiscreteContact::new(normal.summary, patch, compliance);
+        let stand_in = contact.stand_in();
+        let mut march = Self {
+            problem,
+            options,
+            stand_in,
+            time,
+            now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
+            elements: on_patch(&contact.patch, &state.elements),
+            outcome: Outcome::default(),
+            change: f64::INFINITY,
+            worst_residual: 0.0,
+            work: Work { cells: contact.patch.len(), ..Work::default() },
+            history: Vec::new(),
+            contact,
+        };
+        march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
+        let rises = march.elements.iter().map(|e| problem.heat.rise_times_effusivity(&e.heat));
+        march.now.rise = rises.collect();
+        march.displace();
+        Ok(march)
+    }
+
+    fn is_finished(&self) -> bool {
+        if let Some(history) = &self.problem.history {
+            let [start, end] = history.span();
+            return self.time >= end - 1e-9 * (end - start);
+        }
+        let longest = self.contact.patch.strips.iter().map(|s| s.cells.len()).max().unwrap_or(0);
+        let is_steady = self.change <= self.options.tolerance && self.work.steps > longest;
+        is_steady || self.work.steps >= self.options.max_steps
+    }
+
+    /// Carries every element over into the next cell; Eqs. (9)–(12).
+    fn move_on(&mut self) -> Result<Vec<Arrival>, Error> {
+        let speed = kinematics_at(self.problem, self.time).speed;
+        let duration = self.contact.patch.grid.spacing_x / speed;
+        self.time += duration;
+        self.now.kinematics = kinematics_at(self.problem, self.time - 0.5 * duration);
+        self.now.conduction = self.problem.conduction(&self.now.kinematics);
+        self.follow_load()?;
+        let arrivals = carry_over(&self.contact, &self.elements);
+        self.stay_in_place();
+        Ok(arrivals)
+    }
+
+    /// Takes over the patch of a load that changes with time.
+    fn follow_load(&mut self) -> Result<(), Error> {
+        let Some(load) = self.problem.history.as_ref().and_then(|h| h.load(self.time)) else {
+            return Ok(());
+        };
+        if load != self.contact.normal.load {
+            let normal = self.problem.normal.normal_contact(Some(load))?;
+            let patch = Patch::new(&normal, self.contact.patch.grid);
+            self.contact.set_patch(normal.summary, patch);
+        }
+        Ok(())
+    }
+
+    /// What stays in its place while the material moves: the last step's traction is the first
+    /// guess, its temperature determines the friction, Eq. (23).
+    fn stay_in_place(&mut self) {
+        let patch = &self.contact.patch;
+        let at = positions(patch, &self.elements);
+        let blank = Snapshot::blank(self.now.kinematics, self.now.conduction, patch.len());
+        let old = std::mem::replace(&mut self.now, blank);
+        for (k, cell) in patch.cells.iter().enumerate() {
+            let mut slip_speed = 0.0;
+            if let Some(e) = at[cell.index] {
+                self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
+                self.now.rise[k] = old.rise[e];
+                slip_speed = old.slip_speed[e];
+            }
+            let temperature = self.now.conduction.contact_temperature(self.now.rise[k])
+                - self.problem.friction.reference_temperature;
+            let state = FrictionState { temperature, slip_speed, y: cell.y };
+            self.now.friction[k] = self.problem.friction.law.coefficient(&state);
+        }
+    }
+
+    /// Newton–Raphson on Eq. (13).
+    fn find_equilibrium(&mut self, arrivals: &[Arrival]) {
+        let patch = &self.contact.patch;
+        let mut bound = self.now.bound(patch);
+        let mut prescribed = Vec::with_capacity(2 * bound.len());
+        let mut slides = Vec::with_capacity(bound.len());
+        for (k, (cell, arrival)) in patch.cells.iter().zip(arrivals).enumerate() {
+            let rigid = cell.way_in.rigid_slip(&self.now.kinematics);
+            prescribed.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
+            let turn = self.now.kinematics.half_turn(cell.way_in.distance);
+            slides.push(Slide { turn, ..arrival.slide });
+            if arrival.joins {
+                bound[k] = 0.0;
+            }
+        }
+        let limits = Limits {
+            // Below the tolerance of the steady state, so that its noise does not hide the end.
+            tolerance: 0.1 * self.options.tolerance,
+            max_iterations: self.options.max_iterations,
+        };
+        let law = self.problem.contact_law.as_ref();
+        let old_traction = self.now.traction.clone();
+        let mut step =
+            TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides, self.stand_in);
+        self.outcome = step.solve(&mut self.now.traction, &limits);
+        let (slides, responses) = (step.slides, step.responses);
+        self.displace();
+        self.change = relative_change(&old_traction, &self.now.traction, norm(&bound));
+        for (k, slide) in slides.iter().enumerate() {
+            let way = self.contact.patch.cells[k].way_in.distance;
+            self.now.increment[k] = slide.increment;
+            self.now.slip_speed[k] =
+                slide.increment[0].hypot(slide.increment[1]) * self.now.kinematics.speed / way;
+        }
+        let element = |k: usize| Element {
+            index: self.contact.patch.cells[k].index,
+            traction: self.now.traction_at(k),
+            saturation: if bound[k] > 0.0 { responses[k].traction } else { [0.0; 2] },
+            sliding: [0, 1].map(|c| slides[k].distance[c] + slides[k].increment[c]),
+            heat: Vec::new(),
+        };
+        self.elements = (0..slides.len()).map(element).collect();
+    }
+
+    /// A p of the present traction, on the whole grid and in the cells.
+    fn displace(&mut self) {
+        self.contact.product(&self.now.traction, &mut self.now.displacement);
+        self.work.operator_products += 1.0;
+    }
+
+    /// Friction power and temperatures, Eqs. (17)–(22).
+    fn heat_up(&mut self, arrivals: &[Arrival]) {
+        let patch = &self.contact.patch;
+        let coupled = self.contact.is_coupled();
+        let old_rise = self.now.rise.clone();
+        for strip in &patch.strips {
+            for k in strip.cells.clone() {
+                let arrival = &arrivals[k];
+                let p = self.now.traction_at(k);
+                let u = self.now.displacement_at(k);
+                let way = &patch.cells[k].way_in;
+                let work = if k == strip.cells.start {
+                    let rigid = way.rigid_slip(&self.now.kinematics);
+                    let elastic = [0, 1].map(|c| u[c] - arrival.displacement[c]);
+                    EdgeWeights::at_entry(patch, strip, coupled).work(p, rigid, elastic)
+                } else {
+                    let slid = self.now.increment[k];
+                    (0..2).map(|c| 0.5 * (p[c] + arrival.traction[c]) * slid[c]).sum()
+                };
+                let mut record = vec![self.now.heat_step(work, way.distance)];
+                record.extend_from_slice(&arrival.heat);
+                self.now.work_in[k] = work;
+                self.now.rise[k] = self.problem.heat.rise_times_effusivity(&record);
+                self.elements[k].heat = record;
+            }
+        }
+        self.let_out();
+        let hottest = self.now.rise.iter().copied().fold(0.0, f64::max);
+        let difference = |(new, old): (&f64, &f64)| (new - old).abs();
+        let warmed = self.now.rise.iter().zip(&old_rise).map(difference).fold(0.0, f64::max);
+        if hottest > 0.0 {
+            self.change = self.change.max(warmed / hottest);
+        }
+    }
+
+    /// What happens between the last cells and the trailing edges.
+    fn let_out(&mut self) {
+        let patch = &self.contact.patch;
+        for (s, strip) in patch.strips.iter().enumerate() {
+            let last = strip.cells.end - 1;
+            let u = self.now.displacement_at(last);
+            let exit = self.contact.displacement_at_exit(s);
+            let elastic = [exit[0] - u[0], exit[1] - u[1]];
+            let rigid = strip.exit.rigid_slip(&self.now.kinematics);
+            let weights = EdgeWeights::at_exit(patch, strip, self.contact.is_coupled());
+            let work = weights.work(self.now.traction_at(last), rigid, elastic);
+            let mut record = vec![self.now.heat_step(work, strip.exit.distance)];
+            record.extend_from_slice(&self.elements[last].heat);
+            let rise = self.problem.heat.rise_times_effusivity(&record);
+            self.now.exits.push(Exit { work, rise });
+        }
+    }
+
+    /// Counts the work and keeps the forces of the step.
+    fn note(&mut self) {
+        self.work.steps += 1;
+        self.work.newton_iterations += self.outcome.iterations;
+        self.work.operator_products += self.outcome.products as f64;
+        self.work.outer_iterations += 1;
+        self.worst_residual = self.worst_residual.max(self.outcome.residual);
+        self.history.push(Instant {
+            time: self.time,
+            kinematics: self.now.kinematics,
+            load: self.contact.normal.load,
+            force: summary::force(&self.contact.patch, &self.now),
+            max_rise: summary::temperature(&self.contact.patch, &self.now).max_rise,
+            newton_iterations: self.outcome.iterations,
+            residual: self.outcome.residual,
+        });
+    }
+
+    fn progress(&self) -> Progress {
+        let steps = self.problem.history.as_ref().map(|history| {
+            let [start, end] = history.span();
+            let done = ((self.time - start) / (end - start)).clamp(1e-9, 1.0);
+            (self.work.steps as f64 / done).round() as usize
+        });
+        Progress { step: self.work.steps, steps, change: self.change }
+    }
+
+    fn into_solution(mut self) -> Solution {
+        let transient = self.problem.history.is_some();
+        let residual =
+            if transient { self.worst_residual } else { self.outcome.residual.max(self.change) };
+        let status = if residual <= self.options.tolerance {
+            Status::Converged
+        } else {
+            Status::NotConverged
+        };
+        let mut warnings = summary::warnings(self.problem, &mut self.contact, &self.now);
+        if status == Status::NotConverged {
+            warnings.insert(0, self.why_not_converged());
+        }
+        let state = State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
+        let account = summary::Account {
+            status,
+            residual,
+            history: self.history,
+            warnings,
+            work: self.work,
+            state,
+        };
+        summary::solution(self.problem, self.options, (&self.contact, &self.now), account)
+    }
+
+    fn why_not_converged(&self) -> String {
+        let tolerance = self.options.tolerance;
+        if self.worst_residual > tolerance {
+            format!(
+                "not converged: the worst equilibrium of a time step has a residual of {:.1e}, \
+                 above the tolerance {tolerance:.1e}",
+                self.worst_residual
+            )
+        } else {
+            format!(
+                "not converged: after {} time steps traction or temperature still change by {:.1e} \
+                 a step, above the tolerance {tolerance:.1e}",
+                self.work.steps, self.change
+            )
+        }
+    }
+}
+
+fn relative_change(old: &[f64], new: &[f64], scale: f64) -> f64 {
+    let moved: Vec<f64> = new.iter().zip(old).map(|(new, old)| new - old).collect();
+    if scale > 0.0 { norm(&moved) / scale } else { 0.0 }
+}
+
+fn kinematics_at(problem: &Problem, time: f64) -> Kinematics {
+    problem.history.as_ref().map_or(problem.kinematics, |h| h.kinematics(time, &problem.kinematics))
+}
+
+/// One grid over the largest patch.
+fn grid_over_history(problem: &Problem, options: &Options) -> Result<Grid, Error> {
+    let largest = problem.history.as_ref().and_then(|history| history.largest_load());
+    let contact: NormalContact = problem.normal.normal_contact(largest)?;
+    Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
+}
+
+/// A state can only be taken up on the grid on which it was left.
+fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
+    let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
+    let fits = (state.grid.columns, state.grid.rows) == (grid.columns, grid.rows)
+        && close(state.grid.spacing_x, grid.spacing_x)
+        && close(state.grid.spacing_y, grid.spacing_y)
+        && close(state.grid.origin_x, grid.origin_x)
+        && close(state.grid.origin_y, grid.origin_y)
+        && state.elements.iter().all(|e| e.index < grid.len());
+    if fits {
+        return Ok(state.clone());
+    }
+    Err(Error::Contradiction {
+        quantity: "solver.initial_state",
+        reason: format!(
+            "the state was left on a grid of {} × {} cells of {:e} × {:e} m, but this problem has \
+             {} × {} cells of {:e} × {:e} m",
+            state.grid.columns,
+            state.grid.rows,
+            state.grid.spacing_x,
+            state.grid.spacing_y,
+            grid.columns,
+            grid.rows,
+            grid.spacing_x,
+            grid.spacing_y
+        ),
+    })
+}
+
+/// The elements in the order of the patch; a cell that had none gets one without a past.
+fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
+    let at = positions(patch, elements);
+    let blank = |index| Element { index, ..Element::default() };
+    patch.cells.iter().map(|c| at[c.index].map_or(blank(c.index), |e| elements[e].clone())).collect()
+}

@@ -1,0 +1,212 @@
+//! From the fields of an instant to forces, powers and everything else that is reported.
+
+use crate::problem::{Options, Problem};
+use crate::solution::{
+    Area, Fields, Instant, Power, Resultant, Solution, Status, TGamma, Temperature, Work,
+};
+use crate::state::State;
+use crate::patch::Patch;
+
+use super::contact::DiscreteContact;
+use super::snapshot::Snapshot;
+
+/// What a driver knows beside the fields.
+pub(super) struct Account {
+    pub status: Status,
+    pub residual: f64,
+    pub history: Vec<Instant>,
+    pub warnings: Vec<String>,
+    pub work: Work,
+    pub state: State,
+}
+
+/// All results of an instant.
+pub(super) fn solution(
+    problem: &Problem,
+    options: &Options,
+    (contact, now): (&DiscreteContact, &Snapshot),
+    account: Account,
+) -> Solution {
+    let patch = &contact.patch;
+    let force = force(patch, now);
+    let limit = problem.friction.cold_coefficient() * contact.normal.load;
+    let lever = (contact.normal.semi_axis_x * contact.normal.semi_axis_y).sqrt();
+    Solution {
+        status: account.status,
+        residual: account.residual,
+        normal: contact.normal,
+        kinematics: now.kinematics,
+        force,
+        normalised: Resultant {
+            x: force.x / limit,
+            y: force.y / limit,
+            moment_z: force.moment_z / (limit * lever),
+        },
+        traction_coefficient: force.x.hypot(force.y) / contact.normal.load,
+        power: power(patch, now, &force),
+        t_gamma: t_gamma(now, &force),
+        temperature: temperature(patch, now),
+        area: area(patch, now, options.slip_threshold),
+        fields: fields(patch, now, options.slip_threshold),
+        history: account.history,
+        warnings: account.warnings,
+        work: account.work,
+        state: account.state,
+    }
+}
+
+/// Forces and moment on the wheel.
+pub(super) fn force(patch: &Patch, now: &Snapshot) -> Resultant {
+    let area = patch.grid.cell_area();
+    let mut sum = Resultant::default();
+    for (k, cell) in patch.cells.iter().enumerate() {
+        let [px, py] = now.traction_at(k);
+        sum.x -= px * area;
+        sum.y -= py * area;
+        sum.moment_z -= (cell.x * py - cell.y * px) * area;
+    }
+    sum
+}
+
+fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
+    let per_work = now.kinematics.speed * patch.grid.spacing_y;
+    let works = || now.work_in.iter().copied().chain(now.exits.iter().map(|e| e.work));
+    let friction = works().sum::<f64>() * per_work;
+    let returned = works().map(|w| (-w).max(0.0)).sum::<f64>() * per_work;
+    let motion = &now.kinematics;
+    let creep = -motion.speed
+        * (motion.creepage_x * force.x + motion.creepage_y * force.y + motion.spin * force.moment_z);
+    Power { friction, creep, returned }
+}
+
+fn t_gamma(now: &Snapshot, force: &Resultant) -> TGamma {
+    let motion = &now.kinematics;
+    let without_spin = (motion.creepage_x * force.x).abs() + (motion.creepage_y * force.y).abs();
+    TGamma { without_spin, with_spin: without_spin + (motion.spin * force.moment_z).abs() }
+}
+
+/// Largest temperatures, in the cells and at the trailing edges.
+pub(super) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
+    let cells = patch.cells.iter().zip(&now.rise).map(|(cell, rise)| (*rise, cell.x, cell.y));
+    let exits = patch.strips.iter().zip(&now.exits).map(|(strip, exit)| {
+        (exit.rise, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
+    });
+    let hottest = cells.chain(exits).reduce(|p, q| if q.0 > p.0 { q } else { p });
+    let Some((rise, x, y)) = hottest else {
+        return Temperature::default();
+    };
+    let [rise_wheel, rise_rail] = now.conduction.rises(rise);
+    let [wheel, rail] = now.conduction.surface_temperatures(rise);
+    Temperature {
+        max_rise: rise_wheel.max(rise_rail),
+        max_rise_wheel: rise_wheel,
+        max_rise_rail: rise_rail,
+        max_wheel: wheel,
+        max_rail: rail,
+        x,
+        y,
+    }
+}
+
+fn is_sliding(patch: &Patch, now: &Snapshot, k: usize, threshold: f64) -> bool {
+    let [px, py] = now.traction_at(k);
+    px.hypot(py) >= threshold * now.friction[k] * patch.cells[k].pressure
+}
+
+fn area(patch: &Patch, now: &Snapshot, threshold: f64) -> Area {
+    let mut area = Area::default();
+    for (k, cell) in patch.cells.iter().enumerate() {
+        let covered = cell.covered * patch.grid.cell_area();
+        area.contact += covered;
+        if is_sliding(patch, now, k, threshold) {
+            area.slip += covered;
+        } else {
+            area.stick += covered;
+        }
+    }
+    area
+}
+
+/// Friction power per area of each cell: half of the work on the ways into it and out of it, and
+/// all of that between a cell and an edge.
+fn friction_power(patch: &Patch, now: &Snapshot) -> Vec<f64> {
+    let mut work = vec![0.0; patch.len()];
+    for (strip, exit) in patch.strips.iter().zip(&now.exits) {
+        let (first, last) = (strip.cells.start, strip.cells.end - 1);
+        work[first] += now.work_in[first];
+        for k in first + 1..=last {
+            work[k - 1] += 0.5 * now.work_in[k];
+            work[k] += 0.5 * now.work_in[k];
+        }
+        work[last] += exit.work;
+    }
+    let rate = now.kinematics.speed / patch.grid.spacing_x;
+    work.iter().map(|w| w * rate).collect()
+}
+
+fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
+    let grid = patch.grid;
+    let cells = &patch.cells;
+    let component = |values: &[f64], c: usize, sign: f64| -> Vec<f64> {
+        values.iter().skip(c).step_by(2).map(|v| sign * v).collect()
+    };
+    let slip = |c: usize| -> Vec<f64> {
+        let speed = |(increment, cell): (&[f64; 2], &crate::patch::Cell)| {
+            increment[c] * now.kinematics.speed / cell.way_in.distance
+        };
+        now.increment.iter().zip(cells).map(speed).collect()
+    };
+    let rises: Vec<[f64; 2]> = now.rise.iter().map(|r| now.conduction.rises(*r)).collect();
+    Fields {
+        grid,
+        cell: cells.iter().map(|c| [c.index % grid.columns, c.index / grid.columns]).collect(),
+        x: cells.iter().map(|c| c.x).collect(),
+        y: cells.iter().map(|c| c.y).collect(),
+        covered: cells.iter().map(|c| c.covered).collect(),
+        pressure: cells.iter().map(|c| c.pressure).collect(),
+        traction_x: component(&now.traction, 0, -1.0),
+        traction_y: component(&now.traction, 1, -1.0),
+        displacement_x: component(&now.displacement, 0, -1.0),
+        displacement_y: component(&now.displacement, 1, -1.0),
+        slip_x: slip(0),
+        slip_y: slip(1),
+        friction_coefficient: now.friction.clone(),
+        friction_power: friction_power(patch, now),
+        temperature_rise_wheel: rises.iter().map(|r| r[0]).collect(),
+        temperature_rise_rail: rises.iter().map(|r| r[1]).collect(),
+        sliding: (0..cells.len()).map(|k| is_sliding(patch, now, k, threshold)).collect(),
+    }
+}
+
+/// Largest displacement at the outer edge of the surroundings over the largest one.
+const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
+
+/// Largest part of the friction power that the bristles may return unmentioned.
+const LARGEST_RETURNED_POWER: f64 = 0.01;
+
+/// What the reader of the numbers must know.
+pub(super) fn warnings(
+    problem: &Problem,
+    contact: &mut DiscreteContact,
+    now: &Snapshot,
+) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let edge = contact.edge_displacement(&now.traction);
+    if edge > LARGEST_EDGE_DISPLACEMENT {
+        warnings.push(format!(
+            "elasticity.margin: the displacement at the outer edge of the layer is {:.1} % of the \
+             largest; a larger margin is needed where that exceeds 1 %",
+            100.0 * edge
+        ));
+    }
+    let power = power(&contact.patch, now, &force(&contact.patch, now));
+    if power.returned > LARGEST_RETURNED_POWER * power.friction.abs() && problem.heat.model.is_some()
+    {
+        warnings.push(format!(
+            "heat: the bristles of the contact law return {:.3e} W of {:.3e} W friction power; \
+             that part is cut off and does not cool",
+            power.returned, power.friction
+        ));
+    }
+    warnings
+}

@@ -1,0 +1,202 @@
+//! What a solution holds: plain data. All forces and tractions act on the wheel.
+
+use crate::grid::Grid;
+use crate::kinematics::Kinematics;
+use crate::normal::NormalSummary;
+use crate::state::State;
+
+/// Whether the equations hold to the tolerance asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// They do.
+    Converged,
+    /// They do not; `residual` says how far off.
+    NotConverged,
+}
+
+/// A solved rolling contact. The fields belong to the last instant.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// Whether to trust it.
+    pub status: Status,
+    /// Relative residual reached, dimensionless: the largest of the last equilibrium's
+    /// ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂ and, in steady rolling, of the last change of traction and
+    /// temperature.
+    pub residual: f64,
+    /// The normal contact at the last instant.
+    pub normal: NormalSummary,
+    /// Speed and creepages at the last instant.
+    pub kinematics: Kinematics,
+    /// Forces and moment at the last instant.
+    pub force: Resultant,
+    /// F/(μ0 N), and Mz/(μ0 N √(ab)); dimensionless.
+    pub normalised: Resultant,
+    /// |F|/N, dimensionless.
+    pub traction_coefficient: f64,
+    /// Power of friction and of the creep forces.
+    pub power: Power,
+    /// Wear number.
+    pub t_gamma: TGamma,
+    /// Largest temperatures.
+    pub temperature: Temperature,
+    /// Contact, stick and slip areas.
+    pub area: Area,
+    /// Traction, slip and temperature in every contact cell.
+    pub fields: Fields,
+    /// Forces over time, one entry a time step.
+    pub history: Vec<Instant>,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<String>,
+    /// How much work it was.
+    pub work: Work,
+    /// The state at the end, to go on from.
+    pub state: State,
+}
+
+/// Tangential force and moment on the wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Resultant {
+    /// Longitudinal force Fx, in N (or normalised, dimensionless).
+    pub x: f64,
+    /// Lateral force Fy, in N (or normalised, dimensionless).
+    pub y: f64,
+    /// Moment Mz about the centre of the patch, in N m (or normalised, dimensionless).
+    pub moment_z: f64,
+}
+
+/// Power put into the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Power {
+    /// Friction power ∫ q dA, in W.
+    pub friction: f64,
+    /// Power of the creep forces −v0 (ξ Fx + η Fy + φ Mz), in W; equal to the friction power in
+    /// steady rolling.
+    pub creep: f64,
+    /// Friction power that the bristles of the contact law return, in W: the negative part of q,
+    /// which does not heat.
+    pub returned: f64,
+}
+
+/// T-gamma, the wear number of the railways.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TGamma {
+    /// |ξ Fx| + |η Fy|, in N.
+    pub without_spin: f64,
+    /// |ξ Fx| + |η Fy| + |φ Mz|, in N.
+    pub with_spin: f64,
+}
+
+/// Largest temperatures in the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Temperature {
+    /// The larger of the two rises, in K.
+    pub max_rise: f64,
+    /// Largest rise of the wheel's surface over its bulk temperature, in K.
+    pub max_rise_wheel: f64,
+    /// Largest rise of the rail's surface over its bulk temperature, in K.
+    pub max_rise_rail: f64,
+    /// Largest temperature of the wheel's surface, in degC.
+    pub max_wheel: f64,
+    /// Largest temperature of the rail's surface, in degC.
+    pub max_rail: f64,
+    /// Where the largest rise is, in m.
+    pub x: f64,
+    /// Where the largest rise is, in m.
+    pub y: f64,
+}
+
+/// Areas in m², each cell with its covered part.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Area {
+    /// Contact area, in m².
+    pub contact: f64,
+    /// Where the elements stick, in m².
+    pub stick: f64,
+    /// Where they slide, in m².
+    pub slip: f64,
+}
+
+/// One entry for each contact cell, strip by strip from the leading to the trailing edge.
+#[derive(Debug, Clone, Default)]
+pub struct Fields {
+    /// Grid of the patch.
+    pub grid: Grid,
+    /// Column and row of the cell on the grid.
+    pub cell: Vec<[usize; 2]>,
+    /// Centroid of the covered part along rolling, in m.
+    pub x: Vec<f64>,
+    /// Centroid of the covered part across rolling, in m.
+    pub y: Vec<f64>,
+    /// Covered part of the cell, dimensionless, at most 1.
+    pub covered: Vec<f64>,
+    /// Normal pressure, mean over the whole cell, in Pa.
+    pub pressure: Vec<f64>,
+    /// Tangential traction along rolling, mean over the whole cell, in Pa.
+    pub traction_x: Vec<f64>,
+    /// Tangential traction across rolling, mean over the whole cell, in Pa.
+    pub traction_y: Vec<f64>,
+    /// Elastic displacement difference along rolling, in m.
+    pub displacement_x: Vec<f64>,
+    /// Elastic displacement difference across rolling, in m.
+    pub displacement_y: Vec<f64>,
+    /// Slip velocity of the wheel over the rail along rolling, in m/s.
+    pub slip_x: Vec<f64>,
+    /// Slip velocity of the wheel over the rail across rolling, in m/s.
+    pub slip_y: Vec<f64>,
+    /// Coefficient of friction, dimensionless.
+    pub friction_coefficient: Vec<f64>,
+    /// Friction power per area, in W/m².
+    pub friction_power: Vec<f64>,
+    /// Rise of the wheel's surface over its bulk temperature, in K.
+    pub temperature_rise_wheel: Vec<f64>,
+    /// Rise of the rail's surface over its bulk temperature, in K.
+    pub temperature_rise_rail: Vec<f64>,
+    /// Whether the cell slides.
+    pub sliding: Vec<bool>,
+}
+
+impl Fields {
+    /// Number of contact cells.
+    pub fn len(&self) -> usize {
+        self.cell.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.cell.is_empty()
+    }
+}
+
+/// Forces at the end of one time step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant {
+    /// Time since the start, in s.
+    pub time: f64,
+    /// Speed and creepages of the step.
+    pub kinematics: Kinematics,
+    /// Normal load, in N.
+    pub load: f64,
+    /// Forces and moment.
+    pub force: Resultant,
+    /// Largest temperature rise, in K.
+    pub max_rise: f64,
+    /// Newton steps of this time step.
+    pub newton_iterations: usize,
+    /// Relative residual of this time step's equilibrium, dimensionless.
+    pub residual: f64,
+}
+
+/// Work counters.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Work {
+    /// Newton steps, all together.
+    pub newton_iterations: usize,
+    /// Products with the compliance A; one on a coarser grid of n' cells counts n'/n.
+    pub operator_products: f64,
+    /// Iterations between traction and temperature.
+    pub outer_iterations: usize,
+    /// Time steps.
+    pub steps: usize,
+    /// Contact cells.
+    pub cells: usize,
+}

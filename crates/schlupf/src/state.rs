@@ -1,0 +1,41 @@
+//! What the material in the contact remembers: the state from which rolling goes on.
+
+use serde::{Deserialize, Serialize};
+
+use crate::grid::Grid;
+use crate::heat::HeatStep;
+use crate::patch::{Cell, Patch};
+
+/// State of all elements in contact at one instant.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// The grid on which the elements stand.
+    pub grid: Grid,
+    /// Time, in s.
+    pub time: f64,
+    /// The elements in contact.
+    pub elements: Vec<Element>,
+}
+
+/// A point contact element.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Element {
+    /// Cell of the grid in which it is.
+    pub index: usize,
+    /// Traction on the rail, mean over the cell, in Pa.
+    pub traction: [f64; 2],
+    /// Traction on the rail over μ pₙ, dimensionless.
+    pub saturation: [f64; 2],
+    /// Sliding distance since entry, in m.
+    pub sliding: [f64; 2],
+    /// Heat received since entry, the latest step first.
+    pub heat: Vec<HeatStep>,
+}
+
+impl State {
+    /// A patch that has not been loaded tangentially yet.
+    pub fn at_rest(patch: &Patch) -> Self {
+        let element = |cell: &Cell| Element { index: cell.index, ..Element::default() };
+        Self { grid: patch.grid, time: 0.0, elements: patch.cells.iter().map(element).collect() }
+    }
+}

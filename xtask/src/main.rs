@@ -1,0 +1,3 @@
+//! Development tasks: `cargo xtask ci` and its parts.
+
+fn main() {}
