@@ -190,8 +190,9 @@ mod tests {
     fn vollebregt_2022_locomotive_wheel() {
         let hertz = Hertz::new(Radii { x: 0.625, y: 1.7767 }, FLAT, steel(), 106.7e3).unwrap();
         let contact = hertz.normal_contact(None).unwrap().summary;
-        assert_relative_eq!(contact.semi_axis_x, 6.304e-3, max_relative = 2e-4);
-        assert_relative_eq!(contact.semi_axis_y, 12.61e-3, max_relative = 2e-4);
+        // Half a unit of the last printed digit, and of the curvature's.
+        assert_relative_eq!(contact.semi_axis_x, 6.304e-3, max_relative = 1e-4);
+        assert_relative_eq!(contact.semi_axis_y, 12.61e-3, max_relative = 4e-4);
         assert_relative_eq!(contact.peak_pressure, 641.1e6, max_relative = 2e-4);
         assert_relative_eq!(contact.approach.unwrap(), 0.0765e-3, max_relative = 1e-3);
     }

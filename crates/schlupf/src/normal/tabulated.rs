@@ -117,23 +117,36 @@ impl PressureTable {
         &self.x
     }
 
-    /// Pressure along x, mean over the strip from `low` to `high` (in m); whatever lies beyond the
-    /// first or last strip of a grid belongs to it, so an infinite bound is legal.
-    pub(crate) fn mean_over(&self, low: f64, high: f64, width: f64) -> Vec<f64> {
-        let weight = |j: usize| {
-            let at = self.y.at(j);
-            hat_integral((high - at) / self.y.spacing) - hat_integral((low - at) / self.y.spacing)
-        };
-        let mut mean = vec![0.0; self.x.count];
+    pub(crate) fn axis_y(&self) -> &Axis {
+        &self.y
+    }
+
+    /// Pressure along x, integrated across from `low` to `high` (in m), in N/m. Infinite bounds are
+    /// legal.
+    pub(crate) fn integral_over(&self, low: f64, high: f64) -> Vec<f64> {
+        let mut integral = vec![0.0; self.x.count];
         for j in 0..self.y.count {
-            let share = weight(j) * self.y.spacing / width;
-            if share != 0.0 {
-                for (i, value) in mean.iter_mut().enumerate() {
-                    *value += share * self.at(i, j);
+            let up_to = |y: f64| hat_integral((y - self.y.at(j)) / self.y.spacing);
+            let weight = (up_to(high) - up_to(low)) * self.y.spacing;
+            if weight != 0.0 {
+                for (i, value) in integral.iter_mut().enumerate() {
+                    *value += weight * self.at(i, j);
                 }
             }
         }
-        mean
+        integral
+    }
+
+    /// Pressure along x at some y (in m), in Pa; interpolated in the square, which is linear at the
+    /// edge of a contact, so that the edge between two rows is where it should be.
+    pub(crate) fn line_at(&self, y: f64) -> Vec<f64> {
+        let position = ((y - self.y.start) / self.y.spacing).clamp(0.0, (self.y.count - 1) as f64);
+        let j = (position.floor() as usize).min(self.y.count - 2);
+        let share = position - j as f64;
+        let square = |i: usize, j: usize| self.at(i, j).powi(2);
+        (0..self.x.count)
+            .map(|i| ((1.0 - share) * square(i, j) + share * square(i, j + 1)).sqrt())
+            .collect()
     }
 
     fn at(&self, i: usize, j: usize) -> f64 {
@@ -147,11 +160,9 @@ pub(crate) fn hat_integral(s: f64) -> f64 {
     if s < 0.0 { 0.5 * (1.0 + s).powi(2) } else { 1.0 - 0.5 * (1.0 - s).powi(2) }
 }
 
-/// A run of positive samples, and where the pressure vanishes before and behind it, in m.
+/// A run of positive samples: where the pressure vanishes behind and ahead of it, in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Run {
-    pub first: usize,
-    pub last: usize,
     pub edges: [f64; 2],
 }
 
@@ -183,7 +194,7 @@ pub(crate) fn positive_runs(samples: &[f64], axis: &Axis) -> Vec<Run> {
             axis.at(first) - behind * axis.spacing,
             axis.at(last) + ahead * axis.spacing,
         ];
-        runs.push(Run { first, last, edges });
+        runs.push(Run { edges });
     }
     runs
 }

@@ -1,9 +1,10 @@
 //! The elliptic patch with Hertzian pressure: exact means over the covered part of each cell.
 
-use crate::grid::{BORDER, Grid};
+use crate::grid::Grid;
 use crate::normal::NormalSummary;
 
-use super::{Cell, Patch, Strip, Travel, with_ways};
+use super::Patch;
+use super::coverage::{Chord, Integrals, append_strips, cover, cut};
 
 /// Nodes and weights of the 8-point Gauss–Legendre rule on [−1, 1], positive half.
 const GAUSS: [(f64, f64); 4] = [
@@ -17,33 +18,12 @@ const GAUSS: [(f64, f64); 4] = [
 /// then integrate to rounding.
 const LONGEST_INTERVAL: f64 = 0.4;
 
-/// Integrals over the covered part of a cell.
-#[derive(Debug, Clone, Copy, Default)]
-struct Integrals {
-    area: f64,
-    force: f64,
-    x: f64,
-    y: f64,
-    entry: Travel,
-    exit: Travel,
-}
-
-impl Integrals {
-    fn mean(&self, integral: &Travel) -> Travel {
-        Travel {
-            distance: integral.distance / self.area,
-            moment_x: integral.moment_x / self.area,
-            moment_y: integral.moment_y / self.area,
-        }
-    }
-}
-
 /// The patch x²/a² + y²/b² < 1 under p0 √(1 − x²/a² − y²/b²).
 pub(super) fn patch(contact: &NormalSummary, grid: Grid) -> Patch {
     let mut patch = Patch { grid, strips: Vec::new(), cells: Vec::new() };
     for row in 0..grid.rows {
         let columns = integrate_row(contact, &grid, row);
-        append_strip(&mut patch, row, &columns, contact);
+        append_strips(&mut patch, row, &columns);
     }
     patch
 }
@@ -72,8 +52,13 @@ fn integrate_row(contact: &NormalSummary, grid: &Grid, row: usize) -> Vec<Integr
             let middle = pair[0] + (2 * part + 1) as f64 * half;
             for (node, weight) in GAUSS {
                 for theta in [middle - node * half, middle + node * half] {
-                    let dy = weight * half * b * theta.cos();
-                    let chord = Chord { y: b * theta.sin(), half: a * theta.cos(), dy };
+                    let edge = a * theta.cos();
+                    let chord = Chord {
+                        y: b * theta.sin(),
+                        width: weight * half * b * theta.cos(),
+                        trailing_edge: -edge,
+                        leading_edge: edge,
+                    };
                     add_chord(&mut columns, grid, contact.peak_pressure / a, &chord);
                 }
             }
@@ -82,87 +67,22 @@ fn integrate_row(contact: &NormalSummary, grid: &Grid, row: usize) -> Vec<Integr
     columns
 }
 
-/// The part of the line y = const inside the ellipse, −half < x < half, with its weight.
-struct Chord {
-    y: f64,
-    half: f64,
-    dy: f64,
-}
-
+/// Adds a chord and its pressure p0/a √(h² − x²), h half the chord.
 fn add_chord(columns: &mut [Integrals], grid: &Grid, slope: f64, chord: &Chord) {
-    let Chord { y, half, dy } = *chord;
-    let column = |x: f64| ((x - grid.origin_x) / grid.spacing_x).floor() as usize;
-    let last = grid.columns - 1 - BORDER;
-    let (first, end) = (column(-half).clamp(BORDER, last), column(half).clamp(BORDER, last));
+    cover(columns, grid, chord);
+    let half = chord.leading_edge;
     // ∫ √(h² − x²) dx
     let primitive = |x: f64| {
         let s = (x / half).clamp(-1.0, 1.0);
         0.5 * half * half * (s * (1.0 - s * s).sqrt() + s.asin())
     };
-    let mut low = -half;
-    let mut below = primitive(low);
-    for i in first..=end {
-        let high = if i == end { half } else { grid.edge_x(i + 1) };
+    let mut below = primitive(-half);
+    cut(chord, grid, |i, _, high| {
         let above = primitive(high);
-        let length = high - low;
-        let square = 0.5 * (high * high - low * low);
-        let cube = 0.5 * (half * half * length - (high.powi(3) - low.powi(3)) / 3.0);
-        let (entry, exit) = (half * length - square, half * length + square);
-        let sums = &mut columns[i];
-        sums.area += dy * length;
-        sums.force += dy * slope * (above - below);
-        sums.x += dy * square;
-        sums.y += dy * y * length;
-        add_travel(&mut sums.entry, dy, entry, cube, y);
-        add_travel(&mut sums.exit, dy, exit, -cube, y);
-        low = high;
+        columns[i].force += chord.width * slope * (above - below);
         below = above;
-    }
-}
-
-fn add_travel(sum: &mut Travel, dy: f64, distance: f64, moment_x: f64, y: f64) {
-    sum.distance += dy * distance;
-    sum.moment_x += dy * moment_x;
-    sum.moment_y += dy * y * distance;
-}
-
-fn append_strip(patch: &mut Patch, row: usize, columns: &[Integrals], contact: &NormalSummary) {
-    let grid = patch.grid;
-    let touched =
-        (0..grid.columns).rev().filter(|i| columns[*i].area > SLIVER * grid.cell_area());
-    let cells = with_ways(touched.clone().map(|i| cell(&grid, [i, row], &columns[i])).collect());
-    let Some(last) = touched.last() else {
-        return;
-    };
-    let area: f64 = columns.iter().map(|c| c.area).sum();
-    let height = grid.edge_y(row + 1).min(contact.semi_axis_y)
-        - grid.edge_y(row).max(-contact.semi_axis_y);
-    let half_chord = 0.5 * area / height;
-    let start = patch.cells.len();
-    patch.cells.extend(cells);
-    patch.strips.push(Strip {
-        row,
-        cells: start..patch.cells.len(),
-        leading_edge: half_chord,
-        trailing_edge: -half_chord,
-        exit: columns[last].mean(&columns[last].exit),
     });
 }
-
-fn cell(grid: &Grid, [i, row]: [usize; 2], sums: &Integrals) -> Cell {
-    Cell {
-        index: grid.index(i, row),
-        pressure: sums.force / grid.cell_area(),
-        covered: (sums.area / grid.cell_area()).min(1.0),
-        x: sums.x / sums.area,
-        y: sums.y / sums.area,
-        since_entry: sums.mean(&sums.entry),
-        way_in: Travel::default(),
-    }
-}
-
-/// A cell covered by less than this part is touched by rounding only.
-const SLIVER: f64 = 1e-12;
 
 #[cfg(test)]
 mod tests {
@@ -194,6 +114,15 @@ mod tests {
         }
     }
 
+    /// Mean of the leading edge over a row, by plain summation.
+    fn mean_edge(grid: &Grid, row: usize, a: f64, b: f64) -> f64 {
+        let edge = |k: usize| {
+            let y = grid.edge_y(row) + (f64::from(k as u32) + 0.5) * grid.spacing_y / 2000.0;
+            a * (1.0 - (y / b).powi(2)).sqrt()
+        };
+        (0..2000).map(edge).sum::<f64>() / 2000.0
+    }
+
     /// Inside, a cell's mean is its centre's pressure to second order, and the distance since
     /// entry is that from the mean edge of the row.
     #[test]
@@ -207,8 +136,8 @@ mod tests {
                 if square < 0.7 {
                     let centre = contact.peak_pressure * (1.0 - square).sqrt();
                     assert_relative_eq!(cell.pressure, centre, max_relative = 2e-3);
-                    let distance = strip.leading_edge - cell.x;
-                    assert_relative_eq!(cell.since_entry.distance, distance, max_relative = 1e-9);
+                    let edge = mean_edge(&patch.grid, strip.row, a, b);
+                    assert_relative_eq!(cell.entry_x(), edge, max_relative = 1e-6);
                 }
             }
         }

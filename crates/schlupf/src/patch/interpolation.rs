@@ -2,9 +2,9 @@
 
 use crate::grid::{Grid, VectorField};
 
-use super::{Cell, Patch, Strip};
+use super::{Cell, Patch};
 
-/// Interpolation to the cells' points and to the edges of the patch.
+/// Interpolation to the cells' points and to the leading edge of the patch.
 ///
 /// In a fully covered cell the point is the centre. In others it is the centroid of the covered
 /// part, bilinear between four centres; forces are spread by the transpose, so that they act at the
@@ -17,7 +17,6 @@ pub struct Interpolation {
     /// Where the material of each cell entered, by number in `entries`.
     entry_of: Vec<usize>,
     entries: Vec<Stencil<8>>,
-    exits: Vec<Stencil<8>>,
 }
 
 /// A weighted sum of values on the grid.
@@ -57,17 +56,12 @@ impl Interpolation {
                 entry_of.push(entries.len() - 1);
             }
         }
-        let exit = |strip: &Strip| {
-            let y = patch.cells[strip.cells.end - 1].y;
-            at_edge(grid, strip.row, patch.exit(strip), y)
-        };
         let partial = patch.cells.iter().enumerate();
         Self {
             index: patch.cells.iter().map(|c| c.index).collect(),
             partial: partial.filter_map(|(k, cell)| Some((k, centroid(grid, cell)?))).collect(),
             entry_of,
             entries,
-            exits: patch.strips.iter().map(exit).collect(),
         }
     }
 
@@ -79,7 +73,6 @@ impl Interpolation {
             partial: Vec::new(),
             entry_of: Vec::new(),
             entries: Vec::new(),
-            exits: Vec::new(),
         }
     }
 
@@ -126,10 +119,6 @@ impl Interpolation {
         }
     }
 
-    /// Value at the trailing edge of strip `s`.
-    pub fn at_exit(&self, s: usize, field: &VectorField) -> [f64; 2] {
-        self.exits.get(s).map_or([0.0; 2], |stencil| stencil.sum(field))
-    }
 }
 
 /// The row next to `row` on the side of the offset (in spacings), and its weight.

@@ -5,6 +5,7 @@
 //! the whole cell, so that Σ pₙ ΔA = N; its sliding is that of the mean over its covered part, its
 //! displacement is taken at the centroid of that part, and the traction acts there.
 
+mod coverage;
 mod elliptic;
 mod interpolation;
 mod tabulated;
@@ -38,10 +39,6 @@ pub struct Strip {
     pub row: usize,
     /// Its cells in [`Patch::cells`], from the leading to the trailing edge.
     pub cells: Range<usize>,
-    /// Where the material enters, in m.
-    pub leading_edge: f64,
-    /// Where the material leaves, in m.
-    pub trailing_edge: f64,
     /// From the last cell to the trailing edge.
     pub exit: Travel,
 }
@@ -80,7 +77,7 @@ pub struct Travel {
 
 impl Travel {
     /// The way from the end of `upstream` to the end of this one, both from the same start.
-    fn after(&self, upstream: &Self) -> Self {
+    pub(crate) fn after(&self, upstream: &Self) -> Self {
         Self {
             distance: self.distance - upstream.distance,
             moment_x: self.moment_x - upstream.moment_x,
@@ -96,16 +93,6 @@ impl Travel {
             kinematics.creepage_y * self.distance + kinematics.spin * self.moment_x,
         ]
     }
-}
-
-/// Cells of a strip, from the leading edge on, with the ways between them.
-fn with_ways(mut cells: Vec<Cell>) -> Vec<Cell> {
-    let mut upstream = Travel::default();
-    for cell in &mut cells {
-        cell.way_in = cell.since_entry.after(&upstream);
-        upstream = cell.since_entry;
-    }
-    cells
 }
 
 impl Cell {

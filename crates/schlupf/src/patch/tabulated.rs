@@ -1,115 +1,83 @@
 //! A patch from a table of pressures, possibly of several separate parts.
 
-use std::ops::RangeInclusive;
+use crate::grid::Grid;
+use crate::normal::tabulated::{PressureTable, hat_integral, positive_runs};
 
-use crate::grid::{BORDER, Grid};
-use crate::normal::tabulated::{Axis, PressureTable, Run, hat_integral, positive_runs};
+use super::Patch;
+use super::coverage::{Chord, Integrals, append_strips, cover};
 
-use super::{Cell, Patch, Strip, Travel, with_ways};
+/// Least number of chords in a row of cells.
+const CHORDS: f64 = 8.0;
 
-/// The patch of `table` × `factor`: cell means of its linear interpolant, and in each row a strip
-/// for each run of positive pressure. What the interpolant holds beyond the edges of a strip goes
-/// to its outermost cells, so that the load is kept.
+/// The patch of `table` × `factor`: cell means of its linear interpolant. What the interpolant
+/// holds beyond the edges of the patch goes to the nearest cell of the row, so that the load is
+/// kept.
 pub(super) fn patch(table: &PressureTable, factor: f64, grid: Grid) -> Patch {
     let mut patch = Patch { grid, strips: Vec::new(), cells: Vec::new() };
     for row in 0..grid.rows {
-        let low = if row == 0 { f64::NEG_INFINITY } else { grid.edge_y(row) };
-        let high = if row + 1 == grid.rows { f64::INFINITY } else { grid.edge_y(row + 1) };
-        let mut samples = table.mean_over(low, high, grid.spacing_y);
-        samples.iter_mut().for_each(|p| *p *= factor);
-        let line = Line { samples: &samples, axis: table.axis_x(), row };
-        for part in line.parts(&grid).into_iter().rev() {
-            line.append_strip(&mut patch, &part);
+        let mut columns = vec![Integrals::default(); grid.columns];
+        for chord in chords(table, &grid, row) {
+            cover(&mut columns, &grid, &chord);
         }
+        press(&mut columns, &row_force(table, &grid, row), factor, &grid);
+        append_strips(&mut patch, row, &columns);
     }
+    // A row that only the tails of the interpolant reach has no cell to take its force.
+    let kept = patch.load();
+    let scale = factor * table.load() / kept;
+    patch.cells.iter_mut().for_each(|cell| cell.pressure *= scale);
     patch
 }
 
-/// Pressure along x, mean over a row.
-struct Line<'a> {
-    samples: &'a [f64],
-    axis: &'a Axis,
-    row: usize,
-}
-
-/// One or more runs of samples that together make a strip.
-struct Part {
-    run: Run,
-    columns: RangeInclusive<usize>,
-}
-
-impl Line<'_> {
-    /// Runs that share a cell or have no free cell between them are one strip.
-    fn parts(&self, grid: &Grid) -> Vec<Part> {
-        let column = |x: f64| {
-            let position = ((x - grid.origin_x) / grid.spacing_x).floor().max(0.0) as usize;
-            position.clamp(BORDER, grid.columns - 1 - BORDER)
-        };
-        let mut parts: Vec<Part> = Vec::new();
-        for run in positive_runs(self.samples, self.axis) {
-            // An edge that lies on a cell's boundary does not touch the cell beyond it.
-            let inset = 1e-9 * grid.spacing_x;
-            let columns = column(run.edges[0] + inset)..=column(run.edges[1] - inset);
-            match parts.last_mut() {
-                Some(previous) if *columns.start() <= previous.columns.end() + 1 => {
-                    previous.run.last = run.last;
-                    previous.run.edges[1] = run.edges[1];
-                    previous.columns = *previous.columns.start()..=*columns.end();
+/// Lines through a row, cut at the edges of the positive pressure. Gaps of less than a cell are
+/// closed.
+fn chords(table: &PressureTable, grid: &Grid, row: usize) -> Vec<Chord> {
+    let count = (2.0 * grid.spacing_y / table.axis_y().spacing).ceil().max(CHORDS) as usize;
+    let width = grid.spacing_y / count as f64;
+    let mut chords: Vec<Chord> = Vec::new();
+    for line in 0..count {
+        let y = grid.edge_y(row) + (line as f64 + 0.5) * width;
+        let first = chords.len();
+        for run in positive_runs(&table.line_at(y), table.axis_x()) {
+            let [trailing_edge, leading_edge] = run.edges;
+            match chords[first..].last_mut() {
+                Some(previous) if trailing_edge - previous.leading_edge < grid.spacing_x => {
+                    previous.leading_edge = leading_edge;
                 }
-                _ => parts.push(Part { run, columns }),
+                _ => chords.push(Chord { y, width, trailing_edge, leading_edge }),
             }
         }
-        parts
     }
-
-    fn append_strip(&self, patch: &mut Patch, part: &Part) {
-        let grid = patch.grid;
-        let [trailing_edge, leading_edge] = part.run.edges;
-        let y = grid.y(self.row);
-        let cell = |i: usize| {
-            let (first, last) = (i == *part.columns.end(), i == *part.columns.start());
-            let low = if last { f64::NEG_INFINITY } else { grid.edge_x(i) };
-            let high = if first { f64::INFINITY } else { grid.edge_x(i + 1) };
-            let force = self.force_up_to(high, &part.run) - self.force_up_to(low, &part.run);
-            let inner = [low.max(trailing_edge), high.min(leading_edge)];
-            Cell {
-                index: grid.index(i, self.row),
-                pressure: force / grid.spacing_x,
-                covered: (inner[1] - inner[0]) / grid.spacing_x,
-                x: 0.5 * (inner[0] + inner[1]),
-                y,
-                since_entry: mean_travel_from(leading_edge, inner, y),
-                way_in: Travel::default(),
-            }
-        };
-        let cells = with_ways(part.columns.clone().rev().map(cell).collect());
-        let Some(last) = cells.last() else {
-            return;
-        };
-        let exit = Travel {
-            distance: last.x - trailing_edge,
-            moment_x: 0.5 * (last.x.powi(2) - trailing_edge.powi(2)),
-            moment_y: y * (last.x - trailing_edge),
-        };
-        let start = patch.cells.len();
-        patch.cells.extend(cells);
-        let cells = start..patch.cells.len();
-        patch.strips.push(Strip { row: self.row, cells, leading_edge, trailing_edge, exit });
-    }
-
-    /// ∫ p dx up to x, of a run's own samples, in N/m.
-    fn force_up_to(&self, x: f64, run: &Run) -> f64 {
-        let share = |k: usize| hat_integral((x - self.axis.at(k)) / self.axis.spacing);
-        (run.first..=run.last).map(|k| self.samples[k] * share(k)).sum::<f64>() * self.axis.spacing
-    }
+    chords
 }
 
-/// Mean over `inner` of the way from `edge` to there.
-fn mean_travel_from(edge: f64, inner: [f64; 2], y: f64) -> Travel {
-    let [low, high] = inner;
-    let distance = edge - 0.5 * (low + high);
-    let mean_square = (low * low + low * high + high * high) / 3.0;
-    Travel { distance, moment_x: 0.5 * (edge * edge - mean_square), moment_y: y * distance }
+/// Force per column of a row, before scaling, in N. What lies beyond the grid belongs to its edge.
+fn row_force(table: &PressureTable, grid: &Grid, row: usize) -> Vec<f64> {
+    let low = if row == 0 { f64::NEG_INFINITY } else { grid.edge_y(row) };
+    let high = if row + 1 == grid.rows { f64::INFINITY } else { grid.edge_y(row + 1) };
+    let samples = table.integral_over(low, high);
+    let axis = table.axis_x();
+    let force_up_to = |x: f64| -> f64 {
+        let share = |k: usize| hat_integral((x - axis.at(k)) / axis.spacing);
+        (0..samples.len()).map(|k| samples[k] * share(k)).sum::<f64>() * axis.spacing
+    };
+    let edge = |i: usize| match i {
+        0 => f64::NEG_INFINITY,
+        i if i == grid.columns => f64::INFINITY,
+        i => grid.edge_x(i),
+    };
+    let cumulated: Vec<f64> = (0..=grid.columns).map(|i| force_up_to(edge(i))).collect();
+    cumulated.windows(2).map(|pair| pair[1] - pair[0]).collect()
+}
+
+/// Gives every column's force to the nearest touched column.
+fn press(columns: &mut [Integrals], force: &[f64], factor: f64, grid: &Grid) {
+    let touched: Vec<usize> = (0..columns.len()).filter(|i| columns[*i].is_touched(grid)).collect();
+    for (i, force) in force.iter().enumerate().filter(|(_, force)| **force != 0.0) {
+        if let Some(&nearest) = touched.iter().min_by_key(|t| t.abs_diff(i)) {
+            columns[nearest].force += factor * force;
+        }
+    }
 }
 
 #[cfg(test)]
@@ -117,6 +85,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::normal::ellipse::Ellipse;
     use crate::normal::tabulated::Tabulated;
     use crate::normal::{NormalContact, PressureSource};
 
@@ -143,16 +112,24 @@ mod tests {
             let patch = Patch::new(&contact, grid);
             assert_relative_eq!(patch.load(), contact.summary.load, max_relative = 1e-12);
             for strip in &patch.strips {
-                let y = grid.y(strip.row);
-                let edge = a * (1.0 - (y / b).powi(2)).sqrt();
-                if y.abs() < 0.8 * b {
-                    assert_relative_eq!(strip.leading_edge, edge, max_relative = 0.02);
-                    assert_relative_eq!(strip.trailing_edge, -edge, max_relative = 0.02);
-                }
-                for k in strip.cells.clone() {
-                    assert!(patch.cells[k].way_in.distance > 0.0);
+                for cell in &patch.cells[strip.cells.clone()] {
+                    assert!(cell.way_in.distance > 0.0);
                 }
             }
+            let hertz = Ellipse::from_load(a, b, contact.summary.load).unwrap();
+            let exact = hertz.normal_contact(None).unwrap();
+            let exact = Patch::new(&exact, Grid::across(&exact.extent(), cells, cells));
+            let middle = |patch: &Patch| {
+                let strip = &patch.strips[cells / 2];
+                [patch.cells[strip.cells.start].entry_x(), patch.exit(strip)]
+            };
+            for (tabulated, exact) in middle(&patch).iter().zip(middle(&exact)) {
+                assert_relative_eq!(*tabulated, exact, max_relative = 5e-3);
+            }
+            let moment = |patch: &Patch| -> f64 {
+                patch.cells.iter().map(|c| c.pressure * (c.x.powi(2) + c.y.powi(2))).sum()
+            };
+            assert_relative_eq!(moment(&patch), moment(&exact), max_relative = 0.02);
         }
     }
 
@@ -163,7 +140,8 @@ mod tests {
         let contact = contact(&axis(6e-3, 61), &axis(3e-3, 11), two);
         let patch = Patch::new(&contact, Grid::across(&contact.extent(), 40, 6));
         assert_eq!(patch.strips.len(), 12);
-        assert!(patch.strips[0].trailing_edge > 0.0 && patch.strips[1].leading_edge < 0.0);
+        let [one, two] = [&patch.strips[0], &patch.strips[1]];
+        assert!(patch.exit(one) > 0.0 && patch.cells[two.cells.start].entry_x() < 0.0);
         assert_relative_eq!(patch.load(), contact.summary.load, max_relative = 1e-12);
     }
 }

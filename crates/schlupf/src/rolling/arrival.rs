@@ -12,8 +12,8 @@ use super::contact::DiscreteContact;
 pub(super) struct Arrival {
     /// Its history; the increment and the turn are still to come.
     pub slide: Slide,
-    /// Traction on the rail in the cell that it left, in Pa.
-    pub traction: [f64; 2],
+    /// A p of the new cell a step ago, in m.
+    pub before: [f64; 2],
     /// What A p of its new cell is compared with, in m: A p where it was, and for a cell that lies
     /// partly behind another piece of the leading edge, the difference between the two places of
     /// entry.
@@ -42,10 +42,9 @@ impl Arrival {
                 distance: element.sliding,
                 ..Slide::default()
             },
-            traction: element.traction,
             displacement,
             heat: element.heat.clone(),
-            joins: false,
+            ..Self::default()
         }
     }
 }
@@ -70,6 +69,9 @@ pub(super) fn carry_over(contact: &DiscreteContact, elements: &[Element]) -> Vec
             let compared = [0, 1].map(|c| entry[c] + there[c] - entries[c]);
             arrivals.push(Arrival::from_upstream(element, compared));
         }
+    }
+    for (k, arrival) in arrivals.iter_mut().enumerate() {
+        arrival.before = pair(&displacement, k);
     }
     arrivals
 }

@@ -58,20 +58,30 @@ impl DiscreteContact {
         self.interpolation.gather_at_entries(&self.displacement, u);
     }
 
-    /// The displacement field of the last product at the trailing edge of strip `s`.
-    pub fn displacement_at_exit(&self, s: usize) -> [f64; 2] {
-        self.interpolation.at_exit(s, &self.displacement)
+    /// By how much the displacement of the last product changes while a material point passes a
+    /// cell: the difference of its neighbours' values over two cells.
+    ///
+    /// A symmetric compliance that is the same everywhere does no work on such changes in total,
+    /// Σ p·change = 0 exactly: elasticity returns what it takes.
+    pub fn change_in_passing(&mut self, change: &mut [f64]) {
+        let columns = self.patch.grid.columns;
+        let differences = |from: &[f64], to: &mut [f64]| {
+            for (from, to) in from.chunks_exact(columns).zip(to.chunks_exact_mut(columns)) {
+                for i in 1..columns - 1 {
+                    to[i] = 0.5 * (from[i - 1] - from[i + 1]);
+                }
+            }
+        };
+        let mut passing = VectorField::zeros(self.displacement.x.len());
+        differences(&self.displacement.x, &mut passing.x);
+        differences(&self.displacement.y, &mut passing.y);
+        self.interpolation.gather(&passing, change);
     }
 
     /// Displacement at the outer edge of the modelled surface over the largest one.
     pub fn edge_displacement(&mut self, p: &[f64]) -> f64 {
         self.interpolation.spread(p, &mut self.traction);
         self.compliance.edge_displacement(&self.traction)
-    }
-
-    /// Whether a loaded cell moves others.
-    pub fn is_coupled(&self) -> bool {
-        self.compliance.couples_cells()
     }
 
     /// Displacement over traction of the patch as a whole under tractions like the pressure, for

@@ -16,7 +16,8 @@ use crate::state::{Element, State};
 use super::Progress;
 use super::arrival::{Arrival, carry_over, positions};
 use super::contact::DiscreteContact;
-use super::snapshot::{EdgeWeights, Exit, Snapshot};
+use super::friction_heat::{set_friction_power, set_temperatures};
+use super::snapshot::Snapshot;
 use super::summary;
 use super::time_step::TimeStep;
 
@@ -34,7 +35,7 @@ pub fn march(
     while !march.is_finished() {
         let arrivals = march.move_on()?;
         march.find_equilibrium(&arrivals);
-        march.heat_up(&arrivals);
+        march.heat_up(arrivals);
         march.note();
         report(march.progress());
     }
@@ -146,7 +147,7 @@ impl<'a> March<'a> {
             if let Some(e) = at[cell.index] {
                 self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
                 self.now.rise[k] = old.rise[e];
-                slip_speed = old.slip_speed[e];
+                slip_speed = old.slip[e][0].hypot(old.slip[e][1]);
             }
             let temperature = self.now.conduction.contact_temperature(self.now.rise[k])
                 - self.problem.friction.reference_temperature;
@@ -183,12 +184,6 @@ impl<'a> March<'a> {
         let (slides, responses) = (step.slides, step.responses);
         self.displace();
         self.change = relative_change(&old_traction, &self.now.traction, norm(&bound));
-        for (k, slide) in slides.iter().enumerate() {
-            let way = self.contact.patch.cells[k].way_in.distance;
-            self.now.increment[k] = slide.increment;
-            self.now.slip_speed[k] =
-                slide.increment[0].hypot(slide.increment[1]) * self.now.kinematics.speed / way;
-        }
         let element = |k: usize| Element {
             index: self.contact.patch.cells[k].index,
             traction: self.now.traction_at(k),
@@ -206,55 +201,29 @@ impl<'a> March<'a> {
     }
 
     /// Friction power and temperatures, Eqs. (17)–(22).
-    fn heat_up(&mut self, arrivals: &[Arrival]) {
-        let patch = &self.contact.patch;
-        let coupled = self.contact.is_coupled();
-        let old_rise = self.now.rise.clone();
-        for strip in &patch.strips {
-            for k in strip.cells.clone() {
-                let arrival = &arrivals[k];
-                let p = self.now.traction_at(k);
-                let u = self.now.displacement_at(k);
-                let way = &patch.cells[k].way_in;
-                let work = if k == strip.cells.start {
-                    let rigid = way.rigid_slip(&self.now.kinematics);
-                    let elastic = [0, 1].map(|c| u[c] - arrival.displacement[c]);
-                    EdgeWeights::at_entry(patch, strip, coupled).work(p, rigid, elastic)
-                } else {
-                    let slid = self.now.increment[k];
-                    (0..2).map(|c| 0.5 * (p[c] + arrival.traction[c]) * slid[c]).sum()
-                };
-                let mut record = vec![self.now.heat_step(work, way.distance)];
-                record.extend_from_slice(&arrival.heat);
-                self.now.work_in[k] = work;
-                self.now.rise[k] = self.problem.heat.rise_times_effusivity(&record);
-                self.elements[k].heat = record;
+    fn heat_up(&mut self, arrivals: Vec<Arrival>) {
+        let patch_cells = self.contact.patch.len();
+        let mut change = vec![0.0; 2 * patch_cells];
+        self.contact.change_in_passing(&mut change);
+        let mut records = Vec::with_capacity(patch_cells);
+        for (k, arrival) in arrivals.into_iter().enumerate() {
+            for c in 0..2 {
+                change[2 * k + c] += self.now.displacement[2 * k + c] - arrival.before[c];
             }
+            records.push(arrival.heat);
         }
-        self.let_out();
+        let patch = &self.contact.patch;
+        set_friction_power(&mut self.now, patch, &change);
+        let old_rise = self.now.rise.clone();
+        set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
+        for (element, record) in self.elements.iter_mut().zip(records) {
+            element.heat = record;
+        }
         let hottest = self.now.rise.iter().copied().fold(0.0, f64::max);
         let difference = |(new, old): (&f64, &f64)| (new - old).abs();
         let warmed = self.now.rise.iter().zip(&old_rise).map(difference).fold(0.0, f64::max);
         if hottest > 0.0 {
             self.change = self.change.max(warmed / hottest);
-        }
-    }
-
-    /// What happens between the last cells and the trailing edges.
-    fn let_out(&mut self) {
-        let patch = &self.contact.patch;
-        for (s, strip) in patch.strips.iter().enumerate() {
-            let last = strip.cells.end - 1;
-            let u = self.now.displacement_at(last);
-            let exit = self.contact.displacement_at_exit(s);
-            let elastic = [exit[0] - u[0], exit[1] - u[1]];
-            let rigid = strip.exit.rigid_slip(&self.now.kinematics);
-            let weights = EdgeWeights::at_exit(patch, strip, self.contact.is_coupled());
-            let work = weights.work(self.now.traction_at(last), rigid, elastic);
-            let mut record = vec![self.now.heat_step(work, strip.exit.distance)];
-            record.extend_from_slice(&self.elements[last].heat);
-            let rise = self.problem.heat.rise_times_effusivity(&record);
-            self.now.exits.push(Exit { work, rise });
         }
     }
 

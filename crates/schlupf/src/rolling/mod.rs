@@ -2,6 +2,7 @@
 
 mod arrival;
 mod contact;
+mod friction_heat;
 pub mod marching;
 mod snapshot;
 mod summary;

@@ -69,10 +69,9 @@ pub(super) fn force(patch: &Patch, now: &Snapshot) -> Resultant {
 }
 
 fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
-    let per_work = now.kinematics.speed * patch.grid.spacing_y;
-    let works = || now.work_in.iter().copied().chain(now.exits.iter().map(|e| e.work));
-    let friction = works().sum::<f64>() * per_work;
-    let returned = works().map(|w| (-w).max(0.0)).sum::<f64>() * per_work;
+    let area = patch.grid.cell_area();
+    let friction = now.friction_power.iter().sum::<f64>() * area;
+    let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
     let motion = &now.kinematics;
     let creep = -motion.speed
         * (motion.creepage_x * force.x + motion.creepage_y * force.y + motion.spin * force.moment_z);
@@ -88,8 +87,8 @@ fn t_gamma(now: &Snapshot, force: &Resultant) -> TGamma {
 /// Largest temperatures, in the cells and at the trailing edges.
 pub(super) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
     let cells = patch.cells.iter().zip(&now.rise).map(|(cell, rise)| (*rise, cell.x, cell.y));
-    let exits = patch.strips.iter().zip(&now.exits).map(|(strip, exit)| {
-        (exit.rise, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
+    let exits = patch.strips.iter().zip(&now.exit_rise).map(|(strip, rise)| {
+        (*rise, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
     });
     let hottest = cells.chain(exits).reduce(|p, q| if q.0 > p.0 { q } else { p });
     let Some((rise, x, y)) = hottest else {
@@ -127,34 +126,11 @@ fn area(patch: &Patch, now: &Snapshot, threshold: f64) -> Area {
     area
 }
 
-/// Friction power per area of each cell: half of the work on the ways into it and out of it, and
-/// all of that between a cell and an edge.
-fn friction_power(patch: &Patch, now: &Snapshot) -> Vec<f64> {
-    let mut work = vec![0.0; patch.len()];
-    for (strip, exit) in patch.strips.iter().zip(&now.exits) {
-        let (first, last) = (strip.cells.start, strip.cells.end - 1);
-        work[first] += now.work_in[first];
-        for k in first + 1..=last {
-            work[k - 1] += 0.5 * now.work_in[k];
-            work[k] += 0.5 * now.work_in[k];
-        }
-        work[last] += exit.work;
-    }
-    let rate = now.kinematics.speed / patch.grid.spacing_x;
-    work.iter().map(|w| w * rate).collect()
-}
-
 fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
     let grid = patch.grid;
     let cells = &patch.cells;
     let component = |values: &[f64], c: usize, sign: f64| -> Vec<f64> {
         values.iter().skip(c).step_by(2).map(|v| sign * v).collect()
-    };
-    let slip = |c: usize| -> Vec<f64> {
-        let speed = |(increment, cell): (&[f64; 2], &crate::patch::Cell)| {
-            increment[c] * now.kinematics.speed / cell.way_in.distance
-        };
-        now.increment.iter().zip(cells).map(speed).collect()
     };
     let rises: Vec<[f64; 2]> = now.rise.iter().map(|r| now.conduction.rises(*r)).collect();
     Fields {
@@ -168,10 +144,10 @@ fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
         traction_y: component(&now.traction, 1, -1.0),
         displacement_x: component(&now.displacement, 0, -1.0),
         displacement_y: component(&now.displacement, 1, -1.0),
-        slip_x: slip(0),
-        slip_y: slip(1),
+        slip_x: now.slip.iter().map(|s| s[0]).collect(),
+        slip_y: now.slip.iter().map(|s| s[1]).collect(),
         friction_coefficient: now.friction.clone(),
-        friction_power: friction_power(patch, now),
+        friction_power: now.friction_power.clone(),
         temperature_rise_wheel: rises.iter().map(|r| r[0]).collect(),
         temperature_rise_rail: rises.iter().map(|r| r[1]).collect(),
         sliding: (0..cells.len()).map(|k| is_sliding(patch, now, k, threshold)).collect(),

@@ -1,0 +1,57 @@
+//! Problems that several tests solve.
+
+use std::sync::Arc;
+
+use schlupf::elasticity::Elasticity;
+use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
+use schlupf::heat::{Heat, partition::Partition};
+use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::friction::{Friction, constant::Constant};
+use schlupf::kinematics::Kinematics;
+use schlupf::material::Body;
+use schlupf::normal::ellipse::Ellipse;
+use schlupf::rolling::marching::march;
+use schlupf::{Options, Problem, Solution, Status};
+
+/// Rolling at 30 m/s with the given creepages and spin (in 1/m).
+pub fn rolling(creepage_x: f64, creepage_y: f64, spin: f64) -> Kinematics {
+    Kinematics { speed: 30.0, creepage_x, creepage_y, spin }
+}
+
+/// The isotropic layer c = 1e13 N/m³, g = 3.24e7 N/m.
+pub fn layer() -> Arc<dyn Elasticity> {
+    let stiffness =
+        LayerStiffness { bedding: 1e13, coupling_along_x: 3.24e7, coupling_along_y: 3.24e7 };
+    Arc::new(ElasticLayer::new(stiffness, stiffness, Some(15e-3)).unwrap())
+}
+
+/// a = 6 mm, b = 5 mm, p0 = 1 GPa, μ = 0.4, k_c = 5e6/m, no heat.
+pub fn problem(kinematics: Kinematics) -> Problem {
+    Problem {
+        kinematics,
+        wheel: Body::STEEL,
+        rail: Body::STEEL,
+        normal: Arc::new(Ellipse::from_peak_pressure(6e-3, 5e-3, 1e9).unwrap()),
+        elasticity: layer(),
+        contact_law: Arc::new(Incremental::new(5e6).unwrap()),
+        friction: Friction {
+            law: Arc::new(Constant::new(0.4).unwrap()),
+            reference_temperature: 20.0,
+        },
+        heat: Heat { model: None, partition: Partition::Given(0.5) },
+        history: None,
+        initial_state: None,
+    }
+}
+
+/// A grid of `cells` in both directions.
+pub fn cells(cells: usize) -> Options {
+    Options { cells_x: cells, cells_y: cells, ..Options::default() }
+}
+
+/// Solves by marching, and does not accept less than convergence.
+pub fn solve(problem: &Problem, options: &Options) -> Solution {
+    let solution = march(problem, options, &mut |_| ()).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    solution
+}
