@@ -91,10 +91,8 @@ impl Case {
             )
         })?;
         let text = String::from_utf8(bytes).map_err(|error| {
-            let line = 1 + error.as_bytes()[..error.utf8_error().valid_up_to()]
-                .iter()
-                .filter(|byte| **byte == b'\n')
-                .count();
+            let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let line = before.split(|byte| *byte == b'\n').count();
             let message = format!("the case file must be text in UTF-8, but is not in line {line}");
             CaseError::new("", message, Place::File { name: name.clone() })
         })?;

@@ -49,7 +49,7 @@ impl Content {
         match self {
             Self::Text(text) => format!("{:?}", shortened(text)),
             Self::Integer(number) => number.to_string(),
-            Self::Float(number) => number.to_string(),
+            Self::Float(number) => format!("{number:?}"),
             Self::Array(entries) => format!("an array of {}", entries.len()),
             Self::Other(name) => (*name).to_owned(),
         }
@@ -91,9 +91,7 @@ impl Origin {
     /// The place of some bytes.
     pub fn place(&self, span: &Range<usize>) -> Place {
         match self {
-            Self::File(source) => {
-                Place::Text { source: Arc::clone(source), span: span.clone() }
-            }
+            Self::File(source) => Place::Text { source: Arc::clone(source), span: span.clone() },
             Self::Override(text) => Place::Override { text: text.clone() },
         }
     }
@@ -187,7 +185,8 @@ fn convert(value: &DeValue<'_>) -> Content {
 pub fn apply(entries: &mut Vec<Entry>, text: &str) -> Result<(), CaseError> {
     let place = Place::Override { text: text.to_owned() };
     let Some((path, value)) = text.split_once('=') else {
-        let message = format!("an override must be of the form section.field=value, but is {text:?}");
+        let message =
+            format!("an override must be of the form section.field=value, but is {text:?}");
         return Err(CaseError::new("", message, place));
     };
     let (path, value) = (path.trim(), value.trim());

@@ -62,7 +62,7 @@ impl std::error::Error for CaseError {}
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CaseErrors {
     /// The first one.
-    pub first: CaseError,
+    pub first: Box<CaseError>,
     /// All others, in the order of the input.
     pub others: Vec<CaseError>,
 }
@@ -72,20 +72,20 @@ impl CaseErrors {
     pub(crate) fn check(errors: Vec<CaseError>) -> Result<(), Self> {
         let mut errors = errors.into_iter();
         match errors.next() {
-            Some(first) => Err(Self { first, others: errors.collect() }),
+            Some(first) => Err(Self { first: Box::new(first), others: errors.collect() }),
             None => Ok(()),
         }
     }
 
     /// All errors.
     pub fn iter(&self) -> impl Iterator<Item = &CaseError> {
-        std::iter::once(&self.first).chain(&self.others)
+        std::iter::once(&*self.first).chain(&self.others)
     }
 }
 
 impl From<CaseError> for CaseErrors {
     fn from(first: CaseError) -> Self {
-        Self { first, others: Vec::new() }
+        Self { first: Box::new(first), others: Vec::new() }
     }
 }
 

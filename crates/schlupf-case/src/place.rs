@@ -84,7 +84,8 @@ mod tests {
 
     #[test]
     fn lines_and_columns_are_counted_from_one() {
-        let source = Source { name: "case.toml".to_owned(), text: "a = 1\nφ = \"x\"\n".to_owned() };
+        let source =
+            Source { name: "case.toml".to_owned(), text: "a = 1\nφ = \"x\"\n".to_owned() };
         assert_eq!(source.position(0), (1, 1));
         let quote = source.text.find('"').unwrap();
         assert_eq!(source.position(quote), (2, 5));

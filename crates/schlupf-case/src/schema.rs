@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::document::Content;
 use crate::fields::{ALTERNATIVES, Default, Field, Kind, Requirement, SECTIONS, Section};
 
 /// The JSON schema (2020-12) of a case file.
@@ -59,27 +60,21 @@ fn exclusions(section: &Section) -> Vec<Value> {
 
 fn field_schema(field: &Field) -> Value {
     let mut schema = kind_schema(field.kind, field.requirement);
-    let mut description = field.doc.to_owned();
+    let mut description = vec![field.doc.to_owned()];
     if let Some((model, names)) = field.used_with {
-        description.push_str(&format!("; used with {model} {}", names.join(" or ")));
+        description.push(format!("used with {model} {}", names.join(" or ")));
     }
-    match field.default {
-        Default::Text(_) => {
-            if let Some(value) = field.default_value() {
-                schema["default"] = literal(&value.content);
-            }
-        }
-        Default::Same(text) | Default::Computed(text) => {
-            description.push_str(&format!("; default: {text}"));
-        }
-        Default::Nothing => {}
+    if let Default::Same(text) | Default::Computed(text) = field.default {
+        description.push(format!("default: {text}"));
     }
-    schema["description"] = description.into();
+    if let Some(value) = field.default_value() {
+        schema["default"] = literal(&value.content);
+    }
+    schema["description"] = description.join("; ").into();
     schema
 }
 
-fn literal(content: &crate::document::Content) -> Value {
-    use crate::document::Content;
+fn literal(content: &Content) -> Value {
     match content {
         Content::Text(text) => text.as_str().into(),
         Content::Integer(number) => (*number).into(),

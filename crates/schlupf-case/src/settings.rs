@@ -161,25 +161,32 @@ impl Settings {
         CaseError::new(path, message, self.place(path))
     }
 
-    /// An error of the core, at the place of the field that it names.
+    /// An error of the core, at the place of the field that it names; where that has its default, at
+    /// that of a field that goes with it or that the error speaks of.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+        let message = error.to_string();
         let (schlupf::Error::Invalid { quantity, .. }
         | schlupf::Error::Contradiction { quantity, .. }) = error
         else {
-            return CaseError::new("", error.to_string(), self.file.clone());
+            return CaseError::new("", message, self.file.clone());
         };
+        let mentioned = fields::all().map(|field| field.path).filter(|path| message.contains(path));
         let given = std::iter::once(*quantity)
-            .chain(ALTERNATIVES.iter().flat_map(|pair| pair.opposite(quantity).iter().copied()))
+            .chain(fields::related(quantity))
+            .chain(mentioned)
             .find(|path| self.is_given(path));
-        let field = given.unwrap_or(quantity);
-        self.error(field, error.to_string())
+        match given {
+            Some(path) => self.error(path, message),
+            None => CaseError::new(quantity, message, self.file.clone()),
+        }
     }
 
     fn missing(&self, path: &str) -> CaseError {
         let field = fields::find(path);
-        let because = field.and_then(|field| field.used_with).map_or_else(String::new, |(model, _)| {
-            format!(", which {model} = {} needs", self.shown(model))
-        });
+        let because =
+            field.and_then(|field| field.used_with).map_or_else(String::new, |(model, _)| {
+                format!(", which {model} = {} needs", self.shown(model))
+            });
         let doc = field.map_or("", |field| field.doc);
         let message = format!("{path} is missing{because}: {doc}");
         let example = field.and_then(Field::assignment);
@@ -228,8 +235,11 @@ impl Settings {
 
     fn contradiction(&self, first: &str, second: &str, reason: &str) -> CaseError {
         let overridden = |path| matches!(self.place(path), Place::Override { .. });
-        let (later, earlier) =
-            if overridden(first) && !overridden(second) { (first, second) } else { (second, first) };
+        let (later, earlier) = if overridden(first) && !overridden(second) {
+            (first, second)
+        } else {
+            (second, first)
+        };
         let message = format!(
             "{later} must not be given together with {earlier}: {reason}, but {later} is {} and \
              {earlier} is {} ({})",

@@ -21,31 +21,31 @@ pub fn template() -> String {
 }
 
 fn section(section: &Section) -> String {
-    let mut text = String::new();
+    let mut lines = Vec::new();
     if !section.name.is_empty() {
         let comment = if section.fields.iter().any(is_active) { "" } else { "# " };
-        text = format!("# {}\n{comment}[{}]\n", section.doc, section.name);
+        lines.push(format!("# {}", section.doc));
+        lines.push(format!("{comment}[{}]", section.name));
     }
     for field in section.fields {
-        text.push_str(&line(field));
-        for choice in field.kind.choices() {
-            let (name, doc) = (format!("{:?}", choice.name), choice.doc);
-            text.push_str(&format!("{:COMMENT_COLUMN$}#   {name}: {doc}\n", ""));
-        }
+        lines.push(line(field));
+        lines.extend(
+            field.kind.choices().iter().map(|choice| {
+                format!("{:COMMENT_COLUMN$}#   {:?}: {}", "", choice.name, choice.doc)
+            }),
+        );
     }
-    text
+    lines.join("\n") + "\n"
 }
 
 fn line(field: &Field) -> String {
     let assignment = field.assignment().unwrap_or_default();
     let comment = if is_active(field) { "" } else { "# " };
-    let mut doc = field.doc.to_owned();
-    match field.default {
-        Default::Same(other) => doc.push_str(&format!("; default: {other}")),
-        Default::Computed(text) => doc.push_str(&format!("; default: {text}")),
-        _ => {}
-    }
-    format!("{:COMMENT_COLUMN$}# {doc}\n", format!("{comment}{assignment}"))
+    let doc = match field.default {
+        Default::Same(text) | Default::Computed(text) => format!("{}; default: {text}", field.doc),
+        Default::Nothing | Default::Text(_) => field.doc.to_owned(),
+    };
+    format!("{:COMMENT_COLUMN$}# {doc}", format!("{comment}{assignment}"))
 }
 
 /// Whether the default case spells the field out: it has a fixed default, and the default models use
@@ -88,7 +88,8 @@ mod tests {
             let switched = text.replacen(line, &line[2..], 1).replace("# [history]", "[history]");
             if let Err(errors) = read(&switched) {
                 let message = errors.to_string();
-                let allowed = ["together with", "is missing", "readable file", "a history must have"];
+                let allowed =
+                    ["together with", "is missing", "readable file", "a history must have"];
                 assert!(allowed.iter().any(|part| message.contains(part)), "{line}: {message}");
             }
             count += 1;

@@ -22,7 +22,8 @@ pub fn check(outputs: &[(&str, &Path)], input: Option<&Path>) -> Result<(), Fail
         let location = location(path)?;
         if let Some((other, _)) = seen.iter().find(|(_, other)| *other == location) {
             let path = path.display();
-            let message = format!("{option} must name a file of its own, but {path} is that of {other}, too");
+            let message =
+                format!("{option} must name a file of its own, but {path} is that of {other}, too");
             return Err(Failure::Arguments(message));
         }
         // Several outputs may go to /dev/null.
@@ -45,7 +46,10 @@ pub fn check_directory(path: &Path) -> Result<(), Failure> {
 fn location(path: &Path) -> Result<PathBuf, Failure> {
     let directory = directory(path);
     let resolved = fs::canonicalize(directory).map_err(|cause| {
-        Failure::file(path, io::Error::new(cause.kind(), format!("its directory {}: {cause}", directory.display())))
+        Failure::file(
+            path,
+            io::Error::new(cause.kind(), format!("its directory {}: {cause}", directory.display())),
+        )
     })?;
     match path.file_name() {
         Some(name) => Ok(resolved.join(name)),

@@ -14,7 +14,8 @@ use crate::failure::Failure;
 pub fn print(failure: &Failure) {
     let text = match failure {
         Failure::Case(errors) => {
-            let reports: Vec<String> = errors.iter().map(|error| render(&Report::new(error))).collect();
+            let reports: Vec<String> =
+                errors.iter().map(|error| render(&Report::new(error))).collect();
             reports.join("\n")
         }
         other => format!("error: {other}\n"),
@@ -32,9 +33,9 @@ fn render(report: &Report) -> String {
     let handler = if stderr().is_terminal() {
         GraphicalReportHandler::new()
     } else {
-        GraphicalReportHandler::new_themed(GraphicalTheme::none())
-            .with_width(10_000)
-            .with_wrap_lines(false)
+        let mut theme = GraphicalTheme::none();
+        "error:".clone_into(&mut theme.characters.error);
+        GraphicalReportHandler::new_themed(theme).with_width(10_000).with_wrap_lines(false)
     };
     let mut text = String::new();
     match handler.with_links(false).render_report(&mut text, report) {

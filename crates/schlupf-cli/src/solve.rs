@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use schlupf::rolling::marching;
 use schlupf::state::State;
-use schlupf::{Solution, Status};
+use schlupf::{Error, Solution, Status};
 use schlupf_case::{Case, Driver};
 use schlupf_output::{csv, figures, json, summary, vtk};
 
@@ -24,7 +24,7 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
         case.problem.initial_state = Some(read_state(path)?);
     }
     let progress = Progress::start();
-    let mut solution = solve(&case, &progress)?;
+    let mut solution = solve(&case, arguments.initial_state.as_deref(), &progress)?;
     solution.warnings.splice(0..0, case.notices.iter().cloned());
     let files = files(arguments, &case.title, &solution, &progress)?;
     drop(progress);
@@ -36,7 +36,10 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
     match solution.status {
         Status::Converged => Ok(ExitCode::SUCCESS),
         Status::NotConverged => {
-            report::warn(&format!("not converged: the relative residual is {:.1e}", solution.residual));
+            report::warn(&format!(
+                "not converged: the relative residual is {:.1e}",
+                solution.residual
+            ));
             Ok(ExitCode::from(NOT_CONVERGED))
         }
     }
@@ -65,16 +68,28 @@ fn read_state(path: &Path) -> Result<State, Failure> {
     let bytes = fs::read(path).map_err(|cause| Failure::file(path, cause))?;
     serde_json::from_slice(&bytes).map_err(|error| {
         let path = path.display();
-        Failure::Arguments(format!("--initial-state must be a file of --final-state, but {path} is not: {error}"))
+        Failure::Arguments(format!(
+            "--initial-state must be a file of --final-state, but {path} is not: {error}"
+        ))
     })
 }
 
-fn solve(case: &Case, progress: &Progress) -> Result<Solution, Failure> {
+fn solve(
+    case: &Case,
+    initial_state: Option<&Path>,
+    progress: &Progress,
+) -> Result<Solution, Failure> {
     let mut report = |state| progress.step(state);
     let result = match case.driver {
         Driver::Marching => marching::march(&case.problem, &case.options, &mut report),
     };
-    result.map_err(|error| Failure::Case(case.explain(&error).into()))
+    result.map_err(|error| match (&error, initial_state) {
+        // This one is no field of the case file.
+        (Error::Contradiction { quantity: "solver.initial_state", reason }, Some(path)) => {
+            Failure::Arguments(format!("--initial-state {}: {reason}", path.display()))
+        }
+        _ => Failure::Case(case.explain(&error).into()),
+    })
 }
 
 /// All files in memory: what cannot be made is known before the first one is written.

@@ -9,5 +9,6 @@
 pub mod csv;
 pub mod figures;
 pub mod json;
+mod number;
 pub mod summary;
 pub mod vtk;

@@ -11,7 +11,9 @@ pub fn structured_points(title: &str, solution: &Solution) -> Vec<u8> {
     vectors(&mut file, fields, "traction", [&fields.traction_x, &fields.traction_y]);
     vectors(&mut file, fields, "slip", [&fields.slip_x, &fields.slip_y]);
     vectors(&mut file, fields, "displacement", [&fields.displacement_x, &fields.displacement_y]);
-    scalars(&mut file, fields, "temperature_rise_wheel", |cell| fields.temperature_rise_wheel[cell]);
+    scalars(&mut file, fields, "temperature_rise_wheel", |cell| {
+        fields.temperature_rise_wheel[cell]
+    });
     scalars(&mut file, fields, "temperature_rise_rail", |cell| fields.temperature_rise_rail[cell]);
     scalars(&mut file, fields, "friction_power", |cell| fields.friction_power[cell]);
     scalars(&mut file, fields, "friction_coefficient", |cell| fields.friction_coefficient[cell]);
@@ -39,7 +41,9 @@ fn header(title: &str, fields: &Fields) -> String {
 
 /// The format allows one line of at most 255 ASCII characters.
 fn title_line(title: &str) -> String {
-    let ascii = |c: char| if c.is_ascii() && !c.is_ascii_control() { c } else { ' ' };
+    let ascii = |c: char| {
+        if c.is_ascii() && !c.is_ascii_control() { c } else { ' ' }
+    };
     let line: String = title.chars().map(ascii).take(250).collect();
     if line.trim().is_empty() { "schlupf".to_owned() } else { line }
 }

@@ -69,3 +69,17 @@ impl Alternatives {
         }
     }
 }
+
+/// Fields that decide together with another one whether a case is possible.
+const RELATED: &[(&str, &[&str])] = &[(
+    "friction.temperature_at_zero_friction",
+    &["wheel.bulk_temperature", "rail.bulk_temperature", "friction.reference_temperature"],
+)];
+
+/// Fields to look at when another one is refused but has its default: its alternatives, and those
+/// that it has to fit.
+pub fn related(path: &str) -> impl Iterator<Item = &'static str> {
+    let alternatives = ALTERNATIVES.iter().flat_map(move |pair| pair.opposite(path));
+    let related = RELATED.iter().filter(move |(of, _)| *of == path).flat_map(|(_, paths)| *paths);
+    alternatives.chain(related).copied()
+}

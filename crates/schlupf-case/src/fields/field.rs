@@ -190,7 +190,7 @@ impl Field {
     fn quantity(&self, measure: &Measure, value: &Value) -> Result<f64, Refusal> {
         let number = match &value.content {
             Content::Text(text) => parse_quantity(text, measure)
-                .map_err(|error| self.wrong_quantity(&error, measure, value))?,
+                .map_err(|error| Self::wrong_quantity(&error, measure, value))?,
             Content::Float(number) if number.is_infinite() => *number,
             content => {
                 let help = content.number().map(|number| {
@@ -209,7 +209,7 @@ impl Field {
         Err(Refusal::new(self.requirement.text(unit), value))
     }
 
-    fn wrong_quantity(&self, error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {
+    fn wrong_quantity(error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {
         let refusal = Refusal::new(with_unit(measure), value).because(error.to_string());
         let help = matches!(error, QuantityError::UnknownUnit { .. })
             .then(|| format!("units may be combined, as in {}", measure.examples));
@@ -222,10 +222,8 @@ impl Field {
 
     /// Advice for a dimensionless number that was given as text.
     fn quoted_number(&self, value: &Value) -> Option<String> {
-        let numeric = matches!(
-            self.kind,
-            Kind::Number | Kind::Count | Kind::NumberOr(_) | Kind::Numbers
-        );
+        let numeric =
+            matches!(self.kind, Kind::Number | Kind::Count | Kind::NumberOr(_) | Kind::Numbers);
         let Content::Text(text) = &value.content else { return None };
         let digit = text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
         (numeric && digit).then(|| "write the number alone, without quotes and unit".to_owned())

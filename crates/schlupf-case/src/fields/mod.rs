@@ -7,7 +7,7 @@ mod requirement;
 mod suggestion;
 mod table;
 
-pub use alternatives::{ALTERNATIVES, Alternatives};
+pub use alternatives::{ALTERNATIVES, Alternatives, related};
 pub use field::{Choice, Default, Field, Kind, Section};
 pub use requirement::Requirement;
 pub use suggestion::{closest, closest_path};

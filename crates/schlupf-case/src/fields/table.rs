@@ -223,13 +223,7 @@ const NORMAL: &[Field] = &[
         Text("hertz"),
         "source of the pressure",
     ),
-    field(
-        "normal.load",
-        quantity(&Measure::FORCE),
-        Positive,
-        Text("80 kN"),
-        "N, normal load",
-    ),
+    field("normal.load", quantity(&Measure::FORCE), Positive, Text("80 kN"), "N, normal load"),
     field(
         "normal.semi_axis_x",
         quantity(&Measure::LENGTH),
@@ -299,7 +293,7 @@ const ELASTICITY: &[Field] = &[
         ]),
         Finite,
         Text("elastic-layer"),
-        "model",
+        "model of the deformation",
     ),
     field(
         "elasticity.bedding_x",
@@ -391,7 +385,7 @@ const CONTACT_LAW: &[Field] = &[
         ]),
         Finite,
         Text("incremental"),
-        "model",
+        "which sliding counts",
     ),
     field(
         "contact_law.stiffness",
@@ -413,7 +407,7 @@ const FRICTION: &[Field] = &[
         ]),
         Finite,
         Text("temperature-linear"),
-        "model",
+        "law of friction",
     ),
     field("friction.coefficient", Kind::Number, Positive, Text("0.4"), "μ0"),
     field(
@@ -433,14 +427,8 @@ const FRICTION: &[Field] = &[
     )
     .example("20 degC")
     .with("friction.model", FALLING),
-    field(
-        "friction.minimum_coefficient",
-        Kind::Number,
-        NonNegative,
-        Text("0.0"),
-        "floor of μ",
-    )
-    .with("friction.model", FALLING),
+    field("friction.minimum_coefficient", Kind::Number, NonNegative, Text("0.0"), "floor of μ")
+        .with("friction.model", FALLING),
 ];
 
 const HEAT: &[Field] = &[
@@ -453,7 +441,7 @@ const HEAT: &[Field] = &[
         ]),
         Finite,
         Text("duhamel"),
-        "model",
+        "model of the surface temperature",
     ),
     field(
         "heat.partition",
@@ -495,7 +483,7 @@ const SOLVER: &[Field] = &[
         Kind::Choice(&[choice("full", "the coupled equations")]),
         Finite,
         Text("full"),
-        "method",
+        "what is solved",
     ),
     field(
         "solver.tolerance",

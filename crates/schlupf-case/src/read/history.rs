@@ -8,13 +8,8 @@ use crate::error::CaseError;
 use crate::settings::Settings;
 use crate::tables;
 
-const SERIES: [&str; 5] = [
-    "history.speed",
-    "history.creepage_x",
-    "history.creepage_y",
-    "history.spin",
-    "history.load",
-];
+const SERIES: [&str; 5] =
+    ["history.speed", "history.creepage_x", "history.creepage_y", "history.spin", "history.load"];
 
 /// Values over time, where the case has them.
 pub fn history(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {

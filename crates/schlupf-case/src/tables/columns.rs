@@ -84,7 +84,8 @@ impl Columns {
             return Ok(());
         }
         let expected = expected_header(wanted);
-        let message = format!("{} must have a header such as `{expected}`, but is empty", self.field);
+        let message =
+            format!("{} must have a header such as `{expected}`, but is empty", self.field);
         Err(self.error(1, message))
     }
 
@@ -144,7 +145,8 @@ impl Columns {
             }
             (None, None | Some("" | "-" | "1")) => Ok(None),
             (None, Some(unit)) => {
-                let message = format!("column `{name}` must be dimensionless, but has the unit `{unit}`");
+                let message =
+                    format!("column `{name}` must be dimensionless, but has the unit `{unit}`");
                 Err(self.error(self.header_line, message))
             }
         }
@@ -159,7 +161,8 @@ impl Columns {
     ) -> Result<(), CaseError> {
         if cells.len() != header.len() {
             let (given, expected) = (cells.len(), header.len());
-            let message = format!("a row must have {expected} entries as the header, but has {given}");
+            let message =
+                format!("a row must have {expected} entries as the header, but has {given}");
             return Err(self.error(line, message));
         }
         for (cell, column) in cells.iter().zip(header) {

@@ -6,7 +6,7 @@ mod pressure;
 mod time;
 
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
-pub use time::{from_csv as history_from_csv, check as check_history};
+pub use time::{check as check_history, from_csv as history_from_csv};
 
 use std::path::Path;
 
@@ -20,7 +20,6 @@ pub fn read_bytes(path: &Path, field: &str, place: Place) -> Result<Vec<u8>, Cas
             "{field} must be the path of a readable file, but is {:?}: {error}",
             path.display().to_string()
         );
-        CaseError::new(field, message, place)
-            .help("paths are relative to the case file".to_owned())
+        CaseError::new(field, message, place).help("paths are relative to the case file".to_owned())
     })
 }

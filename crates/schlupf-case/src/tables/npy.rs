@@ -1,4 +1,4 @@
-//! Two-dimensional arrays of floating-point numbers in NumPy's .npy format (versions 1 to 3).
+//! Two-dimensional arrays of floating-point numbers in `NumPy`'s .npy format (versions 1 to 3).
 
 /// An array with each row contiguous.
 #[derive(Debug, PartialEq)]
@@ -64,7 +64,11 @@ fn numbers(header: &str, data: &[u8]) -> Result<Vec<f64>, String> {
         ">f8" => each(data, f64::from_be_bytes),
         "<f4" => each(data, |bytes| f64::from(f32::from_le_bytes(bytes))),
         ">f4" => each(data, |bytes| f64::from(f32::from_be_bytes(bytes))),
-        _ => return Err(format!("must hold 32- or 64-bit floating-point numbers, but holds {kind}")),
+        _ => {
+            return Err(format!(
+                "must hold 32- or 64-bit floating-point numbers, but holds {kind}"
+            ));
+        }
     };
     values.ok_or_else(|| "ends in the middle of a number".to_owned())
 }

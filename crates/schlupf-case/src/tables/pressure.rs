@@ -32,7 +32,8 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError
     let y = Axis::of("y", ys, &columns)?;
     if x.count * y.count > MAX_SPARSE * columns.lines.len() {
         let (nx, ny, rows) = (x.count, y.count, columns.lines.len());
-        let message = format!("the points must fill a rectangle of {nx} by {ny}, but there are only {rows}");
+        let message =
+            format!("the points must fill a rectangle of {nx} by {ny}, but there are only {rows}");
         return Err(columns.error(columns.header_line, message));
     }
     let mut lines = vec![0; x.count * y.count];
@@ -41,12 +42,14 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError
         let cell = y.index(ys[row]) * x.count + x.index(xs[row]);
         if lines[cell] != 0 {
             let (first, at) = (lines[cell], point(xs[row], ys[row]));
-            let message = format!("every point must be given once, but {at} stands in line {first} too");
+            let message =
+                format!("every point must be given once, but {at} stands in line {first} too");
             return Err(columns.error(line, message));
         }
         if pressures[row] < 0.0 {
             let at = point(xs[row], ys[row]);
-            let message = format!("pressure must not be negative, but is {} Pa at {at}", pressures[row]);
+            let message =
+                format!("pressure must not be negative, but is {} Pa at {at}", pressures[row]);
             return Err(columns.error(line, message));
         }
         lines[cell] = line;
@@ -97,11 +100,13 @@ impl Axis {
         sorted.sort_by(f64::total_cmp);
         let widest = sorted.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
         let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else {
-            let message = format!("{FILE} must have at least two values of {name}, but has no rows");
+            let message =
+                format!("{FILE} must have at least two values of {name}, but has no rows");
             return Err(columns.error(columns.header_line, message));
         };
         if widest <= 0.0 {
-            let message = format!("{name} must have at least two values, but is the same everywhere");
+            let message =
+                format!("{name} must have at least two values, but is the same everywhere");
             return Err(columns.error(columns.header_line, message));
         }
         let steps = ((last - first) / widest).round();
@@ -144,7 +149,8 @@ pub fn from_npy(
     spacings: [f64; 2],
     place: &Place,
 ) -> Result<PressureTable, CaseError> {
-    let error = |message: String| CaseError::new(FILE, format!("{FILE}: {name} {message}"), place.clone());
+    let error =
+        |message: String| CaseError::new(FILE, format!("{FILE}: {name} {message}"), place.clone());
     let array = npy::parse(bytes).map_err(error)?;
     let bad = |value: &f64| !value.is_finite() || *value < 0.0;
     if let Some(cell) = array.values.iter().position(bad) {

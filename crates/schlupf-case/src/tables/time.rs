@@ -72,9 +72,11 @@ pub fn check(history: &History) -> Result<(), (usize, String)> {
         let message = format!("time must increase, but {after} s comes after {before} s");
         return Err((row + 1, message));
     }
-    let values = [&history.speed, &history.creepage_x, &history.creepage_y, &history.spin, &history.load];
+    let values =
+        [&history.speed, &history.creepage_x, &history.creepage_y, &history.spin, &history.load];
     if values.iter().all(|values| values.is_none()) {
-        let message = "a history must have creepage_x, creepage_y, spin, speed or load besides time";
+        let message =
+            "a history must have creepage_x, creepage_y, spin, speed or load besides time";
         return Err((0, message.to_owned()));
     }
     Ok(())

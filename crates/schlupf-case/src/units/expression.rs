@@ -150,7 +150,8 @@ mod tests {
 
     #[test]
     fn one_unit_has_many_spellings() {
-        for spelling in ["W/m/K", "W/(m·K)", "W/(m*K)", "W m^-1 K^-1", "W·m⁻¹·K⁻¹", "W m-1 K-1"] {
+        for spelling in ["W/m/K", "W/(m·K)", "W/(m*K)", "W m^-1 K^-1", "W·m⁻¹·K⁻¹", "W m-1 K-1"]
+        {
             assert_same(spelling, "W/(m K)");
         }
         for spelling in ["kg/m3", "kg/m³", "kg m^-3", "kg m⁻³", "(kg)/(m m m)"] {
@@ -178,7 +179,8 @@ mod tests {
     fn powers_and_inverses_cancel() {
         for unit in ["m", "kN", "GPa", "W/(m K)", "deg", "ms", "J/kg/K"] {
             for exponent in -4..=4 {
-                let product = parse(&format!("({unit})^{exponent} ({unit})^{}", -exponent)).unwrap();
+                let product =
+                    parse(&format!("({unit})^{exponent} ({unit})^{}", -exponent)).unwrap();
                 assert_eq!(product.dimension, Dimension::NONE);
                 assert_relative_eq!(product.factor, 1.0, max_relative = 1e-14);
             }

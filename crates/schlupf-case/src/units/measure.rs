@@ -35,8 +35,7 @@ const fn ratio(
 
 impl Measure {
     /// Speed, in m/s.
-    pub const SPEED: Self =
-        ratio("a speed", "m/s", "m/s or km/h", Dimension::mechanical(1, 0, -1));
+    pub const SPEED: Self = ratio("a speed", "m/s", "m/s or km/h", Dimension::mechanical(1, 0, -1));
     /// Length, in m.
     pub const LENGTH: Self = ratio("a length", "m", "m, mm or µm", Dimension::LENGTH);
     /// Time, in s.
@@ -61,20 +60,15 @@ impl Measure {
     pub const STIFFNESS: Self =
         ratio("a stiffness", "N/m", "N/m or kN/mm", Dimension::mechanical(0, 1, -2));
     /// Stiffness per area, in N/m³.
-    pub const BEDDING: Self = ratio(
-        "a stiffness per area",
-        "N/m^3",
-        "N/m^3 or MPa/mm",
-        Dimension::mechanical(-2, 1, -2),
-    );
+    pub const BEDDING: Self =
+        ratio("a stiffness per area", "N/m^3", "N/m^3 or MPa/mm", Dimension::mechanical(-2, 1, -2));
     /// Thermal conductivity, in W/(m K).
-    pub const CONDUCTIVITY: Self =
-        ratio(
-            "a thermal conductivity",
-            "W/(m K)",
-            "W/(m K)",
-            Dimension { length: 1, mass: 1, time: -3, temperature: -1, angle: 0 },
-        );
+    pub const CONDUCTIVITY: Self = ratio(
+        "a thermal conductivity",
+        "W/(m K)",
+        "W/(m K)",
+        Dimension { length: 1, mass: 1, time: -3, temperature: -1, angle: 0 },
+    );
     /// Density, in kg/m³.
     pub const DENSITY: Self =
         ratio("a density", "kg/m^3", "kg/m^3 or g/cm^3", Dimension::mechanical(-3, 1, 0));

@@ -128,7 +128,8 @@ fn split_number(text: &str) -> Result<(f64, &str), QuantityError> {
         }
     }
     let (digits, rest) = unsigned.split_at(number_length(unsigned));
-    let number: f64 = digits.parse().map_err(|_| QuantityError::NoNumber { decimal_comma: false })?;
+    let number: f64 =
+        digits.parse().map_err(|_| QuantityError::NoNumber { decimal_comma: false })?;
     if rest.starts_with(',') {
         return Err(QuantityError::NoNumber { decimal_comma: true });
     }
@@ -140,9 +141,7 @@ fn split_number(text: &str) -> Result<(f64, &str), QuantityError> {
 
 /// Length of the decimal number that a text begins with: digits, point, exponent.
 fn number_length(text: &str) -> usize {
-    let digits = |from: usize| {
-        text[from..].bytes().take_while(u8::is_ascii_digit).count()
-    };
+    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
     let mut end = digits(0);
     if text[end..].starts_with('.') {
         end += 1 + digits(end + 1);
@@ -211,7 +210,10 @@ mod tests {
         assert_eq!(speed("108"), "the unit is missing");
         assert_eq!(speed("fast"), "there is no number in front");
         assert_eq!(speed(""), "there is no number in front");
-        assert_eq!(speed("1,5 m/s"), "there is no number in front; write a point for the decimal comma");
+        assert_eq!(
+            speed("1,5 m/s"),
+            "there is no number in front; write a point for the decimal comma"
+        );
         assert_eq!(speed("108 kmh"), "unknown unit `kmh`");
         assert_eq!(speed("108 km/"), "`km/` is not a product or quotient of units");
         assert_eq!(speed("1e999 m/s"), "the number is too large");
@@ -237,7 +239,10 @@ mod tests {
 
     #[test]
     fn no_text_makes_it_panic() {
-        let pieces = ["", " ", "-", "1", ".", "e", "E+", "inf", "nan", "m", "°", "µ", "/", "(", ")", "^", "³", "𝛼"];
+        let pieces = [
+            "", " ", "-", "1", ".", "e", "E+", "inf", "nan", "m", "°", "µ", "/", "(", ")", "^",
+            "³", "𝛼",
+        ];
         for a in pieces {
             for b in pieces {
                 for c in pieces {

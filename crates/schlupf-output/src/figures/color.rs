@@ -61,6 +61,7 @@ pub(super) fn paint(palette: Palette, level: usize) -> String {
 }
 
 #[rustfmt::skip]
+#[expect(clippy::unreadable_literal, reason = "two digits for each of red, green and blue")]
 const VIRIDIS: [u32; 33] = [
     0x440154, 0x470d60, 0x48186a, 0x482374, 0x472d7b, 0x453781, 0x424086, 0x3e4989,
     0x3b528b, 0x375b8d, 0x33638d, 0x2f6b8e, 0x2c728e, 0x297a8e, 0x26828e, 0x23898e,
@@ -70,6 +71,7 @@ const VIRIDIS: [u32; 33] = [
 ];
 
 #[rustfmt::skip]
+#[expect(clippy::unreadable_literal, reason = "two digits for each of red, green and blue")]
 const INFERNO: [u32; 33] = [
     0x000004, 0x040312, 0x0b0724, 0x150b37, 0x210c4a, 0x2f0a5b, 0x3d0965, 0x4a0c6b,
     0x57106e, 0x64156e, 0x71196e, 0x7d1e6d, 0x8a226a, 0x972766, 0xa32c61, 0xb0315b,
@@ -79,6 +81,7 @@ const INFERNO: [u32; 33] = [
 ];
 
 #[rustfmt::skip]
+#[expect(clippy::unreadable_literal, reason = "two digits for each of red, green and blue")]
 const VIK: [u32; 33] = [
     0x001261, 0x021f69, 0x022b71, 0x023779, 0x034481, 0x055189, 0x0c5e92, 0x1c6d9c,
     0x307da6, 0x488db2, 0x619ebd, 0x7aaec8, 0x94bed2, 0xadcddd, 0xc6dbe6, 0xdee6e9,

@@ -1,5 +1,7 @@
 //! Borders on the grid: between sticking and sliding, and of the contact itself.
 
+use schlupf::grid::Grid;
+
 use super::patch::Patch;
 
 /// A piece of a border, in m.
@@ -20,7 +22,8 @@ pub(super) struct Sliding {
 pub(super) fn sliding(patch: &Patch) -> Sliding {
     let used = used_friction(patch);
     let sliding = &patch.fields().sliding;
-    let of = |state: bool| used.iter().zip(sliding).filter(move |(_, s)| **s == state).map(|(u, _)| *u);
+    let of =
+        |state: bool| used.iter().zip(sliding).filter(move |(_, s)| **s == state).map(|(u, _)| *u);
     let most_sticking = of(false).fold(0.0, f64::max);
     let least_sliding = of(true).fold(f64::INFINITY, f64::min);
     if most_sticking < least_sliding && least_sliding.is_finite() {
@@ -69,22 +72,14 @@ pub(super) fn outline(patch: &Patch) -> Vec<Segment> {
 
 /// The contour of a field between the cell centres, drawn on over the rim of the patch.
 fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Segment> {
-    let grid = &patch.fields().grid;
-    let field = extended(patch, values);
+    let field = Padded::new(patch, values);
     let mut segments = Vec::new();
-    for row in -1..grid.rows as isize {
-        for column in -1..grid.columns as isize {
-            let corner = |i: isize, j: isize| {
-                let x = grid.origin_x + (i as f64 + 0.5) * grid.spacing_x;
-                let y = grid.origin_y + (j as f64 + 0.5) * grid.spacing_y;
-                field[place(grid.columns, i, j)].map(|value| ([x, y], value - level))
+    for j in 1..field.rows {
+        for i in 1..field.columns {
+            let corner = |i: usize, j: usize| {
+                field.value(i, j).map(|value| (field.position(i, j), value - level))
             };
-            let corners = [
-                corner(column, row),
-                corner(column + 1, row),
-                corner(column + 1, row + 1),
-                corner(column, row + 1),
-            ];
+            let corners = [corner(i - 1, j - 1), corner(i, j - 1), corner(i, j), corner(i - 1, j)];
             if let [Some(p), Some(q), Some(r), Some(s)] = corners {
                 segments.extend(crossings([p, q, r, s]));
             }
@@ -106,38 +101,60 @@ fn crossings(corners: [([f64; 2], f64); 4]) -> Vec<Segment> {
     points.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// A field on the grid with one more cell all around; two rings of cells around the contact take the
+/// A field on the grid with one more cell all around. Two rings of cells around the contact take the
 /// mean of their neighbours within, so that contours reach its rim.
-fn extended(patch: &Patch, values: &[f64]) -> Vec<Option<f64>> {
-    let grid = &patch.fields().grid;
-    let (columns, rows) = (grid.columns as isize, grid.rows as isize);
-    let mut field = vec![None; (grid.columns + 2) * (grid.rows + 2)];
-    for (&[i, j], value) in patch.fields().cell.iter().zip(values) {
-        field[place(grid.columns, i as isize, j as isize)] = Some(*value);
+struct Padded<'a> {
+    grid: &'a Grid,
+    columns: usize,
+    rows: usize,
+    values: Vec<Option<f64>>,
+}
+
+impl<'a> Padded<'a> {
+    fn new(patch: &Patch<'a>, values: &[f64]) -> Self {
+        let fields = patch.fields();
+        let (columns, rows) = (fields.grid.columns + 2, fields.grid.rows + 2);
+        let mut padded =
+            Self { grid: &fields.grid, columns, rows, values: vec![None; columns * rows] };
+        for (&[i, j], value) in fields.cell.iter().zip(values) {
+            padded.values[(j + 1) * columns + i + 1] = Some(*value);
+        }
+        padded.grow();
+        padded.grow();
+        padded
     }
-    for _ in 0..2 {
-        let inner = field.clone();
-        for row in -1..=rows {
-            for column in -1..=columns {
-                let here = place(grid.columns, column, row);
-                if inner[here].is_some() {
-                    continue;
-                }
-                let neighbours: Vec<f64> = (-1..=1)
-                    .flat_map(|dj| (-1..=1).map(move |di| (column + di, row + dj)))
-                    .filter(|&(i, j)| (-1..=columns).contains(&i) && (-1..=rows).contains(&j))
-                    .filter_map(|(i, j)| inner[place(grid.columns, i, j)])
-                    .collect();
-                if !neighbours.is_empty() {
-                    field[here] = Some(neighbours.iter().sum::<f64>() / neighbours.len() as f64);
+
+    fn value(&self, i: usize, j: usize) -> Option<f64> {
+        self.values[j * self.columns + i]
+    }
+
+    /// Centre of a cell, in m.
+    fn position(&self, i: usize, j: usize) -> [f64; 2] {
+        [
+            self.grid.x(0) + (i as f64 - 1.0) * self.grid.spacing_x,
+            self.grid.y(0) + (j as f64 - 1.0) * self.grid.spacing_y,
+        ]
+    }
+
+    /// Gives the cells next to known ones the mean of these.
+    fn grow(&mut self) {
+        let grown = (0..self.rows)
+            .flat_map(|j| (0..self.columns).map(move |i| (i, j)))
+            .map(|(i, j)| self.value(i, j).or_else(|| self.mean_around(i, j)))
+            .collect();
+        self.values = grown;
+    }
+
+    fn mean_around(&self, i: usize, j: usize) -> Option<f64> {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in j.saturating_sub(1)..=(j + 1).min(self.rows - 1) {
+            for column in i.saturating_sub(1)..=(i + 1).min(self.columns - 1) {
+                if let Some(value) = self.value(column, row) {
+                    sum += value;
+                    count += 1.0;
                 }
             }
         }
+        (count > 0.0).then(|| sum / count)
     }
-    field
-}
-
-/// Index of a place, which may lie one cell outside the grid.
-fn place(columns: usize, column: isize, row: isize) -> usize {
-    ((row + 1) * (columns as isize + 2) + column + 1) as usize
 }

@@ -45,11 +45,8 @@ impl<'a> Cut<'a> {
         let grid = &patch.fields().grid;
         let (first, last) = (grid.y(0), grid.y(grid.rows - 1));
         let a = patch.semi_axes()[0];
-        let range = if patch.elliptic {
-            [-a, a]
-        } else {
-            [grid.edge_x(0), grid.edge_x(grid.columns)]
-        };
+        let range =
+            if patch.elliptic { [-a, a] } else { [grid.edge_x(0), grid.edge_x(grid.columns)] };
         Self { patch, y: 0.0_f64.clamp(first, last), range }
     }
 
@@ -66,20 +63,35 @@ impl<'a> Cut<'a> {
         [(self.range[0] - margin) / 1e-3, (self.range[1] + margin) / 1e-3]
     }
 
-    /// Values (one for each contact cell) along the line over x in mm, not a number outside the
-    /// contact. The points crowd at the ends, where a Hertzian field falls steeply.
+    /// Values (one for each contact cell) along the line over x in mm; not a number outside the
+    /// contact.
     fn along(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<[f64; 2]> {
+        if self.patch.elliptic {
+            self.across_ellipse(values, vanishes_at_rim)
+        } else {
+            self.through_cells(values)
+        }
+    }
+
+    /// At points that crowd at the ends, where a Hertzian field falls steeply.
+    fn across_ellipse(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<[f64; 2]> {
         const POINTS: u32 = 400;
         let sampler = Sampler::new(self.patch, values, vanishes_at_rim);
         let [a, b] = self.patch.semi_axes();
-        let [low, high] = self.range;
         (0..=POINTS)
-            .map(|index| 0.5 - 0.5 * (f64::from(index) / f64::from(POINTS) * PI).cos())
-            .map(|share| low + (high - low) * share)
-            .map(|x| {
-                let inside = self.patch.elliptic || self.patch.contains([x, self.y]);
-                let value = sampler.value([x / a, self.y / b]);
-                [x / 1e-3, if inside { value } else { f64::NAN }]
+            .map(|index| -(f64::from(index) / f64::from(POINTS) * PI).cos())
+            .map(|x| [x * a / 1e-3, sampler.value([x, self.y / b])])
+            .collect()
+    }
+
+    /// At the cells of the strip on the line.
+    fn through_cells(&self, values: &[f64]) -> Vec<[f64; 2]> {
+        let grid = &self.patch.fields().grid;
+        let row = ((self.y - grid.origin_y) / grid.spacing_y).max(0.0) as usize;
+        (0..grid.columns)
+            .map(|column| {
+                let cell = self.patch.cell(column, row.min(grid.rows - 1));
+                [grid.x(column) / 1e-3, cell.map_or(f64::NAN, |cell| values[cell])]
             })
             .collect()
     }
@@ -109,7 +121,8 @@ fn tractions(cut: &Cut) -> Panel {
     let bound: Vec<f64> =
         fields.friction_coefficient.iter().zip(&fields.pressure).map(|(mu, p)| mu * p).collect();
     let (unit, bound) = scaled(&bound, units::PRESSURE);
-    let on_rail = |traction: &[f64]| -> Vec<f64> { traction.iter().map(|t| -t / unit.size).collect() };
+    let on_rail =
+        |traction: &[f64]| -> Vec<f64> { traction.iter().map(|t| -t / unit.size).collect() };
     let [x, y] = [on_rail(&fields.traction_x), on_rail(&fields.traction_y)];
     let largest = bound.iter().copied().fold(0.0, f64::max);
     let below = |values: &[f64], share: f64| values.iter().any(|v| *v < -share * largest);
@@ -132,10 +145,8 @@ fn slip(cut: &Cut) -> Panel {
         let values: Vec<f64> = field.iter().map(|v| v / unit.size).collect();
         Curve::solid(cut.along(&values, false), color, text)
     };
-    let curves = vec![
-        curve(&fields.slip_x, BLUE, "$v$_{sx}"),
-        curve(&fields.slip_y, VERMILION, "$v$_{sy}"),
-    ];
+    let curves =
+        vec![curve(&fields.slip_x, BLUE, "$v$_{sx}"), curve(&fields.slip_y, VERMILION, "$v$_{sy}")];
     Panel { label: format!("slip velocity ({})", unit.symbol), height: 150.0, curves }
 }
 

@@ -81,6 +81,6 @@ fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
 fn temperature(history: &[Instant], x: &[f64]) -> Option<Panel> {
     let hot = history.iter().any(|instant| instant.max_rise != 0.0);
     let curves = vec![Curve::solid(points(x, history, |instant| instant.max_rise), GREEN, "")];
-    let label = "largest temperature rise (K)".to_owned();
+    let label = "largest rise (K)".to_owned();
     hot.then_some(Panel { label, height: 180.0, curves })
 }

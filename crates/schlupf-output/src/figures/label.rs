@@ -62,7 +62,8 @@ pub(super) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
             r##" stroke="#ffffff" stroke-width="3" stroke-linejoin="round" paint-order="stroke""##
         );
     }
-    format!("<text {attributes}>{inner}</text>")
+    // Spaces at the ends of spans count.
+    format!(r#"<text {attributes} xml:space="preserve">{inner}</text>"#)
 }
 
 /// Markup as SVG text spans for a font size.

@@ -119,7 +119,11 @@ fn ranges(patch: &Patch) -> [[f64; 2]; 2] {
 
 /// The cells of each colour as one path on the lattice of the grid; cells of one colour that follow
 /// each other in a row are one rectangle.
-fn cells_by_level(patch: &Patch, quantity: &Quantity, scale: &ColorScale) -> BTreeMap<usize, String> {
+fn cells_by_level(
+    patch: &Patch,
+    quantity: &Quantity,
+    scale: &ColorScale,
+) -> BTreeMap<usize, String> {
     let fields = patch.fields();
     let level = |column: usize, row: usize| {
         let cell = patch.cell(column, row)?;
@@ -154,7 +158,10 @@ fn draw_cells(
 ) {
     let grid = &patch.fields().grid;
     let origin = frame.at([grid.origin_x / MILLIMETRE, grid.origin_y / MILLIMETRE]);
-    let cell = [grid.spacing_x / MILLIMETRE * frame.scale()[0], grid.spacing_y / MILLIMETRE * frame.scale()[1]];
+    let cell = [
+        grid.spacing_x / MILLIMETRE * frame.scale()[0],
+        grid.spacing_y / MILLIMETRE * frame.scale()[1],
+    ];
     drawing.begin_group(&format!(
         r#"transform="matrix({:.6} 0 0 {:.6} {:.4} {:.4})" shape-rendering="crispEdges""#,
         cell[0], -cell[1], origin[0], origin[1]
@@ -221,7 +228,7 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
     for place in steps(1).flat_map(|y| steps(0).map(move |x| [x, y])) {
         let normalised = [place[0] / a, place[1] / b];
         let vector = [x.value(normalised) / largest, y.value(normalised) / largest];
-        if !patch.contains(place) || vector[0].hypot(vector[1]) < 0.05 {
+        if !patch.contains(place) || vector[0].hypot(vector[1]) < 0.08 {
             continue;
         }
         let [x, y] = frame.at(place.map(|coordinate| coordinate / MILLIMETRE));
@@ -232,10 +239,8 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
 }
 
 fn entries(border: &[Segment], arrows: Option<&Arrows>) -> Vec<Entry> {
-    let mut entries = vec![Entry {
-        sample: Sample::Line(vec![RIM.to_owned()]),
-        text: "contact".to_owned(),
-    }];
+    let mut entries =
+        vec![Entry { sample: Sample::Line(vec![RIM.to_owned()]), text: "contact".to_owned() }];
     if !border.is_empty() {
         entries.push(Entry {
             sample: Sample::Line(BORDER.map(str::to_owned).to_vec()),

@@ -8,6 +8,7 @@ use super::label::{self, Anchor, TextStyle};
 use super::patch::Patch;
 use super::svg::{Drawing, INK, MUTED, open_path};
 use super::ticks::round_ticks;
+use crate::number::significant;
 
 /// Height of the heading.
 pub(super) const HEADING: f64 = 84.0;
@@ -50,22 +51,18 @@ fn conditions(patch: &Patch) -> String {
     parts.join(", ")
 }
 
-/// Four significant digits without trailing zeros.
 fn short(value: f64) -> String {
-    if !value.is_finite() {
-        return "?".to_owned();
-    }
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    let text = if (1e-4..1e5).contains(&rounded.abs()) || rounded == 0.0 {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    };
-    text.replace('-', "\u{2212}")
+    significant(value).replace('-', "\u{2212}")
 }
 
 /// A vertical colour bar from its upper left corner, with ticks and a label on top.
-pub(super) fn color_bar(drawing: &mut Drawing, corner: [f64; 2], height: f64, scale: &ColorScale, label: &str) {
+pub(super) fn color_bar(
+    drawing: &mut Drawing,
+    corner: [f64; 2],
+    height: f64,
+    scale: &ColorScale,
+    label: &str,
+) {
     const WIDTH: f64 = 18.0;
     let [left, top] = corner;
     let step = height / LEVELS as f64;

@@ -8,11 +8,32 @@ use super::sampler::Sampler;
 pub(super) struct Facet {
     /// Its corners.
     pub corners: Vec<[f64; 3]>,
+    /// Those of its edges that lie on the two far lines of its mesh; the near ones are drawn by its
+    /// neighbours, which come after it and would cover them.
+    pub edges: Vec<[[f64; 3]; 2]>,
     /// Whether it belongs to the wall between the rim of the surface and zero.
     pub wall: bool,
 }
 
 impl Facet {
+    /// A part of a mesh, given by its corners on the floor.
+    fn new(
+        places: &[[f64; 2]],
+        mesh: [[f64; 2]; 2],
+        height: impl Fn([f64; 2]) -> [f64; 3],
+    ) -> Self {
+        let corners: Vec<[f64; 3]> = places.iter().map(|place| height(*place)).collect();
+        let [[far_x, _], [_, far_y]] = mesh;
+        let on_line = |p: [f64; 3], q: [f64; 3]| {
+            (p[0] == q[0] && p[0] == far_x) || (p[1] == q[1] && p[1] == far_y)
+        };
+        let edges = (0..corners.len())
+            .map(|index| [corners[index], corners[(index + 1) % corners.len()]])
+            .filter(|[p, q]| on_line(*p, *q))
+            .collect();
+        Self { corners, edges, wall: false }
+    }
+
     /// Mean height of the corners; for a wall that of its upper edge.
     pub(super) fn value(&self) -> f64 {
         let count = if self.wall { 2 } else { self.corners.len() };
@@ -49,29 +70,60 @@ pub(super) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
 /// ellipse and falls from there to zero.
 pub(super) fn facets(patch: &Patch, sampler: &Sampler) -> Vec<Facet> {
     let [x, y] = extent(patch);
-    let node = |[low, high]: [f64; 2], index: usize| low + (high - low) * index as f64 / MESHES as f64;
+    let node = |range: [f64; 2], index: usize| between(range, index, MESHES);
     let height = |place: [f64; 2]| [place[0], place[1], sampler.value(place)];
     let mut facets = Vec::new();
     for j in 0..MESHES {
         for i in 0..MESHES {
-            let [x0, x1] = [node(x, i), node(x, i + 1)];
-            let [y0, y1] = [node(y, j), node(y, j + 1)];
-            let square = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
-            if !patch.elliptic {
-                facets.push(Facet { corners: square.map(height).to_vec(), wall: false });
-                continue;
-            }
-            let (inside, rim) = within_ellipse(square);
-            if inside.len() > 2 {
-                let corners = inside.iter().map(|place| height(*place)).collect();
-                facets.push(Facet { corners, wall: false });
-            }
-            if let [p, q] = rim[..] {
-                let [top_p, top_q] = [height(p), height(q)];
-                let foot = |place: [f64; 2]| [place[0], place[1], 0.0];
-                facets.push(Facet { corners: vec![top_p, top_q, foot(q), foot(p)], wall: true });
+            let mesh = [[node(x, i), node(x, i + 1)], [node(y, j), node(y, j + 1)]];
+            for square in parts(mesh, patch.elliptic) {
+                if patch.elliptic {
+                    facets.extend(rim_facets(square, mesh, height));
+                } else {
+                    facets.push(Facet::new(&square, mesh, height));
+                }
             }
         }
+    }
+    facets
+}
+
+/// The squares into which a mesh is cut: where a surface falls steeply to its rim, smaller ones.
+fn parts(mesh: [[f64; 2]; 2], elliptic: bool) -> Vec<[[f64; 2]; 4]> {
+    let [x, y] = mesh;
+    let far = x.map(f64::abs).into_iter().fold(0.0, f64::max).powi(2)
+        + y.map(f64::abs).into_iter().fold(0.0, f64::max).powi(2);
+    let count = if elliptic && far > 0.86 { 3 } else { 1 };
+    let square = |index: usize| {
+        let (i, j) = (index % count, index / count);
+        let [x0, x1] = [i, i + 1].map(|k| between(x, k, count));
+        let [y0, y1] = [j, j + 1].map(|k| between(y, k, count));
+        [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+    };
+    (0..count * count).map(square).collect()
+}
+
+/// The end of the part number `index` of `count` equal parts of a range; its end exactly for the last.
+fn between([low, high]: [f64; 2], index: usize, count: usize) -> f64 {
+    let share = index as f64 / count as f64;
+    low * (1.0 - share) + high * share
+}
+
+/// What lies of a square within the ellipse, and the wall at its rim.
+fn rim_facets(
+    square: [[f64; 2]; 4],
+    mesh: [[f64; 2]; 2],
+    height: impl Fn([f64; 2]) -> [f64; 3] + Copy,
+) -> Vec<Facet> {
+    let (inside, rim) = within_ellipse(square);
+    let mut facets = Vec::new();
+    if inside.len() > 2 {
+        facets.push(Facet::new(&inside, mesh, height));
+    }
+    if let [p, q] = rim[..] {
+        let foot = |place: [f64; 2]| [place[0], place[1], 0.0];
+        let corners = vec![height(p), height(q), foot(q), foot(p)];
+        facets.push(Facet { corners, edges: Vec::new(), wall: true });
     }
     facets
 }
@@ -86,7 +138,11 @@ fn within_ellipse(square: [[f64; 2]; 4]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
             inside.push(corner);
         }
         if is_inside(corner) != is_inside(next) {
-            let crossing = circle_crossing(corner, next);
+            let crossing = if is_inside(corner) {
+                circle_crossing(corner, next)
+            } else {
+                circle_crossing(next, corner)
+            };
             inside.push(crossing);
             rim.push(crossing);
         }
@@ -94,15 +150,14 @@ fn within_ellipse(square: [[f64; 2]; 4]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     (inside, rim)
 }
 
-/// Where the line between a point inside and one outside crosses the unit circle.
-fn circle_crossing(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
-    let [dx, dy] = [q[0] - p[0], q[1] - p[1]];
-    let (square, mixed) = (dx * dx + dy * dy, p[0] * dx + p[1] * dy);
-    let rest = p[0] * p[0] + p[1] * p[1] - 1.0;
-    let root = (mixed * mixed - square * rest).max(0.0).sqrt();
-    let shares = [(-mixed + root) / square, (-mixed - root) / square];
-    let share = shares.into_iter().find(|share| (0.0..=1.0).contains(share)).unwrap_or(0.0);
-    [p[0] + share * dx, p[1] + share * dy]
+/// Where the line from a point inside to one outside crosses the unit circle.
+fn circle_crossing(inside: [f64; 2], outside: [f64; 2]) -> [f64; 2] {
+    let [x, y] = inside;
+    let [dx, dy] = [outside[0] - x, outside[1] - y];
+    let (square, mixed) = (dx * dx + dy * dy, x * dx + y * dy);
+    let root = (mixed * mixed + square * (1.0 - x * x - y * y)).max(0.0).sqrt();
+    let share = ((root - mixed) / square).clamp(0.0, 1.0);
+    [x + share * dx, y + share * dy]
 }
 
 #[cfg(test)]
@@ -116,6 +171,13 @@ mod tests {
         for [x, y] in rim {
             assert!((x.hypot(y) - 1.0).abs() < 1e-12);
         }
+    }
+
+    /// (−0.6, 0.8) lies on the circle but for rounding.
+    #[test]
+    fn a_corner_on_the_rim_is_no_spike() {
+        let (inside, _) = within_ellipse([[-0.65, 0.75], [-0.6, 0.75], [-0.6, 0.8], [-0.65, 0.8]]);
+        assert!(inside.iter().all(|[x, y]| x.hypot(*y) < 1.0 + 1e-12));
     }
 
     #[test]

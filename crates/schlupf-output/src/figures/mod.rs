@@ -65,8 +65,8 @@ pub fn all(title: &str, solution: &Solution) -> Result<Vec<Figure>, FigureError>
         .collect()
 }
 
-/// Names and SVG documents of all figures.
-fn drawings(title: &str, solution: &Solution) -> Result<Vec<(String, String)>, FigureError> {
+/// Names and SVG documents of all figures, without the pictures, which take most of the time.
+pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<(String, String)>, FigureError> {
     /// What is left out, over the largest that the normalised quantities of the paper can be.
     const INVISIBLE: f64 = 1e-3;
     let patch = Patch::new(title, solution).ok_or(FigureError::NoPatch)?;

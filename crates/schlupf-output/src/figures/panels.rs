@@ -3,7 +3,7 @@
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample};
 use super::svg::{Drawing, INK};
-use super::ticks::round_limits;
+use super::ticks::round_axis;
 
 /// Line colours that colour-blind readers tell apart (Okabe and Ito 2008).
 pub(super) const BLUE: &str = "#0072b2";
@@ -151,7 +151,7 @@ impl Panel {
         let [low, high] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
         let margin = 0.04 * (high - low);
         let about = ((self.height / 45.0) as usize).clamp(2, 8);
-        let [below, above] = round_limits(low, high, about);
+        let ([below, above], _) = round_axis(low, high, about);
         // Up to the next tick, unless that would leave much of the panel empty.
         [below.max(low - 2.5 * margin), above.min(high + 2.5 * margin)]
     }

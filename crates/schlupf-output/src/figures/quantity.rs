@@ -102,7 +102,8 @@ fn pressure(patch: &Patch) -> Quantity {
 
 fn traction(patch: &Patch) -> Quantity {
     let fields = patch.fields();
-    let (unit, values) = scaled(&magnitude(&fields.traction_x, &fields.traction_y), units::PRESSURE);
+    let (unit, values) =
+        scaled(&magnitude(&fields.traction_x, &fields.traction_y), units::PRESSURE);
     Quantity {
         name: "traction",
         title: "Tangential traction on the rail".to_owned(),
@@ -145,7 +146,8 @@ fn friction_power(patch: &Patch) -> Quantity {
 fn temperature(patch: &Patch) -> Quantity {
     let fields = patch.fields();
     let (wheel, rail) = (&fields.temperature_rise_wheel, &fields.temperature_rise_rail);
-    let largest = |field: &[f64]| field.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
+    let largest =
+        |field: &[f64]| field.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
     let (body, field) = match (largest(wheel), largest(rail)) {
         (w, r) if (w - r).abs() <= 1e-6 * w.max(r) => ("wheel and rail", wheel),
         (w, r) if w > r => ("wheel", wheel),

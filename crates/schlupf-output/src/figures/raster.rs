@@ -13,8 +13,11 @@ const SCALE: f32 = 2.0;
 
 /// The drawing as a PNG file.
 pub(super) fn png(svg: &str, fonts: &Arc<Database>) -> Result<Vec<u8>, FigureError> {
-    let options =
-        Options { fontdb: fonts.clone(), font_family: "DejaVu Sans".to_owned(), ..Options::default() };
+    let options = Options {
+        fontdb: fonts.clone(),
+        font_family: "DejaVu Sans".to_owned(),
+        ..Options::default()
+    };
     let tree = Tree::from_str(svg, &options).map_err(render_error)?;
     let size = tree.size();
     let [width, height] = [size.width(), size.height()].map(|side| (side * SCALE).ceil() as u32);
@@ -25,7 +28,8 @@ pub(super) fn png(svg: &str, fonts: &Arc<Database>) -> Result<Vec<u8>, FigureErr
 
 /// Without transparency, which a figure on white does not have, and fast rather than small.
 fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
-    let opaque: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|rgba| &rgba[..3]).copied().collect();
+    let opaque: Vec<u8> =
+        pixels.data().chunks_exact(4).flat_map(|rgba| &rgba[..3]).copied().collect();
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, pixels.width(), pixels.height());
     encoder.set_color(png::ColorType::Rgb);

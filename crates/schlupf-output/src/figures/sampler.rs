@@ -63,7 +63,8 @@ impl Strips {
 
     fn value(&self, position: [f64; 2]) -> f64 {
         let [x, y] = position;
-        let place = (x / half_chord(y)).clamp(-1.0, 1.0);
+        // Beyond the outermost strips the chord shrinks to a point; the strip must not shrink with it.
+        let outermost = |strip: &Strip| y.abs() > strip.y.abs() && strip.y * y > 0.0;
         let above = self.strips.partition_point(|strip| strip.y < y);
         let below = above.saturating_sub(1);
         let (Some(lower), Some(upper)) =
@@ -71,6 +72,9 @@ impl Strips {
         else {
             return 0.0;
         };
+        let beyond = std::ptr::eq(lower, upper) || (above == 0 && outermost(lower));
+        let chord = half_chord(if beyond { upper.y } else { y });
+        let place = (x / chord).clamp(-1.0, 1.0);
         let mixed = mix([lower.y, lower.value(place)], [upper.y, upper.value(place)], y);
         if self.times_ellipsoid { mixed * Patch::ellipsoid(position) } else { mixed }
     }
@@ -126,6 +130,7 @@ fn between_cells(patch: &Patch, values: &[f64], position: [f64; 2]) -> f64 {
         }
         patch.cell(i as usize, j as usize).map_or(0.0, |cell| values[cell])
     };
-    let along = |j: f64| mix([column, corner(column, j)], [column + 1.0, corner(column + 1.0, j)], u);
+    let along =
+        |j: f64| mix([column, corner(column, j)], [column + 1.0, corner(column + 1.0, j)], u);
     mix([row, along(row)], [row + 1.0, along(row + 1.0)], v)
 }

@@ -11,8 +11,8 @@ use super::patch::Patch;
 use super::projection::Projection;
 use super::quantity::{Quantity, colors};
 use super::sampler::Sampler;
-use super::svg::{Drawing, GRID_LINE, INK};
-use super::ticks::{Tick, round_limits, round_ticks};
+use super::svg::{Drawing, GRID_LINE, INK, open_path};
+use super::ticks::{Tick, round_axis, round_ticks};
 
 const SIZE: [f64; 2] = [900.0, 740.0];
 
@@ -20,18 +20,17 @@ const SIZE: [f64; 2] = [900.0, 740.0];
 pub(super) fn draw(patch: &Patch, quantity: &Quantity) -> String {
     let mut drawing = Drawing::new(SIZE[0], SIZE[1]);
     marks::heading(&mut drawing, patch, &quantity.title);
-    let facets = mesh::facets(patch, &Sampler::new(patch, &quantity.values, quantity.vanishes_at_rim));
+    let facets =
+        mesh::facets(patch, &Sampler::new(patch, &quantity.values, quantity.vanishes_at_rim));
     let heights = || facets.iter().flat_map(|facet| &facet.corners).map(|corner| corner[2]);
     let range = [heights().fold(0.0, f64::min), heights().fold(0.0, f64::max)];
     let [x, y] = mesh::extent(patch);
-    let projection = Projection {
-        ranges: [x, y, round_limits(range[0], range[1], 5)],
-        center: [402.0, 478.0],
-        scale: 230.0,
-    };
+    let (z, z_ticks) = round_axis(range[0], range[1], 5);
+    let projection = Projection { ranges: [x, y, z], center: [402.0, 478.0], scale: 230.0 };
     let scale = colors(quantity.palette, range);
-    draw_box(&mut drawing, &projection);
-    draw_axes(&mut drawing, &projection, &quantity.label);
+    draw_box(&mut drawing, &projection, &z_ticks);
+    draw_floor_axes(&mut drawing, &projection);
+    draw_upright(&mut drawing, &projection, &z_ticks, &quantity.label);
     if patch.elliptic {
         draw_rim(&mut drawing, &projection);
     }
@@ -41,27 +40,46 @@ pub(super) fn draw(patch: &Patch, quantity: &Quantity) -> String {
 }
 
 /// Far facets first, so that near ones cover them.
-fn draw_facets(drawing: &mut Drawing, projection: &Projection, mut facets: Vec<Facet>, scale: &ColorScale) {
+fn draw_facets(
+    drawing: &mut Drawing,
+    projection: &Projection,
+    mut facets: Vec<Facet>,
+    scale: &ColorScale,
+) {
     let least_wall = 0.004 * (projection.ranges[2][1] - projection.ranges[2][0]);
     facets.retain(|facet| !facet.wall || facet.value().abs() > least_wall);
-    facets.sort_by(|p, q| {
-        projection.distance(q.place()).total_cmp(&projection.distance(p.place()))
-    });
-    drawing.begin_group(
-        r##"stroke="#000000" stroke-opacity="0.25" stroke-width="0.5" stroke-linejoin="round""##,
-    );
+    facets
+        .sort_by(|p, q| projection.distance(q.place()).total_cmp(&projection.distance(p.place())));
+    drawing.begin_group(r##"stroke="#000000" stroke-opacity="0.45" stroke-width="0.5""##);
     for facet in facets {
         let corners: Vec<[f64; 2]> = facet.corners.iter().map(|c| projection.at(*c)).collect();
         let color = scale.paint(facet.value());
-        let wall = format!(r#"fill="{color}" stroke="{color}" stroke-opacity="1""#);
-        let style = if facet.wall { wall } else { format!(r#"fill="{color}""#) };
-        drawing.polygon(&corners, &style);
+        // Walls are too narrow to be inflated about their middle.
+        let stroke = if facet.wall { &color } else { "none" };
+        let style = format!(r#"fill="{color}" stroke="{stroke}" stroke-opacity="1""#);
+        drawing.polygon(&inflated(&corners), &style);
+        let lines: String =
+            facet.edges.iter().map(|edge| open_path(&edge.map(|c| projection.at(c)))).collect();
+        drawing.path(&lines, r#"fill="none""#);
     }
     drawing.end_group();
 }
 
+/// A polygon a little larger than given, so that nothing shines through between two of them.
+fn inflated(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    const OVERLAP: f64 = 0.4;
+    let count = corners.len().max(1) as f64;
+    let middle = [0, 1].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>() / count);
+    let outwards = |corner: &[f64; 2]| {
+        let offset = [corner[0] - middle[0], corner[1] - middle[1]];
+        let factor = OVERLAP / offset[0].hypot(offset[1]).max(OVERLAP);
+        [corner[0] + factor * offset[0], corner[1] + factor * offset[1]]
+    };
+    corners.iter().map(outwards).collect()
+}
+
 /// Floor and back walls with grid lines.
-fn draw_box(drawing: &mut Drawing, projection: &Projection) {
+fn draw_box(drawing: &mut Drawing, projection: &Projection, z_ticks: &[Tick]) {
     let [[x0, x1], [y0, y1], [z0, z1]] = projection.ranges;
     let mut line = |p: [f64; 3], q: [f64; 3]| {
         drawing.line(projection.at(p), projection.at(q), GRID_LINE);
@@ -74,15 +92,12 @@ fn draw_box(drawing: &mut Drawing, projection: &Projection) {
         line([x0, y, z0], [x1, y, z0]);
         line([x0, y, z0], [x0, y, z1]);
     }
-    for Tick { value: z, .. } in round_ticks(z0, z1, 5) {
+    for &Tick { value: z, .. } in z_ticks {
         line([x0, y0, z], [x0, y1, z]);
         line([x0, y1, z], [x1, y1, z]);
     }
-    let edges = [
-        [[x0, y0, z0], [x1, y0, z0]],
-        [[x1, y0, z0], [x1, y1, z0]],
-        [[x0, y0, z0], [x0, y0, z1]],
-    ];
+    let edges =
+        [[[x0, y0, z0], [x1, y0, z0]], [[x1, y0, z0], [x1, y1, z0]], [[x0, y0, z0], [x0, y0, z1]]];
     for [p, q] in edges {
         drawing.line(projection.at(p), projection.at(q), &tick_line());
     }
@@ -92,10 +107,22 @@ fn floor_ticks(low: f64, high: f64) -> Vec<Tick> {
     round_ticks(low, high, 4)
 }
 
-/// Ticks and labels along the two near edges of the floor and the left upright, and the rolling
-/// direction.
-fn draw_axes(drawing: &mut Drawing, projection: &Projection, label: &str) {
-    let [[x0, x1], [y0, y1], [z0, z1]] = projection.ranges;
+/// Ticks and label along the left upright.
+fn draw_upright(drawing: &mut Drawing, projection: &Projection, z_ticks: &[Tick], label: &str) {
+    let [[x0, _], [y0, _], [_, z1]] = projection.ranges;
+    for Tick { value: z, label } in z_ticks {
+        let [left, height] = projection.at([x0, y0, *z]);
+        drawing.line([left, height], [left - 5.0, height], &tick_line());
+        let style = TextStyle::new(TICK_SIZE, Anchor::End);
+        drawing.text([left - 9.0, height + 0.36 * TICK_SIZE], &style, label);
+    }
+    let [left, top] = projection.at([x0, y0, z1]);
+    drawing.text([left, top - 16.0], &TextStyle::new(LABEL_SIZE, Anchor::Middle), label);
+}
+
+/// Ticks and labels along the two near edges of the floor, and the rolling direction.
+fn draw_floor_axes(drawing: &mut Drawing, projection: &Projection) {
+    let [[x0, x1], [y0, y1], [z0, _]] = projection.ranges;
     let [wide, deep] = [0.5 * (x1 - x0), 0.5 * (y1 - y0)];
     let floor = |x: f64, y: f64| projection.at([x, y, z0]);
     // Below the numbers of the upright, to the side on which the axis recedes.
@@ -109,15 +136,6 @@ fn draw_axes(drawing: &mut Drawing, projection: &Projection, label: &str) {
         drawing.line(floor(x1, y), floor(x1 + 0.04 * wide, y), &tick_line());
         drawing.text(beside(floor(x1 + 0.04 * wide, y), 16.0), &numbers, &label);
     }
-    for Tick { value: z, label } in round_ticks(z0, z1, 5) {
-        let [left, height] = projection.at([x0, y0, z]);
-        drawing.line([left, height], [left - 5.0, height], &tick_line());
-        let style = TextStyle::new(TICK_SIZE, Anchor::End);
-        drawing.text([left - 9.0, height + 0.36 * TICK_SIZE], &style, &label);
-    }
-    let [left, top] = projection.at([x0, y0, z1]);
-    drawing.text([left, top - 16.0], &TextStyle::new(LABEL_SIZE, Anchor::Middle), label);
-
     let [middle_x, middle_y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
     let turned = |rotation| TextStyle { rotation, ..TextStyle::new(LABEL_SIZE, Anchor::Middle) };
     let along_x = projection.angle([x0, y0], [x1, y0]);

@@ -16,7 +16,23 @@ pub(super) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
     if !(range.is_finite() && range > 0.0) {
         return Vec::new();
     }
+    ticks_by(round_step(range, about), low, high)
+}
+
+/// The range widened to the next ticks, and the ticks; 0 to 1 where there is no range.
+pub(super) fn round_axis(low: f64, high: f64, about: usize) -> ([f64; 2], Vec<Tick>) {
+    let range = high - low;
+    if !(range.is_finite() && range > 0.0) {
+        return round_axis(0.0, 1.0, about);
+    }
     let step = round_step(range, about);
+    let low = (low / step + 1e-6).floor() * step;
+    let high = (high / step - 1e-6).ceil() * step;
+    ([low, high], ticks_by(step, low, high))
+}
+
+/// The multiples of a step within a range.
+fn ticks_by(step: f64, low: f64, high: f64) -> Vec<Tick> {
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
@@ -24,16 +40,6 @@ pub(super) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
         .map(|multiple| multiple as f64 * step)
         .map(|value| Tick { value, label: number(value, decimals) })
         .collect()
-}
-
-/// The range widened to the next ticks; a range of one, where there is none.
-pub(super) fn round_limits(low: f64, high: f64, about: usize) -> [f64; 2] {
-    let range = high - low;
-    if !(range.is_finite() && range > 0.0) {
-        return [0.0, 1.0];
-    }
-    let step = round_step(range, about);
-    [(low / step + 1e-6).floor() * step, (high / step - 1e-6).ceil() * step]
 }
 
 /// 1, 2 or 5 times a power of ten, about `range` / `about`.
@@ -67,6 +73,15 @@ mod tests {
         assert_eq!(labels(-1.0, 1.0, 4), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
         assert_eq!(labels(0.0, 770.4, 5), ["0", "200", "400", "600"]);
         assert_eq!(labels(-6.9, 6.9, 6), ["−6", "−4", "−2", "0", "2", "4", "6"]);
+    }
+
+    #[test]
+    fn a_round_axis_ends_at_ticks() {
+        for high in [0.64, 0.93, 1.01, 7.3, 51.0, 118.0] {
+            let ([low, top], ticks) = round_axis(0.0, high, 5);
+            assert_eq!(low, 0.0);
+            assert!(top >= high && (ticks[ticks.len() - 1].value - top).abs() < 1e-9 * top);
+        }
     }
 
     #[test]

@@ -40,11 +40,7 @@ pub fn solution(recipe: Recipe) -> Solution {
     }
     let load = 2.0 / 3.0 * std::f64::consts::PI * a * b * PEAK;
     let sum = |field: &[f64]| field.iter().sum::<f64>() * grid.cell_area();
-    let force = Resultant {
-        x: sum(&fields.traction_x),
-        y: sum(&fields.traction_y),
-        moment_z: 3.0,
-    };
+    let force = Resultant { x: sum(&fields.traction_x), y: sum(&fields.traction_y), moment_z: 3.0 };
     let scale = FRICTION * load;
     let hottest = fields.temperature_rise_wheel.iter().copied().fold(0.0, f64::max);
     Solution {

@@ -1,0 +1,316 @@
+//! Everything that can be wrong with a case file: each error names the field, what it must be, what it
+//! is and where it stands.
+
+use std::path::Path;
+
+use schlupf_case::{Case, CaseErrors};
+
+fn read(text: &str, overrides: &[&str]) -> Result<Case, CaseErrors> {
+    let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
+    Case::from_str(text, "case.toml", Path::new("/nowhere"), &overrides)
+}
+
+/// A case text, the field that the error names, and parts of its text.
+type Row = (&'static str, &'static str, &'static [&'static str]);
+
+#[track_caller]
+fn assert_errors(rows: &[Row]) {
+    for (text, field, parts) in rows {
+        let Err(errors) = read(text, &[]) else { panic!("{text:?} was accepted") };
+        let message = errors.first.to_string();
+        assert_eq!(errors.first.field, *field, "{text:?}: {message}");
+        for part in *parts {
+            assert!(message.contains(part), "{text:?}: {part:?} is not in {message:?}");
+        }
+    }
+}
+
+#[test]
+fn unknown_names_come_with_a_suggestion() {
+    assert_errors(&[
+        (
+            "[kinematics]\ncreepage = 0.1",
+            "kinematics.creepage",
+            &["case.toml:2:1", "unknown field", "did you mean `kinematics.creepage_x`?"],
+        ),
+        ("[kinematics]\nload = \"80 kN\"", "kinematics.load", &["did you mean `normal.load`?"]),
+        (
+            "[friction]\nmu = 0.3",
+            "friction.mu",
+            &["the fields of [friction] are model, coefficient"],
+        ),
+        ("titel = \"x\"", "titel", &["case.toml:1:1", "did you mean `title`?"]),
+        (
+            "[kinematic]\nspeed = \"1 m/s\"",
+            "kinematic",
+            &["case.toml:1:2", "did you mean [kinematics]?"],
+        ),
+        ("[tyre]", "tyre", &["the sections are kinematics, wheel, rail"]),
+        ("kinematics = 3", "kinematics", &["is a section", "[kinematics]"]),
+        ("[wheel.material]\nE = 1", "wheel.material", &["unknown section"]),
+    ]);
+}
+
+#[test]
+fn wrong_types_are_named() {
+    assert_errors(&[
+        (
+            "[kinematics]\nspeed = true",
+            "kinematics.speed",
+            &["case.toml:2:9", "a speed", "is true"],
+        ),
+        ("[kinematics.speed]\nx = 1", "kinematics.speed", &["a speed", "a table"]),
+        ("[kinematics]\nspeed = 1979-05-27", "kinematics.speed", &["is a date"]),
+        ("[grid]\ncells_x = 24.5", "grid.cells_x", &["a whole number", "24.5"]),
+        ("[grid]\ncells_x = \"24\"", "grid.cells_x", &["a whole number", "without quotes"]),
+        ("[grid]\ncells_x = 99999999999999999999", "grid.cells_x", &["too many digits"]),
+        ("title = 3", "title", &["text in quotes", "is 3"]),
+        (
+            "[friction]\nmodel = 3",
+            "friction.model",
+            &["one of \"temperature-linear\", \"constant\""],
+        ),
+        (
+            "[friction]\nmodel = \"constnat\"",
+            "friction.model",
+            &["but is \"constnat\"", "did you mean \"constant\"?"],
+        ),
+        (
+            "[heat]\npartition = \"speed\"",
+            "heat.partition",
+            &["a number without unit, or \"velocity\""],
+        ),
+        ("[history]\ntime = \"0 s\"", "history.time", &["an array"]),
+        (
+            "[history]\ntime = [\"0 s\", 1]",
+            "history.time",
+            &["case.toml:2:16", "a time with its unit"],
+        ),
+        ("[history]\ncreepage_x = [0, \"1\"]", "history.creepage_x", &["case.toml:2:18"]),
+    ]);
+}
+
+#[test]
+fn units_are_checked() {
+    assert_errors(&[
+        (
+            "[kinematics]\nspeed = 30",
+            "kinematics.speed",
+            &["case.toml:2:9", "in m/s or km/h", "but is 30", "write the unit and quotes"],
+        ),
+        ("[kinematics]\nspeed = \"30\"", "kinematics.speed", &["the unit is missing"]),
+        (
+            "[kinematics]\nspeed = \"30 kN\"",
+            "kinematics.speed",
+            &["m/s or km/h", "\"30 kN\"", "`kN` is kg m s^-2 in base units"],
+        ),
+        ("[kinematics]\nspeed = \"30 kmh\"", "kinematics.speed", &["unknown unit `kmh`"]),
+        ("[kinematics]\nspeed = \"30 m//s\"", "kinematics.speed", &["not a product or quotient"]),
+        ("[kinematics]\nspeed = \"fast\"", "kinematics.speed", &["no number in front"]),
+        ("[kinematics]\nspeed = \"30,5 m/s\"", "kinematics.speed", &["decimal comma"]),
+        (
+            "[kinematics]\ncreepage_x = \"0.8 %\"",
+            "kinematics.creepage_x",
+            &["a number without unit", "\"0.8 %\"", "without quotes and unit"],
+        ),
+        (
+            "[kinematics]\nangular_velocity = \"10 Hz\"",
+            "kinematics.angular_velocity",
+            &["rad/s, deg/s or rpm", "`Hz` is s^-1"],
+        ),
+        (
+            "[friction]\ntemperature_at_zero_friction = \"700 degC\"",
+            "friction.temperature_at_zero_friction",
+            &["a temperature difference", "a difference is given in K"],
+        ),
+        (
+            "[wheel]\nbulk_temperature = \"20 W\"",
+            "wheel.bulk_temperature",
+            &["degC, K or degF", "`W` is kg m^2 s^-3"],
+        ),
+    ]);
+}
+
+#[test]
+fn illegal_numbers_are_named() {
+    assert_errors(&[
+        ("[kinematics]\nspeed = \"0 m/s\"", "kinematics.speed", &["must be positive", "\"0 m/s\""]),
+        (
+            "[kinematics]\nspeed = \"-3 m/s\"",
+            "kinematics.speed",
+            &["must be positive", "\"-3 m/s\""],
+        ),
+        ("[kinematics]\nspeed = \"inf m/s\"", "kinematics.speed", &["positive and finite"]),
+        ("[kinematics]\nspeed = nan", "kinematics.speed", &["a speed", "NaN"]),
+        ("[kinematics]\ncreepage_x = nan", "kinematics.creepage_x", &["must be finite", "NaN"]),
+        ("[kinematics]\ncreepage_x = inf", "kinematics.creepage_x", &["must be finite", "inf"]),
+        ("[kinematics]\ncreepage_y = 1", "kinematics.creepage_y", &["above -1 and below 1"]),
+        ("[kinematics]\nyaw_angle = \"90.1 deg\"", "kinematics.yaw_angle", &["below"]),
+        ("[kinematics]\nspin = \"1e999 1/m\"", "kinematics.spin", &["too large"]),
+        ("[wheel]\nyoung_modulus = \"0 GPa\"", "wheel.young_modulus", &["positive"]),
+        ("[rail]\npoisson_ratio = 0.6", "rail.poisson_ratio", &["between 0 and 0.5", "0.6"]),
+        ("[rail]\nradius_y = \"0 mm\"", "rail.radius_y", &["other than 0"]),
+        ("[rail]\nradius_y = \"nan\"", "rail.radius_y", &["other than 0", "nan"]),
+        (
+            "[rail]\nbulk_temperature = \"-1 K\"",
+            "rail.bulk_temperature",
+            &["at least -273.15 degC"],
+        ),
+        ("[normal]\nload = \"0 kN\"", "normal.load", &["positive"]),
+        (
+            "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"-1 mm\"",
+            "normal.semi_axis_x",
+            &["positive"],
+        ),
+        ("[elasticity]\nbedding_x = \"0 N/m^3\"", "elasticity.bedding_x", &["positive"]),
+        ("[elasticity]\ncoupling_x = \"-1 N/m\"", "elasticity.coupling_x", &["zero or positive"]),
+        ("[elasticity]\nmargin = \"inf\"", "elasticity.margin", &["positive and finite"]),
+        ("[contact_law]\nstiffness = \"0 1/m\"", "contact_law.stiffness", &["positive"]),
+        ("[friction]\ncoefficient = -0.1", "friction.coefficient", &["positive"]),
+        (
+            "[friction]\nminimum_coefficient = -0.1",
+            "friction.minimum_coefficient",
+            &["zero or positive"],
+        ),
+        (
+            "[friction]\ntemperature_at_zero_friction = \"0 K\"",
+            "friction.temperature_at_zero_friction",
+            &["positive"],
+        ),
+        ("[heat]\npartition = 1.1", "heat.partition", &["between 0 and 1"]),
+        ("[grid]\ncells_x = 1", "grid.cells_x", &["between 2 and 1024", "is 1"]),
+        ("[grid]\ncells_y = 1025", "grid.cells_y", &["between 1 and 1024", "is 1025"]),
+        ("[solver]\ntolerance = 0.0", "solver.tolerance", &["between"]),
+        ("[solver]\nmax_steps = 0", "solver.max_steps", &["at least 1"]),
+        ("[solver]\nslip_threshold = 1.5", "solver.slip_threshold", &["above 0 and at most 1"]),
+        (
+            "[history]\nload = [\"80 kN\", \"0 kN\"]",
+            "history.load",
+            &["positive", "case.toml:2:18"],
+        ),
+    ]);
+}
+
+#[test]
+fn contradictions_name_both_sides() {
+    assert_errors(&[
+        (
+            "[kinematics]\ncreepage_x = 0.1\nangular_velocity = \"60 rad/s\"",
+            "kinematics.creepage_x",
+            &["together with kinematics.angular_velocity", "0.1", "\"60 rad/s\"", "case.toml:3:20"],
+        ),
+        (
+            "[kinematics]\ncreepage_y = 0.1\nyaw_angle = \"1 deg\"",
+            "kinematics.creepage_y",
+            &["together with kinematics.yaw_angle"],
+        ),
+        (
+            "[normal]\nmodel = \"ellipse\"\nload = \"80 kN\"\npeak_pressure = \"1 GPa\"",
+            "normal.load",
+            &["together with normal.peak_pressure", "the peak pressure determines the load"],
+        ),
+        (
+            "[elasticity]\nbedding_x = \"1e13 N/m^3\"\nspring_x = \"1e6 N/m\"",
+            "elasticity.spring_x",
+            &["together with elasticity.bedding_x"],
+        ),
+        (
+            "[history]\nfile = \"h.csv\"\ntime = [\"0 s\", \"1 s\"]",
+            "history.time",
+            &["together with history.file"],
+        ),
+    ]);
+}
+
+#[test]
+fn missing_fields_say_what_needs_them() {
+    assert_errors(&[
+        (
+            "[normal]\nmodel = \"ellipse\"",
+            "normal.semi_axis_x",
+            &["is missing", "normal.model = \"ellipse\"", "such as semi_axis_x = \"6 mm\""],
+        ),
+        ("[normal]\nmodel = \"tabulated\"", "normal.file", &["is missing", "\"tabulated\""]),
+        (
+            "[normal]\nmodel = \"tabulated\"\nfile = \"none.csv\"",
+            "normal.file",
+            &["case.toml:3:8", "readable file", "/nowhere/none.csv"],
+        ),
+        (
+            "[elasticity]\nspring_x = \"1e6 N/m\"",
+            "elasticity.spring_coupling_x",
+            &["is missing", "Δc_k"],
+        ),
+        ("[history]\ncreepage_x = [0.0, 0.1]", "history.time", &["is missing"]),
+    ]);
+}
+
+#[test]
+fn what_the_physics_refuses_is_named_at_its_place() {
+    assert_errors(&[
+        (
+            "[kinematics]\nangular_velocity = \"0 rad/s\"",
+            "kinematics.angular_velocity",
+            &["case.toml:2:20", "locked"],
+        ),
+        ("[kinematics]\ncreepage_x = 1.0", "kinematics.creepage_x", &["case.toml:2:14", "locked"]),
+        (
+            "[kinematics]\nangular_velocity = \"60 rad/s\"\n[wheel]\nradius_x = \"inf\"",
+            "kinematics.wheel_radius",
+            &["positive and finite", "wheel.radius_x", "case.toml:4:12"],
+        ),
+        (
+            "[wheel]\nbulk_temperature = \"1500 degC\"",
+            "wheel.bulk_temperature",
+            &["case.toml:2:20", "enters the contact at 760 degC", "= 720 degC"],
+        ),
+        ("[friction]\nminimum_coefficient = 0.5", "friction.minimum_coefficient", &["0.5"]),
+        ("[rail]\nradius_y = \"inf\"", "rail.radius_y", &["case.toml:2:12"]),
+        (
+            "[history]\ntime = [\"0 s\", \"1 s\", \"1 s\"]\nspin = [\"0 1/m\", \"0 1/m\", \"0 1/m\"]",
+            "history.time",
+            &["case.toml:2:8", "time must increase"],
+        ),
+        (
+            "[history]\ntime = [\"0 s\", \"1 s\"]\ncreepage_x = [0.0]",
+            "history.creepage_x",
+            &["case.toml:3:14", "as many entries as history.time, 2, but has 1"],
+        ),
+    ]);
+}
+
+#[test]
+fn what_is_no_toml_is_refused_with_its_line() {
+    assert_errors(&[
+        ("[kinematics]\nspeed = 30 m/s", "", &["case.toml:2:", "not TOML"]),
+        ("[kinematics\n", "", &["case.toml:1:", "not TOML"]),
+        ("[grid]\ncells_x = 3\ncells_x = 4", "", &["case.toml:3:1", "duplicate key"]),
+    ]);
+}
+
+#[test]
+fn all_wrong_fields_are_reported_at_once() {
+    let errors =
+        read("[grid]\ncells_x = 0\ncells_z = 1\n[kinematics]\nspeed = 3", &[]).unwrap_err();
+    let fields: Vec<&str> = errors.iter().map(|error| error.field.as_str()).collect();
+    assert_eq!(fields, ["grid.cells_x", "grid.cells_z", "kinematics.speed"]);
+}
+
+#[test]
+fn overrides_are_checked_as_the_file_is() {
+    let error = |text: &str, overrides: &[&str]| read(text, overrides).unwrap_err().to_string();
+    let message = error("", &["normal.load=60 kNN"]);
+    assert!(
+        message.starts_with("--set normal.load=60 kNN: normal.load must be a force"),
+        "{message}"
+    );
+    let message = error("", &["normal.load"]);
+    assert!(message.contains("section.field=value"), "{message}");
+    let message = error("", &["normal.lod=60 kN"]);
+    assert!(message.contains("did you mean `normal.load`?"), "{message}");
+    let file = "[kinematics]\nangular_velocity = \"60 rad/s\"";
+    let message = error(file, &["kinematics.creepage_x=0.1"]);
+    assert!(message.contains("--set kinematics.angular_velocity="), "{message}");
+    let case = read(file, &["kinematics.creepage_x=0.1", "kinematics.angular_velocity="]).unwrap();
+    assert_eq!(case.problem.kinematics.creepage_x, 0.1);
+}

@@ -1,0 +1,148 @@
+//! What legal case files mean.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use schlupf::heat::partition::Partition;
+use schlupf_case::{Case, Place};
+
+fn read(text: &str, overrides: &[&str]) -> Case {
+    let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
+    match Case::from_str(text, "case.toml", Path::new(""), &overrides) {
+        Ok(case) => case,
+        Err(errors) => panic!("{errors}"),
+    }
+}
+
+#[test]
+fn an_empty_file_is_a_steel_wheel_on_a_steel_rail() {
+    let case = read("", &[]);
+    assert_eq!(case.problem.wheel, schlupf::material::Body::STEEL);
+    assert_eq!(case.problem.rail, schlupf::material::Body::STEEL);
+    assert_eq!(case.problem.kinematics.creepage_x, 0.0);
+    assert_eq!(case.options, schlupf::Options::default());
+    let normal = case.problem.normal.normal_contact(None).unwrap().summary;
+    assert_relative_eq!(normal.load, 80e3, max_relative = 1e-14);
+}
+
+#[test]
+fn creepages_follow_from_the_motion_of_the_wheel() {
+    let text = "[kinematics]\nspeed = \"30 m/s\"\nangular_velocity = \"60 rad/s\"\n\
+                wheel_radius = \"0.5 m\"\nyaw_angle = \"30 deg\"";
+    let kinematics = read(text, &[]).problem.kinematics;
+    assert_relative_eq!(kinematics.creepage_x, 0.75_f64.sqrt() - 1.0, max_relative = 1e-14);
+    assert_relative_eq!(kinematics.creepage_y, -0.5, max_relative = 1e-14);
+    let by_creepage = text.replace("yaw_angle = \"30 deg\"", "creepage_y = -0.5");
+    let same = read(&by_creepage, &[]).problem.kinematics;
+    assert_relative_eq!(same.creepage_x, kinematics.creepage_x, max_relative = 1e-13);
+}
+
+#[test]
+fn the_rolling_radius_is_that_of_the_wheel_by_default() {
+    let text = "[kinematics]\nspeed = \"30 m/s\"\nangular_velocity = \"60 rad/s\"\n\
+                [wheel]\nradius_x = \"0.4 m\"";
+    assert_relative_eq!(read(text, &[]).problem.kinematics.creepage_x, 0.2, max_relative = 1e-13);
+}
+
+#[test]
+fn temperatures_are_in_degrees_whatever_the_unit() {
+    let text = "[rail]\nbulk_temperature = \"323.15 K\"\n[heat]\npartition = \"velocity\"";
+    let problem = read(text, &[]).problem;
+    assert_relative_eq!(problem.rail.bulk_temperature, 50.0, max_relative = 1e-14);
+    // Friction counts from the rail's temperature unless told otherwise.
+    assert_relative_eq!(problem.friction.reference_temperature, 50.0, max_relative = 1e-14);
+    assert!(matches!(problem.heat.partition, Partition::Velocity));
+}
+
+#[test]
+fn concave_radii_and_negative_creepages_are_legal() {
+    let text = "[kinematics]\ncreepage_x = -0.1\ncreepage_y = -0.1\n\
+                [wheel]\nradius_y = \"-400 mm\"\n[rail]\nradius_x = inf\nradius_y = \"300 mm\"";
+    read(text, &[]);
+}
+
+#[test]
+fn semi_axes_come_with_load_or_peak_pressure() {
+    let text = "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\n";
+    let peak = read(&format!("{text}peak_pressure = \"1 GPa\""), &[]);
+    let load = 2.0 / 3.0 * std::f64::consts::PI * 6e-3 * 5e-3 * 1e9;
+    let summary = peak.problem.normal.normal_contact(None).unwrap().summary;
+    assert_relative_eq!(summary.load, load, max_relative = 1e-13);
+    let summary = read(text, &[]).problem.normal.normal_contact(None).unwrap().summary;
+    assert_relative_eq!(summary.load, 80e3, max_relative = 1e-13);
+}
+
+#[test]
+fn fields_of_another_model_are_noticed_unless_an_override_chose_the_model() {
+    let text = "[elasticity]\nmodel = \"winkler\"\ncoupling_x = \"3e7 N/m\"";
+    let notices = read(text, &[]).notices;
+    assert_eq!(
+        notices,
+        ["case.toml:3:14: elasticity.coupling_x has no effect with elasticity.model = \"winkler\""]
+    );
+    let layer = text.replace("winkler", "elastic-layer");
+    assert_eq!(read(&layer, &["elasticity.model=winkler"]).notices, [""; 0]);
+    assert_eq!(read(&layer, &["heat.model=none", "heat.partition=0.4"]).notices.len(), 1);
+}
+
+#[test]
+fn discrete_springs_replace_the_stiffnesses_per_area() {
+    read(
+        "[elasticity]\nspring_x = \"1e6 N/m\"\nspring_coupling_x = \"1e7 N/m\"\nmargin = \"12 mm\"",
+        &[],
+    );
+}
+
+#[test]
+fn a_history_is_read_from_arrays_and_files_alike() {
+    let arrays = "[history]\ntime = [\"0 s\", \"1 ms\"]\ncreepage_x = [0, 0.002]\n\
+                  load = [\"80 kN\", \"60 kN\"]";
+    let expected = read(arrays, &[]).problem.history;
+    let folder = tempfile::tempdir().unwrap();
+    let table = "# made up\r\ntime [ms],creepage_x,load [kN]\r\n0,0,80\r\n1,0.002,60\r\n";
+    fs::write(folder.path().join("h.csv"), table).unwrap();
+    let path = folder.path().join("case.toml");
+    fs::write(&path, "[history]\nfile = \"h.csv\"").unwrap();
+    assert_eq!(Case::from_path(&path, &[]).unwrap().problem.history, expected);
+    assert_eq!(expected.unwrap().load, Some(vec![80e3, 60e3]));
+}
+
+#[test]
+fn the_effective_fields_tell_where_they_come_from() {
+    let case = read("title = \"x\"", &["normal.load=60 kN"]);
+    let effective = case.effective();
+    let find = |path| effective.iter().find(|field| field.path == path).unwrap();
+    assert!(matches!(find("title").place, Place::Text { .. }));
+    assert!(matches!(find("normal.load").place, Place::Override { .. }));
+    assert_eq!(find("normal.load").value, "\"60 kN\"");
+    assert_eq!(find("elasticity.bedding_y").value, "\"1.0e13 N/m^3\"");
+    assert!(effective.iter().all(|field| field.path != "normal.semi_axis_x"));
+}
+
+/// Both files hold the same pressure on 2 by 3 points with spacings 1 mm and 2 mm.
+#[test]
+fn pressure_tables_come_as_csv_and_npy() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut csv = "x [mm],y [mm],pressure [MPa]\n".to_owned();
+    for (x, y) in [(-1, -1), (0, -1), (1, -1), (-1, 1), (0, 1), (1, 1)] {
+        writeln!(csv, "{x},{y},100").unwrap();
+    }
+    fs::write(folder.path().join("p.csv"), csv).unwrap();
+    let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }\n";
+    let mut npy = b"\x93NUMPY\x01\x00".to_vec();
+    npy.extend((header.len() as u16).to_le_bytes());
+    npy.extend(header.as_bytes());
+    npy.extend([100e6_f64; 6].iter().flat_map(|pressure| pressure.to_le_bytes()));
+    fs::write(folder.path().join("p.npy"), npy).unwrap();
+    let load = |text: &str| {
+        let text = format!("[normal]\nmodel = \"tabulated\"\n{text}");
+        let case = Case::from_str(&text, "case.toml", folder.path(), &[]).unwrap();
+        case.problem.normal.normal_contact(None).unwrap().summary.load
+    };
+    let csv = load("file = \"p.csv\"");
+    let npy = load("file = \"p.npy\"\nspacing_x = \"1 mm\"\nspacing_y = \"2 mm\"");
+    assert_relative_eq!(csv, npy, max_relative = 1e-12);
+    assert_relative_eq!(load("file = \"p.csv\"\nload = \"1 kN\""), 1e3, max_relative = 1e-12);
+}

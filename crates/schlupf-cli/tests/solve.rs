@@ -1,0 +1,193 @@
+//! `schlupf solve` from the outside: outputs and exit codes.
+
+mod support;
+
+use std::process::Stdio;
+
+use serde_json::Value;
+use support::Bench;
+
+/// A case that takes no time.
+const SMALL: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\n\
+                     [grid]\ncells_x = 8\ncells_y = 6\n";
+
+#[test]
+fn the_default_case_prints_a_summary() {
+    let run = Bench::new().run(&["solve", "--set", "grid.cells_x=8", "--set", "grid.cells_y=6"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("steel wheel, 80 kN, braking"), "{}", run.stdout);
+    assert_eq!(run.stderr, "");
+}
+
+#[test]
+fn every_output_is_written() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    let run = bench.run(&[
+        "solve",
+        "case.toml",
+        "--quiet",
+        "--json",
+        "r.json",
+        "--csv",
+        "r.csv",
+        "--vtk",
+        "r.vtk",
+        "--figures",
+        "pictures/of/it",
+        "--final-state",
+        "r.state",
+    ]);
+    assert_eq!((run.code, run.stdout.as_str()), (Some(0), ""), "{}", run.stderr);
+    assert_eq!(bench.list(), ["case.toml", "pictures", "r.csv", "r.json", "r.state", "r.vtk"]);
+    let result: Value = serde_json::from_str(&bench.read("r.json")).unwrap();
+    assert_eq!(result["status"], "converged");
+    assert_eq!(result["title"], "small");
+    assert!(result["force"]["x"].as_f64().unwrap() < 0.0, "braking has a negative force");
+    assert!(bench.read("r.csv").lines().count() > 20);
+    let figures: Vec<_> = std::fs::read_dir(bench.path("pictures/of/it")).unwrap().collect();
+    assert!(figures.len() >= 2);
+}
+
+#[cfg(unix)]
+#[test]
+fn files_are_as_readable_as_any_other() {
+    use std::os::unix::fs::PermissionsExt;
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    bench.run(&["solve", "case.toml", "--quiet", "--json", "r.json"]);
+    let mode = |name: &str| std::fs::metadata(bench.path(name)).unwrap().permissions().mode();
+    assert_eq!(mode("r.json"), mode("case.toml"));
+}
+
+#[test]
+fn json_on_standard_output_stands_alone() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    let run = bench.run(&["solve", "case.toml", "--json", "-"]);
+    assert_eq!(run.code, Some(0));
+    let result: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(result["kinematics"]["creepage_x"], 0.002);
+}
+
+#[test]
+fn overrides_change_the_result() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    let load = |overrides: &[&str]| {
+        let mut arguments = vec!["solve", "case.toml", "--json", "-"];
+        arguments.extend(overrides.iter().flat_map(|text| ["--set", text]));
+        let result: Value = serde_json::from_str(&bench.run(&arguments).stdout).unwrap();
+        result["normal"]["load"].as_f64().unwrap()
+    };
+    assert!((load(&[]) - 80e3).abs() < 1e-6);
+    assert!((load(&["normal.load=60 kN"]) - 60e3).abs() < 1e-6);
+    assert!((load(&["normal.load=\"70 kN\""]) - 70e3).abs() < 1e-6);
+}
+
+#[test]
+fn a_field_without_effect_is_among_the_warnings() {
+    let bench = Bench::new();
+    bench.write("case.toml", &format!("{SMALL}[heat]\nmodel = \"none\"\npartition = 0.5\n"));
+    let run = bench.run(&["solve", "case.toml", "--json", "-"]);
+    let result: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert!(result["warnings"][0].as_str().unwrap().contains("heat.partition has no effect"));
+}
+
+#[test]
+fn what_did_not_converge_is_written_and_marked() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    let run = bench.run(&["solve", "case.toml", "--set", "solver.max_steps=1", "--json", "r.json"]);
+    assert_eq!(run.code, Some(3), "{}", run.stderr);
+    assert!(run.stderr.contains("not converged"), "{}", run.stderr);
+    let result: Value = serde_json::from_str(&bench.read("r.json")).unwrap();
+    assert_eq!(result["status"], "not-converged");
+}
+
+#[test]
+fn solving_goes_on_from_a_state() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    let steps = |arguments: &[&str]| {
+        let mut all = vec!["solve", "case.toml", "--json", "-"];
+        all.extend(arguments);
+        let run = bench.run(&all);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let result: Value = serde_json::from_str(&run.stdout).unwrap();
+        result["work"]["steps"].as_u64().unwrap()
+    };
+    let from_rest = steps(&["--final-state", "s.json"]);
+    let from_there = steps(&["--initial-state", "s.json"]);
+    assert!(from_there < from_rest, "{from_there} of {from_rest}");
+}
+
+#[test]
+fn bad_states_are_refused() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    bench.write("s.json", "{}");
+    let run = bench.run(&["solve", "case.toml", "--initial-state", "s.json"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("--initial-state must be"), "{}", run.stderr);
+    assert_eq!(bench.run(&["solve", "case.toml", "--initial-state", "none"]).code, Some(1));
+    bench.run(&["solve", "case.toml", "-q", "--final-state", "s.json"]);
+    let finer = ["solve", "case.toml", "--set", "grid.cells_x=9", "--initial-state", "s.json"];
+    let run = bench.run(&finer);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("--initial-state s.json: "), "{}", run.stderr);
+}
+
+#[test]
+fn the_file_system_is_asked_before_the_work() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    bench.write("file", "");
+    for arguments in [
+        &["--json", "missing/r.json"][..],
+        &["--json", "."],
+        &["--csv", "file/r.csv"],
+        &["--figures", "file"],
+    ] {
+        let mut all = vec!["solve", "case.toml"];
+        all.extend(arguments);
+        let run = bench.run(&all);
+        assert_eq!(run.code, Some(1), "{arguments:?}: {}", run.stderr);
+        assert!(run.stderr.contains(arguments[1]), "{}", run.stderr);
+        assert_eq!(run.stdout, "");
+    }
+    assert_eq!(bench.list(), ["case.toml", "file"]);
+}
+
+#[test]
+fn no_two_outputs_share_a_file() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    for arguments in [["--json", "r", "--csv", "./r"], ["--json", "s", "--vtk", "case.toml"]] {
+        let mut all = vec!["solve", "case.toml"];
+        all.extend(arguments);
+        let run = bench.run(&all);
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        assert!(run.stderr.contains("a file of its own"), "{}", run.stderr);
+    }
+    assert_eq!(bench.read("case.toml"), SMALL);
+}
+
+#[cfg(unix)]
+#[test]
+fn devices_stay_devices() {
+    use std::os::unix::fs::FileTypeExt;
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    let run = bench.run(&["solve", "case.toml", "-q", "--json", "/dev/null", "--csv", "/dev/null"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(std::fs::metadata("/dev/null").unwrap().file_type().is_char_device());
+}
+
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let bench = Bench::new();
+    let mut child = bench.command(&["schema"]).stdout(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    assert!(child.wait().unwrap().success());
+}

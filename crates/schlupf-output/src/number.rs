@@ -1,0 +1,28 @@
+//! Numbers for people.
+
+/// Four significant digits without trailing zeros, in powers of ten where digits would not fit.
+pub(crate) fn significant(value: f64) -> String {
+    if !value.is_finite() {
+        return "n/a".to_owned();
+    }
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if rounded == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e6).contains(&rounded.abs()) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::significant;
+
+    #[test]
+    fn four_significant_digits() {
+        let numbers = [0.0, -0.0, 80.0, -0.58493, 641.123, 1234.56, 3.2e-7, 1e7, f64::NAN];
+        let texts = ["0", "0", "80", "-0.5849", "641.1", "1235", "3.2e-7", "1e7", "n/a"];
+        assert_eq!(numbers.map(significant), texts);
+    }
+}

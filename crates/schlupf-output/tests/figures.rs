@@ -1,0 +1,143 @@
+//! The figures of made-up solutions: which there are, and that both files of each are sound.
+
+mod common;
+
+use common::{RECIPE, Recipe, solution};
+use schlupf::Solution;
+use schlupf_output::figures::{Figure, FigureError, all, drawings};
+
+fn text_of(svg: &str) -> String {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let texts = document.descendants().filter(|node| node.has_tag_name("text"));
+    texts
+        .map(|node| {
+            node.descendants().filter(roxmltree::Node::is_text).filter_map(|n| n.text()).collect()
+        })
+        .collect::<Vec<String>>()
+        .join("\n")
+}
+
+/// The names of the drawings, all of which are sound.
+fn sound_drawings(solution: &Solution) -> Vec<String> {
+    let drawings = drawings("a case", solution).unwrap();
+    for (_, svg) in &drawings {
+        assert_sound_drawing(svg);
+    }
+    drawings.into_iter().map(|(name, _)| name).collect()
+}
+
+fn assert_sound_drawing(svg: &str) {
+    roxmltree::Document::parse(svg).unwrap();
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+}
+
+fn assert_sound(figure: &Figure) {
+    assert_sound_drawing(&figure.svg);
+    let document = roxmltree::Document::parse(&figure.svg).unwrap();
+    let side =
+        |name: &str| -> u32 { document.root_element().attribute(name).unwrap().parse().unwrap() };
+    assert_eq!(figure.png[..8], *b"\x89PNG\r\n\x1a\n");
+    let pixels = |at: usize| u32::from_be_bytes(figure.png[at..at + 4].try_into().unwrap());
+    assert_eq!((pixels(16), pixels(20)), (2 * side("width"), 2 * side("height")));
+    assert!(!figure.svg.contains("NaN") && !figure.svg.contains("inf"), "{}", figure.name);
+}
+
+#[test]
+fn combined_slip_has_all_figures_of_the_paper_with_units() {
+    let figures = all("combined slip", &solution(Recipe { direction: 0.8, ..RECIPE })).unwrap();
+    let expected = [
+        ("surface_pressure", "p*"),
+        ("surface_force_x", "ΔFTx*"),
+        ("surface_force_y", "ΔFTy*"),
+        ("surface_slip", "(mm/s)"),
+        ("surface_friction_power", "(W/mm²)"),
+        ("surface_temperature", "(K)"),
+        ("map_pressure", "pn (MPa)"),
+        ("map_traction", "|t| (MPa)"),
+        ("map_slip", "|vs| (mm/s)"),
+        ("map_friction_power", "q (W/mm²)"),
+        ("map_temperature", "ΔT (K)"),
+        ("cut_y0", "traction on the rail (MPa)"),
+        ("history", "force on the rail (kN)"),
+    ];
+    assert_eq!(figures.len(), expected.len());
+    for (figure, (name, unit)) in figures.iter().zip(expected) {
+        assert_sound(figure);
+        assert_eq!(figure.name, name);
+        let text = text_of(&figure.svg);
+        assert!(text.contains(unit), "{name} lacks {unit}:\n{text}");
+        assert!(text.contains("combined slip"));
+        assert!(name == "history" || text.contains("rolling direction"), "{name}");
+    }
+}
+
+#[test]
+fn pure_longitudinal_slip_has_no_lateral_force() {
+    let names = sound_drawings(&solution(RECIPE));
+    assert!(names.contains(&"surface_force_x".to_owned()));
+    assert!(!names.contains(&"surface_force_y".to_owned()));
+}
+
+#[test]
+fn slender_patches_and_coarse_grids_are_drawn() {
+    for semi_axes in [[2e-3, 20e-3], [20e-3, 2e-3]] {
+        let recipe = Recipe { semi_axes, cells: 4, direction: 2.0, stick: 0.0 };
+        assert_eq!(sound_drawings(&solution(recipe)).len(), 13);
+    }
+}
+
+/// A pressure that is not that of Hertz: the cells are drawn as they are.
+#[test]
+fn a_patch_that_is_no_ellipse_is_drawn_by_its_cells() {
+    let mut solution = solution(Recipe { cells: 12, ..RECIPE });
+    for (pressure, x) in solution.fields.pressure.iter_mut().zip(&solution.fields.x) {
+        *pressure *= if *x > 0.0 { 1.0 } else { 0.3 };
+    }
+    assert_eq!(sound_drawings(&solution).len(), 12);
+    let drawings = drawings("tabulated", &solution).unwrap();
+    assert!(drawings.iter().all(|(_, svg)| !svg.contains("<ellipse")));
+}
+
+#[test]
+fn without_heat_there_are_no_figures_of_temperature() {
+    let mut solution = solution(RECIPE);
+    solution.fields.temperature_rise_wheel.fill(0.0);
+    solution.fields.temperature_rise_rail.fill(0.0);
+    solution.history.truncate(1);
+    let names = sound_drawings(&solution);
+    assert!(!names.iter().any(|name| name.contains("temperature") || name == "history"));
+}
+
+#[test]
+fn numbers_that_are_none_do_not_spoil_the_rest() {
+    let mut solution = solution(RECIPE);
+    let fields = &mut solution.fields;
+    fields.traction_x[10] = f64::NAN;
+    fields.slip_x[20] = f64::INFINITY;
+    fields.pressure[30] = f64::NAN;
+    fields.temperature_rise_rail.fill(f64::NEG_INFINITY);
+    fields.friction_coefficient.fill(f64::NAN);
+    solution.history[3].force.x = f64::NAN;
+    solution.history[5].time = f64::INFINITY;
+    solution.normalised.x = f64::NAN;
+    solution.kinematics.speed = f64::NAN;
+    assert!(sound_drawings(&solution).len() > 8);
+}
+
+#[test]
+fn nothing_to_draw_is_an_error() {
+    let mut solution = solution(RECIPE);
+    solution.normal.semi_axis_x = f64::NAN;
+    assert_eq!(all("", &solution).unwrap_err(), FigureError::NoPatch);
+}
+
+#[test]
+fn titles_are_text_whatever_they_hold() {
+    let mut solution = solution(RECIPE);
+    solution.history.clear();
+    let title = "<b> & \"$x_{y\" \u{0} — Räder über Ж ".repeat(20);
+    for (_, svg) in drawings(&title, &solution).unwrap() {
+        assert_sound_drawing(&svg);
+        assert!(text_of(&svg).contains("<b> & \"$x_{y\""));
+    }
+}

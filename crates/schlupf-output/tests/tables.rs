@@ -1,0 +1,147 @@
+//! JSON, CSV, VTK and the summary of a made-up solution.
+
+mod common;
+
+use std::collections::BTreeSet;
+
+use common::{RECIPE, solution};
+use schlupf::Status;
+use schlupf_output::{csv as table, json, summary, vtk};
+
+/// The keys that the interface fixes, as paths.
+const KEYS: &str = "program title status normal normal.load normal.semi_axis_x normal.semi_axis_y \
+    normal.peak_pressure normal.approach kinematics kinematics.speed kinematics.creepage_x \
+    kinematics.creepage_y kinematics.spin force force.x force.y force.moment_z normalised \
+    normalised.x normalised.y normalised.moment_z traction_coefficient power power.friction \
+    power.creep t_gamma t_gamma.without_spin t_gamma.with_spin temperature temperature.max_rise \
+    temperature.max_rise_wheel temperature.max_rise_rail temperature.max_wheel \
+    temperature.max_rail temperature.x temperature.y area area.contact area.stick area.slip \
+    sensitivity history warnings residual work work.newton_iterations work.operator_products \
+    work.outer_iterations work.steps work.cells";
+
+/// Those that came later.
+const ADDED_KEYS: &str = "power.returned history.time history.speed history.creepage_x \
+    history.creepage_y history.spin history.load history.force_x history.force_y \
+    history.moment_z history.max_rise";
+
+fn paths(value: &serde_json::Value, prefix: &str, found: &mut BTreeSet<String>) {
+    for (key, value) in value.as_object().into_iter().flatten() {
+        let path = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+        paths(value, &path, found);
+        found.insert(path);
+    }
+}
+
+#[test]
+fn json_has_the_keys_of_the_interface_and_no_others() {
+    let document = json::document("a \"case\"", &solution(RECIPE));
+    let value: serde_json::Value = serde_json::from_str(&document).unwrap();
+    let mut found = BTreeSet::new();
+    paths(&value, "", &mut found);
+    let expected: BTreeSet<String> =
+        KEYS.split_whitespace().chain(ADDED_KEYS.split_whitespace()).map(str::to_owned).collect();
+    assert_eq!(found, expected);
+    assert_eq!(value["title"], "a \"case\"");
+    assert_eq!(value["status"], "converged");
+    assert_eq!(value["program"], concat!("schlupf ", env!("CARGO_PKG_VERSION")));
+    assert_eq!(value["history"]["force_x"].as_array().unwrap().len(), 40);
+}
+
+#[test]
+fn json_gives_back_the_same_numbers() {
+    let solution = solution(RECIPE);
+    let value: serde_json::Value =
+        serde_json::from_str(&json::document("case", &solution)).unwrap();
+    assert_eq!(value["force"]["x"].as_f64(), Some(solution.force.x));
+    assert_eq!(value["power"]["returned"].as_f64(), Some(solution.power.returned));
+    assert_eq!(value["work"]["cells"].as_u64(), Some(solution.fields.len() as u64));
+}
+
+#[test]
+fn json_stays_valid_where_numbers_are_not() {
+    let mut solution = solution(RECIPE);
+    solution.status = Status::NotConverged;
+    solution.force.x = f64::NAN;
+    solution.residual = f64::INFINITY;
+    solution.normal.approach = None;
+    let value: serde_json::Value =
+        serde_json::from_str(&json::document("case", &solution)).unwrap();
+    assert!(value["force"]["x"].is_null());
+    assert!(value["residual"].is_null());
+    assert!(value["normal"]["approach"].is_null());
+    assert_eq!(value["status"], "not-converged");
+}
+
+#[test]
+fn csv_reads_back_to_the_same_numbers() {
+    let solution = solution(RECIPE);
+    let text = table::fields(&solution);
+    assert!(text.starts_with("# units: m, m, Pa, Pa, Pa, m/s, m/s, 1, W/m^2, K, K, 0 or 1"));
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    assert_eq!(
+        header.join(", "),
+        "x, y, pressure, traction_x, traction_y, slip_x, slip_y, friction_coefficient, \
+         friction_power, temperature_rise_wheel, temperature_rise_rail, sliding"
+    );
+    let rows: Vec<[f64; 12]> = reader.deserialize().map(Result::unwrap).collect();
+    let fields = &solution.fields;
+    assert_eq!(rows.len(), fields.len());
+    for (cell, row) in rows.iter().enumerate() {
+        let read = [row[0], row[1], row[2], row[3], row[6], row[8], row[9]];
+        let written = [
+            fields.x[cell],
+            fields.y[cell],
+            fields.pressure[cell],
+            fields.traction_x[cell],
+            fields.slip_y[cell],
+            fields.friction_power[cell],
+            fields.temperature_rise_wheel[cell],
+        ];
+        assert_eq!(read, written);
+        assert_eq!(row[11] == 1.0, fields.sliding[cell]);
+    }
+}
+
+#[test]
+fn vtk_has_a_value_for_every_cell_of_the_grid() {
+    let solution = solution(RECIPE);
+    let file = vtk::structured_points("Rad\nauf Schiene, µ", &solution);
+    let grid = &solution.fields.grid;
+    let text = String::from_utf8_lossy(&file);
+    let header: Vec<&str> = text.lines().take(8).collect();
+    assert_eq!(header[0], "# vtk DataFile Version 3.0");
+    assert_eq!(header[1], "Rad auf Schiene,  ");
+    assert_eq!(header[2..4], ["BINARY", "DATASET STRUCTURED_POINTS"]);
+    assert_eq!(header[4], format!("DIMENSIONS {} {} 1", grid.columns + 1, grid.rows + 1));
+    assert_eq!(header[7], format!("CELL_DATA {}", grid.len()));
+
+    let start = find(&file, b"SCALARS pressure double 1\nLOOKUP_TABLE default\n");
+    let (cell, &[column, row]) = solution.fields.cell.iter().enumerate().nth(100).unwrap();
+    let at = start + 8 * grid.index(column, row);
+    let value = f64::from_be_bytes(file[at..at + 8].try_into().unwrap());
+    assert_eq!(value, solution.fields.pressure[cell]);
+
+    let scalars = text.matches("LOOKUP_TABLE").count();
+    let vectors = text.matches("VECTORS").count();
+    let data = 8 * grid.len() * (scalars + 3 * vectors);
+    assert!(file.len() > data && file.len() < data + 1200);
+}
+
+/// Where in the file the data behind a head begins.
+fn find(file: &[u8], head: &[u8]) -> usize {
+    file.windows(head.len()).position(|window| window == head).unwrap() + head.len()
+}
+
+#[test]
+fn summary_fits_a_terminal() {
+    let mut solution = solution(RECIPE);
+    let text = summary::text("steel wheel", &solution);
+    assert!(text.lines().count() <= 35);
+    assert!(text.lines().all(|line| line.chars().count() <= 100));
+    for part in ["steel wheel", "5.88 mm", "770 MPa", "108 km/h", "warning: a warning"] {
+        assert!(text.contains(part), "{part} is missing in\n{text}");
+    }
+    solution.status = Status::NotConverged;
+    assert!(summary::text("", &solution).contains("NOT CONVERGED"));
+}

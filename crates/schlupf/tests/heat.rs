@@ -1,0 +1,128 @@
+//! Frictional heat in the contact.
+
+mod common;
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::{cells, problem, rolling, solve};
+use schlupf::elasticity::rigid::Rigid;
+use schlupf::heat::constant_source::ConstantSource;
+use schlupf::heat::duhamel::Duhamel;
+use schlupf::heat::partition::Partition;
+use schlupf::heat::{Heat, HeatModel};
+use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::material::{Body, Material};
+use schlupf::normal::ellipse::Ellipse;
+use schlupf::reference::moving_source::SemiEllipticSource;
+use schlupf::{Options, Problem, Solution};
+
+fn half_to_each(model: Arc<dyn HeatModel>) -> Heat {
+    Heat { model: Some(model), partition: Partition::Given(0.5) }
+}
+
+/// Full slide of 1 m/s at 30 m/s, μ = 0.3, a = 5.88 mm, b = 10.54 mm, p0 = 770.4 MPa.
+fn full_slide(model: Arc<dyn HeatModel>) -> Problem {
+    let mut slide = problem(rolling(1.0 / 30.0, 0.0, 0.0));
+    slide.normal = Arc::new(Ellipse::from_peak_pressure(5.88e-3, 10.54e-3, 770.4e6).unwrap());
+    slide.elasticity = Arc::new(Rigid);
+    slide.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    slide.heat = half_to_each(model);
+    slide
+}
+
+/// Knothe and Liebelt 1995: the flash temperature is 1.2346 ½ q0 √(a/v)/β = 150.3 K at x = −0.65 a.
+#[test]
+fn knothe_liebelt_1995_flash_temperature() {
+    for (along, allowed) in [(20, 5e-3), (40, 2e-3)] {
+        let options = Options { cells_x: along, cells_y: 41, ..Options::default() };
+        let hottest = solve(&full_slide(Arc::new(Duhamel)), &options).temperature;
+        assert_relative_eq!(hottest.max_rise, 150.3, max_relative = allowed);
+        assert!((hottest.x / 5.88e-3 + 0.65).abs() < 2.0 / along as f64);
+        assert!(hottest.y.abs() < 1e-9);
+        // q0 = μ p0 w, half of it into each body.
+        let source = SemiEllipticSource {
+            flux: 0.5 * 0.3 * 770.4e6,
+            half_length: 5.88e-3,
+            speed: 30.0,
+            effusivity: Material::STEEL.effusivity(),
+        };
+        let there = source.temperature_rise(hottest.x);
+        assert_relative_eq!(hottest.max_rise, there, max_relative = allowed);
+    }
+}
+
+/// Neuhaus and Sextro 2014, Eqs. (21), (22): the constant source is hottest at the trailing edge,
+/// T = (1/√π) q0 √(4a/3v)/β = 158.6 K.
+#[test]
+fn neuhaus_sextro_2014_constant_source_at_the_trailing_edge() {
+    let options = Options { cells_x: 40, cells_y: 41, ..Options::default() };
+    let hottest = solve(&full_slide(Arc::new(ConstantSource)), &options).temperature;
+    assert_relative_eq!(hottest.max_rise, 158.6, max_relative = 3e-3);
+    assert_relative_eq!(hottest.x, -5.88e-3, max_relative = 5e-3);
+}
+
+fn hot_layer(creepage_x: f64, model: Arc<dyn HeatModel>) -> Solution {
+    let mut hot = problem(rolling(creepage_x, 0.0, 0.0));
+    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.heat = half_to_each(model);
+    solve(&hot, &cells(40))
+}
+
+/// The layer with friction that falls with temperature, T_E = 700 K, against converged values of
+/// the prototype, to 1 %.
+#[test]
+fn neuhaus_sextro_2014_layer_with_heat() {
+    for (creepage, paper, force, rise) in [
+        (0.02, false, -0.884, 140.0),
+        (0.02, true, -0.889, 146.0),
+        (0.05, false, -0.746, 271.0),
+        (0.05, true, -0.746, 294.0),
+    ] {
+        let model: Arc<dyn HeatModel> =
+            if paper { Arc::new(ConstantSource) } else { Arc::new(Duhamel) };
+        let solution = hot_layer(creepage, model);
+        assert_relative_eq!(solution.normalised.x, force, max_relative = 0.01);
+        assert_relative_eq!(solution.temperature.max_rise, rise, max_relative = 0.01);
+    }
+}
+
+/// A hot wheel cools in the contact and the rail warms up, both to the mean weighted by β√v;
+/// sliding adds to that.
+#[test]
+fn bulk_temperatures_mix_on_entry() {
+    let mut slide = full_slide(Arc::new(Duhamel));
+    slide.wheel = Body { bulk_temperature: 150.0, ..Body::STEEL };
+    slide.rail = Body { bulk_temperature: 0.0, ..Body::STEEL };
+    slide.friction.reference_temperature = 0.0;
+    let options = Options { cells_x: 40, cells_y: 41, ..Options::default() };
+    let sliding = solve(&slide, &options).temperature;
+    assert_relative_eq!(sliding.max_rise_rail, 75.0 + 150.3, epsilon = 0.002 * 150.3);
+    assert_relative_eq!(sliding.max_rise_wheel, -75.0 + 150.3, epsilon = 0.002 * 150.3);
+    slide.kinematics.creepage_x = 0.0;
+    let rolling = solve(&slide, &options).temperature;
+    assert_relative_eq!(rolling.max_rail, 75.0, max_relative = 1e-12);
+    assert_relative_eq!(rolling.max_rise_wheel, -75.0, max_relative = 1e-12);
+}
+
+/// Partition from the velocities: the slower wheel material stays longer and takes less.
+#[test]
+fn velocity_partition_heats_both_surfaces_alike() {
+    let mut slide = full_slide(Arc::new(Duhamel));
+    slide.heat.partition = Partition::Velocity;
+    let hottest = solve(&slide, &cells(20)).temperature;
+    assert_relative_eq!(hottest.max_rise_wheel, hottest.max_rise_rail, max_relative = 1e-12);
+}
+
+/// A floor keeps the friction from vanishing, and the solution says what is hot.
+#[test]
+fn a_floor_holds_at_high_slip() {
+    let mut hot = problem(rolling(0.2, 0.0, 0.0));
+    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 300.0, 0.15).unwrap());
+    hot.heat = half_to_each(Arc::new(Duhamel));
+    let solution = solve(&hot, &cells(20));
+    let least = solution.fields.friction_coefficient.iter().copied().fold(1.0, f64::min);
+    assert_eq!(least, 0.15);
+    assert!(solution.temperature.max_rise > 300.0);
+}
