@@ -78,6 +78,17 @@ fn pure_longitudinal_slip_has_no_lateral_force() {
     assert!(!names.contains(&"surface_force_y".to_owned()));
 }
 
+/// A hill is drawn, not a pit; the label says that it is turned over.
+#[test]
+fn driving_is_drawn_like_braking_with_another_label() {
+    let reversed = Recipe { direction: std::f64::consts::PI, ..RECIPE };
+    for (recipe, label) in [(RECIPE, "\nΔFTx*"), (reversed, "\n\u{2212}ΔFTx*")] {
+        let drawings = drawings("", &solution(recipe)).unwrap();
+        let force = drawings.iter().find(|(name, _)| name == "surface_force_x").unwrap();
+        assert!(text_of(&force.1).contains(label));
+    }
+}
+
 #[test]
 fn slender_patches_and_coarse_grids_are_drawn() {
     for semi_axes in [[2e-3, 20e-3], [20e-3, 2e-3]] {

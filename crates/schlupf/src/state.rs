@@ -28,7 +28,11 @@ pub struct Element {
     pub saturation: [f64; 2],
     /// Sliding distance since entry, in m.
     pub sliding: [f64; 2],
-    /// Heat received since entry, the latest step first.
+    /// Temperature rise times effusivity in the cell, in W √s/m².
+    pub rise: f64,
+    /// Slip speed in the cell, in m/s.
+    pub slip_speed: f64,
+    /// Heat received since entry and until it leaves the cell, the latest step first.
     pub heat: Vec<HeatStep>,
 }
 

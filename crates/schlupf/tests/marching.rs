@@ -57,8 +57,8 @@ fn rolling_from_rest_is_steady_after_a_passage() {
     assert!(forces[0] > 0.0 && forces[0] < 0.3 * forces[19]);
     let last = forces[forces.len() - 1];
     // One passage is 20 steps; the elastic surroundings take a little longer.
-    assert_relative_eq!(forces[24], last, max_relative = 0.01);
-    assert_relative_eq!(forces[44], last, max_relative = 1e-4);
+    assert_relative_eq!(forces[24], last, max_relative = 0.03);
+    assert_relative_eq!(forces[49], last, max_relative = 1e-3);
     let step = 12e-3 / 20.0 / 30.0;
     assert_relative_eq!(solution.history[9].time, 10.0 * step, max_relative = 1e-12);
 }
@@ -182,6 +182,6 @@ fn stiff_contact_laws_converge() {
         stiff.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
         let solution = solve(&stiff, &cells(16));
         let per_step = solution.work.newton_iterations as f64 / solution.work.steps as f64;
-        assert!(per_step < 40.0, "k_c {stiffness}: {:?}", solution.work);
+        assert!(per_step < 12.0, "k_c {stiffness}: {:?}", solution.work);
     }
 }

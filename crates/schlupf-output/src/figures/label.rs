@@ -29,14 +29,12 @@ pub(super) struct TextStyle {
     pub color: &'static str,
     /// Clockwise rotation about the given point, in degrees.
     pub rotation: f64,
-    /// Whether a white rim sets the text off from what it lies on.
-    pub halo: bool,
 }
 
 impl TextStyle {
     /// Upright dark text.
     pub(super) const fn new(size: f64, anchor: Anchor) -> Self {
-        Self { size, anchor, color: INK, rotation: 0.0, halo: false }
+        Self { size, anchor, color: INK, rotation: 0.0 }
     }
 }
 
@@ -55,12 +53,6 @@ pub(super) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
     if style.rotation != 0.0 {
         // Writing to a String cannot fail.
         let _ = write!(attributes, r#" transform="rotate({:.2} {x:.2} {y:.2})""#, style.rotation);
-    }
-    if style.halo {
-        let _ = write!(
-            attributes,
-            r##" stroke="#ffffff" stroke-width="3" stroke-linejoin="round" paint-order="stroke""##
-        );
     }
     // Spaces at the ends of spans count.
     format!(r#"<text {attributes} xml:space="preserve">{inner}</text>"#)

@@ -32,6 +32,19 @@ impl Quantity {
         [low, high]
     }
 
+    /// A field of negative values turned over, so that a surface is a hill and not a pit that hides its
+    /// own ground; the label says so.
+    fn upright(mut self) -> Self {
+        let [low, high] = self.range();
+        if low < 0.0 && high < -STRAY * low {
+            for value in &mut self.values {
+                *value = -*value;
+            }
+            self.label.insert(0, '\u{2212}');
+        }
+        self
+    }
+
     /// Whether it has anything to show: some value larger than rounding.
     pub(super) fn is_visible(&self, threshold: f64) -> bool {
         let [low, high] = self.range();
@@ -39,11 +52,15 @@ impl Quantity {
     }
 }
 
-/// Colours over a range: from zero for values of one sign, else symmetric about zero.
+/// The share of the largest value up to which values of the other sign are stray ones.
+const STRAY: f64 = 0.1;
+
+/// Colours over a range: from zero for values of one sign, but for a few stray ones, else symmetric
+/// about zero.
 pub(super) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
     let [low, high] = range;
     let largest = high.max(-low);
-    if low < -0.02 * largest && high > 0.02 * largest {
+    if low < -STRAY * largest && high > STRAY * largest {
         return ColorScale { palette: Palette::Signed, low: -largest, high: largest };
     }
     if high >= -low {
@@ -79,8 +96,8 @@ pub(super) fn of_the_paper(patch: &Patch) -> Vec<Quantity> {
             normalised: true,
             ..pressure(patch)
         },
-        force("force_x", "along rolling", "Δ$F$_{Tx}*", &fields.traction_x),
-        force("force_y", "across rolling", "Δ$F$_{Ty}*", &fields.traction_y),
+        force("force_x", "along rolling", "Δ$F$_{Tx}*", &fields.traction_x).upright(),
+        force("force_y", "across rolling", "Δ$F$_{Ty}*", &fields.traction_y).upright(),
         slip(patch),
         friction_power(patch),
         temperature(patch),

@@ -39,6 +39,9 @@ pub(super) struct Strips {
     times_ellipsoid: bool,
 }
 
+/// Covered part below which a cell is passed over.
+const SLIVER: f64 = 0.25;
+
 #[derive(Debug)]
 struct Strip {
     /// Over b.
@@ -84,8 +87,12 @@ impl Strip {
     fn new(patch: &Patch, values: &[f64], row: usize) -> Option<Self> {
         let fields = patch.fields();
         let [a, b] = patch.semi_axes();
-        let cells: Vec<usize> =
+        let mut cells: Vec<usize> =
             (0..fields.grid.columns).filter_map(|column| patch.cell(column, row)).collect();
+        // A sliver at the rim says little, and its small numbers scatter.
+        if cells.iter().any(|&cell| fields.covered[cell] > SLIVER) {
+            cells.retain(|&cell| fields.covered[cell] > SLIVER);
+        }
         let covered: f64 = cells.iter().map(|&cell| fields.covered[cell]).sum();
         let moment: f64 = cells.iter().map(|&cell| fields.covered[cell] * fields.y[cell]).sum();
         let y = moment / covered / b;

@@ -23,7 +23,10 @@ pub(super) fn draw(patch: &Patch, quantity: &Quantity) -> String {
     let facets =
         mesh::facets(patch, &Sampler::new(patch, &quantity.values, quantity.vanishes_at_rim));
     let heights = || facets.iter().flat_map(|facet| &facet.corners).map(|corner| corner[2]);
-    let range = [heights().fold(0.0, f64::min), heights().fold(0.0, f64::max)];
+    let [low, high]: [f64; 2] = [heights().fold(0.0, f64::min), heights().fold(0.0, f64::max)];
+    // A few stray values of the other sign do not move the floor of the box.
+    let least = 0.05 * high.max(-low);
+    let range = [if low > -least { 0.0 } else { low }, if high < least { 0.0 } else { high }];
     let [x, y] = mesh::extent(patch);
     let (z, z_ticks) = round_axis(range[0], range[1], 5);
     let projection = Projection { ranges: [x, y, z], center: [402.0, 478.0], scale: 230.0 };
@@ -67,7 +70,7 @@ fn draw_facets(
 
 /// A polygon a little larger than given, so that nothing shines through between two of them.
 fn inflated(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    const OVERLAP: f64 = 0.4;
+    const OVERLAP: f64 = 0.7;
     let count = corners.len().max(1) as f64;
     let middle = [0, 1].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>() / count);
     let outwards = |corner: &[f64; 2]| {

@@ -8,19 +8,23 @@ mod newton;
 
 pub use newton::solve;
 
-/// An equilibrium to be solved. The response to p is split into the linear part u = A p, which is
-/// dear, and a local rest, which is cheap.
+/// An equilibrium to be solved, F(p) = 0. The response to p is split into the linear part u = A p,
+/// which is dear, and a local rest, which is cheap.
 pub trait Equilibrium {
     /// Number of unknowns.
     fn size(&self) -> usize;
 
-    /// ‖μ pₙ‖₂, in Pa: what the residual is measured against.
+    /// ‖μ pₙ‖₂, in Pa: what residuals are measured against.
     fn scale(&self) -> f64;
 
     /// u = A p: one product.
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]);
 
-    /// Residual F(p) = p − μ pₙ law, with u = A p given; in Pa. Prepares the tangent at p.
+    /// The residual that defines the tolerance, ‖p − μ pₙ law(D − B p)‖₂ in Pa, with u = A p given.
+    fn defect(&mut self, p: &[f64], u: &[f64]) -> f64;
+
+    /// F(p), in Pa, with u = A p given; zero where the defect is zero. Prepares the tangent at p.
+    /// The step p ← p − F(p) must never lead away from the solution.
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]);
 
     /// Jacobian of F times v, with A v given, at the p of the last residual.
@@ -28,10 +32,6 @@ pub trait Equilibrium {
 
     /// Replaces v by an approximation of the inverse Jacobian times v.
     fn precondition(&self, v: &mut [f64]);
-
-    /// A slow but safe step towards the solution (forward–backward splitting), for where Newton's
-    /// method finds no descent. `u` = A p on entry.
-    fn safe_step(&mut self, p: &mut [f64], u: &[f64]);
 }
 
 /// When to stop.

@@ -6,6 +6,9 @@ use super::{Equilibrium, Limits, Outcome, add_scaled, norm};
 /// Largest linear residual asked of the Krylov method, relative to that of the Newton step.
 const LARGEST_FORCING: f64 = 0.1;
 
+/// Smallest one: a Newton step is never that exact anyway.
+const LEAST_FORCING: f64 = 1e-4;
+
 /// Least fall of the residual norm that a step of length λ must bring, relative to λ.
 const SUFFICIENT_FALL: f64 = 1e-4;
 
@@ -17,31 +20,34 @@ const SAFE_STEPS: usize = 20;
 
 /// Solves F(p) = 0 from the given p, in place.
 pub fn solve(system: &mut impl Equilibrium, p: &mut [f64], limits: &Limits) -> Outcome {
-    let size = system.size();
     let scale = system.scale();
-    let mut newton = Newton::new(size);
+    let mut newton = Newton::new(system.size());
     let mut outcome = Outcome { products: 1, ..Outcome::default() };
     system.compliance_product(p, &mut newton.u);
-    system.residual(p, &newton.u, &mut newton.residual);
-    let mut length = norm(&newton.residual);
     let mut forcing = LARGEST_FORCING;
     loop {
-        outcome.residual = if scale > 0.0 { length / scale } else { length };
+        let defect = system.defect(p, &newton.u);
+        outcome.residual = if scale > 0.0 { defect / scale } else { defect };
         outcome.converged = outcome.residual <= limits.tolerance;
-        if outcome.converged || outcome.iterations == limits.max_iterations || !length.is_finite()
-        {
+        let given_up = outcome.iterations == limits.max_iterations || !defect.is_finite();
+        if outcome.converged || given_up {
+            return outcome;
+        }
+        system.residual(p, &newton.u, &mut newton.residual);
+        let before = norm(&newton.residual);
+        if before == 0.0 {
+            // Rounding hides the rest of the defect.
             return outcome;
         }
         outcome.iterations += 1;
-        outcome.products += newton.direction(system, forcing);
-        let previous = length;
-        length = match newton.line_search(system, p, length) {
+        // No more than half of what is needed in the end.
+        let enough = 0.5 * limits.tolerance / outcome.residual;
+        outcome.products += newton.direction(system, forcing.max(enough).min(0.5));
+        let after = match newton.line_search(system, p, before) {
             Some(length) => length,
             None => newton.safe_steps(system, p, &mut outcome),
         };
-        let enough = 0.5 * limits.tolerance / outcome.residual;
-        forcing = (0.9 * (length / previous).powi(2)).clamp(1e-4, LARGEST_FORCING).max(enough);
-        forcing = forcing.min(0.5);
+        forcing = (0.9 * (after / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
     }
 }
 
@@ -92,7 +98,6 @@ impl Newton {
             if trial_length <= (1.0 - SUFFICIENT_FALL * fraction) * length {
                 p.copy_from_slice(trial_p);
                 std::mem::swap(&mut self.u, trial_u);
-                std::mem::swap(&mut self.residual, trial_residual);
                 return Some(trial_length);
             }
             fraction *= 0.5;
@@ -107,12 +112,12 @@ impl Newton {
         outcome: &mut Outcome,
     ) -> f64 {
         for _ in 0..SAFE_STEPS {
-            system.safe_step(p, &self.u);
+            add_scaled(p, -1.0, &self.residual);
             system.compliance_product(p, &mut self.u);
+            system.residual(p, &self.u, &mut self.residual);
         }
         outcome.safe_steps += SAFE_STEPS;
         outcome.products += SAFE_STEPS;
-        system.residual(p, &self.u, &mut self.residual);
         norm(&self.residual)
     }
 }

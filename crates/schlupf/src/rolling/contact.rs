@@ -1,7 +1,7 @@
 //! The discretised contact: a patch and the compliance of its cells.
 
 use crate::elasticity::Compliance;
-use crate::equilibrium::{dot, norm};
+use crate::equilibrium::norm;
 use crate::grid::VectorField;
 use crate::normal::NormalSummary;
 use crate::patch::{Interpolation, Patch};
@@ -15,30 +15,33 @@ pub(super) struct DiscreteContact {
     traction: VectorField,
     /// A p on the whole grid, of the last product.
     pub displacement: VectorField,
-    /// Largest eigenvalue of A, in m/Pa, once it has been asked for.
-    norm: Option<f64>,
+    stand_in: [f64; 2],
+    safe_stiffness: f64,
 }
 
 impl DiscreteContact {
     pub fn new(normal: NormalSummary, patch: Patch, compliance: Box<dyn Compliance>) -> Self {
         let zeros = VectorField::zeros(patch.grid.len());
-        Self {
+        let mut contact = Self {
             interpolation: interpolation(&patch, compliance.as_ref()),
             normal,
             patch,
             compliance,
             traction: zeros.clone(),
             displacement: zeros,
-            norm: None,
-        }
+            stand_in: [0.0; 2],
+            safe_stiffness: 0.0,
+        };
+        contact.stand_in = contact.estimate_stand_in();
+        contact.safe_stiffness = contact.estimate_safe_stiffness();
+        contact
     }
 
-    /// Another patch on the same grid.
+    /// Another patch on the same grid. It differs little from the last one: the estimates stay.
     pub fn set_patch(&mut self, normal: NormalSummary, patch: Patch) {
         self.interpolation = interpolation(&patch, self.compliance.as_ref());
         self.normal = normal;
         self.patch = patch;
-        self.norm = None;
     }
 
     /// u = A p at the cells' points; the displacement of the whole grid is left in the field.
@@ -84,27 +87,32 @@ impl DiscreteContact {
         self.compliance.edge_displacement(&self.traction)
     }
 
-    /// Displacement over traction of the patch as a whole under tractions like the pressure, for
-    /// each component, in m/Pa.
-    pub fn stand_in(&mut self) -> [f64; 2] {
+    /// Displacement over traction of the patch as a whole, for each component, in m/Pa.
+    pub fn stand_in(&self) -> [f64; 2] {
+        self.stand_in
+    }
+
+    /// γ = 1/‖A‖ or somewhat less, in Pa/m.
+    pub fn safe_stiffness(&self) -> f64 {
+        self.safe_stiffness
+    }
+
+    /// Under tractions like the pressure.
+    fn estimate_stand_in(&mut self) -> [f64; 2] {
         let p: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
         let mut u = vec![0.0; p.len()];
         self.product(&p, &mut u);
         [0, 1].map(|c| {
-            let every_other = |values: &[f64]| -> Vec<f64> {
-                values.iter().skip(c).step_by(2).copied().collect()
+            let of = |v: &[f64], w: &[f64]| -> f64 {
+                v.iter().zip(w).skip(c).step_by(2).map(|(v, w)| v * w).sum()
             };
-            let (p, u) = (every_other(&p), every_other(&u));
-            dot(&p, &u) / dot(&p, &p)
+            of(&p, &u) / of(&p, &p)
         })
     }
 
-    /// An upper estimate of ‖A‖₂ in m/Pa, by power iteration.
-    pub fn norm(&mut self) -> f64 {
-        if let Some(norm) = self.norm {
-            return norm;
-        }
-        let mut v: Vec<f64> = vec![1.0; 2 * self.patch.len()];
+    /// By power iteration.
+    fn estimate_safe_stiffness(&mut self) -> f64 {
+        let mut v: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
         let mut u = v.clone();
         let mut largest = 0.0;
         for _ in 0..POWER_ITERATIONS {
@@ -113,20 +121,22 @@ impl DiscreteContact {
             self.product(&v, &mut u);
             largest = norm(&u);
             if largest == 0.0 {
-                break;
+                return RIGID_STIFFNESS;
             }
             std::mem::swap(&mut v, &mut u);
         }
-        let estimate = SAFETY * largest;
-        self.norm = Some(estimate);
-        estimate
+        (SAFETY * largest).recip()
     }
 }
 
 const POWER_ITERATIONS: usize = 10;
 
 /// The power iteration comes from below.
-const SAFETY: f64 = 1.2;
+const SAFETY: f64 = 1.1;
+
+/// In Pa/m. Where nothing deforms any stiffness is safe: this one is that of steel in a patch of
+/// some millimetres.
+const RIGID_STIFFNESS: f64 = 1e13;
 
 fn interpolation(patch: &Patch, compliance: &dyn Compliance) -> Interpolation {
     if compliance.couples_cells() {

@@ -47,8 +47,6 @@ struct March<'a> {
     problem: &'a Problem,
     options: &'a Options,
     contact: DiscreteContact,
-    /// Displacement over traction of the patch as a whole, in m/Pa.
-    stand_in: [f64; 2],
     time: f64,
     now: Snapshot,
     /// The elements, in the order of the patch.
@@ -76,12 +74,10 @@ impl<'a> March<'a> {
         let kinematics = kinematics_at(problem, time);
         let conduction = problem.conduction(&kinematics);
         let compliance = problem.elasticity.compliance(&grid)?;
-        let mut contact = DiscreteContact::new(normal.summary, patch, compliance);
-        let stand_in = contact.stand_in();
+        let contact = DiscreteContact::new(normal.summary, patch, compliance);
         let mut march = Self {
             problem,
             options,
-            stand_in,
             time,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
             elements: on_patch(&contact.patch, &state.elements),
@@ -93,8 +89,7 @@ impl<'a> March<'a> {
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
-        let rises = march.elements.iter().map(|e| problem.heat.rise_times_effusivity(&e.heat));
-        march.now.rise = rises.collect();
+        march.now.rise = march.elements.iter().map(|e| e.rise).collect();
         march.displace();
         Ok(march)
     }
@@ -147,7 +142,7 @@ impl<'a> March<'a> {
             if let Some(e) = at[cell.index] {
                 self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
                 self.now.rise[k] = old.rise[e];
-                slip_speed = old.slip[e][0].hypot(old.slip[e][1]);
+                slip_speed = self.elements[e].slip_speed;
             }
             let temperature = self.now.conduction.contact_temperature(self.now.rise[k])
                 - self.problem.friction.reference_temperature;
@@ -178,8 +173,7 @@ impl<'a> March<'a> {
         };
         let law = self.problem.contact_law.as_ref();
         let old_traction = self.now.traction.clone();
-        let mut step =
-            TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides, self.stand_in);
+        let mut step = TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides);
         self.outcome = step.solve(&mut self.now.traction, &limits);
         let (slides, responses) = (step.slides, step.responses);
         self.displace();
@@ -189,7 +183,7 @@ impl<'a> March<'a> {
             traction: self.now.traction_at(k),
             saturation: if bound[k] > 0.0 { responses[k].traction } else { [0.0; 2] },
             sliding: [0, 1].map(|c| slides[k].distance[c] + slides[k].increment[c]),
-            heat: Vec::new(),
+            ..Element::default()
         };
         self.elements = (0..slides.len()).map(element).collect();
     }
@@ -216,8 +210,10 @@ impl<'a> March<'a> {
         set_friction_power(&mut self.now, patch, &change);
         let old_rise = self.now.rise.clone();
         set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
-        for (element, record) in self.elements.iter_mut().zip(records) {
+        for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
             element.heat = record;
+            element.rise = self.now.rise[k];
+            element.slip_speed = self.now.slip[k][0].hypot(self.now.slip[k][1]);
         }
         let hottest = self.now.rise.iter().copied().fold(0.0, f64::max);
         let difference = |(new, old): (&f64, &f64)| (new - old).abs();
