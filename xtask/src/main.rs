@@ -1,3 +1,97 @@
 //! Development tasks: `cargo xtask ci` and its parts.
 
-fn main() {}
+#![forbid(unsafe_code)]
+
+mod parts;
+mod sources;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use parts::Part;
+
+/// Exit code of a wrong command line; 1 is that of a failed part.
+const USAGE_ERROR: u8 = 2;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments.iter().any(|argument| matches!(argument.as_str(), "-h" | "--help" | "help")) {
+        println!("{}", help());
+        return ExitCode::SUCCESS;
+    }
+    match requested(&arguments) {
+        Ok(requested) => {
+            if parts::run(&requested, &workspace()) {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::FAILURE
+            }
+        }
+        Err(error) => {
+            eprintln!("error: {error}\n\n{}", help());
+            ExitCode::from(USAGE_ERROR)
+        }
+    }
+}
+
+/// The parts that a command line asks for.
+fn requested(arguments: &[String]) -> Result<Vec<Part>, String> {
+    match arguments {
+        [] => Err("no task named".to_owned()),
+        [task] if task == "ci" => Ok(Part::ALL.to_vec()),
+        [task] => match Part::ALL.into_iter().find(|part| part.name() == task) {
+            Some(part) => Ok(vec![part]),
+            None => Err(format!("unknown task `{task}`")),
+        },
+        [_, rest @ ..] => Err(format!("unexpected argument `{}`", rest.join(" "))),
+    }
+}
+
+fn help() -> String {
+    let line = |name, about| format!("  {name:<9}{about}");
+    let mut lines = vec![
+        "Development tasks of schlupf\n\nUsage: cargo xtask <TASK>\n\nTasks:".to_owned(),
+        line("ci", "all of the following, in this order; fails if one fails"),
+    ];
+    lines.extend(Part::ALL.iter().map(|part| line(part.name(), part.about())));
+    lines.push("\nOptions:\n  -h, --help  print this".to_owned());
+    lines.join("\n")
+}
+
+/// The root of the workspace. Cargo names the package at run time too, and rightly so after the
+/// checkout has moved.
+fn workspace() -> PathBuf {
+    let package = std::env::var_os("CARGO_MANIFEST_DIR")
+        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
+    package.parent().map_or_else(|| package.clone(), PathBuf::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(line: &str) -> Result<Vec<Part>, String> {
+        requested(&line.split_whitespace().map(str::to_owned).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn ci_is_every_part_in_order() {
+        let names: Vec<_> = parse("ci").unwrap().iter().map(|part| part.name()).collect();
+        assert_eq!(names, ["fmt", "clippy", "test", "doc", "sources"]);
+    }
+
+    #[test]
+    fn every_part_runs_alone_and_is_in_the_help() {
+        for part in Part::ALL {
+            assert_eq!(parse(part.name()).unwrap(), [part]);
+            assert!(help().contains(&format!("  {} ", part.name())));
+        }
+    }
+
+    #[test]
+    fn wrong_command_lines_are_refused() {
+        assert_eq!(parse("").unwrap_err(), "no task named");
+        assert_eq!(parse("lint").unwrap_err(), "unknown task `lint`");
+        assert_eq!(parse("test --all").unwrap_err(), "unexpected argument `--all`");
+    }
+}

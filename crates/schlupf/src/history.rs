@@ -147,8 +147,7 @@ mod tests {
         assert!(refuse(History::default()).contains("at least two times"));
         let backwards = History { time: vec![1.0, 1.0], ..History::default() };
         assert!(refuse(backwards).contains("ascend strictly"));
-        let short =
-            History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };
+        let short = History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };
         assert!(refuse(short).contains("history.spin: 1 values for 2 times"));
         let locked =
             History { time: times, creepage_x: Some(vec![0.0, 2.0]), ..History::default() };

@@ -22,7 +22,12 @@ impl Kinematics {
     /// Kinematics of a wheel of rolling radius R (in m) that turns with ω (in rad/s) under the yaw
     /// angle α (in rad), exactly: ξ = (v0 cos α − ω R)/v0, η = −sin α. For small α these are
     /// Eq. (3) and (12) of Neuhaus and Sextro (2014).
-    pub fn from_wheel(speed: f64, angular_velocity: f64, wheel_radius: f64, yaw_angle: f64) -> Self {
+    pub fn from_wheel(
+        speed: f64,
+        angular_velocity: f64,
+        wheel_radius: f64,
+        yaw_angle: f64,
+    ) -> Self {
         Self {
             speed,
             creepage_x: yaw_angle.cos() - angular_velocity * wheel_radius / speed,

@@ -6,12 +6,12 @@ use crate::elasticity::Elasticity;
 use crate::error::{Error, require, require_positive};
 use crate::heat::Heat;
 use crate::heat::partition::Conduction;
+use crate::history::History;
 use crate::interface::contact_law::ContactLaw;
 use crate::interface::friction::Friction;
 use crate::kinematics::Kinematics;
 use crate::material::Body;
 use crate::normal::PressureSource;
-use crate::history::History;
 use crate::state::State;
 
 /// A rolling contact: two bodies, how they move, and the laws that hold between them.
@@ -110,9 +110,8 @@ impl Options {
             self.tolerance,
             "",
         )?;
-        let positive = |quantity, count: usize| {
-            require(count > 0, quantity, "at least 1", count as f64, "")
-        };
+        let positive =
+            |quantity, count: usize| require(count > 0, quantity, "at least 1", count as f64, "");
         positive("solver.max_iterations", self.max_iterations)?;
         positive("solver.max_steps", self.max_steps)?;
         let threshold = self.slip_threshold;

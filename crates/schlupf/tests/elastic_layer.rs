@@ -82,7 +82,8 @@ fn neuhaus_sextro_2014_total_displacement_against_increments() {
         let mut total = incremental.clone();
         total.contact_law = Arc::new(TotalDisplacement::new(5e6).unwrap());
         let (one, two) = (solve(&incremental, &cells(20)), solve(&total, &cells(20)));
-        let differs = (one.normalised.x - two.normalised.x).hypot(one.normalised.y - two.normalised.y);
+        let differs =
+            (one.normalised.x - two.normalised.x).hypot(one.normalised.y - two.normalised.y);
         assert!(differs < 2e-4, "ξ {xi}, η {eta}: {differs}");
         for k in 0..one.fields.len() {
             let x = one.fields.traction_x[k] - two.fields.traction_x[k];

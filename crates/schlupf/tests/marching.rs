@@ -39,7 +39,8 @@ fn kalker_1982_winkler_strips_with_coulomb_friction() {
 fn winkler_is_the_layer_without_coupling() {
     let mut one = problem(rolling(0.002, 0.001, 0.3));
     let mut two = one.clone();
-    let uncoupled = |bedding| LayerStiffness { bedding, coupling_along_x: 0.0, coupling_along_y: 0.0 };
+    let uncoupled =
+        |bedding| LayerStiffness { bedding, coupling_along_x: 0.0, coupling_along_y: 0.0 };
     let layer = ElasticLayer::new(uncoupled(2e13), uncoupled(1.5e13), None).unwrap();
     one.elasticity = Arc::new(layer);
     two.elasticity = Arc::new(Winkler::new(2e13, 1.5e13).unwrap());
@@ -128,7 +129,8 @@ fn the_patch_follows_a_changing_load() {
     // The same patch on its own grid: they differ by the error of the grid.
     let steady = solve(&transient, &cells(24));
     assert_relative_eq!(breathing.force.x, steady.force.x, max_relative = 3e-3);
-    let load: f64 = breathing.fields.pressure.iter().sum::<f64>() * breathing.fields.grid.cell_area();
+    let load: f64 =
+        breathing.fields.pressure.iter().sum::<f64>() * breathing.fields.grid.cell_area();
     assert_relative_eq!(load, 0.5 * full, max_relative = 1e-12);
 }
 

@@ -395,7 +395,12 @@ mod tests {
         for j in 0..grid.rows {
             for i in 0..grid.columns {
                 let there = total[(j + rows_beyond) * columns + i + first_column];
-                assert_relative_eq!(u.x[grid.index(i, j)], there, max_relative = 1e-10, epsilon = 1e-18);
+                assert_relative_eq!(
+                    u.x[grid.index(i, j)],
+                    there,
+                    max_relative = 1e-10,
+                    epsilon = 1e-18
+                );
             }
         }
     }
@@ -406,8 +411,7 @@ mod tests {
         let grid = grid();
         let zero_margin = ElasticLayer::new(layer(), layer(), Some(0.0)).unwrap();
         let surroundings = Surroundings { columns: grid.columns, first_column: 0, rows_beyond: 0 };
-        let mut compliance =
-            LayerCompliance::new(&zero_margin.per_area(&grid), surroundings, grid);
+        let mut compliance = LayerCompliance::new(&zero_margin.per_area(&grid), surroundings, grid);
         let traction = VectorField { x: vec![1e8; grid.len()], y: vec![0.0; grid.len()] };
         let mut u = VectorField::zeros(grid.len());
         compliance.displacement(&traction, &mut u);

@@ -79,8 +79,8 @@ impl Lattice {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::elasticity::elastic_layer::ElasticLayer;
     use crate::elasticity::Elasticity;
+    use crate::elasticity::elastic_layer::ElasticLayer;
     use crate::grid::{Extent, Grid, VectorField};
 
     const STIFFNESS: LayerStiffness =
@@ -101,9 +101,8 @@ mod tests {
             stiffness: STIFFNESS,
         };
         // An ellipse of contact cells, on the grid and on the lattice.
-        let in_contact = |i: usize, j: usize| {
-            (grid.x(i) / 6e-3).powi(2) + (grid.y(j) / 5e-3).powi(2) < 1.0
-        };
+        let in_contact =
+            |i: usize, j: usize| (grid.x(i) / 6e-3).powi(2) + (grid.y(j) / 5e-3).powi(2) < 1.0;
         let cells: Vec<(usize, usize)> = (0..grid.rows)
             .flat_map(|j| (0..grid.columns).map(move |i| (i, j)))
             .filter(|(i, j)| in_contact(*i, *j))

@@ -200,8 +200,7 @@ mod tests {
     #[test]
     fn dahl_1968_reversal() {
         let law = Incremental::new(K).unwrap();
-        let state =
-            Slide { traction: [1.0, 0.0], increment: [-2e-7, 0.0], ..Slide::default() };
+        let state = Slide { traction: [1.0, 0.0], increment: [-2e-7, 0.0], ..Slide::default() };
         let expected = 2.0 * (-1.0_f64).exp() - 1.0;
         assert_relative_eq!(law.respond(&state).traction[0], expected, max_relative = 1e-14);
     }

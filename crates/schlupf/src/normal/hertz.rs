@@ -218,8 +218,10 @@ mod tests {
             let turned = Radii { x: 0.3, y: f64::INFINITY };
             let one = Hertz::new(along, cylinder, steel(), 1e5).unwrap();
             let two = Hertz::new(across, turned, steel(), 1e5).unwrap();
-            let (one, two) =
-                (one.normal_contact(None).unwrap().summary, two.normal_contact(None).unwrap().summary);
+            let (one, two) = (
+                one.normal_contact(None).unwrap().summary,
+                two.normal_contact(None).unwrap().summary,
+            );
             assert_relative_eq!(one.semi_axis_x, two.semi_axis_y, max_relative = 1e-10);
             assert_relative_eq!(one.semi_axis_y, two.semi_axis_x, max_relative = 1e-10);
             assert_relative_eq!(one.approach.unwrap(), two.approach.unwrap(), max_relative = 1e-10);

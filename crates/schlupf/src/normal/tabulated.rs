@@ -43,7 +43,8 @@ impl Axis {
         }
         let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
         let axis = Self { start: positions[0], spacing, count };
-        let deviates = |k: usize| !((positions[k] - axis.at(k)).abs() <= SPACING_TOLERANCE * spacing);
+        let deviates =
+            |k: usize| !((positions[k] - axis.at(k)).abs() <= SPACING_TOLERANCE * spacing);
         if let Some(k) = (0..count).find(|&k| deviates(k)) {
             return Err(invalid(
                 "ascending, equidistant positions",
@@ -190,10 +191,7 @@ pub(crate) fn positive_runs(samples: &[f64], axis: &Axis) -> Vec<Run> {
         };
         let ahead = if first == last { 0.5 } else { beyond(last, last - 1) };
         let behind = if first == last { 0.5 } else { beyond(first, first + 1) };
-        let edges = [
-            axis.at(first) - behind * axis.spacing,
-            axis.at(last) + ahead * axis.spacing,
-        ];
+        let edges = [axis.at(first) - behind * axis.spacing, axis.at(last) + ahead * axis.spacing];
         runs.push(Run { edges });
     }
     runs
@@ -254,9 +252,8 @@ mod tests {
             (0..count).map(|k| half * 1.1 * (2.0 * k as f64 / (count - 1) as f64 - 1.0)).collect()
         };
         let (x, y) = (axis(a), axis(b));
-        let value = |x: f64, y: f64| {
-            1e9 * (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt()
-        };
+        let value =
+            |x: f64, y: f64| 1e9 * (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt();
         let pressure = y.iter().flat_map(|y| x.iter().map(|x| value(*x, *y))).collect();
         PressureTable::new(&x, &y, pressure).unwrap()
     }

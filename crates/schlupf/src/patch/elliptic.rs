@@ -89,8 +89,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::normal::ellipse::Ellipse;
     use crate::normal::PressureSource;
+    use crate::normal::ellipse::Ellipse;
 
     fn ellipse(a: f64, b: f64, cells_x: usize, cells_y: usize) -> (Patch, NormalSummary) {
         let source = Ellipse::from_peak_pressure(a, b, 1e9).unwrap();

@@ -118,7 +118,6 @@ impl Interpolation {
             value.copy_from_slice(&at[entry]);
         }
     }
-
 }
 
 /// The row next to `row` on the side of the offset (in spacings), and its weight.

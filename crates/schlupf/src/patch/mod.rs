@@ -132,4 +132,3 @@ impl Patch {
         self.cells[strip.cells.end - 1].x - strip.exit.distance
     }
 }
-

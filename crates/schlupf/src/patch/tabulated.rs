@@ -103,9 +103,8 @@ mod tests {
     #[test]
     fn a_hertzian_table_gives_the_elliptic_patch() {
         let (a, b) = (6e-3_f64, 5e-3_f64);
-        let hertz = |x: f64, y: f64| {
-            1e9 * (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt()
-        };
+        let hertz =
+            |x: f64, y: f64| 1e9 * (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt();
         let contact = contact(&axis(1.2 * a, 145), &axis(1.2 * b, 145), hertz);
         for cells in [5, 24, 60] {
             let grid = Grid::across(&contact.extent(), cells, cells);

@@ -263,7 +263,8 @@ impl<'a> March<'a> {
         if status == Status::NotConverged {
             warnings.insert(0, self.why_not_converged());
         }
-        let state = State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
+        let state =
+            State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
         let account = summary::Account {
             status,
             residual,
@@ -342,5 +343,9 @@ fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
 fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
     let at = positions(patch, elements);
     let blank = |index| Element { index, ..Element::default() };
-    patch.cells.iter().map(|c| at[c.index].map_or(blank(c.index), |e| elements[e].clone())).collect()
+    patch
+        .cells
+        .iter()
+        .map(|c| at[c.index].map_or(blank(c.index), |e| elements[e].clone()))
+        .collect()
 }

@@ -1,11 +1,11 @@
 //! From the fields of an instant to forces, powers and everything else that is reported.
 
+use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{
     Area, Fields, Instant, Power, Resultant, Solution, Status, TGamma, Temperature, Work,
 };
 use crate::state::State;
-use crate::patch::Patch;
 
 use super::contact::DiscreteContact;
 use super::snapshot::Snapshot;
@@ -74,7 +74,9 @@ fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
     let motion = &now.kinematics;
     let creep = -motion.speed
-        * (motion.creepage_x * force.x + motion.creepage_y * force.y + motion.spin * force.moment_z);
+        * (motion.creepage_x * force.x
+            + motion.creepage_y * force.y
+            + motion.spin * force.moment_z);
     Power { friction, creep, returned }
 }
 
@@ -87,9 +89,11 @@ fn t_gamma(now: &Snapshot, force: &Resultant) -> TGamma {
 /// Largest temperatures, in the cells and at the trailing edges.
 pub(super) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
     let cells = patch.cells.iter().zip(&now.rise).map(|(cell, rise)| (*rise, cell.x, cell.y));
-    let exits = patch.strips.iter().zip(&now.exit_rise).map(|(strip, rise)| {
-        (*rise, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
-    });
+    let exits = patch
+        .strips
+        .iter()
+        .zip(&now.exit_rise)
+        .map(|(strip, rise)| (*rise, patch.exit(strip), patch.cells[strip.cells.end - 1].y));
     let hottest = cells.chain(exits).reduce(|p, q| if q.0 > p.0 { q } else { p });
     let Some((rise, x, y)) = hottest else {
         return Temperature::default();
@@ -176,7 +180,8 @@ pub(super) fn warnings(
         ));
     }
     let power = power(&contact.patch, now, &force(&contact.patch, now));
-    if power.returned > LARGEST_RETURNED_POWER * power.friction.abs() && problem.heat.model.is_some()
+    if power.returned > LARGEST_RETURNED_POWER * power.friction.abs()
+        && problem.heat.model.is_some()
     {
         warnings.push(format!(
             "heat: the bristles of the contact law return {:.3e} W of {:.3e} W friction power; \

@@ -79,7 +79,8 @@ impl<'a> TimeStep<'a> {
 
     /// ∂(μ pₙ law)/∂s + γ at the last evaluation.
     fn local_stiffness(&self, k: usize) -> [[f64; 2]; 2] {
-        let [[xx, xy], [yx, yy]] = self.responses[k].by_increment.map(|r| r.map(|d| self.bound[k] * d));
+        let [[xx, xy], [yx, yy]] =
+            self.responses[k].by_increment.map(|r| r.map(|d| self.bound[k] * d));
         [[xx + self.gamma, xy], [yx, yy + self.gamma]]
     }
 
@@ -162,8 +163,7 @@ impl Equilibrium for TimeStep<'_> {
             let target = [0, 1].map(|c| p[2 * k + c] + self.gamma * increment[c]);
             self.slide_locally(k, target);
             for c in 0..2 {
-                residual[2 * k + c] =
-                    p[2 * k + c] - self.bound[k] * self.responses[k].traction[c];
+                residual[2 * k + c] = p[2 * k + c] - self.bound[k] * self.responses[k].traction[c];
             }
             // ∂(μ pₙ law)/∂target = I − γ (∂(μ pₙ law)/∂s + γ)⁻¹
             let inverse = inverse_2x2(self.local_stiffness(k));

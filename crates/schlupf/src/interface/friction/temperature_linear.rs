@@ -63,7 +63,8 @@ mod tests {
 
     #[test]
     fn impossible_constants_are_named() {
-        let message = |m0, te, floor| TemperatureLinear::new(m0, te, floor).unwrap_err().to_string();
+        let message =
+            |m0, te, floor| TemperatureLinear::new(m0, te, floor).unwrap_err().to_string();
         assert!(message(0.4, 0.0, 0.0).starts_with("friction.temperature_at_zero_friction"));
         assert!(message(0.4, -5.0, 0.0).contains("-5 K"));
         assert!(message(0.4, 700.0, 0.5).starts_with("friction.minimum_coefficient"));

@@ -1,0 +1,105 @@
+//! Rules that the sources keep and no compiler knows. Each is a file here, with a test that holds
+//! the tree to it, so that `cargo test --workspace` fails where `cargo xtask sources` reports.
+
+mod allowances;
+mod loose_ends;
+mod module_order;
+mod panics;
+mod sizes;
+mod syntax;
+mod tree;
+mod units;
+mod unsafe_code;
+
+use std::fmt;
+use std::path::Path;
+
+use tree::Source;
+
+/// A rule about the sources.
+struct Rule {
+    /// A word or two.
+    name: &'static str,
+    /// What it demands.
+    demand: &'static str,
+    /// Finds whatever violates it.
+    check: fn(&[Source]) -> Vec<Finding>,
+}
+
+/// A place that violates a rule.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Finding {
+    /// Path from the root of the workspace.
+    path: String,
+    /// Line in the file, from 1.
+    line: usize,
+    /// What is wrong there.
+    what: String,
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.path, self.line, self.what)
+    }
+}
+
+const RULES: [Rule; 7] = [
+    module_order::RULE,
+    units::RULE,
+    sizes::RULE,
+    panics::RULE,
+    unsafe_code::RULE,
+    loose_ends::RULE,
+    allowances::RULE,
+];
+
+/// Prints what violates the rules; an error says how many places do.
+pub fn report(workspace: &Path) -> Result<(), String> {
+    let sources = tree::load(workspace)?;
+    let mut count = 0;
+    for rule in RULES {
+        let findings = (rule.check)(&sources);
+        let verdict =
+            if findings.is_empty() { "ok".to_owned() } else { findings.len().to_string() };
+        println!("{}: {verdict} ({})", rule.name, rule.demand);
+        for finding in &findings {
+            println!("  {finding}");
+        }
+        count += findings.len();
+    }
+    println!("{}", sizes::medians(&sources));
+    if count == 0 { Ok(()) } else { Err(format!("{count} places violate the rules")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Holds the tree to a rule; the message lists every violation.
+    pub fn assert_holds(rule: &Rule) {
+        let sources = tree::load(&crate::workspace()).unwrap();
+        let findings = (rule.check)(&sources);
+        let list: Vec<_> = findings.iter().map(ToString::to_string).collect();
+        assert!(findings.is_empty(), "{}: {}\n{}", rule.name, rule.demand, list.join("\n"));
+    }
+
+    /// What a rule finds in sources given as path and text: line and message.
+    pub fn found(rule: &Rule, files: &[(&str, &str)]) -> Vec<(usize, String)> {
+        let sources: Vec<_> = files
+            .iter()
+            .map(|(path, text)| Source::parse(path, (*text).to_owned()).unwrap())
+            .collect();
+        (rule.check)(&sources).into_iter().map(|finding| (finding.line, finding.what)).collect()
+    }
+
+    /// The lines alone.
+    pub fn lines(rule: &Rule, path: &str, text: &str) -> Vec<usize> {
+        found(rule, &[(path, text)]).into_iter().map(|(line, _)| line).collect()
+    }
+
+    #[test]
+    fn a_finding_reads_like_that_of_a_compiler() {
+        let finding = Finding { path: "a.rs".to_owned(), line: 3, what: "wrong".to_owned() };
+        assert_eq!(finding.to_string(), "a.rs:3: wrong");
+    }
+}
