@@ -127,7 +127,8 @@ impl ElasticLayer {
             });
         }
         let least = grid.columns + 2 * cells_x as usize;
-        let columns = (least..).find(|n| is_smooth(*n)).unwrap_or(least);
+        // A power of two is smooth, so the search ends.
+        let columns = (least..=2 * least).find(|n| is_smooth(*n)).unwrap_or(least);
         let ahead = (columns - grid.columns) / 2;
         Ok(Surroundings { columns, first_column: ahead, rows_beyond: cells_y as usize })
     }
@@ -320,7 +321,10 @@ impl LayerCompliance {
         for row in values.chunks_exact_mut(columns) {
             self.transform.process_dct3_with_scratch(row, &mut self.scratch);
         }
-        values.iter_mut().for_each(|u| *u *= 2.0 / columns as f64);
+        let inverse = 2.0 / columns as f64;
+        for u in &mut values {
+            *u *= inverse;
+        }
         values
     }
 }
@@ -342,7 +346,10 @@ impl Compliance for LayerCompliance {
         let magnitude = |k: usize| total[0][k].hypot(total[1][k]);
         let count = total[0].len();
         let is_edge = |k: usize| {
-            k < columns || k >= count - columns || k % columns == 0 || (k + 1) % columns == 0
+            k < columns
+                || k >= count - columns
+                || k.is_multiple_of(columns)
+                || (k + 1).is_multiple_of(columns)
         };
         let largest = (0..count).map(magnitude).fold(0.0, f64::max);
         let at_edge = (0..count).filter(|k| is_edge(*k)).map(magnitude).fold(0.0, f64::max);

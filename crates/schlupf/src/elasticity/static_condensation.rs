@@ -48,7 +48,7 @@ impl Lattice {
             matrix[(q, p)] -= spring;
         };
         for k in 0..count {
-            if (k + 1) % self.columns != 0 {
+            if !(k + 1).is_multiple_of(self.columns) {
                 connect(k, k + 1, along);
             }
             if k + self.columns < count {

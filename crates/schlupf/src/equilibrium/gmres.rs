@@ -84,7 +84,9 @@ impl Gmres {
         self.projected[k] = cosine * projected;
         self.projected.push(-sine * projected);
         if length > 0.0 {
-            w.iter_mut().for_each(|w| *w /= length);
+            for w in &mut w {
+                *w /= length;
+            }
         }
         self.basis.push(w);
     }

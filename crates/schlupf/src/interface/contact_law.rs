@@ -183,12 +183,8 @@ mod tests {
             let answers = [total.respond(&state), incremental.respond(&state)];
             let expected = 1.0 - (-K * length).exp();
             for answer in answers {
-                for c in 0..2 {
-                    assert_relative_eq!(
-                        answer.traction[c],
-                        expected * direction[c],
-                        max_relative = 1e-13
-                    );
+                for (got, along) in answer.traction.iter().zip(direction) {
+                    assert_relative_eq!(*got, expected * along, max_relative = 1e-13);
                 }
             }
             state.traction = answers[1].traction;

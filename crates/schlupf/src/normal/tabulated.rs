@@ -43,9 +43,8 @@ impl Axis {
         }
         let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
         let axis = Self { start: positions[0], spacing, count };
-        let deviates =
-            |k: usize| !((positions[k] - axis.at(k)).abs() <= SPACING_TOLERANCE * spacing);
-        if let Some(k) = (0..count).find(|&k| deviates(k)) {
+        let fits = |k: &usize| (positions[*k] - axis.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
+        if let Some(k) = (0..count).find(|k| !fits(k)) {
             return Err(invalid(
                 "ascending, equidistant positions",
                 format!("one with {} m where {} m was expected", positions[k], axis.at(k)),

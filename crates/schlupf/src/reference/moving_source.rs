@@ -55,8 +55,8 @@ mod tests {
             SemiEllipticSource { flux: 1e8, half_length: 6e-3, speed: 30.0, effusivity: 13_290.0 };
         let unit = 1e8 * (6e-3_f64 / 30.0).sqrt() / 13_290.0;
         let (mut largest, mut place) = (0.0, 0.0);
-        for k in 0..400 {
-            let x = 6e-3 * (1.0 - k as f64 / 200.0);
+        for k in 0..400_u32 {
+            let x = 6e-3 * (1.0 - f64::from(k) / 200.0);
             let rise = source.temperature_rise(x);
             if rise > largest {
                 (largest, place) = (rise, x / 6e-3);

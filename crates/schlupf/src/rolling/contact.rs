@@ -117,7 +117,9 @@ impl DiscreteContact {
         let mut largest = 0.0;
         for _ in 0..POWER_ITERATIONS {
             let length = norm(&v);
-            v.iter_mut().for_each(|v| *v /= length);
+            for v in &mut v {
+                *v /= length;
+            }
             self.product(&v, &mut u);
             largest = norm(&u);
             if largest == 0.0 {

@@ -4,6 +4,7 @@
 use crate::equilibrium::{Limits, Outcome, norm};
 use crate::error::Error;
 use crate::grid::Grid;
+use crate::history::History;
 use crate::interface::contact_law::Slide;
 use crate::interface::friction::FrictionState;
 use crate::kinematics::Kinematics;
@@ -305,7 +306,7 @@ fn kinematics_at(problem: &Problem, time: f64) -> Kinematics {
 
 /// One grid over the largest patch.
 fn grid_over_history(problem: &Problem, options: &Options) -> Result<Grid, Error> {
-    let largest = problem.history.as_ref().and_then(|history| history.largest_load());
+    let largest = problem.history.as_ref().and_then(History::largest_load);
     let contact: NormalContact = problem.normal.normal_contact(largest)?;
     Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
 }
