@@ -101,9 +101,9 @@ impl Grid {
 /// A tangential vector in every cell of a grid.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct VectorField {
-    /// Component along rolling, in the unit of the field.
+    /// Component along rolling, in Pa or in m.
     pub x: Vec<f64>,
-    /// Component across rolling, in the unit of the field.
+    /// Component across rolling, in Pa or in m.
     pub y: Vec<f64>,
 }
 

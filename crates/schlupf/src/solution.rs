@@ -191,7 +191,7 @@ pub struct Instant {
 pub struct Work {
     /// Newton steps, all together.
     pub newton_iterations: usize,
-    /// Products with the compliance A; one on a coarser grid of n' cells counts n'/n.
+    /// Products with the compliance A, dimensionless; one on a coarser grid of n' cells counts n'/n.
     pub operator_products: f64,
     /// Iterations between traction and temperature.
     pub outer_iterations: usize,

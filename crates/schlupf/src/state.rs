@@ -28,6 +28,8 @@ pub struct Element {
     pub saturation: [f64; 2],
     /// Sliding distance since entry, in m.
     pub sliding: [f64; 2],
+    /// Elastic part of the sliding on the way into the cell, over that way, dimensionless.
+    pub stretch: [f64; 2],
     /// Temperature rise times effusivity in the cell, in W √s/m².
     pub rise: f64,
     /// Slip speed in the cell, in m/s.

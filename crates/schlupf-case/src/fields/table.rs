@@ -288,6 +288,10 @@ const ELASTICITY: &[Field] = &[
         "elasticity.model",
         Kind::Choice(&[
             choice("elastic-layer", "a bed of springs, each coupled with its neighbours"),
+            choice(
+                "half-space",
+                "Boussinesq and Cerruti: exact for bodies large against the patch",
+            ),
             choice("winkler", "a bed of springs without coupling"),
             choice("rigid", "no deformation: the slip is prescribed"),
         ]),

@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
+use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
+use schlupf::material::Material;
 
 use crate::error::CaseError;
 use crate::settings::Settings;
@@ -18,9 +20,16 @@ const SPRINGS: [&str; 4] = [
 ];
 
 /// How the bodies deform.
-pub fn model(settings: &Settings) -> Result<Arc<dyn Elasticity>, CaseError> {
+pub fn model(
+    settings: &Settings,
+    bodies: [&Material; 2],
+) -> Result<Arc<dyn Elasticity>, CaseError> {
     match settings.choice("elasticity.model")? {
         "rigid" => Ok(Arc::new(Rigid)),
+        "half-space" => {
+            let half_space = HalfSpace::new(bodies[0], bodies[1]);
+            Ok(Arc::new(half_space.map_err(|error| settings.explain(&error))?))
+        }
         "winkler" => {
             let bedding_x = settings.number("elasticity.bedding_x")?;
             let bedding_y = settings.number("elasticity.bedding_y")?;

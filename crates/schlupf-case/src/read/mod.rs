@@ -24,7 +24,7 @@ pub fn problem(settings: &Settings, folder: &Path) -> Result<Problem, CaseError>
     let problem = Problem {
         kinematics: kinematics::kinematics(settings)?,
         normal: normal::source(settings, folder, &wheel.material, &rail.material)?,
-        elasticity: elasticity::model(settings)?,
+        elasticity: elasticity::model(settings, [&wheel.material, &rail.material])?,
         contact_law: interface::contact_law(settings)?,
         friction: friction::friction(settings)?,
         heat: heat::heat(settings)?,

@@ -1,6 +1,6 @@
 //! A made-up solution: an ellipse of Hertz whose strips slide like Carter's (1926).
 
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test file uses its part of it")]
 
 use schlupf::Status;
 use schlupf::grid::{Extent, Grid};

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use rustdct::{DctPlanner, TransformType2And3};
 
-use super::{Compliance, Elasticity};
+use super::{Compliance, Elasticity, smooth_from};
 use crate::error::{Error, require, require_positive};
 use crate::grid::{Grid, VectorField};
 
@@ -126,9 +126,7 @@ impl ElasticLayer {
                 ),
             });
         }
-        let least = grid.columns + 2 * cells_x as usize;
-        // A power of two is smooth, so the search ends.
-        let columns = (least..=2 * least).find(|n| is_smooth(*n)).unwrap_or(least);
+        let columns = smooth_from(grid.columns + 2 * cells_x as usize);
         let ahead = (columns - grid.columns) / 2;
         Ok(Surroundings { columns, first_column: ahead, rows_beyond: cells_y as usize })
     }
@@ -147,16 +145,6 @@ pub struct Surroundings {
 
 fn require_coupling(quantity: &'static str, value: f64) -> Result<(), Error> {
     require(value >= 0.0 && value.is_finite(), quantity, "finite and not negative", value, "N/m")
-}
-
-/// Whether a number has no prime factor above five.
-fn is_smooth(mut n: usize) -> bool {
-    for factor in [2, 3, 5] {
-        while n.is_multiple_of(factor) {
-            n /= factor;
-        }
-    }
-    n == 1
 }
 
 impl Elasticity for ElasticLayer {

@@ -1,6 +1,7 @@
 //! How the two bodies deform under tangential traction, u = A t.
 
 pub mod elastic_layer;
+pub mod half_space;
 pub mod rigid;
 pub mod static_condensation;
 pub mod winkler;
@@ -14,6 +15,11 @@ use crate::grid::{Grid, VectorField};
 pub trait Elasticity: Debug + Send + Sync {
     /// The compliance on the cells of a grid.
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error>;
+
+    /// What the model leaves out for the bodies at hand, if the reader of results must know.
+    fn caveat(&self) -> Option<String> {
+        None
+    }
 }
 
 /// Displacement from traction on the cells of one grid; symmetric and not negative.
@@ -30,4 +36,19 @@ pub trait Compliance: Debug + Send {
     fn edge_displacement(&mut self, _traction: &VectorField) -> f64 {
         0.0
     }
+}
+
+/// The smallest product of 2, 3 and 5 that is not below `least`: lengths that the fast
+/// transforms like.
+pub(crate) fn smooth_from(least: usize) -> usize {
+    let is_smooth = |mut n: usize| {
+        for factor in [2, 3, 5] {
+            while n.is_multiple_of(factor) {
+                n /= factor;
+            }
+        }
+        n == 1
+    };
+    // A power of two is smooth, so the search ends.
+    (least..=2 * least).find(|n| is_smooth(*n)).unwrap_or(least)
 }

@@ -16,10 +16,12 @@ pub struct Slide {
     pub distance: [f64; 2],
     /// Increment of the sliding distance Δs, in m.
     pub increment: [f64; 2],
-    /// By how much the rigid slip, over one increment, differs between the end and the middle of
-    /// the increment, in m. An increment tells the direction of sliding half a cell upstream; with
-    /// spin this turns it to where the point is.
+    /// By how much the sliding, over the length of one increment, differs between its end and its
+    /// middle, in m: this, and [`Self::turn_by_increment`] times the increment. An increment tells
+    /// the direction of sliding half a cell upstream; this turns it to where the point is.
     pub turn: [f64; 2],
+    /// What the turn gains with the increment, dimensionless.
+    pub turn_by_increment: f64,
 }
 
 /// What the point answers.
@@ -29,6 +31,14 @@ pub struct Response {
     pub traction: [f64; 2],
     /// Its derivative with respect to the increment, row by row, in 1/m.
     pub by_increment: [[f64; 2]; 2],
+    /// Its derivative with respect to the part of the turn that does not depend on the increment,
+    /// row by row, in 1/m.
+    pub by_turn: [[f64; 2]; 2],
+    /// Its derivative with respect to the traction before: this times the unit matrix;
+    /// dimensionless.
+    pub by_traction: f64,
+    /// Its derivative with respect to the distance before, row by row, in 1/m.
+    pub by_distance: [[f64; 2]; 2],
 }
 
 /// A law for the tangential traction. Extension point.
@@ -50,6 +60,10 @@ impl TotalDisplacement {
         require_positive("contact_law.stiffness", stiffness, "1/m")?;
         Ok(Self { stiffness })
     }
+
+    fn response(traction: [f64; 2], by_distance: [[f64; 2]; 2]) -> Response {
+        Response { traction, by_increment: by_distance, by_distance, ..Response::default() }
+    }
 }
 
 impl ContactLaw for TotalDisplacement {
@@ -60,15 +74,13 @@ impl ContactLaw for TotalDisplacement {
         let length = distance[0].hypot(distance[1]);
         let z = k * length;
         if z < SMALL {
-            return Response { traction: distance.map(|d| k * d), by_increment: diagonal(k) };
+            return Self::response(distance.map(|d| k * d), diagonal(k));
         }
         let n = distance.map(|d| d / length);
         let saturation = -(-z).exp_m1();
         let along = k * (-z).exp();
-        Response {
-            traction: n.map(|n| saturation * n),
-            by_increment: direction_tensor(n, along, saturation / length),
-        }
+        let traction = n.map(|n| saturation * n);
+        Self::response(traction, direction_tensor(n, along, saturation / length))
     }
 }
 
@@ -97,24 +109,24 @@ impl ContactLaw for Incremental {
         let z = k * length;
         if z < SMALL {
             let traction = [q[0] + k * slide.increment[0], q[1] + k * slide.increment[1]];
-            return Response { traction, by_increment: diagonal(k) };
+            let by_increment = diagonal(k);
+            return Response { traction, by_increment, by_traction: 1.0, ..Response::default() };
         }
         let m = slide.increment.map(|s| s / length);
-        let (share, slope) = turned_share(k, length, slide.turn);
-        let at_end = [0, 1].map(|c| slide.increment[c] + share * slide.turn[c]);
-        let end_length = at_end[0].hypot(at_end[1]).max(f64::MIN_POSITIVE);
-        let n = at_end.map(|s| s / end_length);
+        let turned = turned_increment(k, slide, length);
+        let end_length = turned.at_end[0].hypot(turned.at_end[1]).max(f64::MIN_POSITIVE);
+        let n = turned.at_end.map(|s| s / end_length);
         let (kept, saturation) = ((-z).exp(), -(-z).exp_m1());
         let across = direction_tensor(n, 0.0, saturation / end_length);
-        // ∂(at_end)/∂(increment) = I + slope · turn ⊗ m
-        let push = across.map(|row| slope * (row[0] * slide.turn[0] + row[1] * slide.turn[1]));
+        let by_end_of_increment = product(&across, &turned.by_increment);
         Response {
-            traction: std::array::from_fn(|c| kept * q[c] + saturation * n[c]),
-            by_increment: std::array::from_fn(|r| {
-                std::array::from_fn(|c| {
-                    k * kept * (n[r] - q[r]) * m[c] + across[r][c] + push[r] * m[c]
-                })
+            traction: [0, 1].map(|c| kept * q[c] + saturation * n[c]),
+            by_increment: [0, 1].map(|r| {
+                [0, 1].map(|c| k * kept * (n[r] - q[r]) * m[c] + by_end_of_increment[r][c])
             }),
+            by_turn: product(&across, &turned.by_turn),
+            by_traction: kept,
+            ..Response::default()
         }
     }
 }
@@ -122,25 +134,54 @@ impl ContactLaw for Incremental {
 /// Below this z = k_c |Δs| the law is linear to rounding.
 const SMALL: f64 = 1e-12;
 
-/// How much of the turn between middle and end of an increment of length `length` the traction
-/// sees, and the derivative with respect to the length, in 1/m.
-///
-/// The law's exact answer to a direction that turns linearly on the way is coth(z/2) − 2/z of it,
-/// z = k_c |Δs|: nothing while sticking, all of it in full sliding. Where the turn exceeds the
-/// increment itself it says little about the direction, and is limited to the increment's length.
-fn turned_share(stiffness: f64, length: f64, turn: [f64; 2]) -> (f64, f64) {
-    let half = 0.5 * stiffness * length;
-    let (seen, seen_slope) = if half < 1e-2 {
-        (half / 3.0 * (1.0 - half * half / 15.0), 1.0 / 3.0 - half * half / 15.0)
-    } else {
-        let coth = half.tanh().recip();
-        (coth - half.recip(), 1.0 - coth * coth + (half * half).recip())
-    };
+/// The increment as it would be if all of it were like its end, and its derivatives.
+struct TurnedIncrement {
+    at_end: [f64; 2],
+    by_increment: [[f64; 2]; 2],
+    by_turn: [[f64; 2]; 2],
+}
+
+/// Turns an increment s of length |s| from its middle to its end: s + share · T, T the turn.
+fn turned_increment(stiffness: f64, slide: &Slide, length: f64) -> TurnedIncrement {
+    let s = slide.increment;
+    let turn = [0, 1].map(|c| slide.turn[c] + slide.turn_by_increment * s[c]);
+    let (seen, seen_slope) = seen_turn(0.5 * stiffness * length);
+    // Where the turn exceeds the increment itself it says little about the direction: it is
+    // limited to the increment's length, by |s|/√(|s|² + |T|²).
     let turn_squared = turn[0] * turn[0] + turn[1] * turn[1];
     let diagonal = (length * length + turn_squared).sqrt();
     let limit = length / diagonal;
-    let limit_slope = turn_squared / diagonal.powi(3);
-    (seen * limit, 0.5 * stiffness * seen_slope * limit + seen * limit_slope)
+    let share = seen * limit;
+    let cubed = diagonal.powi(3);
+    let share_slope = 0.5 * stiffness * seen_slope * limit + seen * turn_squared / cubed;
+    let by_turn = [0, 1].map(|r| {
+        [0, 1].map(|c| {
+            f64::from(u8::from(r == c)) * share - turn[r] * seen * length * turn[c] / cubed
+        })
+    });
+    let by_increment = [0, 1].map(|r| {
+        [0, 1].map(|c| {
+            f64::from(u8::from(r == c))
+                + turn[r] * share_slope * s[c] / length
+                + slide.turn_by_increment * by_turn[r][c]
+        })
+    });
+    TurnedIncrement { at_end: [0, 1].map(|c| s[c] + share * turn[c]), by_increment, by_turn }
+}
+
+/// How much of the turn between the middle and the end of an increment the traction sees, and the
+/// derivative, for z/2 = k_c |Δs|/2: the law's exact answer to a direction that turns linearly on
+/// the way is coth(z/2) − 2/z of it, nothing while sticking, all of it in full sliding.
+fn seen_turn(half: f64) -> (f64, f64) {
+    if half < 1e-2 {
+        return (half / 3.0 * (1.0 - half * half / 15.0), 1.0 / 3.0 - half * half / 15.0);
+    }
+    let coth = half.tanh().recip();
+    (coth - half.recip(), 1.0 - coth * coth + (half * half).recip())
+}
+
+fn product(a: &[[f64; 2]; 2], b: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    [0, 1].map(|r| [0, 1].map(|c| a[r][0] * b[0][c] + a[r][1] * b[1][c]))
 }
 
 /// along · n nᵀ + across · (I − n nᵀ)
@@ -163,10 +204,6 @@ mod tests {
     use super::*;
 
     const K: f64 = 5e6;
-
-    fn slide(increment: [f64; 2]) -> Slide {
-        Slide { increment, ..Slide::default() }
-    }
 
     /// Neuhaus and Sextro 2014, Eq. (8): for a prescribed straight slip the two forms agree to
     /// rounding, however the path is cut.
@@ -201,7 +238,10 @@ mod tests {
         assert_relative_eq!(law.respond(&state).traction[0], expected, max_relative = 1e-14);
     }
 
-    /// No law ever exceeds |t| = μ pₙ, and its derivative is that of its value.
+    /// A change of one input of a slide.
+    type Change = fn(&mut Slide, usize, f64);
+
+    /// No law ever exceeds |t| = μ pₙ, and its derivatives are those of its value.
     #[test]
     fn derivatives_are_those_of_the_traction() {
         let laws: [&dyn ContactLaw; 2] =
@@ -212,41 +252,58 @@ mod tests {
                     traction: [0.3, -0.5],
                     distance: [1e-7, -2e-7],
                     turn: [1e-8, -5e-8],
-                    ..slide(increment)
+                    turn_by_increment: 0.4,
+                    increment,
                 };
                 let answer = law.respond(&state);
                 assert!(answer.traction[0].hypot(answer.traction[1]) <= 1.0);
-                for c in 0..2 {
-                    let h = 1e-6 * increment[0].hypot(increment[1]);
-                    let shifted = |sign: f64| {
-                        let mut other = state;
-                        other.increment[c] += sign * h;
-                        law.respond(&other).traction
-                    };
-                    let (plus, minus) = (shifted(1.0), shifted(-1.0));
-                    for r in 0..2 {
-                        let difference = (plus[r] - minus[r]) / (2.0 * h);
-                        assert_relative_eq!(
-                            answer.by_increment[r][c],
-                            difference,
-                            epsilon = 1e-5 * K,
-                            max_relative = 1e-5
-                        );
-                    }
+                let kept = [[answer.by_traction, 0.0], [0.0, answer.by_traction]];
+                let h = 1e-6 * increment[0].hypot(increment[1]);
+                let checks: [(Change, f64, [[f64; 2]; 2]); 4] = [
+                    (|s, c, h| s.increment[c] += h, h, answer.by_increment),
+                    (|s, c, h| s.turn[c] += h, h, answer.by_turn),
+                    (|s, c, h| s.distance[c] += h, h, answer.by_distance),
+                    (|s, c, h| s.traction[c] += h, 1e-6, kept),
+                ];
+                for (number, (change, h, derivative)) in checks.into_iter().enumerate() {
+                    check_derivative(law, &state, (change, h), &derivative, number);
                 }
             }
         }
     }
 
-    /// The share of the turn and its slope are continuous where the series takes over, and all of
-    /// a small turn is seen in full sliding.
+    fn check_derivative(
+        law: &dyn ContactLaw,
+        state: &Slide,
+        (change, h): (Change, f64),
+        derivative: &[[f64; 2]; 2],
+        number: usize,
+    ) {
+        for c in 0..2 {
+            let shifted = |sign: f64| {
+                let mut other = *state;
+                change(&mut other, c, sign * h);
+                law.respond(&other).traction
+            };
+            let (plus, minus) = (shifted(1.0), shifted(-1.0));
+            for r in 0..2 {
+                let difference = (plus[r] - minus[r]) / (2.0 * h);
+                let scale = if number == 3 { 1.0 } else { K };
+                assert!(
+                    (derivative[r][c] - difference).abs() < 1e-5 * (scale + difference.abs()),
+                    "{law:?} {state:?} {number}: {derivative:?} {difference}"
+                );
+            }
+        }
+    }
+
+    /// What is seen of the turn is continuous where the series takes over, and is all of it in full
+    /// sliding.
     #[test]
-    fn turned_share_is_smooth_and_saturates() {
-        let turn = [0.0, 1e-10];
-        let at = |half: f64| turned_share(K, 2.0 * half / K, turn);
-        let (below, above) = (at(0.999_999e-2), at(1.000_001e-2));
+    fn seen_turn_is_smooth_and_saturates() {
+        let (below, above) = (seen_turn(0.999_999e-2), seen_turn(1.000_001e-2));
         assert_relative_eq!(below.0, above.0, max_relative = 1e-4);
         assert_relative_eq!(below.1, above.1, max_relative = 1e-4);
-        assert_relative_eq!(at(1e6).0, 1.0, max_relative = 1e-5);
+        assert_relative_eq!(seen_turn(1e6).0, 1.0, max_relative = 1e-5);
     }
 }

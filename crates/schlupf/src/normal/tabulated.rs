@@ -18,12 +18,15 @@ pub struct PressureTable {
 /// Equidistant positions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Axis {
+    /// First position, in m.
     pub start: f64,
+    /// Distance of the positions, in m.
     pub spacing: f64,
     pub count: usize,
 }
 
 impl Axis {
+    /// Position number `k`, in m.
     pub fn at(&self, k: usize) -> f64 {
         self.start + k as f64 * self.spacing
     }
@@ -160,9 +163,10 @@ pub(crate) fn hat_integral(s: f64) -> f64 {
     if s < 0.0 { 0.5 * (1.0 + s).powi(2) } else { 1.0 - 0.5 * (1.0 - s).powi(2) }
 }
 
-/// A run of positive samples: where the pressure vanishes behind and ahead of it, in m.
+/// A run of positive samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Run {
+    /// Where the pressure vanishes behind and ahead of it, in m.
     pub edges: [f64; 2],
 }
 

@@ -8,9 +8,13 @@ use super::{Cell, Patch, Strip, Travel};
 /// The part of a line y = const inside the patch, and the width across it that it stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Chord {
+    /// Where it is, in m.
     pub y: f64,
+    /// Width that it stands for, in m.
     pub width: f64,
+    /// Its end at smaller x, in m.
     pub trailing_edge: f64,
+    /// Its end at larger x, in m.
     pub leading_edge: f64,
 }
 

@@ -14,6 +14,9 @@ pub(super) struct Arrival {
     pub slide: Slide,
     /// A p of the new cell a step ago, in m.
     pub before: [f64; 2],
+    /// Elastic part of its sliding on the last way, over that way, dimensionless; if it has come
+    /// from a cell.
+    pub stretch: Option<[f64; 2]>,
     /// What A p of its new cell is compared with, in m: A p where it was, and for a cell that lies
     /// partly behind another piece of the leading edge, the difference between the two places of
     /// entry.
@@ -42,6 +45,7 @@ impl Arrival {
                 distance: element.sliding,
                 ..Slide::default()
             },
+            stretch: Some(element.stretch),
             displacement,
             heat: element.heat.clone(),
             ..Self::default()

@@ -81,7 +81,7 @@ impl DiscreteContact {
         self.interpolation.gather(&passing, change);
     }
 
-    /// Displacement at the outer edge of the modelled surface over the largest one.
+    /// Displacement at the outer edge of the modelled surface over the largest one, dimensionless.
     pub fn edge_displacement(&mut self, p: &[f64]) -> f64 {
         self.interpolation.spread(p, &mut self.traction);
         self.compliance.edge_displacement(&self.traction)

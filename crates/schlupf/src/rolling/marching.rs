@@ -5,7 +5,6 @@ use crate::equilibrium::{Limits, Outcome, norm};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
-use crate::interface::contact_law::Slide;
 use crate::interface::friction::FrictionState;
 use crate::kinematics::Kinematics;
 use crate::normal::NormalContact;
@@ -21,6 +20,7 @@ use super::friction_heat::{set_friction_power, set_temperatures};
 use super::snapshot::Snapshot;
 use super::summary;
 use super::time_step::TimeStep;
+use super::turn::{Way, with_turn};
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -161,8 +161,10 @@ impl<'a> March<'a> {
         for (k, (cell, arrival)) in patch.cells.iter().zip(arrivals).enumerate() {
             let rigid = cell.way_in.rigid_slip(&self.now.kinematics);
             prescribed.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
-            let turn = self.now.kinematics.half_turn(cell.way_in.distance);
-            slides.push(Slide { turn, ..arrival.slide });
+            let upstream = k.checked_sub(1).map_or(0.0, |j| patch.cells[j].way_in.distance);
+            let stretch = arrival.stretch.map(|stretch| (upstream, stretch));
+            let way = Way { distance: cell.way_in.distance, rigid };
+            slides.push(with_turn(arrival.slide, &self.now.kinematics, &way, stretch));
             if arrival.joins {
                 bound[k] = 0.0;
             }
@@ -184,9 +186,16 @@ impl<'a> March<'a> {
             traction: self.now.traction_at(k),
             saturation: if bound[k] > 0.0 { responses[k].traction } else { [0.0; 2] },
             sliding: [0, 1].map(|c| slides[k].distance[c] + slides[k].increment[c]),
+            stretch: self.stretch(k, slides[k].increment),
             ..Element::default()
         };
         self.elements = (0..slides.len()).map(element).collect();
+    }
+
+    fn stretch(&self, k: usize, slid: [f64; 2]) -> [f64; 2] {
+        let way = &self.contact.patch.cells[k].way_in;
+        let rigid = way.rigid_slip(&self.now.kinematics);
+        [0, 1].map(|c| (slid[c] - rigid[c]) / way.distance)
     }
 
     /// A p of the present traction, on the whole grid and in the cells.

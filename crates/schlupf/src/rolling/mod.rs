@@ -7,6 +7,7 @@ pub mod marching;
 mod snapshot;
 mod summary;
 mod time_step;
+mod turn;
 
 /// How far a driver has got.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -21,7 +21,7 @@ pub(super) struct Snapshot {
     pub rise: Vec<f64>,
     /// Friction power per area p·slip in each cell, in W/m².
     pub friction_power: Vec<f64>,
-    /// Temperature rise times effusivity at the trailing edge of each strip.
+    /// Temperature rise times effusivity at the trailing edge of each strip, in W √s/m².
     pub exit_rise: Vec<f64>,
 }
 

@@ -13,6 +13,7 @@ use super::snapshot::Snapshot;
 /// What a driver knows beside the fields.
 pub(super) struct Account {
     pub status: Status,
+    /// Relative residual, dimensionless.
     pub residual: f64,
     pub history: Vec<Instant>,
     pub warnings: Vec<String>,
@@ -170,7 +171,7 @@ pub(super) fn warnings(
     contact: &mut DiscreteContact,
     now: &Snapshot,
 ) -> Vec<String> {
-    let mut warnings = Vec::new();
+    let mut warnings: Vec<String> = problem.elasticity.caveat().into_iter().collect();
     let edge = contact.edge_displacement(&now.traction);
     if edge > LARGEST_EDGE_DISPLACEMENT {
         warnings.push(format!(

@@ -1,5 +1,7 @@
 //! Problems that several tests solve.
 
+#![allow(dead_code, reason = "each test file uses its part of it")]
+
 use std::sync::Arc;
 
 use schlupf::elasticity::Elasticity;

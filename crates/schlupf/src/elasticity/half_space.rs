@@ -1,0 +1,385 @@
+//! The elastic half-space of Boussinesq and Cerruti: exact for bodies that are large against the
+//! patch.
+//!
+//! Traction is constant in each cell. The displacement difference in the middle of another cell is,
+//! in closed form (Kalker 1990, §3.2; Love 1929), with sums over the corners X = x ± Δx/2,
+//! Y = y ± Δy/2, signs (+, −, −, +) and r = √(X² + Y²),
+//!
+//! πG A_xx = (1 − ν) X asinh(Y/|X|) + Y asinh(X/|Y|),  πG A_xy = −ν r,
+//! πG A_yy = X asinh(Y/|X|) + (1 − ν) Y asinh(X/|Y|).
+//!
+//! (With logarithms of Y + r, as it is usually written, slender cells lose seven digits.) It depends
+//! on the distance of the two cells only, so the product is a convolution, and costs O(n log n) by
+//! the fast Fourier transform on a grid padded to twice its size.
+
+use std::f64::consts::PI;
+use std::fmt;
+use std::sync::Arc;
+
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftPlanner};
+
+use super::{Compliance, Elasticity, smooth_from};
+use crate::error::{Error, require_positive};
+use crate::grid::{Grid, VectorField};
+use crate::material::Material;
+
+/// Two half-spaces in contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HalfSpace {
+    shear_modulus: f64,
+    poisson_ratio: f64,
+    dissimilarity: f64,
+}
+
+/// Dissimilarity from which on a caveat is due.
+const NOTICEABLE: f64 = 1e-3;
+
+impl HalfSpace {
+    /// Combined constants of two bodies: 1/G = ½ (1/G₁ + 1/G₂), ν/G = ½ (ν₁/G₁ + ν₂/G₂).
+    ///
+    /// Bodies of different material also move tangentially under the normal pressure, in proportion
+    /// to K = ¼ G ((1 − 2ν₁)/G₁ − (1 − 2ν₂)/G₂) (Kalker 1990, §1.7). That part is neglected.
+    pub fn new(first: &Material, second: &Material) -> Result<Self, Error> {
+        let compliance = [first, second].map(|m| 0.5 / m.shear_modulus());
+        let shear_modulus = (compliance[0] + compliance[1]).recip();
+        require_positive("wheel.young_modulus", shear_modulus, "Pa")?;
+        let poisson_ratio = shear_modulus
+            * (first.poisson_ratio * compliance[0] + second.poisson_ratio * compliance[1]);
+        let dilation = |m: &Material| (1.0 - 2.0 * m.poisson_ratio) / m.shear_modulus();
+        let dissimilarity = 0.25 * shear_modulus * (dilation(first) - dilation(second));
+        Ok(Self { shear_modulus, poisson_ratio, dissimilarity })
+    }
+
+    /// Combined shear modulus G, in Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        self.shear_modulus
+    }
+
+    /// Combined Poisson's ratio ν, dimensionless.
+    pub fn poisson_ratio(&self) -> f64 {
+        self.poisson_ratio
+    }
+
+    /// A_xx, A_yy and A_xy (in m/Pa) of two cells `columns` and `rows` apart.
+    pub fn influence(&self, grid: &Grid, columns: isize, rows: isize) -> [f64; 3] {
+        let (x, y) = (columns as f64 * grid.spacing_x, rows as f64 * grid.spacing_y);
+        let mut sums = [0.0; 3];
+        for (side_x, side_y) in [(0.5, 0.5), (0.5, -0.5), (-0.5, 0.5), (-0.5, -0.5)] {
+            let corner_x: f64 = x + side_x * grid.spacing_x;
+            let corner_y: f64 = y + side_y * grid.spacing_y;
+            let sign = if side_x == side_y { 1.0 } else { -1.0 };
+            let along = times_asinh(corner_x, corner_y);
+            let across = times_asinh(corner_y, corner_x);
+            let nu = self.poisson_ratio;
+            sums[0] += sign * ((1.0 - nu) * along + across);
+            sums[1] += sign * (along + (1.0 - nu) * across);
+            sums[2] -= sign * nu * corner_x.hypot(corner_y);
+        }
+        sums.map(|sum| sum / (PI * self.shear_modulus))
+    }
+
+    /// The influence with the mean over the cell undone to second order: a cell's constant traction
+    /// stands for a smooth one, whose displacement differs by −h²∇²u/12 from that of its means.
+    fn corrected_influence(&self, grid: &Grid, columns: isize, rows: isize) -> [f64; 3] {
+        let at = |i: isize, j: isize| self.influence(grid, columns + i, rows + j);
+        let (here, ahead, behind) = (at(0, 0), at(1, 0), at(-1, 0));
+        let (left, right) = (at(0, 1), at(0, -1));
+        std::array::from_fn(|c| {
+            here[c] + (4.0 * here[c] - ahead[c] - behind[c] - left[c] - right[c]) / 12.0
+        })
+    }
+}
+
+/// p asinh(q/|p|), zero for p = 0.
+fn times_asinh(p: f64, q: f64) -> f64 {
+    if p == 0.0 { 0.0 } else { p * (q / p.abs()).asinh() }
+}
+
+impl Elasticity for HalfSpace {
+    fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        Ok(Box::new(Convolution::new(grid, |i, j| self.corrected_influence(grid, i, j))))
+    }
+
+    fn caveat(&self) -> Option<String> {
+        (self.dissimilarity.abs() > NOTICEABLE).then(|| {
+            format!(
+                "elasticity: wheel and rail differ in their elastic constants (K = {:.3}); the \
+                 tangential displacement under the normal pressure is neglected",
+                self.dissimilarity
+            )
+        })
+    }
+}
+
+/// Convolution with the influence of a cell, on a padded grid.
+///
+/// Both components travel in one complex field t_x + i t_y. In wave numbers k its transform F gives
+/// that of u_x + i u_y as ½ (A_xx + A_yy) F(k) + (½ (A_xx − A_yy) + i A_xy) F*(−k).
+pub struct Convolution {
+    columns: usize,
+    rows: usize,
+    /// Padded sizes.
+    size: [usize; 2],
+    along: [Arc<dyn Fft<f64>>; 2],
+    across: [Arc<dyn Fft<f64>>; 2],
+    /// ½ (A_xx + A_yy) and ½ (A_xx − A_yy) + i A_xy by wave number, over the number of cells.
+    mean: Vec<f64>,
+    difference: Vec<Complex<f64>>,
+    lines: Vec<Complex<f64>>,
+    plane: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+const ZERO: Complex<f64> = Complex { re: 0.0, im: 0.0 };
+
+impl Convolution {
+    /// From the influence [A_xx, A_yy, A_xy] (in m/Pa) at a distance in columns and rows.
+    pub fn new(grid: &Grid, influence: impl Fn(isize, isize) -> [f64; 3]) -> Self {
+        let size = [smooth_from(2 * grid.columns - 1), smooth_from(2 * grid.rows - 1)];
+        let mut planner = FftPlanner::new();
+        let along = [planner.plan_fft_forward(size[0]), planner.plan_fft_inverse(size[0])];
+        let across = [planner.plan_fft_forward(size[1]), planner.plan_fft_inverse(size[1])];
+        let scratch = along.iter().chain(&across).map(|fft| fft.get_inplace_scratch_len()).max();
+        let mut convolution = Self {
+            columns: grid.columns,
+            rows: grid.rows,
+            size,
+            along,
+            across,
+            mean: Vec::new(),
+            difference: Vec::new(),
+            lines: vec![ZERO; size[0] * size[1]],
+            plane: vec![ZERO; size[0] * size[1]],
+            scratch: vec![ZERO; scratch.unwrap_or(0)],
+        };
+        convolution.set_influence(influence);
+        convolution.lines.truncate(size[0] * grid.rows);
+        convolution
+    }
+
+    /// Transforms the influence. A_xx and A_yy are even in x and in y, A_xy is odd in both, so all
+    /// three transforms are real, and two fit into one complex field.
+    fn set_influence(&mut self, influence: impl Fn(isize, isize) -> [f64; 3]) {
+        let [nx, ny] = self.size;
+        let distance = |k: usize, count: usize| {
+            let k = k as isize;
+            if 2 * k < count as isize { k } else { k - count as isize }
+        };
+        let mut axial = vec![ZERO; nx * ny];
+        let mut cross = vec![ZERO; nx * ny];
+        for j in 0..ny {
+            for i in 0..nx {
+                let [xx, yy, xy] = influence(distance(i, nx), distance(j, ny));
+                axial[j * nx + i] = Complex::new(0.5 * (xx + yy), 0.5 * (xx - yy));
+                // Half way around, an odd function meets itself with the other sign.
+                let is_half_way = 2 * i == nx || 2 * j == ny;
+                cross[j * nx + i] = Complex::new(if is_half_way { 0.0 } else { xy }, 0.0);
+            }
+        }
+        let normalised = 1.0 / (nx * ny) as f64;
+        let axial = self.transform_all(axial);
+        let cross = self.transform_all(cross);
+        self.mean = axial.iter().map(|a| normalised * a.re).collect();
+        let pairs = axial.iter().zip(&cross);
+        self.difference = pairs.map(|(a, c)| Complex::new(a.im, c.re) * normalised).collect();
+    }
+
+    /// Transform of a whole field, in the order of the plane: columns one after another.
+    fn transform_all(&mut self, field: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+        self.lines = field;
+        self.along[0].process_with_scratch(&mut self.lines, &mut self.scratch);
+        self.lines_to_plane();
+        self.across[0].process_with_scratch(&mut self.plane, &mut self.scratch);
+        self.plane.clone()
+    }
+
+    fn lines_to_plane(&mut self) {
+        let [nx, ny] = self.size;
+        let rows = self.lines.len() / nx;
+        transpose(&self.lines, &mut self.plane, [nx, rows], ny);
+        for column in self.plane.chunks_exact_mut(ny) {
+            column[rows..].fill(ZERO);
+        }
+    }
+
+    /// Multiplies by the influence in wave numbers. k and −k belong together.
+    fn multiply(&mut self) {
+        let [nx, ny] = self.size;
+        for i in 0..=nx / 2 {
+            let other_i = if i == 0 { 0 } else { nx - i };
+            // A column that is its own mirror has its pairs within itself.
+            let last = if i == other_i { ny / 2 } else { ny - 1 };
+            for j in 0..=last {
+                let (k, m) = (i * ny + j, other_i * ny + if j == 0 { 0 } else { ny - j });
+                let (here, there) = (self.plane[k], self.plane[m]);
+                self.plane[k] = here * self.mean[k] + self.difference[k] * there.conj();
+                if k != m {
+                    self.plane[m] = there * self.mean[m] + self.difference[m] * here.conj();
+                }
+            }
+        }
+    }
+}
+
+impl Compliance for Convolution {
+    fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField) {
+        let ([nx, ny], columns) = (self.size, self.columns);
+        let rows = traction.x.chunks_exact(columns).zip(traction.y.chunks_exact(columns));
+        for (line, (x, y)) in self.lines.chunks_exact_mut(nx).zip(rows) {
+            for ((value, x), y) in line.iter_mut().zip(x).zip(y) {
+                *value = Complex::new(*x, *y);
+            }
+            line[columns..].fill(ZERO);
+        }
+        self.along[0].process_with_scratch(&mut self.lines, &mut self.scratch);
+        self.lines_to_plane();
+        self.across[0].process_with_scratch(&mut self.plane, &mut self.scratch);
+        self.multiply();
+        self.across[1].process_with_scratch(&mut self.plane, &mut self.scratch);
+        transpose_back(&self.plane, &mut self.lines, [nx, self.rows], ny);
+        self.along[1].process_with_scratch(&mut self.lines, &mut self.scratch);
+        let rows = displacement.x.chunks_exact_mut(columns);
+        let rows = rows.zip(displacement.y.chunks_exact_mut(columns));
+        for (line, (x, y)) in self.lines.chunks_exact(nx).zip(rows) {
+            for ((value, x), y) in line.iter().zip(x).zip(y) {
+                (*x, *y) = (value.re, value.im);
+            }
+        }
+    }
+
+    fn couples_cells(&self) -> bool {
+        true
+    }
+}
+
+/// Cells that are moved together, so that both sides stay in the cache.
+const TILE: usize = 16;
+
+/// Rows of `from` (each `columns` long) become the heads of the columns of `to` (each `stride`).
+fn transpose(
+    from: &[Complex<f64>],
+    to: &mut [Complex<f64>],
+    [columns, rows]: [usize; 2],
+    stride: usize,
+) {
+    for first in (0..rows).step_by(TILE) {
+        for i in 0..columns {
+            for j in first..rows.min(first + TILE) {
+                to[i * stride + j] = from[j * columns + i];
+            }
+        }
+    }
+}
+
+/// The reverse.
+fn transpose_back(
+    from: &[Complex<f64>],
+    to: &mut [Complex<f64>],
+    [columns, rows]: [usize; 2],
+    stride: usize,
+) {
+    for first in (0..columns).step_by(TILE) {
+        for j in 0..rows {
+            for i in first..columns.min(first + TILE) {
+                to[j * columns + i] = from[i * stride + j];
+            }
+        }
+    }
+}
+
+impl fmt::Debug for Convolution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Convolution").field("size", &self.size).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::grid::Extent;
+
+    fn grid() -> Grid {
+        Grid::across(&Extent { x: [-6e-3, 6e-3], y: [-4e-3, 4e-3] }, 7, 10)
+    }
+
+    fn steel() -> HalfSpace {
+        HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap()
+    }
+
+    /// The convolution is the plain sum over all pairs of cells.
+    #[test]
+    fn fourier_transform_sums_the_influences() {
+        let (grid, bodies) = (grid(), steel());
+        let mut compliance = bodies.compliance(&grid).unwrap();
+        let value = |k: usize| 1e8 * ((k * k % 23) as f64 - 9.0);
+        let traction = VectorField {
+            x: (0..grid.len()).map(value).collect(),
+            y: (0..grid.len()).map(|k| value(3 * k + 1)).collect(),
+        };
+        let mut u = VectorField::zeros(grid.len());
+        compliance.displacement(&traction, &mut u);
+        for (i, j) in [(0, 0), (4, 3), (10, 9)] {
+            let mut sum = [0.0; 2];
+            for row in 0..grid.rows {
+                for column in 0..grid.columns {
+                    let apart = [i as isize - column as isize, j as isize - row as isize];
+                    let [xx, yy, xy] = bodies.corrected_influence(&grid, apart[0], apart[1]);
+                    let k = grid.index(column, row);
+                    sum[0] += xx * traction.x[k] + xy * traction.y[k];
+                    sum[1] += xy * traction.x[k] + yy * traction.y[k];
+                }
+            }
+            let k = grid.index(i, j);
+            assert_relative_eq!(u.x[k], sum[0], max_relative = 1e-9);
+            assert_relative_eq!(u.y[k], sum[1], max_relative = 1e-9);
+        }
+    }
+
+    /// Cerruti 1882: far away a cell acts as a point force,
+    /// u_x = F/(πG) ((1 − ν)/r + ν x²/r³), u_y = F/(πG) ν x y/r³ for two equal bodies together.
+    #[test]
+    fn cerruti_1882_point_force_far_away() {
+        let (grid, bodies) = (grid(), steel());
+        let force = grid.cell_area();
+        let (x, y) = (40.0 * grid.spacing_x, 70.0 * grid.spacing_y);
+        let r = x.hypot(y);
+        let scale = force / (PI * bodies.shear_modulus());
+        let [xx, yy, xy] = bodies.influence(&grid, 40, 70);
+        assert_relative_eq!(xx, scale * (0.72 / r + 0.28 * x * x / r.powi(3)), max_relative = 1e-3);
+        assert_relative_eq!(yy, scale * (0.72 / r + 0.28 * y * y / r.powi(3)), max_relative = 1e-3);
+        assert_relative_eq!(xy, scale * 0.28 * x * y / r.powi(3), max_relative = 1e-3);
+    }
+
+    /// Mindlin 1949: the ellipsoidal traction t0 √(1 − r²/a²)⁻¹ … is left to the tests of
+    /// `cattaneo_mindlin`; here, uniform traction on a square: the middle moves by the known
+    /// integral ∫∫ dA/r = 8 a asinh(1) of the half-side a (ν = 0).
+    #[test]
+    fn love_1929_uniform_traction_on_a_square() {
+        let rubber = Material { poisson_ratio: 0.0, ..Material::STEEL };
+        let bodies = HalfSpace::new(&rubber, &rubber).unwrap();
+        let square = Grid::across(&Extent { x: [-1e-3, 1e-3], y: [-1e-3, 1e-3] }, 1, 1);
+        let [xx, _, xy] = bodies.influence(&square, 0, 0);
+        let exact = 8e-3 * 1.0_f64.asinh() / (PI * bodies.shear_modulus());
+        assert_relative_eq!(xx, exact, max_relative = 1e-13);
+        assert_eq!(xy, 0.0);
+    }
+
+    #[test]
+    fn different_bodies_combine_to_their_mean_compliance() {
+        let soft = Material { young_modulus: 70e9, poisson_ratio: 0.33, ..Material::STEEL };
+        let bodies = HalfSpace::new(&Material::STEEL, &soft).unwrap();
+        let (g1, g2) = (Material::STEEL.shear_modulus(), soft.shear_modulus());
+        assert_relative_eq!(
+            bodies.shear_modulus(),
+            2.0 * g1 * g2 / (g1 + g2),
+            max_relative = 1e-14
+        );
+        assert!(bodies.caveat().is_some_and(|text| text.contains("neglected")));
+        assert_eq!(steel().caveat(), None);
+        let nu = (0.28 / g1 + 0.33 / g2) / (1.0 / g1 + 1.0 / g2);
+        assert_relative_eq!(bodies.poisson_ratio(), nu, max_relative = 1e-14);
+    }
+}
