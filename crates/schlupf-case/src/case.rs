@@ -22,18 +22,9 @@ pub struct Case {
     pub problem: Problem,
     /// How accurately.
     pub options: Options,
-    /// Which way.
-    pub driver: Driver,
     /// What was given without effect, each with its place.
     pub notices: Vec<String>,
     settings: Settings,
-}
-
-/// The way to the solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Driver {
-    /// Step by step in time.
-    Marching,
 }
 
 /// A field in effect.
@@ -73,7 +64,6 @@ impl Case {
             title: settings.text("title")?,
             problem: read::problem(&settings, folder)?,
             options: read::options(&settings)?,
-            driver: Driver::Marching,
             notices: settings.idle(),
             settings,
         })

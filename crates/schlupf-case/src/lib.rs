@@ -19,7 +19,7 @@ mod tables;
 mod template;
 pub mod units;
 
-pub use case::{Case, Driver, Effective};
+pub use case::{Case, Effective};
 pub use error::{CaseError, CaseErrors, Cause};
 pub use place::{Place, Source};
 pub use schema::schema;

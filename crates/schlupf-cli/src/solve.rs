@@ -4,10 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::rolling::marching;
+use schlupf::rolling;
 use schlupf::state::State;
 use schlupf::{Error, Solution, Status};
-use schlupf_case::{Case, Driver};
+use schlupf_case::Case;
 use schlupf_output::{csv, figures, json, summary, vtk};
 
 use crate::arguments::SolveArguments;
@@ -80,9 +80,7 @@ fn solve(
     progress: &Progress,
 ) -> Result<Solution, Failure> {
     let mut report = |state| progress.step(state);
-    let result = match case.driver {
-        Driver::Marching => marching::march(&case.problem, &case.options, &mut report),
-    };
+    let result = rolling::solve(&case.problem, &case.options, &mut report);
     result.map_err(|error| match (&error, initial_state) {
         // This one is no field of the case file.
         (Error::Contradiction { quantity: "solver.initial_state", reason }, Some(path)) => {

@@ -37,10 +37,11 @@ fn cases() -> Vec<PathBuf> {
     cases
 }
 
-fn solve(case: &Path) -> Value {
+fn solve(case: &Path, options: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_schlupf"))
         .args(["solve", "--json", "-"])
         .arg(case)
+        .args(options)
         .output()
         .unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
@@ -87,7 +88,7 @@ fn differences(path: &str, got: &Value, expected: &Value) -> Vec<String> {
 fn the_gallery_gives_its_pinned_results() {
     let mut found = Vec::new();
     for case in cases() {
-        let result = pinned(&solve(&case));
+        let result = pinned(&solve(&case, &[]));
         let file = case.with_extension("expected.json");
         if std::env::var_os("SCHLUPF_PIN").is_some() {
             fs::write(&file, serde_json::to_string_pretty(&result).unwrap() + "\n").unwrap();
@@ -104,8 +105,8 @@ fn the_gallery_gives_its_pinned_results() {
 #[test]
 fn neuhaus_sextro_2014_figures_in_shape() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
-    let pure = solve(&folder.join("neuhaus_sextro_2014.toml"));
-    let combined = solve(&folder.join("neuhaus_sextro_2014_combined.toml"));
+    let pure = solve(&folder.join("neuhaus_sextro_2014.toml"), &[]);
+    let combined = solve(&folder.join("neuhaus_sextro_2014_combined.toml"), &[]);
     let number = |result: &Value, path: &str| result.pointer(path).unwrap().as_f64().unwrap();
     let (fx, fx_combined) = (number(&pure, "/force/x"), number(&combined, "/force/x"));
     assert!(fx < 0.0 && fx_combined.abs() < 0.85 * fx.abs(), "{fx} {fx_combined}");
@@ -127,4 +128,17 @@ fn the_comparison_can_fail() {
     got["force"]["x"] = 100.02.into();
     got["status"] = "not-converged".into();
     assert_eq!(differences("", &got, &expected).len(), 2);
+}
+
+/// The steady driver and marching give the same results: they solve the same discrete equations.
+#[test]
+fn marching_ends_where_the_steady_driver_does() {
+    let mut found = Vec::new();
+    for case in cases() {
+        let name = case.file_stem().unwrap().to_string_lossy().into_owned();
+        let expected = pinned(&solve(&case, &[]));
+        let marched = pinned(&solve(&case, &["--set", "solver.driver=marching"]));
+        found.extend(differences("", &marched, &expected).iter().map(|d| format!("{name}{d}")));
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }

@@ -98,7 +98,8 @@ fn a_field_without_effect_is_among_the_warnings() {
 fn what_did_not_converge_is_written_and_marked() {
     let bench = Bench::new();
     bench.write("case.toml", SMALL);
-    let run = bench.run(&["solve", "case.toml", "--set", "solver.max_steps=1", "--json", "r.json"]);
+    let one_step = ["--set", "solver.driver=marching", "--set", "solver.max_steps=1"];
+    let run = bench.run(&[&["solve", "case.toml", "--json", "r.json"], &one_step[..]].concat());
     assert_eq!(run.code, Some(3), "{}", run.stderr);
     assert!(run.stderr.contains("not converged"), "{}", run.stderr);
     let result: Value = serde_json::from_str(&bench.read("r.json")).unwrap();
@@ -110,7 +111,7 @@ fn solving_goes_on_from_a_state() {
     let bench = Bench::new();
     bench.write("case.toml", SMALL);
     let steps = |arguments: &[&str]| {
-        let mut all = vec!["solve", "case.toml", "--json", "-"];
+        let mut all = vec!["solve", "case.toml", "--json", "-", "--set", "solver.driver=marching"];
         all.extend(arguments);
         let run = bench.run(&all);
         assert_eq!(run.code, Some(0), "{}", run.stderr);

@@ -61,18 +61,31 @@ impl Problem {
 /// Most cells in one direction across the patch.
 pub const MAX_CELLS: usize = 1024;
 
+/// Which driver solves a problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Driver {
+    /// The steady state at once.
+    Steady,
+    /// Time step after time step: the paper's procedure, and transient rolling.
+    Marching,
+}
+
 /// How a problem is solved. No choice here changes the physics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
+    /// Which driver; `None` is steady, or marching where there is a history or an initial state.
+    pub driver: Option<Driver>,
     /// Cells along rolling across the patch.
     pub cells_x: usize,
     /// Cells across rolling over the patch.
     pub cells_y: usize,
-    /// Largest residual ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, dimensionless. Marching to the steady state ends
+    /// Largest residual ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, dimensionless, the friction being that of the
+    /// temperatures found. Marching to the steady state ends
     /// when a step also changes the traction by less, and the temperature by less than this part of
     /// its largest rise.
     pub tolerance: f64,
-    /// Most Newton steps for one equilibrium.
+    /// Most Newton steps for one equilibrium, and most iterations between traction and temperature
+    /// in the steady driver.
     pub max_iterations: usize,
     /// Most time steps on the way to the steady state.
     pub max_steps: usize,
@@ -83,6 +96,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
+            driver: None,
             cells_x: 24,
             cells_y: 24,
             tolerance: 1e-6,

@@ -477,11 +477,15 @@ const GRID: &[Field] = &[
 const SOLVER: &[Field] = &[
     field(
         "solver.driver",
-        Kind::Choice(&[choice("marching", "step by step in time, until steady")]),
+        Kind::Choice(&[
+            choice("steady", "the steady state at once"),
+            choice("marching", "step by step in time: to the steady state, or along a history"),
+        ]),
         Finite,
-        Text("marching"),
-        "way to the steady state",
-    ),
+        Computed("\"steady\", and \"marching\" with a history"),
+        "way to the solution",
+    )
+    .example("steady"),
     field(
         "solver.method",
         Kind::Choice(&[choice("full", "the coupled equations")]),

@@ -1,13 +1,21 @@
 //! `[grid]` and `[solver]`.
 
 use schlupf::Options;
+use schlupf::problem::Driver;
 
 use crate::error::CaseError;
 use crate::settings::Settings;
 
 /// Numerical options.
 pub fn options(settings: &Settings) -> Result<Options, CaseError> {
+    let driver = settings.is_given("solver.driver").then(|| settings.choice("solver.driver"));
+    let driver = match driver.transpose()? {
+        None => None,
+        Some("marching") => Some(Driver::Marching),
+        Some(_) => Some(Driver::Steady),
+    };
     Ok(Options {
+        driver,
         cells_x: settings.count("grid.cells_x")?,
         cells_y: settings.count("grid.cells_y")?,
         tolerance: settings.number("solver.tolerance")?,

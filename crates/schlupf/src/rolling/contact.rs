@@ -97,6 +97,17 @@ impl DiscreteContact {
         self.safe_stiffness
     }
 
+    /// Half the inverse of what a cell in the middle moves by under its own traction, in Pa/m.
+    pub fn cell_stiffness(&mut self) -> f64 {
+        let middle = self.patch.len() / 2;
+        let mut p = vec![0.0; 2 * self.patch.len()];
+        let mut u = p.clone();
+        (p[2 * middle], p[2 * middle + 1]) = (1.0, 1.0);
+        self.product(&p, &mut u);
+        let own = u[2 * middle] + u[2 * middle + 1];
+        if own > 0.0 { own.recip() } else { RIGID_STIFFNESS }
+    }
+
     /// Under tractions like the pressure.
     fn estimate_stand_in(&mut self) -> [f64; 2] {
         let p: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();

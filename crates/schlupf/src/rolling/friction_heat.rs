@@ -34,18 +34,49 @@ pub(super) fn set_temperatures(
     now.exit_rise.clear();
     for strip in &patch.strips {
         for k in strip.cells.clone() {
-            let [before, after] = ways_through(patch, strip, k);
-            // The friction power is a mean over a whole cell; it is released on the way inside.
-            let energy = now.friction_power[k] * patch.grid.spacing_x;
-            // What the bristles of the contact law return does not cool.
-            let flux = energy.max(0.0) / (before + after);
-            let step = |way: f64| HeatStep { flux, duration: way / now.kinematics.speed };
-            records[k].insert(0, step(before));
-            now.rise[k] = heat.rise_times_effusivity(&records[k]);
-            records[k][0] = step(before + after);
+            pass_cell(now, patch, heat, (strip, k), &mut records[k]);
         }
         now.exit_rise.push(heat.rise_times_effusivity(&records[strip.cells.end - 1]));
     }
+}
+
+/// Temperatures of all cells in the steady state, where each cell's element has received what the
+/// cells upstream give now. Returns the records of the elements when they leave their cells.
+pub(super) fn set_steady_temperatures(
+    now: &mut Snapshot,
+    patch: &Patch,
+    heat: &Heat,
+) -> Vec<Vec<HeatStep>> {
+    let mut records = Vec::with_capacity(patch.len());
+    now.exit_rise.clear();
+    for strip in &patch.strips {
+        let mut record = Vec::with_capacity(strip.cells.len());
+        for k in strip.cells.clone() {
+            pass_cell(now, patch, heat, (strip, k), &mut record);
+            records.push(record.clone());
+        }
+        now.exit_rise.push(heat.rise_times_effusivity(&record));
+    }
+    records
+}
+
+/// The temperature of an element in a cell, and its record when it leaves.
+fn pass_cell(
+    now: &mut Snapshot,
+    patch: &Patch,
+    heat: &Heat,
+    (strip, k): (&Strip, usize),
+    record: &mut Vec<HeatStep>,
+) {
+    let [before, after] = ways_through(patch, strip, k);
+    // The friction power is a mean over a whole cell; it is released on the way inside.
+    let energy = now.friction_power[k] * patch.grid.spacing_x;
+    // What the bristles of the contact law return does not cool.
+    let flux = energy.max(0.0) / (before + after);
+    let step = |way: f64| HeatStep { flux, duration: way / now.kinematics.speed };
+    record.insert(0, step(before));
+    now.rise[k] = heat.rise_times_effusivity(record);
+    record[0] = step(before + after);
 }
 
 /// The ways of the material in a cell, before and after the cell's point (in m): half of those to

@@ -1,20 +1,43 @@
 //! Rolling: the material moves through the contact, and every step is an equilibrium.
 
 mod arrival;
+mod cell;
 mod contact;
 mod friction_heat;
 pub mod marching;
 mod snapshot;
+pub mod steady;
+mod steady_state;
 mod summary;
 mod time_step;
 mod turn;
 
+use crate::error::Error;
+use crate::problem::{Driver, Options, Problem};
+use crate::solution::Solution;
+
+/// Solves a problem with the driver of the options.
+///
+/// `report` is called after every time step, or iteration between traction and temperature.
+pub fn solve(
+    problem: &Problem,
+    options: &Options,
+    report: &mut dyn FnMut(Progress),
+) -> Result<Solution, Error> {
+    let is_transient = problem.history.is_some() || problem.initial_state.is_some();
+    let otherwise = if is_transient { Driver::Marching } else { Driver::Steady };
+    match options.driver.unwrap_or(otherwise) {
+        Driver::Steady => steady::solve(problem, options, report),
+        Driver::Marching => marching::march(problem, options, report),
+    }
+}
+
 /// How far a driver has got.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Time steps done.
+    /// Time steps or iterations done.
     pub step: usize,
-    /// All time steps, where known beforehand.
+    /// All of them, where known beforehand.
     pub steps: Option<usize>,
     /// Relative change of traction and temperature in the last step, dimensionless.
     pub change: f64,

@@ -1,0 +1,122 @@
+//! The steady driver: the whole steady state at once.
+
+mod common;
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::{cells, problem, rolling, solve};
+use schlupf::elasticity::Elasticity;
+use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::rigid::Rigid;
+use schlupf::elasticity::winkler::Winkler;
+use schlupf::heat::Heat;
+use schlupf::heat::duhamel::Duhamel;
+use schlupf::heat::partition::Partition;
+use schlupf::history::History;
+use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::material::Material;
+use schlupf::problem::Driver;
+use schlupf::{Error, Options, Problem, Solution, Status, rolling};
+
+fn at_once(problem: &Problem, options: &Options) -> Solution {
+    let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    solution
+}
+
+fn half_space() -> Arc<dyn Elasticity> {
+    Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap())
+}
+
+/// Steady and marched solve the same discrete equations: they agree to ten times the tolerance, for
+/// every elasticity and both contact laws, with spin.
+#[test]
+fn the_steady_state_is_the_end_of_marching() {
+    let elasticities: [Arc<dyn Elasticity>; 4] = [
+        common::layer(),
+        half_space(),
+        Arc::new(Winkler::new(2e13, 2e13).unwrap()),
+        Arc::new(Rigid),
+    ];
+    let laws: [Arc<dyn ContactLaw>; 2] =
+        [Arc::new(Incremental::new(5e6).unwrap()), Arc::new(TotalDisplacement::new(5e6).unwrap())];
+    for elasticity in &elasticities {
+        for law in &laws {
+            let mut both = problem(rolling(0.001, 0.0015, 0.3));
+            both.elasticity = Arc::clone(elasticity);
+            both.contact_law = Arc::clone(law);
+            let options = Options { tolerance: 1e-8, ..cells(16) };
+            let (steady, marched) = (at_once(&both, &options), solve(&both, &options));
+            let (one, two) = (steady.normalised, marched.normalised);
+            let differs = (one.x - two.x).hypot(one.y - two.y).hypot(one.moment_z - two.moment_z);
+            // The march ends when a step changes less than the tolerance; on the half-space its
+            // memory fades slowly, and what is left adds up over the steps.
+            assert!(differs < 1e-6, "{elasticity:?} {law:?}: {differs:e}");
+            assert_eq!(steady.fields.sliding, marched.fields.sliding);
+        }
+    }
+}
+
+/// The same with friction that falls with the temperature.
+#[test]
+fn the_hot_steady_state_is_the_end_of_marching() {
+    let mut hot = problem(rolling(0.02, 0.003, 0.3));
+    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    let options = Options { tolerance: 1e-8, ..cells(16) };
+    let (steady, marched) = (at_once(&hot, &options), solve(&hot, &options));
+    assert_relative_eq!(steady.force.x, marched.force.x, max_relative = 1e-6);
+    assert_relative_eq!(steady.force.y, marched.force.y, max_relative = 1e-6);
+    let (one, two) = (steady.temperature.max_rise, marched.temperature.max_rise);
+    assert_relative_eq!(one, two, max_relative = 1e-6);
+    assert_relative_eq!(steady.power.friction, steady.power.creep, max_relative = 1e-6);
+    assert!(steady.work.outer_iterations < 25, "{:?}", steady.work);
+}
+
+/// Products with A of a cold solution hardly depend on the grid.
+#[test]
+fn work_stays_bounded() {
+    for elasticity in [common::layer(), half_space()] {
+        for (cells_across, allowed) in [(20, 60.0), (40, 75.0), (80, 90.0)] {
+            for (xi, eta, spin) in [(0.001, 0.0, 0.0), (0.002, 0.002, 0.0), (0.0, 0.001, 0.4)] {
+                let mut cold = problem(rolling(xi, eta, spin));
+                cold.elasticity = Arc::clone(&elasticity);
+                let work = at_once(&cold, &cells(cells_across)).work;
+                assert!(work.operator_products < allowed, "{elasticity:?} {work:?}");
+                assert!(work.newton_iterations <= 12, "{work:?}");
+            }
+        }
+    }
+}
+
+/// What only marching can do is refused, and chosen where nothing is said.
+#[test]
+fn a_history_needs_marching() {
+    let mut transient = problem(rolling(0.001, 0.0, 0.0));
+    transient.history = Some(History {
+        time: vec![0.0, 1e-4],
+        creepage_x: Some(vec![0.0, 0.001]),
+        ..History::default()
+    });
+    let options = Options { driver: Some(Driver::Steady), ..cells(8) };
+    let error = rolling::solve(&transient, &options, &mut |_| ()).unwrap_err();
+    assert!(matches!(error, Error::Contradiction { quantity: "solver.driver", .. }));
+    assert!(at_once(&transient, &cells(8)).history.len() > 1);
+}
+
+/// The state of the steady driver is one that marching goes on from without a change.
+#[test]
+fn marching_goes_on_from_a_steady_state() {
+    let mut hot = problem(rolling(0.01, 0.002, 0.3));
+    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    let options = Options { tolerance: 1e-8, ..cells(16) };
+    let steady = at_once(&hot, &options);
+    hot.initial_state = Some(steady.state.clone());
+    let on = rolling::solve(&hot, &Options { tolerance: 1e-6, ..options }, &mut |_| ()).unwrap();
+    for instant in &on.history {
+        assert_relative_eq!(instant.force.x, steady.force.x, max_relative = 1e-6);
+    }
+}
