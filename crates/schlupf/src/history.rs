@@ -84,6 +84,12 @@ impl History {
         self.load.as_ref().and_then(|loads| loads.iter().copied().reduce(f64::max))
     }
 
+    /// Largest speed, in m/s.
+    pub fn fastest(&self, otherwise: &Kinematics) -> f64 {
+        let speeds = self.speed.as_deref().unwrap_or(&[]);
+        speeds.iter().copied().reduce(f64::max).unwrap_or(otherwise.speed)
+    }
+
     /// First and last time, in s.
     pub fn span(&self) -> [f64; 2] {
         let first = self.time.first().copied().unwrap_or(0.0);

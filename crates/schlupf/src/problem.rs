@@ -61,6 +61,9 @@ impl Problem {
 /// Most cells in one direction across the patch.
 pub const MAX_CELLS: usize = 1024;
 
+/// Most cells of a grid.
+pub const MAX_CELLS_TOGETHER: usize = 1 << 17;
+
 /// Which driver solves a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Driver {
@@ -116,6 +119,16 @@ impl Options {
         };
         cells("grid.cells_x", self.cells_x, 2)?;
         cells("grid.cells_y", self.cells_y, 1)?;
+        let together = self.cells_x * self.cells_y;
+        if together > MAX_CELLS_TOGETHER {
+            return Err(Error::Contradiction {
+                quantity: "grid.cells_x",
+                reason: format!(
+                    "{} × {} cells are {together}, more than {MAX_CELLS_TOGETHER}",
+                    self.cells_x, self.cells_y
+                ),
+            });
+        }
         require_positive("solver.tolerance", self.tolerance, "")?;
         require(
             (1e-13..=0.1).contains(&self.tolerance),
@@ -130,9 +143,9 @@ impl Options {
         positive("solver.max_steps", self.max_steps)?;
         let threshold = self.slip_threshold;
         require(
-            threshold > 0.0 && threshold <= 1.0,
+            threshold > 0.0 && threshold < 1.0,
             "solver.slip_threshold",
-            "above 0 and at most 1",
+            "above 0 and below 1",
             threshold,
             "",
         )

@@ -120,3 +120,44 @@ fn marching_goes_on_from_a_steady_state() {
         assert_relative_eq!(instant.force.x, steady.force.x, max_relative = 1e-6);
     }
 }
+
+/// Kalker's linear regime: as ξ → 0 all sticks. The force over ξ settles with the grid, hardly
+/// depends on a stiff contact law, and never drives while braking.
+#[test]
+fn kalker_1967_full_stick_is_well_posed() {
+    for elasticity in [common::layer(), half_space()] {
+        let slope = |stiffness: f64, cells_across: usize| {
+            let mut sticking = problem(rolling(3e-6, 0.0, 0.0));
+            sticking.elasticity = Arc::clone(&elasticity);
+            sticking.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+            let solution = at_once(&sticking, &cells(cells_across));
+            assert!(solution.power.friction > 0.0);
+            -solution.normalised.x / 3e-6
+        };
+        let stiffest = slope(1e11, 32);
+        for stiffness in [1e8, 1e9, 1e10, 1e11] {
+            let fine = slope(stiffness, 32);
+            // k_c = 1e8/m gives way by some 5 % more than one without bristles.
+            assert!((fine / stiffest - 1.0).abs() < 0.07, "{stiffness:e}: {fine} {stiffest}");
+            for (cells_across, allowed) in [(8, 0.1), (12, 0.05), (16, 0.05), (24, 0.02)] {
+                let error = slope(stiffness, cells_across) / fine - 1.0;
+                assert!(error.abs() < allowed, "{stiffness:e} {cells_across}: {error}");
+            }
+        }
+    }
+}
+
+/// Friction that vanishes within a few hundred kelvin, at very high slip: temperature and friction
+/// of each cell are found together, so the loop around them converges.
+#[test]
+fn high_slip_converges() {
+    for (speed, creepage) in [(16.7, 0.5), (55.0, 0.3), (60.0, 0.9)] {
+        let mut hot = problem(rolling(creepage, 0.0, 0.0));
+        hot.kinematics.speed = speed;
+        hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+        hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+        let solution = at_once(&hot, &cells(20));
+        assert!(solution.temperature.max_rise < 700.0);
+        assert!(solution.work.outer_iterations < 60, "{:?}", solution.work);
+    }
+}

@@ -328,6 +328,9 @@ impl Compliance for LayerCompliance {
     }
 
     fn edge_displacement(&mut self, traction: &VectorField) -> f64 {
+        if !self.couples_cells {
+            return 0.0;
+        }
         let columns = self.surroundings.columns;
         let total =
             [self.total_displacement(0, &traction.x), self.total_displacement(1, &traction.y)];

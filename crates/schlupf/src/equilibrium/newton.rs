@@ -25,11 +25,15 @@ pub fn solve(system: &mut impl Equilibrium, p: &mut [f64], limits: &Limits) -> O
     let mut outcome = Outcome { products: 1, ..Outcome::default() };
     system.compliance_product(p, &mut newton.u);
     let mut forcing = LARGEST_FORCING;
+    let mut best = Best { defect: f64::INFINITY, iteration: 0 };
     loop {
         let defect = system.defect(p, &newton.u);
         outcome.residual = if scale > 0.0 { defect / scale } else { defect };
-        outcome.converged = outcome.residual <= limits.tolerance;
-        let given_up = outcome.iterations == limits.max_iterations || !defect.is_finite();
+        outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
+        best.note(outcome.iterations, defect);
+        let given_up = outcome.iterations == limits.max_iterations
+            || !defect.is_finite()
+            || best.is_stale(outcome.iterations);
         if outcome.converged || given_up {
             return outcome;
         }
@@ -50,6 +54,27 @@ pub fn solve(system: &mut impl Equilibrium, p: &mut [f64], limits: &Limits) -> O
         forcing = (0.9 * (after / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
     }
 }
+
+/// The best defect so far. Rounding, amplified by a very stiff contact law, can hide the rest.
+struct Best {
+    defect: f64,
+    iteration: usize,
+}
+
+impl Best {
+    fn note(&mut self, iteration: usize, defect: f64) {
+        if defect < 0.9 * self.defect {
+            *self = Self { defect, iteration };
+        }
+    }
+
+    fn is_stale(&self, iteration: usize) -> bool {
+        iteration > self.iteration + PATIENCE
+    }
+}
+
+/// Newton steps without a better defect after which there is no hope.
+const PATIENCE: usize = 40;
 
 struct Newton {
     u: Vec<f64>,

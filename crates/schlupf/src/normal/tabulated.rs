@@ -6,8 +6,15 @@ use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require, require_positive};
 use crate::grid::Extent;
 
+/// Samples below this part of the largest one are taken for noise, and for zero.
+const NOISE: f64 = 1e-4;
+
+/// Largest and smallest peak pressure of a table, in Pa.
+const PEAK_RANGE: [f64; 2] = [1.0, 1e14];
+
 /// Normal pressure sampled on an equidistant rectangular lattice, linear in between in each
-/// direction, falling to zero within one spacing outside the lattice.
+/// direction, falling to zero within one spacing outside the lattice. Positions count from the
+/// middle of the patch, whatever the origin of the table was.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PressureTable {
     x: Axis,
@@ -87,13 +94,21 @@ impl PressureTable {
                 format!("one with {} Pa at x = {at_x} m, y = {at_y} m", pressure[k]),
             ));
         }
-        if !pressure.iter().any(|p| *p > 0.0) {
+        let peak = pressure.iter().copied().fold(0.0, f64::max);
+        if !(PEAK_RANGE[0]..=PEAK_RANGE[1]).contains(&peak) {
+            let [low, high] = PEAK_RANGE;
             return Err(invalid(
-                "a table with a positive pressure somewhere".to_owned(),
-                "zero everywhere".to_owned(),
+                format!("a table with a largest pressure between {low:e} and {high:e} Pa"),
+                format!("one with {peak:e} Pa"),
             ));
         }
-        Ok(Self { x, y, pressure })
+        let is_noise = |p: f64| p < NOISE * peak;
+        let pressure = pressure.into_iter().map(|p| if is_noise(p) { 0.0 } else { p }).collect();
+        let mut table = Self { x, y, pressure };
+        let Extent { x, y } = table.extent();
+        table.x.start -= 0.5 * (x[0] + x[1]);
+        table.y.start -= 0.5 * (y[0] + y[1]);
+        Ok(table)
     }
 
     /// ∫ p dA of the table, in N.
@@ -141,15 +156,30 @@ impl PressureTable {
     }
 
     /// Pressure along x at some y (in m), in Pa; interpolated in the square, which is linear at the
-    /// edge of a contact, so that the edge between two rows is where it should be.
+    /// edge of a contact. Between a row in contact and one without, the square goes on as it comes
+    /// from inside, so that the edge between the two is where it should be.
     pub(crate) fn line_at(&self, y: f64) -> Vec<f64> {
         let position = ((y - self.y.start) / self.y.spacing).clamp(0.0, (self.y.count - 1) as f64);
         let j = (position.floor() as usize).min(self.y.count - 2);
         let share = position - j as f64;
-        let square = |i: usize, j: usize| self.at(i, j).powi(2);
         (0..self.x.count)
-            .map(|i| ((1.0 - share) * square(i, j) + share * square(i, j + 1)).sqrt())
+            .map(|i| {
+                let square = [self.square(i, j, j + 1), self.square(i, j + 1, j)];
+                ((1.0 - share) * square[0] + share * square[1]).max(0.0).sqrt()
+            })
             .collect()
+    }
+
+    /// Square of the pressure at column `i` and row `j`, in Pa²; where it is zero there but not in
+    /// the row `beside`, the square continued from that row and the next one beyond, not above zero.
+    fn square(&self, i: usize, j: usize, beside: usize) -> f64 {
+        let (here, inside) = (self.at(i, j).powi(2), self.at(i, beside).powi(2));
+        if here > 0.0 || inside == 0.0 {
+            return here;
+        }
+        let further = (2 * beside).checked_sub(j).filter(|row| *row < self.y.count);
+        let beyond = further.map_or(0.0, |row| self.at(i, row).powi(2));
+        (2.0 * inside - beyond).min(0.0)
     }
 
     fn at(&self, i: usize, j: usize) -> f64 {
@@ -269,6 +299,19 @@ mod tests {
         assert_relative_eq!(extent.y[0], -4e-3, max_relative = 0.01);
     }
 
+    /// Noise around the patch is no contact, and the origin is the middle of the patch.
+    #[test]
+    fn noise_is_cut_and_the_patch_is_centred() {
+        let clean = hertz_table(37);
+        let shifted: Vec<f64> = (0..37).map(|k| 0.1 + clean.x.at(k)).collect();
+        let across: Vec<f64> = (0..37).map(|k| clean.y.at(k)).collect();
+        let noisy = clean.pressure.iter().map(|p| p + 1e-3).collect();
+        let table = PressureTable::new(&shifted, &across, noisy).unwrap();
+        let (one, two) = (clean.extent(), table.extent());
+        assert_relative_eq!(one.x[0], two.x[0], max_relative = 1e-9);
+        assert_relative_eq!(one.y[1], two.y[1], max_relative = 1e-9);
+    }
+
     #[test]
     fn a_given_load_scales_the_table() {
         let table = hertz_table(61);
@@ -287,7 +330,8 @@ mod tests {
         assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("3 × 2 values"));
         assert!(refuse(&[0.0, 1.0, 3.0], &axis, vec![1.0; 9]).contains("equidistant"));
         assert!(refuse(&axis, &[0.0], vec![1.0; 3]).contains("at least two"));
-        assert!(refuse(&axis, &axis, vec![0.0; 9]).contains("positive pressure"));
+        assert!(refuse(&axis, &axis, vec![0.0; 9]).contains("largest pressure between"));
+        assert!(refuse(&axis, &axis, vec![1e300; 9]).contains("1e300 Pa"));
         let mut hole = vec![1.0; 9];
         hole[4] = f64::NAN;
         assert!(refuse(&axis, &axis, hole).contains("x = 1 m, y = 1 m"));

@@ -39,8 +39,9 @@ impl<const N: usize> Stencil<N> {
 const CENTRED: f64 = 1e-9;
 
 impl Interpolation {
-    /// The weights of a patch.
-    pub fn new(patch: &Patch) -> Self {
+    /// The weights of a patch. At the leading edge the interpolation is cubic to the share `cubic`
+    /// (dimensionless), and linear for the rest.
+    pub fn new(patch: &Patch, cubic: f64) -> Self {
         let grid = &patch.grid;
         let mut entries = Vec::new();
         let mut entry_of = Vec::with_capacity(patch.len());
@@ -50,7 +51,7 @@ impl Interpolation {
                 let x = cell.entry_x();
                 let is_new = (x - last).abs() > CENTRED * grid.spacing_x || last.is_nan();
                 if is_new {
-                    entries.push(at_edge(grid, strip.row, x, cell.y));
+                    entries.push(at_edge(grid, strip.row, [x, cell.y], cubic));
                     last = x;
                 }
                 entry_of.push(entries.len() - 1);
@@ -142,17 +143,19 @@ fn centroid(grid: &Grid, cell: &Cell) -> Option<Stencil<4>> {
     })
 }
 
-/// Cubic (Lagrange) along x, linear along y.
-fn at_edge(grid: &Grid, row: usize, x: f64, y: f64) -> Stencil<8> {
+/// Cubic (Lagrange) and linear along x, linear along y.
+fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2], cubic: f64) -> Stencil<8> {
     let position = (x - grid.x(0)) / grid.spacing_x;
     let first = (position.floor() - 1.0).clamp(0.0, (grid.columns - 4) as f64);
     let s = position - first;
-    let along = [
+    let smooth = [
         -(s - 1.0) * (s - 2.0) * (s - 3.0) / 6.0,
         s * (s - 2.0) * (s - 3.0) / 2.0,
         -s * (s - 1.0) * (s - 3.0) / 2.0,
         s * (s - 1.0) * (s - 2.0) / 6.0,
     ];
+    let straight: [f64; 4] = std::array::from_fn(|k| (1.0 - (s - k as f64).abs()).max(0.0));
+    let along: [f64; 4] = std::array::from_fn(|k| cubic * smooth[k] + (1.0 - cubic) * straight[k]);
     let (other, weight) = beside(row, (y - grid.y(row)) / grid.spacing_y, grid.rows);
     let first = first as usize;
     Stencil {
@@ -182,7 +185,7 @@ mod tests {
     fn linear_fields_are_exact_and_spreading_is_the_transpose() {
         let patch = patch();
         let grid = patch.grid;
-        let interpolation = Interpolation::new(&patch);
+        let interpolation = Interpolation::new(&patch, 1.0);
         let mut field = VectorField::zeros(grid.len());
         for j in 0..grid.rows {
             for i in 0..grid.columns {

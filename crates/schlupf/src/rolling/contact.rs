@@ -2,9 +2,12 @@
 
 use crate::elasticity::Compliance;
 use crate::equilibrium::norm;
-use crate::grid::VectorField;
-use crate::normal::NormalSummary;
+use crate::error::Error;
+use crate::grid::{Grid, VectorField};
+use crate::interface::contact_law::Slide;
+use crate::normal::{NormalContact, NormalSummary};
 use crate::patch::{Interpolation, Patch};
+use crate::problem::Problem;
 
 /// A patch with the compliance between its cells.
 pub(super) struct DiscreteContact {
@@ -15,33 +18,69 @@ pub(super) struct DiscreteContact {
     traction: VectorField,
     /// A p on the whole grid, of the last product.
     pub displacement: VectorField,
+    /// μ0 k_c, in 1/m: times the pressure, the stiffness of the contact law at the start.
+    bristles: f64,
     stand_in: [f64; 2],
     safe_stiffness: f64,
 }
 
+/// Stiffness of the bristles over that of a cell up to which the interpolation is cubic, and from
+/// which on it is linear; dimensionless.
+const CUBIC_RANGE: [f64; 2] = [150.0, 750.0];
+
 impl DiscreteContact {
-    pub fn new(normal: NormalSummary, patch: Patch, compliance: Box<dyn Compliance>) -> Self {
-        let zeros = VectorField::zeros(patch.grid.len());
+    /// A normal contact of a problem on a grid that spans it.
+    pub fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
+        let compliance = problem.elasticity.compliance(&grid)?;
+        let patch = touching_patch(normal, grid)?;
+        let zeros = VectorField::zeros(grid.len());
         let mut contact = Self {
-            interpolation: interpolation(&patch, compliance.as_ref()),
-            normal,
+            interpolation: Interpolation::uncoupled(&patch),
+            normal: normal.summary,
             patch,
             compliance,
             traction: zeros.clone(),
             displacement: zeros,
+            bristles: problem.friction.cold_coefficient() * initial_stiffness(problem),
             stand_in: [0.0; 2],
             safe_stiffness: 0.0,
         };
-        contact.stand_in = contact.estimate_stand_in();
-        contact.safe_stiffness = contact.estimate_safe_stiffness();
-        contact
+        contact.settle();
+        Ok(contact)
     }
 
-    /// Another patch on the same grid. It differs little from the last one: the estimates stay.
-    pub fn set_patch(&mut self, normal: NormalSummary, patch: Patch) {
-        self.interpolation = interpolation(&patch, self.compliance.as_ref());
-        self.normal = normal;
-        self.patch = patch;
+    /// Another normal contact on the same grid. The displacement field stays that of the last
+    /// product: the history of the elements hangs on it.
+    pub fn set_normal(&mut self, normal: &NormalContact) -> Result<(), Error> {
+        self.patch = touching_patch(normal, self.patch.grid)?;
+        self.normal = normal.summary;
+        let displacement = self.displacement.clone();
+        self.settle();
+        self.displacement = displacement;
+        Ok(())
+    }
+
+    /// Weights and estimates of a new patch.
+    fn settle(&mut self) {
+        self.interpolation = Interpolation::uncoupled(&self.patch);
+        if self.compliance.couples_cells() {
+            let cubic = self.cubic_share();
+            self.interpolation = Interpolation::new(&self.patch, cubic);
+        }
+        self.stand_in = self.estimate_stand_in();
+        self.safe_stiffness = self.estimate_safe_stiffness();
+    }
+
+    /// How much of the interpolation at the leading edge is cubic.
+    ///
+    /// Where the bristles of the contact law are so much stiffer than a cell that it sticks as a
+    /// whole, the displacement has a kink at the edge, and negative weights would let neighbouring
+    /// strips swing against each other. Linear interpolation cannot; it is half as exact on softer
+    /// bristles.
+    fn cubic_share(&mut self) -> f64 {
+        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness();
+        let [all, none] = CUBIC_RANGE;
+        ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
     }
 
     /// u = A p at the cells' points; the displacement of the whole grid is left in the field.
@@ -151,10 +190,24 @@ const SAFETY: f64 = 1.1;
 /// some millimetres.
 const RIGID_STIFFNESS: f64 = 1e13;
 
-fn interpolation(patch: &Patch, compliance: &dyn Compliance) -> Interpolation {
-    if compliance.couples_cells() {
-        Interpolation::new(patch)
-    } else {
-        Interpolation::uncoupled(patch)
+/// The patch, which must touch the grid somewhere.
+fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
+    let patch = Patch::new(normal, grid);
+    let load = patch.load();
+    if !patch.is_empty() && load > 0.0 && load.is_finite() {
+        return Ok(patch);
     }
+    Err(Error::Contradiction {
+        quantity: "normal.load",
+        reason: format!(
+            "a load of {:e} N on semi-axes of {:e} m and {:e} m leaves no pressure that a computer \
+             can hold",
+            normal.summary.load, normal.summary.semi_axis_x, normal.summary.semi_axis_y
+        ),
+    })
+}
+
+/// Slope of the contact law at rest, in 1/m.
+fn initial_stiffness(problem: &Problem) -> f64 {
+    problem.contact_law.respond(&Slide::default()).by_increment[0][0]
 }

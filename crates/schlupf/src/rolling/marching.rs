@@ -33,6 +33,7 @@ pub fn march(
     problem.check()?;
     options.check()?;
     let mut march = March::new(problem, options)?;
+    march.check_length()?;
     while !march.is_finished() {
         let arrivals = march.move_on()?;
         march.find_equilibrium(&arrivals);
@@ -42,6 +43,9 @@ pub fn march(
     }
     Ok(march.into_solution())
 }
+
+/// Most time steps of a history.
+const MAX_HISTORY_STEPS: f64 = 1e6;
 
 /// All that changes from step to step.
 struct March<'a> {
@@ -66,16 +70,14 @@ impl<'a> March<'a> {
         let load = start.and_then(|t| problem.history.as_ref()?.load(t));
         let grid = grid_over_history(problem, options)?;
         let normal = problem.normal.normal_contact(load)?;
-        let patch = Patch::new(&normal, grid);
+        let contact = DiscreteContact::new(problem, &normal, grid)?;
         let state = match &problem.initial_state {
             Some(state) => fitting(state, &grid)?,
-            None => State::at_rest(&patch),
+            None => State::at_rest(&contact.patch),
         };
         let time = start.unwrap_or(state.time);
         let kinematics = kinematics_at(problem, time);
         let conduction = problem.conduction(&kinematics);
-        let compliance = problem.elasticity.compliance(&grid)?;
-        let contact = DiscreteContact::new(normal.summary, patch, compliance);
         let mut march = Self {
             problem,
             options,
@@ -93,6 +95,28 @@ impl<'a> March<'a> {
         march.now.rise = march.elements.iter().map(|e| e.rise).collect();
         march.displace();
         Ok(march)
+    }
+
+    /// A history must end within the steps that are allowed.
+    fn check_length(&self) -> Result<(), Error> {
+        let Some(history) = &self.problem.history else {
+            return Ok(());
+        };
+        let [start, end] = history.span();
+        let fastest = history.fastest(&self.problem.kinematics);
+        let steps = (end - start) * fastest / self.contact.patch.grid.spacing_x;
+        let resolved = start.abs().max(end.abs()) * f64::EPSILON * 1e3;
+        let is_resolved = resolved < self.contact.patch.grid.spacing_x / fastest;
+        if steps <= MAX_HISTORY_STEPS && is_resolved {
+            return Ok(());
+        }
+        Err(Error::Contradiction {
+            quantity: "history.time",
+            reason: format!(
+                "from {start:e} s to {end:e} s the wheel rolls over up to {steps:.3e} cells, one a \
+                 time step; at most {MAX_HISTORY_STEPS:e} are allowed, and time must resolve them"
+            ),
+        })
     }
 
     fn is_finished(&self) -> bool {
@@ -125,8 +149,7 @@ impl<'a> March<'a> {
         };
         if load != self.contact.normal.load {
             let normal = self.problem.normal.normal_contact(Some(load))?;
-            let patch = Patch::new(&normal, self.contact.patch.grid);
-            self.contact.set_patch(normal.summary, patch);
+            self.contact.set_normal(&normal)?;
         }
         Ok(())
     }
@@ -184,10 +207,18 @@ impl<'a> March<'a> {
         let element = |k: usize| Element {
             index: self.contact.patch.cells[k].index,
             traction: self.now.traction_at(k),
-            saturation: if bound[k] > 0.0 { responses[k].traction } else { [0.0; 2] },
+            saturation: responses[k].traction,
             sliding: [0, 1].map(|c| slides[k].distance[c] + slides[k].increment[c]),
             stretch: self.stretch(k, slides[k].increment),
             ..Element::default()
+        };
+        // An element that joins has not slid on the rail yet.
+        let element = |k: usize| {
+            if arrivals[k].joins {
+                Element { index: self.contact.patch.cells[k].index, ..Element::default() }
+            } else {
+                element(k)
+            }
         };
         self.elements = (0..slides.len()).map(element).collect();
     }
@@ -236,6 +267,7 @@ impl<'a> March<'a> {
     /// Counts the work and keeps the forces of the step.
     fn note(&mut self) {
         self.work.steps += 1;
+        self.work.cells = self.contact.patch.len();
         self.work.newton_iterations += self.outcome.iterations;
         self.work.operator_products += self.outcome.products as f64;
         self.work.outer_iterations += 1;
@@ -323,12 +355,26 @@ fn grid_over_history(problem: &Problem, options: &Options) -> Result<Grid, Error
 /// A state can only be taken up on the grid on which it was left.
 fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
+    let mut taken = vec![false; grid.len()];
+    let is_sound = |element: &Element| {
+        let [x, y] = element.saturation;
+        let is_new =
+            element.index < grid.len() && !std::mem::replace(&mut taken[element.index], true);
+        is_new && x.hypot(y) <= 1.0 + 1e-6 && element.rise.is_finite()
+    };
+    if !state.elements.iter().all(is_sound) {
+        return Err(Error::Contradiction {
+            quantity: "solver.initial_state",
+            reason: "the state has an element outside the grid, two in one cell, or one with more \
+                     traction than friction allows"
+                .to_owned(),
+        });
+    }
     let fits = (state.grid.columns, state.grid.rows) == (grid.columns, grid.rows)
         && close(state.grid.spacing_x, grid.spacing_x)
         && close(state.grid.spacing_y, grid.spacing_y)
         && close(state.grid.origin_x, grid.origin_x)
-        && close(state.grid.origin_y, grid.origin_y)
-        && state.elements.iter().all(|e| e.index < grid.len());
+        && close(state.grid.origin_y, grid.origin_y);
     if fits {
         return Ok(state.clone());
     }

@@ -52,6 +52,15 @@ pub fn solve(
     Ok(marched)
 }
 
+/// Coefficient of friction of a cell at its present temperature and slip speed, Eq. (23).
+fn friction(problem: &Problem, patch: &Patch, now: &Snapshot, k: usize) -> f64 {
+    let temperature =
+        now.conduction.contact_temperature(now.rise[k]) - problem.friction.reference_temperature;
+    let slip_speed = now.slip[k][0].hypot(now.slip[k][1]);
+    let state = FrictionState { temperature, slip_speed, y: patch.cells[k].y };
+    problem.friction.law.coefficient(&state)
+}
+
 fn refuse_transient(problem: &Problem) -> Result<(), Error> {
     let refuse = |quantity, what| {
         let reason = format!("{what} needs solver.driver = \"marching\", but it is \"steady\"");
@@ -83,8 +92,7 @@ impl<'a> Steady<'a> {
     fn new(problem: &'a Problem, options: &'a Options) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
         let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
-        let compliance = problem.elasticity.compliance(&grid)?;
-        let contact = DiscreteContact::new(normal.summary, Patch::new(&normal, grid), compliance);
+        let contact = DiscreteContact::new(problem, &normal, grid)?;
         let conduction = problem.conduction(&problem.kinematics);
         let cells = contact.patch.len();
         let mut steady = Self {
@@ -97,7 +105,7 @@ impl<'a> Steady<'a> {
             work: Work { cells, ..Work::default() },
             contact,
         };
-        steady.now.friction = steady.friction();
+        steady.now.friction = steady.entry_friction();
         Ok(steady)
     }
 
@@ -113,16 +121,10 @@ impl<'a> Steady<'a> {
         0.5 * self.options.tolerance
     }
 
-    /// Coefficients of friction at the present temperatures and slip speeds, Eq. (23).
-    fn friction(&self) -> Vec<f64> {
-        let coefficient = |(k, cell): (usize, &crate::patch::Cell)| {
-            let temperature = self.now.conduction.contact_temperature(self.now.rise[k])
-                - self.problem.friction.reference_temperature;
-            let slip_speed = self.now.slip[k][0].hypot(self.now.slip[k][1]);
-            let state = FrictionState { temperature, slip_speed, y: cell.y };
-            self.problem.friction.law.coefficient(&state)
-        };
-        self.contact.patch.cells.iter().enumerate().map(coefficient).collect()
+    /// Coefficients of friction of material that has just entered.
+    fn entry_friction(&self) -> Vec<f64> {
+        let cells = 0..self.contact.patch.len();
+        cells.map(|k| friction(self.problem, &self.contact.patch, &self.now, k)).collect()
     }
 
     /// Newton–Raphson on Eq. (13), for the whole patch at once.
@@ -147,18 +149,21 @@ impl<'a> Steady<'a> {
         self.contact.change_in_passing(&mut change);
         let patch = &self.contact.patch;
         set_friction_power(&mut self.now, patch, &change);
-        let records = set_steady_temperatures(&mut self.now, patch, &self.problem.heat);
+        let bound = self.now.bound(patch);
+        let solved = self.now.clone();
+        let law = |now: &Snapshot, k: usize| friction(self.problem, patch, now, k);
+        let heat = &self.problem.heat;
+        let records = set_steady_temperatures(&mut self.now, patch, heat, law);
+        let wanted = self.now.bound(patch);
         self.remember(records);
-        let friction = self.friction();
-        let bound = self.now.bound(&self.contact.patch);
-        let solved = std::mem::replace(&mut self.now.friction, friction);
-        let wanted = self.now.bound(&self.contact.patch);
         let moved: Vec<f64> = wanted.iter().zip(&bound).map(|(w, b)| w - b).collect();
         let scale = norm(&bound);
         self.change = if scale > 0.0 { norm(&moved) / scale } else { norm(&moved) };
         self.work.outer_iterations += 1;
         if self.is_finished() {
-            self.now.friction = solved;
+            // The friction power is that of the traction found.
+            self.now.friction = solved.friction;
+            self.now.friction_power = solved.friction_power;
         }
     }
 

@@ -181,12 +181,11 @@ pub(super) fn warnings(
         ));
     }
     let power = power(&contact.patch, now, &force(&contact.patch, now));
-    if power.returned > LARGEST_RETURNED_POWER * power.friction.abs()
-        && problem.heat.model.is_some()
-    {
+    if power.returned > LARGEST_RETURNED_POWER * power.friction.abs() {
         warnings.push(format!(
-            "heat: the bristles of the contact law return {:.3e} W of {:.3e} W friction power; \
-             that part is cut off and does not cool",
+            "contact_law: the bristles return {:.3e} W of {:.3e} W friction power; that part is cut \
+             off and does not cool. Where it is large in steady rolling, the grid is too coarse for \
+             the contact law",
             power.returned, power.friction
         ));
     }
