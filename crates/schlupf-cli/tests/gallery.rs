@@ -118,6 +118,68 @@ fn neuhaus_sextro_2014_figures_in_shape() {
     }
 }
 
+/// The cells of the field CSV next to y = 0, from the leading to the trailing edge: column by name.
+fn middle_row(case: &Path) -> impl Fn(&str) -> Vec<f64> + use<> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("fields.csv");
+    solve(case, &["--csv", &file.to_string_lossy()]);
+    let text = fs::read_to_string(file).unwrap();
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let header: Vec<String> = lines.next().unwrap().split(',').map(str::to_owned).collect();
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|v| v.parse().unwrap()).collect()).collect();
+    let middle = rows.iter().map(|row| row[1]).filter(|y| *y > 0.0).fold(f64::MAX, f64::min);
+    let mut cells: Vec<Vec<f64>> =
+        rows.into_iter().filter(|row| (row[1] - middle).abs() < 2e-5).collect();
+    cells.sort_by(|p, q| q[0].total_cmp(&p[0]));
+    move |name| {
+        let column = header.iter().position(|h| h == name).unwrap();
+        cells.iter().map(|row| row[column]).collect()
+    }
+}
+
+/// Neuhaus and Sextro 2014, Figures 5 and 7: behind the leading edge the force rises linearly, from a
+/// step that the coupling makes; the sliding zone follows the pressure; the friction power is zero
+/// in the sticking zone and largest towards the trailing edge.
+#[test]
+fn neuhaus_sextro_2014_stick_rises_linearly_from_a_step() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let column = middle_row(&folder.join("neuhaus_sextro_2014.toml"));
+    let (x, traction) = (column("x"), column("traction_x"));
+    let bound: Vec<f64> = column("pressure")
+        .iter()
+        .zip(column("friction_coefficient"))
+        .map(|(p, mu)| mu * p)
+        .collect();
+    let power = column("friction_power");
+    let inside = |low: f64, high: f64| {
+        (0..x.len()).filter(|k| (low..high).contains(&x[*k])).collect::<Vec<_>>()
+    };
+    let stick = inside(0.5e-3, 4.5e-3);
+    let (first, last) = (stick[0], stick[stick.len() - 1]);
+    let slope = (traction[last] - traction[first]) / (x[last] - x[first]);
+    let line = |at: f64| traction[first] + slope * (at - x[first]);
+    for &k in &stick {
+        assert!((traction[k] - line(x[k])).abs() < 0.05 * traction[last].abs(), "{}", x[k]);
+    }
+    assert!(line(6e-3) < -0.1 * 0.4e9, "no step: {}", line(6e-3));
+    for k in inside(-5.5e-3, -2.5e-3) {
+        assert!((traction[k] / bound[k] + 1.0).abs() < 0.01, "{} {}", traction[k], bound[k]);
+    }
+    let largest = power.iter().copied().fold(0.0, f64::max);
+    assert!(stick.iter().all(|k| power[*k] < 0.02 * largest));
+    let hottest = power.iter().position(|q| *q == largest).unwrap();
+    assert!(x[hottest] < -2e-3);
+}
+
+/// What coupling adds: a step of the force at the leading edge, and a stiffer patch.
+#[test]
+fn coupling_stiffens_the_patch() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let force = |name: &str| solve(&folder.join(name), &[])["force"]["x"].as_f64().unwrap();
+    assert!(force("layer_coupled.toml") < 1.3 * force("winkler_uncoupled.toml"));
+}
+
 /// A wrong number in a pinned file is found.
 #[test]
 fn the_comparison_can_fail() {

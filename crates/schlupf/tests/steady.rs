@@ -17,6 +17,7 @@ use schlupf::history::History;
 use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::material::Material;
+use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::problem::Driver;
 use schlupf::{Error, Options, Problem, Solution, Status, rolling};
 
@@ -144,6 +145,32 @@ fn kalker_1967_full_stick_is_well_posed() {
                 assert!(error.abs() < allowed, "{stiffness:e} {cells_across}: {error}");
             }
         }
+    }
+}
+
+/// ∫ q dA = −v0 (ξFx + ηFy + φMz), also with heat, with the paper's contact law, without coupling,
+/// on the half-space, and with pressure from a table.
+#[test]
+fn the_power_balance_always_closes() {
+    let base = problem(rolling(0.004, 0.002, 0.5));
+    let mut hot = base.clone();
+    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    let mut total = base.clone();
+    total.contact_law = Arc::new(TotalDisplacement::new(5e6).unwrap());
+    let mut uncoupled = base.clone();
+    uncoupled.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+    let mut half = base.clone();
+    half.elasticity = half_space();
+    let mut table = base.clone();
+    let axis: Vec<f64> = (-10..=10).map(|k| 0.6e-3 * f64::from(k)).collect();
+    let value = |x: f64, y: f64| 1e9 * (1.0 - (x / 5e-3).powi(4) - (y / 5.5e-3).powi(2)).max(0.0);
+    let pressure = axis.iter().flat_map(|y| axis.iter().map(|x| value(*x, *y))).collect();
+    let pressure = PressureTable::new(&axis, &axis, pressure).unwrap();
+    table.normal = Arc::new(Tabulated::new(pressure, None).unwrap());
+    for case in [base, hot, total, uncoupled, half, table] {
+        let power = at_once(&case, &cells(20)).power;
+        assert_relative_eq!(power.friction, power.creep, max_relative = 1e-5);
     }
 }
 

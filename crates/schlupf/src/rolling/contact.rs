@@ -26,7 +26,7 @@ pub(super) struct DiscreteContact {
 
 /// Stiffness of the bristles over that of a cell up to which the interpolation is cubic, and from
 /// which on it is linear; dimensionless.
-const CUBIC_RANGE: [f64; 2] = [150.0, 750.0];
+const CUBIC_RANGE: [f64; 2] = [500.0, 2500.0];
 
 impl DiscreteContact {
     /// A normal contact of a problem on a grid that spans it.
