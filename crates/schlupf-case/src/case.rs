@@ -1,6 +1,6 @@
 //! A case: what to solve, and how.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use schlupf::{Options, Problem};
@@ -25,6 +25,7 @@ pub struct Case {
     /// What was given without effect, each with its place.
     pub notices: Vec<String>,
     settings: Settings,
+    folder: PathBuf,
 }
 
 /// A field in effect.
@@ -53,12 +54,14 @@ impl Case {
         overrides: &[String],
     ) -> Result<Self, CaseErrors> {
         let source = Arc::new(Source { name: name.to_owned(), text: text.to_owned() });
-        let mut entries = document::parse(&source)?;
+        let (mut entries, mut errors) = document::parse(&source)?;
         for text in overrides {
-            document::apply(&mut entries, text)?;
+            errors.extend(document::apply(&mut entries, text).err());
         }
         let file = Place::File { name: name.to_owned() };
-        let (settings, errors) = Settings::read(&entries, file);
+        let (settings, wrong_fields) = Settings::read(&entries, file);
+        errors.extend(wrong_fields);
+        errors.sort_by_key(|error| error.place.order());
         CaseErrors::check(errors)?;
         Ok(Self {
             title: settings.text("title")?,
@@ -66,6 +69,7 @@ impl Case {
             options: read::options(&settings)?,
             notices: settings.idle(),
             settings,
+            folder: folder.to_owned(),
         })
     }
 
@@ -93,6 +97,15 @@ impl Case {
     /// An error of the core, at the place of the field that it names.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
         self.settings.explain(error)
+    }
+
+    /// Files that the case names, each with the field that does, whether that has an effect or not.
+    pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
+        fields::all()
+            .filter(|field| matches!(field.kind, fields::Kind::Path))
+            .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
+            .map(|(field, file)| (field, self.folder.join(file)))
+            .collect()
     }
 
     /// All fields in effect, given or by default.

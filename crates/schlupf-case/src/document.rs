@@ -6,7 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::error::{CaseError, CaseErrors};
+use crate::error::CaseError;
 use crate::fields;
 use crate::place::{Place, Source};
 
@@ -97,8 +97,8 @@ impl Origin {
     }
 }
 
-/// All fields that a text gives, in its order.
-pub fn parse(source: &Arc<Source>) -> Result<Vec<Entry>, CaseErrors> {
+/// All fields that a text gives, in its order, and what stands there that is neither field nor section.
+pub fn parse(source: &Arc<Source>) -> Result<(Vec<Entry>, Vec<CaseError>), CaseError> {
     let table = DeTable::parse(&source.text).map_err(|error| {
         let span = error.span().unwrap_or(0..0);
         let place = Place::Text { source: Arc::clone(source), span };
@@ -111,9 +111,8 @@ pub fn parse(source: &Arc<Source>) -> Result<Vec<Entry>, CaseErrors> {
     for (key, value) in table.get_ref() {
         flatten("", key, value, &origin, (&mut entries, &mut errors));
     }
-    CaseErrors::check(errors)?;
     entries.sort_by_key(|entry: &Entry| entry.key.start);
-    Ok(entries)
+    Ok((entries, errors))
 }
 
 /// Appends the fields below a key. A table that is no section would vanish when it is empty: it is
@@ -220,7 +219,7 @@ mod tests {
 
     fn entries(text: &str) -> Vec<Entry> {
         let source = Source { name: "case.toml".to_owned(), text: text.to_owned() };
-        parse(&Arc::new(source)).unwrap()
+        parse(&Arc::new(source)).unwrap().0
     }
 
     #[test]

@@ -58,6 +58,14 @@ pub enum Place {
 }
 
 impl Place {
+    /// Sorts places in the order of the input: first the text, then what overrides it.
+    pub(crate) fn order(&self) -> usize {
+        match self {
+            Self::Text { span, .. } => span.start,
+            Self::File { .. } | Self::Override { .. } | Self::Default => usize::MAX,
+        }
+    }
+
     /// A line of a text, numbered from 1.
     pub fn line(source: &Arc<Source>, number: usize) -> Self {
         Self::Text { source: Arc::clone(source), span: source.line(number) }

@@ -95,6 +95,14 @@ impl Settings {
         }
     }
 
+    /// Text or a path, where it was given.
+    pub fn given_text(&self, path: &str) -> Option<&str> {
+        match &self.given.get(path)?.setting {
+            Setting::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
     /// An array of numbers in SI units, where it was given.
     pub fn series(&self, path: &str) -> Option<&[f64]> {
         match &self.given.get(path)?.setting {
@@ -124,7 +132,7 @@ impl Settings {
         let setting = self.setting(other)?;
         match setting {
             Setting::Number(number) if !field.requirement.holds(number) => {
-                let requirement = field.requirement.text("");
+                let requirement = field.requirement.text(field.kind.unit());
                 let message = format!(
                     "{} must be {requirement}, but is that of {other}, {}",
                     field.path,
@@ -190,12 +198,18 @@ impl Settings {
         let doc = field.map_or("", |field| field.doc);
         let message = format!("{path} is missing{because}: {doc}");
         let example = field.and_then(Field::assignment);
-        CaseError::new(path, message, self.file.clone())
+        let model = field.and_then(|field| field.used_with).map(|(model, _)| self.place(model));
+        let place = model.filter(|place| *place != Place::Default);
+        CaseError::new(path, message, place.unwrap_or_else(|| self.file.clone()))
             .help(example.map(|example| format!("such as {example}")))
     }
 
-    /// Whether a field belongs to the models that were chosen.
+    /// Whether a field belongs to the models that were chosen and the fields that were given.
     pub fn is_used(&self, field: &Field) -> bool {
+        let is_alone = |with| !self.given.contains_key(with);
+        if fields::companion(field.path).is_some_and(is_alone) {
+            return false;
+        }
         field.used_with.is_none_or(|(model, names)| {
             self.choice(model).is_ok_and(|choice| names.contains(&choice))
         })
@@ -206,19 +220,19 @@ impl Settings {
     pub fn idle(&self) -> Vec<String> {
         let mut notices = Vec::new();
         for field in fields::all() {
-            let (Some(given), Some((model, _))) = (self.given.get(field.path), field.used_with)
-            else {
+            let Some(given) = self.given.get(field.path).filter(|_| !self.is_used(field)) else {
                 continue;
             };
+            let (place, path) = (&given.place, field.path);
+            if let Some(companion) = fields::companion(path) {
+                notices.push(format!("{place}: {path} has no effect without {companion}"));
+            }
+            let Some((model, _)) = field.used_with else { continue };
             let overridden = |path| matches!(self.place(path), Place::Override { .. });
             let on_purpose = overridden(model) && matches!(given.origin, Origin::File(_));
-            if !self.is_used(field) && !on_purpose {
-                notices.push(format!(
-                    "{}: {} has no effect with {model} = {}",
-                    given.place,
-                    field.path,
-                    self.shown(model)
-                ));
+            if !on_purpose {
+                let choice = self.shown(model);
+                notices.push(format!("{place}: {path} has no effect with {model} = {choice}"));
             }
         }
         notices

@@ -110,6 +110,28 @@ fn a_history_is_read_from_arrays_and_files_alike() {
 }
 
 #[test]
+fn the_speed_over_time_is_read() {
+    let text = "[history]\ntime = [\"0 s\", \"1 ms\"]\nspeed = [\"108 km/h\", \"20 m/s\"]";
+    let history = read(text, &[]).problem.history.unwrap();
+    assert_eq!(history.speed, Some(vec![30.0, 20.0]));
+    assert_eq!((history.creepage_x, history.load), (None, None));
+}
+
+#[test]
+fn a_rolling_radius_without_angular_velocity_is_noticed() {
+    let text = "[kinematics]\nwheel_radius = \"0.4 m\"";
+    let expected = "case.toml:2:16: kinematics.wheel_radius has no effect without \
+                    kinematics.angular_velocity";
+    assert_eq!(read(text, &[]).notices, [expected]);
+    assert_eq!(read(text, &["kinematics.angular_velocity=60 rad/s"]).notices, [""; 0]);
+}
+
+#[test]
+fn a_layer_may_end_at_the_patch() {
+    read("[elasticity]\nmargin = \"0 mm\"", &[]);
+}
+
+#[test]
 fn the_effective_fields_tell_where_they_come_from() {
     let case = read("title = \"x\"", &["normal.load=60 kN"]);
     let effective = case.effective();

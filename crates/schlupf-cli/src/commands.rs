@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use clap::CommandFactory;
 use clap_complete::Shell;
-use schlupf_case::{Case, Place, schema as case_schema, template};
+use schlupf_case::{Case, Effective, Place, schema as case_schema, template};
 
 use crate::arguments::{Arguments, CaseArguments, InitArguments};
 use crate::failure::Failure;
@@ -35,9 +35,10 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
     for notice in &case.notices {
         report::warn(notice);
     }
+    let effective = case.effective();
     let mut text = format!(
         "{}\n\npatch      a = {:.4} mm, b = {:.4} mm, load {:.4} kN, peak pressure {:.2} MPa\n\
-         cells      {} x {} across the patch\n\nfields in effect\n",
+         cells      {} x {} across the patch\n{}\nfields in effect\n",
         case.title,
         normal.semi_axis_x * 1e3,
         normal.semi_axis_y * 1e3,
@@ -45,8 +46,9 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
         normal.peak_pressure * 1e-6,
         case.options.cells_x,
         case.options.cells_y,
+        creepages(&case, &effective),
     );
-    for field in case.effective() {
+    for field in effective {
         let origin = match field.place {
             Place::Default => "  (default)".to_owned(),
             Place::Override { .. } => "  (--set)".to_owned(),
@@ -59,6 +61,16 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// A line with the creepages where they follow from the motion of the wheel.
+fn creepages(case: &Case, effective: &[Effective]) -> String {
+    const MOTION: [&str; 2] = ["kinematics.angular_velocity", "kinematics.yaw_angle"];
+    if effective.iter().all(|field| !MOTION.contains(&field.path)) {
+        return String::new();
+    }
+    let kinematics = &case.problem.kinematics;
+    format!("creepages  ξ = {:.6}, η = {:.6}\n", kinematics.creepage_x, kinematics.creepage_y)
+}
+
 /// `schlupf init`: writes a commented case file.
 pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
     let (path, text) = (&arguments.file, template());
@@ -66,9 +78,9 @@ pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
         stdout::write(&text)?;
         return Ok(ExitCode::SUCCESS);
     }
-    outputs::check(&[("FILE", path)], None)?;
+    outputs::check(&[("FILE", path)], &[])?;
     if arguments.force {
-        outputs::write(&[(path.clone(), text.into_bytes())])?;
+        outputs::write(&[(path.clone(), text.into_bytes())], None)?;
     } else {
         outputs::write_new(path, text.as_bytes()).map_err(|failure| match failure {
             Failure::File { path, cause } if cause.kind() == ErrorKind::AlreadyExists => {

@@ -8,38 +8,122 @@ use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 
-/// Checks output paths before the work: their directories exist, they are no directories, no two are
-/// the same file, and none is `input`.
-pub fn check(outputs: &[(&str, &Path)], input: Option<&Path>) -> Result<(), Failure> {
-    let mut seen: Vec<(&str, PathBuf)> = Vec::new();
-    if let Some(input) = input.and_then(|input| location(input).ok()) {
-        seen.push(("the case file", input));
+/// A file that is read and must not be overwritten.
+#[derive(Debug)]
+pub struct Input {
+    /// What it is, for messages.
+    pub what: String,
+    /// Where it is.
+    pub path: PathBuf,
+    /// The option that may write it all the same.
+    pub except: Option<&'static str>,
+}
+
+/// Output paths that were checked, by option, with their directories resolved.
+type Seen<'a> = Vec<(&'a str, PathBuf)>;
+
+/// Checks output paths before the work: they are no `-`, their directories exist, they are no
+/// directories, no two are the same file, and none is an input.
+pub fn check(outputs: &[(&str, &Path)], inputs: &[Input]) -> Result<(), Failure> {
+    check_files(outputs, inputs).map(|_| ())
+}
+
+/// The same with a directory that `option` fills with files of these names.
+pub fn check_with_directory(
+    outputs: &[(&str, &Path)],
+    inputs: &[Input],
+    (option, directory): (&str, &Path),
+    names: &[String],
+) -> Result<(), Failure> {
+    refuse_stdout(option, directory)?;
+    check_directory(directory)?;
+    let files: Vec<PathBuf> = if directory.is_dir() {
+        names.iter().map(|name| directory.join(name)).collect()
+    } else {
+        Vec::new()
+    };
+    let mut all = outputs.to_vec();
+    all.extend(files.iter().map(|file| (option, file.as_path())));
+    let seen = check_files(&all, inputs)?;
+    let location = resolved(directory);
+    let is_in_the_way = |other: &PathBuf| location.starts_with(other);
+    match seen.iter().find(|(_, other)| is_in_the_way(other)) {
+        Some((other, _)) => Err(shared(option, directory, other)),
+        None => Ok(()),
     }
+}
+
+fn check_files<'a>(outputs: &[(&'a str, &Path)], inputs: &[Input]) -> Result<Seen<'a>, Failure> {
+    let mut seen: Seen = Vec::new();
     for (option, path) in outputs {
+        refuse_stdout(option, path)?;
         if path.is_dir() {
             return Err(Failure::file(path, io::Error::from(ErrorKind::IsADirectory)));
         }
         let location = location(path)?;
+        if let Some(input) = inputs.iter().find(|input| input.is_at(&location, option)) {
+            return Err(shared(option, path, &input.what));
+        }
         if let Some((other, _)) = seen.iter().find(|(_, other)| *other == location) {
-            let path = path.display();
-            let message =
-                format!("{option} must name a file of its own, but {path} is that of {other}, too");
-            return Err(Failure::Arguments(message));
+            return Err(shared(option, path, other));
         }
         // Several outputs may go to /dev/null.
         if !is_special(path) {
             seen.push((option, location));
         }
     }
-    Ok(())
+    Ok(seen)
+}
+
+fn shared(option: &str, path: &Path, other: &str) -> Failure {
+    let path = path.display();
+    Failure::Arguments(format!(
+        "{option} must name a file of its own, but {path} is that of {other}, too"
+    ))
+}
+
+fn refuse_stdout(option: &str, path: &Path) -> Result<(), Failure> {
+    if path != Path::new("-") {
+        return Ok(());
+    }
+    let message = format!(
+        "{option} must name a file, but is `-`: only --json writes to standard output \
+         (a file of that name is `./-`)"
+    );
+    Err(Failure::Arguments(message))
+}
+
+impl Input {
+    /// Whether an option would write over it: over the name it was given by, or what that links to.
+    fn is_at(&self, output: &Path, option: &str) -> bool {
+        let named = location(&self.path).is_ok_and(|path| path == output);
+        let linked = fs::canonicalize(&self.path).is_ok_and(|path| path == output);
+        self.except != Some(option) && !is_special(&self.path) && (named || linked)
+    }
 }
 
 /// Checks that a directory exists or can be created.
-pub fn check_directory(path: &Path) -> Result<(), Failure> {
-    if path.exists() && !path.is_dir() {
-        return Err(Failure::file(path, io::Error::from(ErrorKind::NotADirectory)));
+fn check_directory(path: &Path) -> Result<(), Failure> {
+    // The metadata of a link that leads nowhere are those of the link.
+    let existing = path.ancestors().find(|part| fs::symlink_metadata(part).is_ok());
+    match existing {
+        Some(existing) if !existing.is_dir() => {
+            Err(Failure::file(path, io::Error::from(ErrorKind::NotADirectory)))
+        }
+        _ => Ok(()),
     }
-    Ok(())
+}
+
+/// The path with that part of it resolved which exists.
+fn resolved(path: &Path) -> PathBuf {
+    for ancestor in path.ancestors() {
+        let start = if ancestor == Path::new("") { Path::new(".") } else { ancestor };
+        if let Ok(start) = fs::canonicalize(start) {
+            let rest = path.strip_prefix(ancestor).unwrap_or(Path::new(""));
+            return rest.components().fold(start, |path, part| path.join(part));
+        }
+    }
+    path.to_owned()
 }
 
 /// The path with its directory resolved.
@@ -69,21 +153,76 @@ fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// Writes all files: first to temporary ones beside them, then renames those.
-pub fn write(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
-    let mut pending = Vec::new();
-    for (path, bytes) in files {
-        let failure = |cause| Failure::file(path, cause);
-        if is_special(path) {
-            fs::write(path, bytes).map_err(failure)?;
-        } else {
-            pending.push((path, temporary(path, bytes).map_err(failure)?));
+/// Writes all files: first to temporary ones beside them, then renames those. `directory` is created
+/// before if it is missing. On failure, what this run has created is removed again.
+pub fn write(files: &[(PathBuf, Vec<u8>)], directory: Option<&Path>) -> Result<(), Failure> {
+    let mut created = Created::default();
+    let result = created.write(files, directory);
+    if result.is_err() {
+        created.remove();
+    }
+    result
+}
+
+/// What was not there before.
+#[derive(Debug, Default)]
+struct Created {
+    /// From the outermost inwards.
+    directories: Vec<PathBuf>,
+    files: Vec<PathBuf>,
+}
+
+impl Created {
+    fn write(
+        &mut self,
+        files: &[(PathBuf, Vec<u8>)],
+        directory: Option<&Path>,
+    ) -> Result<(), Failure> {
+        if let Some(directory) = directory {
+            self.directory(directory)?;
+        }
+        let (special, plain): (Vec<_>, Vec<_>) =
+            files.iter().partition(|(path, _)| is_special(path));
+        let mut pending = Vec::new();
+        for (path, bytes) in plain {
+            let file = temporary(path, bytes).map_err(|cause| Failure::file(path, cause))?;
+            pending.push((path, file));
+        }
+        for (path, bytes) in special {
+            fs::write(path, bytes).map_err(|cause| Failure::file(path, cause))?;
+        }
+        for (path, file) in pending {
+            let is_new = fs::symlink_metadata(path).is_err();
+            file.persist(path).map_err(|error| Failure::file(path, error.error))?;
+            if is_new {
+                self.files.push(path.clone());
+            }
+        }
+        Ok(())
+    }
+
+    fn directory(&mut self, path: &Path) -> Result<(), Failure> {
+        let is_missing = |part: &&Path| *part != Path::new("") && !part.exists();
+        let missing: Vec<&Path> = path.ancestors().take_while(is_missing).collect();
+        for part in missing.into_iter().rev() {
+            match fs::create_dir(part) {
+                Ok(()) => self.directories.push(part.to_owned()),
+                Err(_) if part.is_dir() => {}
+                Err(cause) => return Err(Failure::file(part, cause)),
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes all of it. What cannot be removed stays: the failure to tell is another.
+    fn remove(&self) {
+        for file in &self.files {
+            let _ = fs::remove_file(file);
+        }
+        for directory in self.directories.iter().rev() {
+            let _ = fs::remove_dir(directory);
         }
     }
-    for (path, file) in pending {
-        file.persist(path).map_err(|error| Failure::file(path, error.error))?;
-    }
-    Ok(())
 }
 
 /// Writes a file unless there is one.
@@ -106,4 +245,22 @@ fn temporary(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
     file.write_all(bytes)?;
     file.flush()?;
     Ok(file)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failure_leaves_nothing_new_behind() {
+        let folder = tempfile::tempdir().unwrap();
+        let figures = folder.path().join("a/b");
+        fs::create_dir_all(folder.path().join("blocked/x")).unwrap();
+        let files = ["a/b/1", "2", "blocked"].map(|name| (folder.path().join(name), vec![1]));
+        assert!(write(&files, Some(&figures)).is_err());
+        let left: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
+        assert_eq!(left.len(), 1, "{left:?}");
+        write(&files[..2], Some(&figures)).unwrap();
+        assert!(figures.join("1").exists());
+    }
 }

@@ -13,13 +13,16 @@ use schlupf_output::{csv, figures, json, summary, vtk};
 use crate::arguments::SolveArguments;
 use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
+use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::{outputs, report, stdout};
 
+const FINAL_STATE: &str = "--final-state";
+
 /// Solves a case and writes the results.
 pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
-    check_outputs(arguments)?;
     let mut case = read_case(&arguments.case)?;
+    check_outputs(arguments, &case)?;
     if let Some(path) = &arguments.initial_state {
         case.problem.initial_state = Some(read_state(path)?);
     }
@@ -28,10 +31,7 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
     solution.warnings.splice(0..0, case.notices.iter().cloned());
     let files = files(arguments, &case.title, &solution, &progress)?;
     drop(progress);
-    if let Some(directory) = &arguments.figures {
-        fs::create_dir_all(directory).map_err(|cause| Failure::file(directory, cause))?;
-    }
-    outputs::write(&files)?;
+    outputs::write(&files, arguments.figures.as_deref())?;
     print(arguments, &case.title, &solution)?;
     match solution.status {
         Status::Converged => Ok(ExitCode::SUCCESS),
@@ -49,19 +49,47 @@ fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-fn check_outputs(arguments: &SolveArguments) -> Result<(), Failure> {
+fn check_outputs(arguments: &SolveArguments, case: &Case) -> Result<(), Failure> {
     let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
     let outputs: Vec<(&str, &Path)> = [
         ("--json", json),
         ("--csv", arguments.csv.as_deref()),
         ("--vtk", arguments.vtk.as_deref()),
-        ("--final-state", arguments.final_state.as_deref()),
+        (FINAL_STATE, arguments.final_state.as_deref()),
     ]
     .into_iter()
     .filter_map(|(option, path)| Some((option, path?)))
     .collect();
-    outputs::check(&outputs, arguments.case.case.as_deref())?;
-    arguments.figures.as_deref().map_or(Ok(()), outputs::check_directory)
+    let inputs = inputs(arguments, case);
+    match &arguments.figures {
+        None => outputs::check(&outputs, &inputs),
+        Some(directory) => {
+            let names: Vec<String> =
+                figures::names().iter().flat_map(|name| figure_files(name)).collect();
+            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
+        }
+    }
+}
+
+/// Whatever is read.
+fn inputs(arguments: &SolveArguments, case: &Case) -> Vec<Input> {
+    let input = |what: &str, path: &Path, except| Input {
+        what: what.to_owned(),
+        path: path.to_owned(),
+        except,
+    };
+    let mut inputs = Vec::new();
+    inputs.extend(arguments.case.case.iter().map(|path| input("the case file", path, None)));
+    inputs.extend(case.files().iter().map(|(field, path)| input(field, path, None)));
+    // A state may be carried on in place.
+    let state = arguments.initial_state.iter();
+    inputs.extend(state.map(|path| input("--initial-state", path, Some(FINAL_STATE))));
+    inputs
+}
+
+/// Names of the files of a figure: the drawing and the picture.
+fn figure_files(name: &str) -> [String; 2] {
+    [format!("{name}.svg"), format!("{name}.png")]
 }
 
 fn read_state(path: &Path) -> Result<State, Failure> {
@@ -115,8 +143,9 @@ fn files(
     if let Some(directory) = &arguments.figures {
         progress.stage("drawing figures");
         for figure in figures::all(title, solution)? {
-            files.push((directory.join(format!("{}.svg", figure.name)), figure.svg.into_bytes()));
-            files.push((directory.join(format!("{}.png", figure.name)), figure.png));
+            let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
+            files.push((svg, figure.svg.into_bytes()));
+            files.push((png, figure.png));
         }
     }
     Ok(files)

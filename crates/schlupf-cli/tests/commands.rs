@@ -38,6 +38,14 @@ fn check_says_what_it_would_solve() {
 }
 
 #[test]
+fn check_shows_the_creepages_of_a_moving_wheel() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[kinematics]\nspeed = \"30 m/s\"\nyaw_angle = \"1 deg\"\n");
+    let stdout = bench.run(&["check", "case.toml"]).stdout;
+    assert!(stdout.contains("ξ = 0.000000, η = -0.017452"), "{stdout}");
+}
+
+#[test]
 fn the_schema_is_json() {
     let schema: Value = serde_json::from_str(&Bench::new().run(&["schema"]).stdout).unwrap();
     assert_eq!(schema["properties"]["grid"]["properties"]["cells_x"]["maximum"], 1024.0);

@@ -174,6 +174,61 @@ fn no_two_outputs_share_a_file() {
     assert_eq!(bench.read("case.toml"), SMALL);
 }
 
+#[test]
+fn inputs_are_not_overwritten() {
+    const TABLE: &str =
+        "x [mm],y [mm],pressure [MPa]\n-1,-1,1\n0,-1,1\n1,-1,1\n-1,1,1\n0,1,1\n1,1,1\n";
+    let bench = Bench::new();
+    bench.write("off.csv", TABLE);
+    bench.write("off.toml", "[normal]\nmodel = \"tabulated\"\nfile = \"off.csv\"\n");
+    let run = bench.run(&["solve", "off.toml", "--csv", "off.csv"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert!(run.stderr.contains("off.csv is that of normal.file"), "{}", run.stderr);
+    assert_eq!(bench.read("off.csv"), TABLE);
+
+    bench.write("case.toml", SMALL);
+    bench.write("h.csv", "time [s],creepage_x\n0,0\n0.0001,0.001\n");
+    bench.write("h.toml", &format!("{SMALL}[history]\nfile = \"h.csv\"\n"));
+    assert_eq!(bench.run(&["solve", "h.toml", "--vtk", "./h.csv"]).code, Some(2));
+    bench.run(&["solve", "case.toml", "-q", "--final-state", "s.json"]);
+    let again = ["solve", "case.toml", "-q", "--initial-state", "s.json"];
+    assert_eq!(bench.run(&[&again[..], &["--json", "s.json"]].concat()).code, Some(2));
+    let run = bench.run(&[&again[..], &["--final-state", "s.json"]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+}
+
+#[test]
+fn figures_do_not_share_a_place_with_other_outputs() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    std::fs::create_dir_all(bench.path("full/map_slip.png")).unwrap();
+    std::fs::create_dir(bench.path("none")).unwrap();
+    for (arguments, code) in [
+        (["--json", "a", "--figures", "a"], 2),
+        (["--json", "a", "--figures", "a/b"], 2),
+        (["--json", "none/cut_y0.svg", "--figures", "none"], 2),
+        (["--json", "r.json", "--figures", "full"], 1),
+        (["--json", "r.json", "--figures", "case.toml"], 1),
+        (["--json", "r.json", "--figures", "case.toml/in"], 1),
+    ] {
+        let run = bench.run(&[&["solve", "case.toml"], &arguments[..]].concat());
+        assert_eq!(run.code, Some(code), "{arguments:?}: {}", run.stderr);
+    }
+    assert_eq!(bench.list(), ["case.toml", "full", "none"]);
+}
+
+#[test]
+fn only_json_knows_standard_output() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    for option in ["--csv", "--vtk", "--final-state", "--figures"] {
+        let run = bench.run(&["solve", "case.toml", option, "-"]);
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        assert!(run.stderr.contains(&format!("{option} must name a file")), "{}", run.stderr);
+    }
+    assert_eq!(bench.list(), ["case.toml"]);
+}
+
 #[cfg(unix)]
 #[test]
 fn devices_stay_devices() {

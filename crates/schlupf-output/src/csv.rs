@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use schlupf::solution::{Fields, Solution};
 
+use crate::number::without_sign_of_zero;
+
 const COLUMNS: &str = "x,y,pressure,traction_x,traction_y,slip_x,slip_y,friction_coefficient,\
                        friction_power,temperature_rise_wheel,temperature_rise_rail,sliding";
 const UNITS: &str = "# units: m, m, Pa, Pa, Pa, m/s, m/s, 1, W/m^2, K, K, 0 or 1; tractions on the \
@@ -36,7 +38,7 @@ fn row(table: &mut String, fields: &Fields, cell: usize) {
     ];
     for column in columns {
         // The shortest text that reads back as the same number. Writing to a String cannot fail.
-        let _ = write!(table, "{:e},", column[cell]);
+        let _ = write!(table, "{:e},", without_sign_of_zero(column[cell]));
     }
     table.push_str(if fields.sliding[cell] { "1\n" } else { "0\n" });
 }

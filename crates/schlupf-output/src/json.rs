@@ -1,15 +1,60 @@
 //! The result as JSON, for other programs. Names and signs are fixed; see the interface page.
 
+use std::io;
+
 use serde::Serialize;
+use serde_json::Serializer;
+use serde_json::ser::{Formatter, PrettyFormatter};
 
 use schlupf::solution::{Instant, Resultant, Solution, Status};
+
+use crate::number::without_sign_of_zero;
 
 /// The result of a case as a JSON document: SI units, temperatures in degC and their rises in K,
 /// forces on the wheel. A number that is not finite becomes `null`.
 pub fn document(title: &str, solution: &Solution) -> String {
     let document = Document::new(title, solution);
+    let mut text = Vec::new();
+    let formatter = Numbers { layout: PrettyFormatter::new() };
     // Plain structs of numbers and text with text keys: there is nothing that could fail.
-    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
+    let _ = document.serialize(&mut Serializer::with_formatter(&mut text, formatter));
+    String::from_utf8_lossy(&text).into_owned() + "\n"
+}
+
+/// The layout of [`PrettyFormatter`] with 0 for −0.
+struct Numbers {
+    layout: PrettyFormatter<'static>,
+}
+
+/// Hands methods of a formatter on to the layout.
+macro_rules! as_layout {
+    ($($method:ident($($argument:ident: $kind:ty),*);)*) => {
+        $(fn $method<W: ?Sized + io::Write>(
+            &mut self,
+            writer: &mut W
+            $(, $argument: $kind)*
+        ) -> io::Result<()> {
+            self.layout.$method(writer $(, $argument)*)
+        })*
+    };
+}
+
+impl Formatter for Numbers {
+    fn write_f64<W: ?Sized + io::Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        self.layout.write_f64(writer, without_sign_of_zero(value))
+    }
+
+    as_layout! {
+        begin_array();
+        end_array();
+        begin_array_value(first: bool);
+        end_array_value();
+        begin_object();
+        end_object();
+        begin_object_key(first: bool);
+        begin_object_value();
+        end_object_value();
+    }
 }
 
 #[derive(Serialize)]

@@ -15,6 +15,11 @@ pub(crate) fn significant(value: f64) -> String {
     }
 }
 
+/// The same number, but 0 for −0.
+pub(crate) fn without_sign_of_zero(value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value }
+}
+
 #[cfg(test)]
 mod tests {
     use super::significant;

@@ -14,10 +14,15 @@ pub fn text(title: &str, solution: &Solution) -> String {
     forces(&mut text, solution);
     heat(&mut text, solution);
     work(&mut text, solution);
-    for warning in &solution.warnings {
+    for warning in solution.warnings.iter().filter(|warning| reason(warning).is_none()) {
         line(&mut text, &format!("warning: {warning}"));
     }
     text
+}
+
+/// Why a solution did not converge, where a warning says that: it stands beside the status.
+fn reason(warning: &str) -> Option<&str> {
+    warning.strip_prefix("not converged: ")
 }
 
 fn normal_contact(text: &mut String, solution: &Solution) {
@@ -42,25 +47,44 @@ fn normal_contact(text: &mut String, solution: &Solution) {
 
 fn forces(text: &mut String, solution: &Solution) {
     let Solution { force, normalised, power, t_gamma, .. } = solution;
-    let over = |value: f64, bound: &str| format!("{} {bound}", number(value));
+    let x = without_noise(force.x, normalised.x);
+    let y = without_noise(force.y, normalised.y);
+    let moment_z = without_noise(force.moment_z, normalised.moment_z);
+    let traction = if x == 0.0 && y == 0.0 { 0.0 } else { solution.traction_coefficient };
+    let over = |value: f64, bound: &str| format!("{} {bound}", number(without_noise(value, value)));
     line(text, "on the wheel");
-    entry(text, "longitudinal force", force.x / 1e3, "kN", &over(normalised.x, "μ0 N"));
-    entry(text, "lateral force", force.y / 1e3, "kN", &over(normalised.y, "μ0 N"));
-    entry(text, "moment", force.moment_z, "N m", &over(normalised.moment_z, "μ0 N √(ab)"));
-    entry(text, "traction coefficient", solution.traction_coefficient, "", "|F|/N");
-    entry(text, "T-gamma", t_gamma.without_spin, "N", &over(t_gamma.with_spin, "N with spin"));
+    entry(text, "longitudinal force", x / 1e3, "kN", &over(normalised.x, "μ0 N"));
+    entry(text, "lateral force", y / 1e3, "kN", &over(normalised.y, "μ0 N"));
+    entry(text, "moment", moment_z, "N m", &over(normalised.moment_z, "μ0 N √(ab)"));
+    entry(text, "traction coefficient", traction, "", "|F|/N");
+    entry(
+        text,
+        "T-gamma",
+        t_gamma.without_spin,
+        "N",
+        &format!("{} N with spin", number(t_gamma.with_spin)),
+    );
     let creep = format!("creep power {} kW", number(power.creep / 1e3));
     entry(text, "friction power", power.friction / 1e3, "kW", &creep);
     text.push('\n');
 }
 
+/// A force or moment, 0 where it is rounding noise: where it is next to nothing over μ0 N or μ0 N √(ab).
+fn without_noise(value: f64, normalised: f64) -> f64 {
+    const NOISE: f64 = 1e-9;
+    if normalised.abs() < NOISE { 0.0 } else { value }
+}
+
 fn heat(text: &mut String, solution: &Solution) {
     let Solution { temperature, area, .. } = solution;
-    let place = format!(
-        "at x = {} mm, y = {} mm",
-        number(temperature.x / 1e-3),
-        number(temperature.y / 1e-3)
-    );
+    let mut place = String::new();
+    if temperature.max_rise != 0.0 {
+        let (x, y) = (number(temperature.x / 1e-3), number(temperature.y / 1e-3));
+        place = format!("at x = {x} mm, y = {y} mm");
+    }
+    if solution.status == Status::NotConverged {
+        place.push_str("  (not settled)");
+    }
     entry(text, "largest temp. rise", temperature.max_rise, "K", &place);
     let wheel = format!("to {} °C", number(temperature.max_wheel));
     entry(text, "  wheel", temperature.max_rise_wheel, "K", &wheel);
@@ -85,6 +109,9 @@ fn work(text: &mut String, solution: &Solution) {
         Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
     };
     line(text, &format!("{status}, relative residual {}", number(solution.residual)));
+    for reason in solution.warnings.iter().filter_map(|warning| reason(warning)) {
+        line(text, &format!("  {reason}"));
+    }
     line(text, &done);
 }
 

@@ -4,7 +4,7 @@ mod common;
 
 use common::{RECIPE, Recipe, solution};
 use schlupf::Solution;
-use schlupf_output::figures::{Figure, FigureError, all, drawings};
+use schlupf_output::figures::{Figure, FigureError, all, drawings, names};
 
 fn text_of(svg: &str) -> String {
     let document = roxmltree::Document::parse(svg).unwrap();
@@ -151,4 +151,13 @@ fn titles_are_text_whatever_they_hold() {
         assert_sound_drawing(&svg);
         assert!(text_of(&svg).contains("<b> & \"$x_{y\""));
     }
+}
+
+#[test]
+fn every_figure_has_a_name_that_is_known_before() {
+    let known = names();
+    let sideways = Recipe { direction: 0.5, ..RECIPE };
+    let drawings = drawings("", &solution(sideways)).unwrap();
+    assert_eq!(drawings.len(), known.len());
+    assert!(drawings.iter().all(|(name, _)| known.contains(name)), "{known:?}");
 }

@@ -143,5 +143,31 @@ fn summary_fits_a_terminal() {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
     solution.status = Status::NotConverged;
-    assert!(summary::text("", &solution).contains("NOT CONVERGED"));
+    solution.warnings.push("not converged: after 9 steps".to_owned());
+    let text = summary::text("", &solution);
+    assert_eq!(text.to_lowercase().matches("not converged").count(), 1, "{text}");
+    assert!(text.contains("after 9 steps") && text.contains("(not settled)"), "{text}");
+}
+
+#[test]
+fn rounding_noise_is_no_force_and_no_rise_has_no_place() {
+    let mut solution = solution(RECIPE);
+    (solution.force.y, solution.normalised.y) = (3.1e-9, 1e-13);
+    (solution.force.moment_z, solution.normalised.moment_z) = (-2e-12, -6e-15);
+    solution.temperature = schlupf::solution::Temperature::default();
+    let text = summary::text("", &solution);
+    let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap();
+    let words = |name: &str| line(name).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(words("lateral force"), "lateral force 0 kN 0 μ0 N");
+    assert_eq!(words("moment"), "moment 0 N m 0 μ0 N √(ab)");
+    assert_eq!(words("largest temp"), "largest temp. rise 0 K");
+}
+
+#[test]
+fn minus_zero_is_zero() {
+    let mut solution = solution(RECIPE);
+    solution.kinematics.creepage_y = -0.0;
+    solution.fields.traction_y.fill(-0.0);
+    assert!(!json::document("", &solution).contains("-0.0,"));
+    assert!(!table::fields(&solution).contains("-0e0"));
 }

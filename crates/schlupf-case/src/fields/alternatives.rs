@@ -70,6 +70,14 @@ impl Alternatives {
     }
 }
 
+/// Fields that count only beside another one that has no default.
+const COMPANIONS: &[(&str, &str)] = &[("kinematics.wheel_radius", "kinematics.angular_velocity")];
+
+/// The field without which this one does not count.
+pub fn companion(path: &str) -> Option<&'static str> {
+    COMPANIONS.iter().find(|(of, _)| *of == path).map(|(_, companion)| *companion)
+}
+
 /// Fields that decide together with another one whether a case is possible.
 const RELATED: &[(&str, &[&str])] = &[(
     "friction.temperature_at_zero_friction",

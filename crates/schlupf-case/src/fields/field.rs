@@ -100,6 +100,14 @@ impl Kind {
         }
     }
 
+    /// The SI unit of its numbers; empty where they are dimensionless or there are none.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Quantity(measure) | Self::Quantities(measure) => measure.unit,
+            _ => "",
+        }
+    }
+
     /// Whether the value is text for which a shell may have eaten the quotes.
     pub fn is_text(self) -> bool {
         matches!(self, Self::Text | Self::Path | Self::Choice(_))

@@ -7,9 +7,9 @@ mod requirement;
 mod suggestion;
 mod table;
 
-pub use alternatives::{ALTERNATIVES, Alternatives, related};
+pub use alternatives::{ALTERNATIVES, Alternatives, companion, related};
 pub use field::{Choice, Default, Field, Kind, Section};
-pub use requirement::Requirement;
+pub use requirement::{Requirement, readable};
 pub use suggestion::{closest, closest_path};
 pub use table::SECTIONS;
 

@@ -5,10 +5,8 @@
 pub enum Requirement {
     /// Any finite number.
     Finite,
-    /// Finite and above zero.
-    Positive,
-    /// Finite and not below zero.
-    NonNegative,
+    /// Finite and of no larger magnitude.
+    Magnitude(f64),
     /// Within bounds that belong to it.
     Between(f64, f64),
     /// Within bounds that do not belong to it.
@@ -17,19 +15,21 @@ pub enum Requirement {
     AboveUpTo(f64, f64),
     /// At least.
     AtLeast(f64),
-    /// A radius of curvature: positive where convex, negative where concave, infinite where straight.
-    Radius,
+    /// A radius of curvature of at least and at most these magnitudes: positive where convex,
+    /// negative where concave, infinite where straight.
+    Radius(f64, f64),
 }
 
 impl Requirement {
     /// Whether a value meets it.
     pub fn holds(self, value: f64) -> bool {
         match self {
-            Self::Radius => !value.is_nan() && value != 0.0 && value != f64::NEG_INFINITY,
+            Self::Radius(low, high) => {
+                value == f64::INFINITY || (low..=high).contains(&value.abs())
+            }
             _ if !value.is_finite() => false,
             Self::Finite => true,
-            Self::Positive => value > 0.0,
-            Self::NonNegative => value >= 0.0,
+            Self::Magnitude(high) => value.abs() <= high,
             Self::Between(low, high) => (low..=high).contains(&value),
             Self::Inside(low, high) => low < value && value < high,
             Self::AboveUpTo(low, high) => low < value && value <= high,
@@ -41,16 +41,24 @@ impl Requirement {
     pub fn text(self, unit: &str) -> String {
         let words = match self {
             Self::Finite => return "finite".to_owned(),
-            Self::Positive => return "positive and finite".to_owned(),
-            Self::NonNegative => return "zero or positive, and finite".to_owned(),
-            Self::Radius => {
-                return "a length other than 0: negative where concave, \"inf\" where straight"
-                    .to_owned();
+            Self::Magnitude(high) => format!("finite and at most ±{}", readable(high)),
+            Self::Radius(low, high) => {
+                let (low, high) = (readable(low), readable(high));
+                return format!(
+                    "a length other than 0 of between {low} and {high} {unit}: negative where \
+                     concave, \"inf\" where straight"
+                );
             }
-            Self::Between(low, high) => format!("between {low} and {high}"),
-            Self::Inside(low, high) => format!("above {low} and below {high}"),
-            Self::AboveUpTo(low, high) => format!("above {low} and at most {high}"),
-            Self::AtLeast(low) => format!("at least {low}"),
+            Self::Between(low, high) => {
+                format!("between {} and {}", readable(low), readable(high))
+            }
+            Self::Inside(low, high) => {
+                format!("above {} and below {}", readable(low), readable(high))
+            }
+            Self::AboveUpTo(low, high) => {
+                format!("above {} and at most {}", readable(low), readable(high))
+            }
+            Self::AtLeast(low) => format!("at least {}", readable(low)),
         };
         format!("{words} {unit}").trim_end().to_owned()
     }
@@ -58,14 +66,23 @@ impl Requirement {
     /// Bounds for a JSON schema: its keyword and the number.
     pub fn bounds(self) -> Vec<(&'static str, f64)> {
         match self {
-            Self::Finite | Self::Radius => Vec::new(),
-            Self::Positive => vec![("exclusiveMinimum", 0.0)],
-            Self::NonNegative => vec![("minimum", 0.0)],
+            Self::Finite | Self::Radius(..) => Vec::new(),
+            Self::Magnitude(high) => vec![("minimum", -high), ("maximum", high)],
             Self::Between(low, high) => vec![("minimum", low), ("maximum", high)],
             Self::Inside(low, high) => vec![("exclusiveMinimum", low), ("exclusiveMaximum", high)],
             Self::AboveUpTo(low, high) => vec![("exclusiveMinimum", low), ("maximum", high)],
             Self::AtLeast(low) => vec![("minimum", low)],
         }
+    }
+}
+
+/// A number with at most six digits, in powers of ten where it would be a run of zeros.
+pub fn readable(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-2..1e5).contains(&rounded.abs()) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
     }
 }
 
@@ -77,21 +94,30 @@ mod tests {
     fn only_a_radius_may_be_infinite_and_nothing_is_nan() {
         let all = [
             Requirement::Finite,
-            Requirement::Positive,
-            Requirement::NonNegative,
+            Requirement::Magnitude(1.0),
             Requirement::Between(0.0, 1.0),
             Requirement::Inside(0.0, 1.0),
             Requirement::AboveUpTo(0.0, 1.0),
             Requirement::AtLeast(1.0),
-            Requirement::Radius,
+            Requirement::Radius(0.1, 10.0),
         ];
         for requirement in all {
             assert!(!requirement.holds(f64::NAN));
-            let is_radius = requirement == Requirement::Radius;
+            let is_radius = matches!(requirement, Requirement::Radius(..));
             assert_eq!(requirement.holds(f64::INFINITY), is_radius);
             assert!(requirement.holds(1.0) || requirement == Requirement::Inside(0.0, 1.0));
         }
-        assert!(Requirement::Radius.holds(-0.3) && !Requirement::Radius.holds(0.0));
-        assert!(!Requirement::Positive.holds(0.0) && Requirement::NonNegative.holds(0.0));
+        let radius = Requirement::Radius(0.1, 10.0);
+        assert!(radius.holds(-0.3) && !radius.holds(0.0) && !radius.holds(f64::NEG_INFINITY));
+        assert!(Requirement::Magnitude(1.0).holds(-1.0));
+    }
+
+    #[test]
+    fn bounds_are_no_runs_of_zeros() {
+        assert_eq!(Requirement::Between(1e3, 1e14).text("Pa"), "between 1000 and 1e14 Pa");
+        assert_eq!(Requirement::Magnitude(1e6).text("1/m"), "finite and at most ±1e6 1/m");
+        let texts = ["0", "-273.15", "1.5708", "0.999", "1e-6", "-2.5e5"];
+        let numbers = [0.0, -273.15, std::f64::consts::FRAC_PI_2, 0.999, 1e-6, -2.5e5];
+        assert_eq!(numbers.map(readable), texts);
     }
 }

@@ -3,7 +3,7 @@
 use super::field::Default::{self, Computed, Nothing, Same, Text};
 use super::field::{Choice, Field, Kind, Section};
 use super::requirement::Requirement::{
-    self, AboveUpTo, AtLeast, Between, Finite, Inside, NonNegative, Positive, Radius,
+    self, AboveUpTo, AtLeast, Between, Finite, Inside, Magnitude, Radius,
 };
 use crate::units::Measure;
 use schlupf::problem::MAX_CELLS;
@@ -37,13 +37,36 @@ const fn choice(name: &'static str, doc: &'static str) -> Choice {
     Choice { name, doc }
 }
 
+/// Bounds that no rolling contact comes near, and within which no product or quotient leaves the range
+/// of double precision. Each in the SI unit of its fields, temperatures in degC.
+const MODULUS: Requirement = Between(1e3, 1e14);
+const THERMAL: Requirement = Between(1e-6, 1e9);
+const TEMPERATURE: Requirement = Between(-273.15, 1e5);
+const CURVATURE: Requirement = Radius(1e-6, 1e12);
+const ROLLING_RADIUS: Requirement = Between(1e-6, 1e6);
+const SPEED: Requirement = Between(1e-6, 1e4);
+const CREEPAGE: Requirement = Magnitude(1e6);
+const TURNING: Requirement = Magnitude(1e6);
+const LOAD: Requirement = Between(1e-3, 1e12);
+const PEAK_PRESSURE: Requirement = Between(1.0, 1e14);
+const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
+const SPACING: Requirement = Between(1e-9, 1e2);
+const BEDDING: Requirement = Between(1.0, 1e20);
+const COUPLING: Requirement = Between(0.0, 1e18);
+const SPRING: Requirement = Between(1e-9, 1e18);
+const MARGIN: Requirement = Between(0.0, 1e3);
+const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
+const FRICTION_COEFFICIENT: Requirement = Between(1e-9, 1e2);
+const DIFFERENCE: Requirement = Between(1e-3, 1e6);
+const INSTANT: Requirement = Magnitude(1e9);
+
 macro_rules! body {
     ($body:literal, $radius_x:literal, $radius_y:literal) => {
         [
             field(
                 concat!($body, ".young_modulus"),
                 quantity(&Measure::PRESSURE),
-                Positive,
+                MODULUS,
                 Text("210 GPa"),
                 "E, Young's modulus",
             ),
@@ -57,42 +80,42 @@ macro_rules! body {
             field(
                 concat!($body, ".conductivity"),
                 quantity(&Measure::CONDUCTIVITY),
-                Positive,
+                THERMAL,
                 Text("50 W/(m K)"),
                 "λ, thermal conductivity",
             ),
             field(
                 concat!($body, ".density"),
                 quantity(&Measure::DENSITY),
-                Positive,
+                THERMAL,
                 Text("7850 kg/m^3"),
                 "ρ, density",
             ),
             field(
                 concat!($body, ".specific_heat"),
                 quantity(&Measure::SPECIFIC_HEAT),
-                Positive,
+                THERMAL,
                 Text("450 J/(kg K)"),
                 "c, specific heat",
             ),
             field(
                 concat!($body, ".bulk_temperature"),
                 quantity(&Measure::TEMPERATURE),
-                AtLeast(-273.15),
+                TEMPERATURE,
                 Text("20 degC"),
                 "temperature far from the contact",
             ),
             field(
                 concat!($body, ".radius_x"),
                 quantity(&Measure::LENGTH),
-                Radius,
+                CURVATURE,
                 Text($radius_x),
                 "radius of curvature along rolling: \"inf\" where straight, negative where concave",
             ),
             field(
                 concat!($body, ".radius_y"),
                 quantity(&Measure::LENGTH),
-                Radius,
+                CURVATURE,
                 Text($radius_y),
                 "radius of curvature across rolling",
             ),
@@ -159,14 +182,14 @@ const KINEMATICS: &[Field] = &[
     field(
         "kinematics.speed",
         quantity(&Measure::SPEED),
-        Positive,
+        SPEED,
         Text("108 km/h"),
         "v0, speed of the vehicle",
     ),
     field(
         "kinematics.creepage_x",
         Kind::Number,
-        Finite,
+        CREEPAGE,
         Text("0.0"),
         "ξ, longitudinal creepage: positive when braking",
     )
@@ -174,7 +197,7 @@ const KINEMATICS: &[Field] = &[
     field(
         "kinematics.angular_velocity",
         quantity(&Measure::ANGULAR_VELOCITY),
-        Finite,
+        TURNING,
         Nothing,
         "ω of the wheel, in place of creepage_x",
     )
@@ -182,7 +205,7 @@ const KINEMATICS: &[Field] = &[
     field(
         "kinematics.wheel_radius",
         quantity(&Measure::LENGTH),
-        Positive,
+        ROLLING_RADIUS,
         Same("wheel.radius_x"),
         "R, rolling radius that goes with angular_velocity",
     )
@@ -205,7 +228,7 @@ const KINEMATICS: &[Field] = &[
     field(
         "kinematics.spin",
         quantity(&Measure::PER_LENGTH),
-        Finite,
+        TURNING,
         Text("0 1/m"),
         "φ, spin creepage",
     ),
@@ -223,11 +246,11 @@ const NORMAL: &[Field] = &[
         Text("hertz"),
         "source of the pressure",
     ),
-    field("normal.load", quantity(&Measure::FORCE), Positive, Text("80 kN"), "N, normal load"),
+    field("normal.load", quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load"),
     field(
         "normal.semi_axis_x",
         quantity(&Measure::LENGTH),
-        Positive,
+        SEMI_AXIS,
         Nothing,
         "a, semi-axis along rolling",
     )
@@ -236,7 +259,7 @@ const NORMAL: &[Field] = &[
     field(
         "normal.semi_axis_y",
         quantity(&Measure::LENGTH),
-        Positive,
+        SEMI_AXIS,
         Nothing,
         "b, semi-axis across rolling",
     )
@@ -245,7 +268,7 @@ const NORMAL: &[Field] = &[
     field(
         "normal.peak_pressure",
         quantity(&Measure::PRESSURE),
-        Positive,
+        PEAK_PRESSURE,
         Nothing,
         "p0, largest pressure, in place of load",
     )
@@ -263,7 +286,7 @@ const NORMAL: &[Field] = &[
     field(
         "normal.spacing_x",
         quantity(&Measure::LENGTH),
-        Positive,
+        SPACING,
         Nothing,
         "distance of the columns of an .npy file",
     )
@@ -272,7 +295,7 @@ const NORMAL: &[Field] = &[
     field(
         "normal.spacing_y",
         quantity(&Measure::LENGTH),
-        Positive,
+        SPACING,
         Nothing,
         "distance of the rows of an .npy file",
     )
@@ -302,7 +325,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.bedding_x",
         quantity(&Measure::BEDDING),
-        Positive,
+        BEDDING,
         Text("1.0e13 N/m^3"),
         "c, bedding stiffness for displacements along x",
     )
@@ -310,7 +333,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.bedding_y",
         quantity(&Measure::BEDDING),
-        Positive,
+        BEDDING,
         Same("elasticity.bedding_x"),
         "the same for displacements along y",
     )
@@ -319,7 +342,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.coupling_x",
         quantity(&Measure::STIFFNESS),
-        NonNegative,
+        COUPLING,
         Text("3.24e7 N/m"),
         "g, coupling stiffness for displacements along x",
     )
@@ -327,7 +350,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.coupling_y",
         quantity(&Measure::STIFFNESS),
-        NonNegative,
+        COUPLING,
         Same("elasticity.coupling_x"),
         "the same for displacements along y",
     )
@@ -336,7 +359,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.spring_x",
         quantity(&Measure::STIFFNESS),
-        Positive,
+        SPRING,
         Nothing,
         "Δc, spring of one cell along x, in place of the stiffnesses per area",
     )
@@ -345,7 +368,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.spring_y",
         quantity(&Measure::STIFFNESS),
-        Positive,
+        SPRING,
         Same("elasticity.spring_x"),
         "the same along y",
     )
@@ -354,7 +377,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.spring_coupling_x",
         quantity(&Measure::STIFFNESS),
-        NonNegative,
+        COUPLING,
         Nothing,
         "Δc_k, spring between neighbouring cells for displacements along x",
     )
@@ -363,7 +386,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.spring_coupling_y",
         quantity(&Measure::STIFFNESS),
-        NonNegative,
+        COUPLING,
         Same("elasticity.spring_coupling_x"),
         "the same for displacements along y",
     )
@@ -372,7 +395,7 @@ const ELASTICITY: &[Field] = &[
     field(
         "elasticity.margin",
         quantity(&Measure::LENGTH),
-        Positive,
+        MARGIN,
         Computed("eight decay lengths √(g/c)"),
         "width of the surroundings of the patch on each side",
     )
@@ -394,7 +417,7 @@ const CONTACT_LAW: &[Field] = &[
     field(
         "contact_law.stiffness",
         quantity(&Measure::PER_LENGTH),
-        Positive,
+        CONTACT_STIFFNESS,
         Text("5e6 1/m"),
         "k_c, rate at which traction approaches the friction limit",
     ),
@@ -413,11 +436,11 @@ const FRICTION: &[Field] = &[
         Text("temperature-linear"),
         "law of friction",
     ),
-    field("friction.coefficient", Kind::Number, Positive, Text("0.4"), "μ0"),
+    field("friction.coefficient", Kind::Number, FRICTION_COEFFICIENT, Text("0.4"), "μ0"),
     field(
         "friction.temperature_at_zero_friction",
         quantity(&Measure::TEMPERATURE_DIFFERENCE),
-        Positive,
+        DIFFERENCE,
         Text("700 K"),
         "T_E, a difference",
     )
@@ -425,14 +448,20 @@ const FRICTION: &[Field] = &[
     field(
         "friction.reference_temperature",
         quantity(&Measure::TEMPERATURE),
-        AtLeast(-273.15),
+        TEMPERATURE,
         Same("rail.bulk_temperature"),
         "T is counted from it",
     )
     .example("20 degC")
     .with("friction.model", FALLING),
-    field("friction.minimum_coefficient", Kind::Number, NonNegative, Text("0.0"), "floor of μ")
-        .with("friction.model", FALLING),
+    field(
+        "friction.minimum_coefficient",
+        Kind::Number,
+        Between(0.0, 1e2),
+        Text("0.0"),
+        "floor of μ",
+    )
+    .with("friction.model", FALLING),
 ];
 
 const HEAT: &[Field] = &[
@@ -517,7 +546,7 @@ const SOLVER: &[Field] = &[
     field(
         "solver.slip_threshold",
         Kind::Number,
-        AboveUpTo(0.0, 1.0),
+        AboveUpTo(0.0, 0.999),
         Text("0.95"),
         "a cell slides where |t| ≥ this · μ p_n",
     ),
@@ -527,7 +556,7 @@ const HISTORY: &[Field] = &[
     field(
         "history.time",
         Kind::Quantities(&Measure::TIME),
-        Finite,
+        INSTANT,
         Nothing,
         "instants, increasing",
     )
@@ -535,18 +564,18 @@ const HISTORY: &[Field] = &[
     field(
         "history.creepage_x",
         Kind::Numbers,
-        Finite,
+        CREEPAGE,
         Nothing,
         "ξ at these instants; likewise the others",
     )
     .example("[0.0, 0.002]"),
     field("history.creepage_y", Kind::Numbers, Inside(-1.0, 1.0), Nothing, "η")
         .example("[0.0, 0.0]"),
-    field("history.spin", Kind::Quantities(&Measure::PER_LENGTH), Finite, Nothing, "φ")
+    field("history.spin", Kind::Quantities(&Measure::PER_LENGTH), TURNING, Nothing, "φ")
         .example("[\"0 1/m\", \"0 1/m\"]"),
-    field("history.speed", Kind::Quantities(&Measure::SPEED), Positive, Nothing, "v0")
+    field("history.speed", Kind::Quantities(&Measure::SPEED), SPEED, Nothing, "v0")
         .example("[\"30 m/s\", \"30 m/s\"]"),
-    field("history.load", Kind::Quantities(&Measure::FORCE), Positive, Nothing, "N")
+    field("history.load", Kind::Quantities(&Measure::FORCE), LOAD, Nothing, "N")
         .example("[\"80 kN\", \"60 kN\"]"),
     field(
         "history.file",

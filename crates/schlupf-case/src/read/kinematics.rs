@@ -3,6 +3,7 @@
 use schlupf::kinematics::Kinematics;
 
 use crate::error::CaseError;
+use crate::fields::readable;
 use crate::settings::Settings;
 
 /// Creepages as given, or from the angular velocity and the yaw angle, in any combination.
@@ -17,10 +18,29 @@ pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
         Some(angular_velocity) => {
             let radius = settings.number("kinematics.wheel_radius")?;
             let angle = yaw_angle.unwrap_or_else(|| -creepage_y.asin());
-            Kinematics::from_wheel(speed, angular_velocity, radius, angle).creepage_x
+            let wheel = Kinematics::from_wheel(speed, angular_velocity, radius, angle);
+            check_rolling(settings, &wheel)?;
+            wheel.creepage_x
         }
         None => settings.number("kinematics.creepage_x")?,
     };
     let spin = settings.number("kinematics.spin")?;
     Ok(Kinematics { speed, creepage_x, creepage_y, spin })
+}
+
+/// Checks that a wheel with an angular velocity rolls forwards; the core would name the creepage.
+fn check_rolling(settings: &Settings, wheel: &Kinematics) -> Result<(), CaseError> {
+    const FIELD: &str = "kinematics.angular_velocity";
+    let rolling = wheel.circumferential_speed();
+    if rolling > 0.0 {
+        return Ok(());
+    }
+    let state = if rolling == 0.0 { "locked" } else { "reversed" };
+    let message = format!(
+        "{FIELD} must be positive, for the wheel to roll, but is {}: a {state} wheel with a \
+         circumferential speed of {} m/s",
+        settings.shown(FIELD),
+        readable(rolling)
+    );
+    Err(settings.error(FIELD, message))
 }

@@ -4,7 +4,7 @@ use schlupf::history::History;
 
 use super::columns::{Column, Columns};
 use crate::error::CaseError;
-use crate::fields::Requirement;
+use crate::fields::{self, Requirement, readable};
 use crate::units::Measure;
 
 const FILE: &str = "history.file";
@@ -18,24 +18,22 @@ const COLUMNS: [Column; 6] = [
     Column { name: "load", measure: Some(&Measure::FORCE), required: false },
 ];
 
-/// Requirement on each column after the time.
-const REQUIREMENTS: [Requirement; 5] = [
-    Requirement::Finite,
-    Requirement::Inside(-1.0, 1.0),
-    Requirement::Finite,
-    Requirement::Positive,
-    Requirement::Positive,
-];
+/// What the numbers of a column must be: the same as in the array of its name.
+fn requirement(column: &Column) -> Requirement {
+    let field =
+        fields::all().find(|field| field.section() == "history" && field.name() == column.name);
+    field.map_or(Requirement::Finite, |field| field.requirement)
+}
 
 /// A history from a CSV file.
 pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
     let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
-    for (column, requirement) in (1..).zip(REQUIREMENTS) {
-        let stray = columns.values[column].iter().position(|value| !requirement.holds(*value));
+    for (column, values) in COLUMNS.iter().zip(&columns.values) {
+        let requirement = requirement(column);
+        let stray = values.iter().position(|value| !requirement.holds(*value));
         if let Some(row) = stray {
-            let name = COLUMNS[column].name;
-            let value = columns.values[column][row];
-            let unit = COLUMNS[column].measure.map_or("", |measure| measure.unit);
+            let (name, value) = (column.name, readable(values[row]));
+            let unit = column.measure.map_or("", |measure| measure.unit);
             let requirement = requirement.text(unit);
             let message = format!("{name} must be {requirement}, but is {value} {unit}");
             return Err(columns.error(columns.lines[row], message.trim_end()));
@@ -105,7 +103,7 @@ mod tests {
             ("time [s],creepage_x\n0,0\n0,1\n", "h.csv:3:1: time must increase"),
             ("time [s],creepage_x\n0,0\n", "at least two instants"),
             ("time [s]\n0\n1\n", "besides time"),
-            ("time [s],load [kN]\n0,80\n1,0\n", "h.csv:3:1: load must be positive"),
+            ("time [s],load [kN]\n0,80\n1,0\n", "h.csv:3:1: load must be between"),
             ("time [s],creepage_x [mm]\n0,80\n1,0\n", "must be dimensionless"),
             ("time [s],creepage_y\n0,0\n1,2\n", "h.csv:3:1: creepage_y must be above -1"),
             ("time;creepage_x\n0;1\n", "separate the columns by commas"),

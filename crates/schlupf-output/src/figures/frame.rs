@@ -88,12 +88,19 @@ impl Frame {
     }
 
     fn x_ticks(&self) -> Vec<Tick> {
-        round_ticks(self.x[0], self.x[1], ((self.size[0] / 70.0) as usize).clamp(2, 9))
+        enough_ticks(self.x, ((self.size[0] / 70.0) as usize).clamp(2, 9))
     }
 
     fn y_ticks(&self) -> Vec<Tick> {
-        round_ticks(self.y[0], self.y[1], ((self.size[1] / 45.0) as usize).clamp(2, 8))
+        enough_ticks(self.y, ((self.size[1] / 45.0) as usize).clamp(2, 8))
     }
+}
+
+/// About so many ticks, and at least three: an axis with one does not tell its scale.
+fn enough_ticks([low, high]: [f64; 2], about: usize) -> Vec<Tick> {
+    const LEAST: usize = 3;
+    let ticks = |about| round_ticks(low, high, about);
+    (about..=2 * LEAST).map(ticks).find(|t| t.len() >= LEAST).unwrap_or_else(|| ticks(about))
 }
 
 /// Stroke of the outline of a plot area.
@@ -104,4 +111,18 @@ pub(super) fn outline() -> String {
 /// Stroke of a tick.
 pub(super) fn tick_line() -> String {
     format!(r#"stroke="{INK}" stroke-width="1""#)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn narrow_axes_have_three_ticks() {
+        for high in [0.3, 0.9, 1.08, 2.4, 4.9, 5.1, 7.7, 9.99] {
+            assert!(enough_ticks([-high, high], 2).len() >= 3, "{high}");
+            assert!(enough_ticks([0.0, high], 2).len() >= 3, "{high}");
+        }
+        assert_eq!(enough_ticks([0.0, f64::NAN], 2), []);
+    }
 }

@@ -231,11 +231,21 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
         if !patch.contains(place) || vector[0].hypot(vector[1]) < 0.08 {
             continue;
         }
-        let [x, y] = frame.at(place.map(|coordinate| coordinate / MILLIMETRE));
-        let half = [0.45 * SPACING * vector[0], -0.45 * SPACING * vector[1]];
-        path += &marks::arrow([x - half[0], y - half[1]], [x + half[0], y + half[1]], 9.0);
+        let half = [0, 1].map(|i| 0.45 * SPACING * vector[i] / frame.scale()[i] * MILLIMETRE);
+        let [tail, tip] = [-1.0, 1.0].map(|sign| {
+            let end = end_inside(patch, place, half.map(|part| sign * part));
+            frame.at(end.map(|coordinate| coordinate / MILLIMETRE))
+        });
+        path += &marks::arrow(tail, tip, 9.0);
     }
     drawing.path(&path, ARROW);
+}
+
+/// The end of half an arrow from a place (all in m), cut where it would stick out of the patch.
+fn end_inside(patch: &Patch, place: [f64; 2], half: [f64; 2]) -> [f64; 2] {
+    let at = |share: f64| [place[0] + share * half[0], place[1] + share * half[1]];
+    let shares = (0..=10).rev().map(|tenth| f64::from(tenth) / 10.0);
+    shares.map(at).find(|end| patch.contains(*end)).unwrap_or(place)
 }
 
 fn entries(border: &[Segment], arrows: Option<&Arrows>) -> Vec<Entry> {

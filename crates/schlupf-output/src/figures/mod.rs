@@ -65,6 +65,16 @@ pub fn all(title: &str, solution: &Solution) -> Result<Vec<Figure>, FigureError>
         .collect()
 }
 
+/// Names of all figures that there can be.
+pub fn names() -> Vec<String> {
+    const SURFACES: [&str; 6] =
+        ["pressure", "force_x", "force_y", "slip", "friction_power", "temperature"];
+    const MAPS: [&str; 5] = ["pressure", "traction", "slip", "friction_power", "temperature"];
+    let surfaces = SURFACES.iter().map(|name| format!("surface_{name}"));
+    let maps = MAPS.iter().map(|name| format!("map_{name}"));
+    surfaces.chain(maps).chain(["cut_y0", "history"].map(str::to_owned)).collect()
+}
+
 /// Names and SVG documents of all figures, without the pictures, which take most of the time.
 pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<(String, String)>, FigureError> {
     /// What is left out, over the largest that the normalised quantities of the paper can be.
