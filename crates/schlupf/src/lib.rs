@@ -27,6 +27,7 @@ pub mod problem;
 pub mod solution;
 pub mod rolling;
 pub mod reference;
+pub mod kalker_coefficients;
 
 pub use error::Error;
 pub use problem::{Options, Problem};

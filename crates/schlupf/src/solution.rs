@@ -25,7 +25,7 @@ pub struct Solution {
     pub residual: f64,
     /// The normal contact at the last instant.
     pub normal: NormalSummary,
-    /// Speed and creepages at the last instant.
+    /// Speed and creepages; of a history, in the middle of the last time step.
     pub kinematics: Kinematics,
     /// Forces and moment at the last instant.
     pub force: Resultant,
@@ -172,11 +172,11 @@ impl Fields {
 pub struct Instant {
     /// Time since the start, in s.
     pub time: f64,
-    /// Speed and creepages of the step.
+    /// Speed and creepages in the middle of the step.
     pub kinematics: Kinematics,
-    /// Normal load, in N.
+    /// Normal load at the end of the step, in N.
     pub load: f64,
-    /// Forces and moment.
+    /// Forces and moment at the end of the step.
     pub force: Resultant,
     /// Largest temperature rise, in K.
     pub max_rise: f64,

@@ -63,11 +63,17 @@ impl HalfSpace {
 
     /// A_xx, A_yy and A_xy (in m/Pa) of two cells `columns` and `rows` apart.
     pub fn influence(&self, grid: &Grid, columns: isize, rows: isize) -> [f64; 3] {
-        let (x, y) = (columns as f64 * grid.spacing_x, rows as f64 * grid.spacing_y);
+        let size = [grid.spacing_x, grid.spacing_y];
+        self.influence_of(size, [columns as f64 * size[0], rows as f64 * size[1]])
+    }
+
+    /// A_xx, A_yy and A_xy (in m/Pa) of a cell of the given size (in m) on the point at the distance
+    /// `[x, y]` (in m) from its middle.
+    pub fn influence_of(&self, size: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
         let mut sums = [0.0; 3];
         for (side_x, side_y) in [(0.5, 0.5), (0.5, -0.5), (-0.5, 0.5), (-0.5, -0.5)] {
-            let corner_x: f64 = x + side_x * grid.spacing_x;
-            let corner_y: f64 = y + side_y * grid.spacing_y;
+            let corner_x: f64 = x + side_x * size[0];
+            let corner_y: f64 = y + side_y * size[1];
             let sign = if side_x == side_y { 1.0 } else { -1.0 };
             let along = times_asinh(corner_x, corner_y);
             let across = times_asinh(corner_y, corner_x);

@@ -1,4 +1,7 @@
 //! Exact solutions, to test against and to compare with.
 
+pub mod carter;
+pub mod cattaneo_mindlin;
+pub mod kalker_linear;
 pub mod moving_source;
 pub mod winkler_strip;
