@@ -84,11 +84,35 @@ impl HalfSpace {
         }
         sums.map(|sum| sum / (PI * self.shear_modulus))
     }
+}
+
+/// The influences on a grid, each computed once: those at distances of both signs follow from the
+/// first quadrant, because A_xx and A_yy are even in x and in y, and A_xy is odd in both.
+struct Influences {
+    quadrant: Vec<[f64; 3]>,
+    columns: usize,
+}
+
+impl Influences {
+    /// As far as half way around the padded grid, and the neighbours for the correction.
+    fn new(bodies: &HalfSpace, grid: &Grid) -> Self {
+        let reach = |cells: usize| smooth_from(2 * cells - 1) / 2 + 3;
+        let (columns, rows) = (reach(grid.columns), reach(grid.rows));
+        let at = |k: usize| bodies.influence(grid, (k % columns) as isize, (k / columns) as isize);
+        Self { quadrant: (0..columns * rows).map(at).collect(), columns }
+    }
+
+    fn at(&self, columns: isize, rows: isize) -> [f64; 3] {
+        let sign = if (columns < 0) == (rows < 0) { 1.0 } else { -1.0 };
+        let [xx, yy, xy] =
+            self.quadrant[rows.unsigned_abs() * self.columns + columns.unsigned_abs()];
+        [xx, yy, sign * xy]
+    }
 
     /// The influence with the mean over the cell undone to second order: a cell's constant traction
     /// stands for a smooth one, whose displacement differs by −h²∇²u/12 from that of its means.
-    fn corrected_influence(&self, grid: &Grid, columns: isize, rows: isize) -> [f64; 3] {
-        let at = |i: isize, j: isize| self.influence(grid, columns + i, rows + j);
+    fn corrected(&self, columns: isize, rows: isize) -> [f64; 3] {
+        let at = |i: isize, j: isize| self.at(columns + i, rows + j);
         let (here, ahead, behind) = (at(0, 0), at(1, 0), at(-1, 0));
         let (left, right) = (at(0, 1), at(0, -1));
         std::array::from_fn(|c| {
@@ -104,7 +128,8 @@ fn times_asinh(p: f64, q: f64) -> f64 {
 
 impl Elasticity for HalfSpace {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
-        Ok(Box::new(Convolution::new(grid, |i, j| self.corrected_influence(grid, i, j))))
+        let influences = Influences::new(self, grid);
+        Ok(Box::new(Convolution::new(grid, |i, j| influences.corrected(i, j))))
     }
 
     fn caveat(&self) -> Option<String> {
@@ -315,11 +340,25 @@ mod tests {
         HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap()
     }
 
+    /// The mirrored influences are those computed directly.
+    #[test]
+    fn influences_are_even_and_odd() {
+        let (grid, bodies) = (grid(), steel());
+        let influences = Influences::new(&bodies, &grid);
+        for (i, j) in [(-3, 2), (3, -2), (-1, -4), (0, -5), (-6, 0)] {
+            let (mirrored, direct) = (influences.at(i, j), bodies.influence(&grid, i, j));
+            for c in 0..3 {
+                assert_relative_eq!(mirrored[c], direct[c], max_relative = 1e-12, epsilon = 1e-24);
+            }
+        }
+    }
+
     /// The convolution is the plain sum over all pairs of cells.
     #[test]
     fn fourier_transform_sums_the_influences() {
         let (grid, bodies) = (grid(), steel());
         let mut compliance = bodies.compliance(&grid).unwrap();
+        let influences = Influences::new(&bodies, &grid);
         let value = |k: usize| 1e8 * ((k * k % 23) as f64 - 9.0);
         let traction = VectorField {
             x: (0..grid.len()).map(value).collect(),
@@ -332,7 +371,7 @@ mod tests {
             for row in 0..grid.rows {
                 for column in 0..grid.columns {
                     let apart = [i as isize - column as isize, j as isize - row as isize];
-                    let [xx, yy, xy] = bodies.corrected_influence(&grid, apart[0], apart[1]);
+                    let [xx, yy, xy] = influences.corrected(apart[0], apart[1]);
                     let k = grid.index(column, row);
                     sum[0] += xx * traction.x[k] + xy * traction.y[k];
                     sum[1] += xy * traction.x[k] + yy * traction.y[k];
