@@ -20,11 +20,11 @@ const CONVERGED: [([f64; 3], [f64; 3]); 6] = [
     ([0.0, 0.0, 1.0], [0.0, -0.622, -0.345]),
 ];
 
-fn check_forces(cells_across: usize, largest_steps: usize) {
+fn check_forces(cells_across: usize, largest_steps: usize, [plain, with_spin]: [f64; 2]) {
     for ([xi, eta, spin], expected) in CONVERGED {
         let solution = solve(&problem(rolling(xi, eta, spin)), &cells(cells_across));
         let force = solution.normalised;
-        let allowed = if spin == 0.0 { 0.005 } else { 0.01 };
+        let allowed = if spin == 0.0 { plain } else { with_spin };
         for (got, expected) in [force.x, force.y, force.moment_z].iter().zip(expected) {
             assert!(
                 (got - expected).abs() < allowed,
@@ -40,13 +40,13 @@ fn check_forces(cells_across: usize, largest_steps: usize) {
 /// Forces and moment within 0.5 % of μN, with spin 1 %, at 40 cells across.
 #[test]
 fn neuhaus_sextro_2014_layer_forces_at_40_cells() {
-    check_forces(40, 130);
+    check_forces(40, 130, [0.005, 0.01]);
 }
 
-/// The same at 20 cells: the order of the method leaves room.
+/// At 20 cells within 0.1 % of μN, with spin 0.6 % (of which the reference's digits are 0.2 %).
 #[test]
 fn neuhaus_sextro_2014_layer_forces_at_20_cells() {
-    check_forces(20, 90);
+    check_forces(20, 90, [0.001, 0.006]);
 }
 
 /// The error of the force falls at least as h^1.5 on the way from 10 to 40 cells.

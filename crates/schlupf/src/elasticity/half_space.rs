@@ -398,9 +398,8 @@ mod tests {
         assert_relative_eq!(xy, scale * 0.28 * x * y / r.powi(3), max_relative = 1e-3);
     }
 
-    /// Mindlin 1949: the ellipsoidal traction t0 √(1 − r²/a²)⁻¹ … is left to the tests of
-    /// `cattaneo_mindlin`; here, uniform traction on a square: the middle moves by the known
-    /// integral ∫∫ dA/r = 8 a asinh(1) of the half-side a (ν = 0).
+    /// Love 1929: uniform traction on a square moves its middle by the integral
+    /// ∫∫ dA/r = 8 a asinh(1) of the half-side a (ν = 0).
     #[test]
     fn love_1929_uniform_traction_on_a_square() {
         let rubber = Material { poisson_ratio: 0.0, ..Material::STEEL };

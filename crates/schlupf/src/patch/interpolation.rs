@@ -8,8 +8,8 @@ use super::{Cell, Patch};
 ///
 /// In a fully covered cell the point is the centre. In others it is the centroid of the covered
 /// part, bilinear between four centres; forces are spread by the transpose, so that they act at the
-/// centroid and a symmetric compliance stays symmetric. At the edges, where the displacement
-/// changes fast, the interpolation is cubic along rolling.
+/// centroid and a symmetric compliance stays symmetric. At the leading edge, where the
+/// displacement changes fast, the interpolation is cubic along rolling, or linear to a given share.
 #[derive(Debug, Clone)]
 pub struct Interpolation {
     index: Vec<usize>,

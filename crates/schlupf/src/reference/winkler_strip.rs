@@ -19,12 +19,14 @@ pub fn force_over_limit(stiffness_ratio: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use approx::assert_relative_eq;
 
     use super::force_over_limit;
 
-    /// Full slip in the limit of large creepage; for small creepage all sticks but the edge, and
-    /// the force is 4κ/π · 2/3 … by direct integration of c ξ (x_e − x): F = 8 a² b c ξ/3.
+    /// Full slip in the limit of large creepage; for small creepage all sticks, and the integral of
+    /// c ξ (x_e − x) is F = (8/3) a² b c ξ.
     #[test]
     fn limits_are_full_stick_and_full_slip() {
         assert_relative_eq!(force_over_limit(1e6), 1.0, max_relative = 1e-5);
@@ -32,6 +34,4 @@ mod tests {
         let small = 1e-4;
         assert_relative_eq!(force_over_limit(small), 4.0 * small / PI, max_relative = 1e-3);
     }
-
-    use std::f64::consts::PI;
 }

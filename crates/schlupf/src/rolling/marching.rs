@@ -5,7 +5,6 @@ use crate::equilibrium::{Limits, Outcome, norm};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
-use crate::interface::friction::FrictionState;
 use crate::kinematics::Kinematics;
 use crate::normal::NormalContact;
 use crate::patch::Patch;
@@ -168,10 +167,9 @@ impl<'a> March<'a> {
                 self.now.rise[k] = old.rise[e];
                 slip_speed = self.elements[e].slip_speed;
             }
-            let temperature = self.now.conduction.contact_temperature(self.now.rise[k])
-                - self.problem.friction.reference_temperature;
-            let state = FrictionState { temperature, slip_speed, y: cell.y };
-            self.now.friction[k] = self.problem.friction.law.coefficient(&state);
+            let (rise, conduction) = (self.now.rise[k], &self.now.conduction);
+            self.now.friction[k] =
+                self.problem.friction_coefficient(conduction, rise, slip_speed, cell.y);
         }
     }
 

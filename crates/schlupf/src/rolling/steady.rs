@@ -5,7 +5,6 @@ use crate::equilibrium::{self, Limits, Outcome, norm};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::heat::HeatStep;
-use crate::interface::friction::FrictionState;
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
@@ -54,11 +53,8 @@ pub fn solve(
 
 /// Coefficient of friction of a cell at its present temperature and slip speed, Eq. (23).
 fn friction(problem: &Problem, patch: &Patch, now: &Snapshot, k: usize) -> f64 {
-    let temperature =
-        now.conduction.contact_temperature(now.rise[k]) - problem.friction.reference_temperature;
     let slip_speed = now.slip[k][0].hypot(now.slip[k][1]);
-    let state = FrictionState { temperature, slip_speed, y: patch.cells[k].y };
-    problem.friction.law.coefficient(&state)
+    problem.friction_coefficient(&now.conduction, now.rise[k], slip_speed, patch.cells[k].y)
 }
 
 fn refuse_transient(problem: &Problem) -> Result<(), Error> {
