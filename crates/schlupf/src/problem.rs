@@ -8,7 +8,7 @@ use crate::heat::Heat;
 use crate::heat::partition::Conduction;
 use crate::history::History;
 use crate::interface::contact_law::ContactLaw;
-use crate::interface::friction::{Friction, FrictionState};
+use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
 use crate::material::Body;
 use crate::normal::PressureSource;
@@ -45,18 +45,18 @@ impl Problem {
         Conduction::new(self.heat.partition, &self.wheel, &self.rail, kinematics)
     }
 
-    /// Coefficient of friction (dimensionless) in a cell at y (in m) with a temperature rise times
-    /// effusivity (in W √s/m²) and a slip speed (in m/s), Eq. (23).
-    pub fn friction_coefficient(
+    /// Friction in a cell at y (in m) with a temperature rise times effusivity (in W √s/m²) and a
+    /// slip speed (in m/s), Eq. (23).
+    pub fn friction_response(
         &self,
         conduction: &Conduction,
         rise_times_effusivity: f64,
         slip_speed: f64,
         y: f64,
-    ) -> f64 {
+    ) -> FrictionResponse {
         let temperature = conduction.contact_temperature(rise_times_effusivity)
             - self.friction.reference_temperature;
-        self.friction.law.coefficient(&FrictionState { temperature, slip_speed, y })
+        self.friction.law.respond(&FrictionState { temperature, slip_speed, y })
     }
 
     /// Checks whatever can be checked before the patch is known.

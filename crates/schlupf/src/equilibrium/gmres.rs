@@ -2,15 +2,19 @@
 
 use super::{Equilibrium, add_scaled, dot, norm};
 
-/// Workspace of the Krylov method: kept between solutions.
+/// Workspace of the Krylov method: kept between solutions, so that only a larger Krylov space than
+/// ever before allocates.
 #[derive(Debug, Default)]
-pub(super) struct Gmres {
+pub(crate) struct Gmres {
     basis: Vec<Vec<f64>>,
-    directions: Vec<Vec<f64>>,
-    compliance_directions: Vec<Vec<f64>>,
-    hessenberg: Vec<Vec<f64>>,
+    /// L M⁻¹ v of each vector of the basis.
+    responses: Vec<Vec<f64>>,
+    direction: Vec<f64>,
+    /// Columns of the triangular matrix, one after another with a stride of [`MAX_DIMENSION`].
+    triangle: Vec<f64>,
     rotations: Vec<(f64, f64)>,
     projected: Vec<f64>,
+    weights: Vec<f64>,
 }
 
 /// Largest dimension of the Krylov space.
@@ -18,58 +22,67 @@ const MAX_DIMENSION: usize = 120;
 
 impl Gmres {
     /// Solves J d = −`residual` until the linear residual falls below `forcing` times its start.
-    /// Writes d and A d (which costs no product: it is combined from those of the Krylov space),
-    /// and returns the number of products with A.
+    /// Writes d and L d (which costs no product: it is combined from those of the Krylov space),
+    /// and returns the number of products.
     pub fn solve(
         &mut self,
         system: &mut impl Equilibrium,
         residual: &[f64],
         forcing: f64,
-        [step, compliance_step]: [&mut [f64]; 2],
+        [step, response]: [&mut [f64]; 2],
     ) -> usize {
-        let size = residual.len();
         let start = norm(residual);
-        self.clear();
+        self.prepare(system);
+        for (v, r) in self.basis[0].iter_mut().zip(residual) {
+            *v = -r / start;
+        }
         self.projected.push(start);
-        self.basis.push(residual.iter().map(|r| -r / start).collect());
-        while self.rotations.len() < MAX_DIMENSION.min(size) {
+        while self.rotations.len() < MAX_DIMENSION.min(residual.len()) {
             if self.projected[self.rotations.len()].abs() <= forcing * start {
                 break;
             }
             self.extend(system);
         }
-        self.combine(step, compliance_step);
+        self.combine(system, step, response);
         self.rotations.len()
     }
 
-    fn clear(&mut self) {
-        self.basis.clear();
-        self.directions.clear();
-        self.compliance_directions.clear();
-        self.hessenberg.clear();
+    /// Empties the space for a system.
+    fn prepare(&mut self, system: &impl Equilibrium) {
+        self.direction.resize(system.size(), 0.0);
+        self.triangle.resize(MAX_DIMENSION * MAX_DIMENSION, 0.0);
         self.rotations.clear();
         self.projected.clear();
+        self.make_room(system, 0);
+    }
+
+    /// Vectors of the right length for one more dimension.
+    fn make_room(&mut self, system: &impl Equilibrium, dimension: usize) {
+        if self.basis.len() <= dimension {
+            self.basis.push(Vec::new());
+            self.responses.push(Vec::new());
+        }
+        self.basis[dimension].resize(system.size(), 0.0);
+        self.responses[dimension].resize(system.response_size(), 0.0);
     }
 
     /// One Arnoldi step, and the Givens rotation that keeps the projected matrix triangular.
     fn extend(&mut self, system: &mut impl Equilibrium) {
         let k = self.rotations.len();
-        let mut direction = self.basis[k].clone();
-        system.precondition(&mut direction);
-        let mut compliance = vec![0.0; direction.len()];
-        system.compliance_product(&direction, &mut compliance);
-        let mut w = vec![0.0; direction.len()];
-        system.tangent_product(&direction, &compliance, &mut w);
-        self.directions.push(direction);
-        self.compliance_directions.push(compliance);
+        self.make_room(system, k + 1);
+        self.direction.copy_from_slice(&self.basis[k]);
+        system.precondition(&mut self.direction);
+        system.compliance_product(&self.direction, &mut self.responses[k]);
+        let (earlier, later) = self.basis.split_at_mut(k + 1);
+        let w = &mut later[0];
+        system.tangent_product(&self.direction, &self.responses[k], w);
 
-        let mut column = Vec::with_capacity(k + 2);
-        for v in &self.basis {
-            let overlap = dot(&w, v);
-            add_scaled(&mut w, -overlap, v);
-            column.push(overlap);
+        let column = &mut self.triangle[k * MAX_DIMENSION..(k + 1) * MAX_DIMENSION];
+        for (entry, v) in column.iter_mut().zip(earlier) {
+            *entry = dot(w, v);
+            add_scaled(w, -*entry, v);
         }
-        let length = norm(&w);
+        let length = norm(w);
         for (i, (cosine, sine)) in self.rotations.iter().enumerate() {
             let (upper, lower) = (column[i], column[i + 1]);
             column[i] = cosine * upper + sine * lower;
@@ -78,31 +91,32 @@ impl Gmres {
         let radius = column[k].hypot(length).max(f64::MIN_POSITIVE);
         let (cosine, sine) = (column[k] / radius, length / radius);
         column[k] = radius;
-        self.hessenberg.push(column);
         self.rotations.push((cosine, sine));
         let projected = self.projected[k];
         self.projected[k] = cosine * projected;
         self.projected.push(-sine * projected);
         if length > 0.0 {
-            for w in &mut w {
+            for w in w {
                 *w /= length;
             }
         }
-        self.basis.push(w);
     }
 
-    fn combine(&self, step: &mut [f64], compliance_step: &mut [f64]) {
+    /// d = M⁻¹ Σ weight · basis, L d = Σ weight · response.
+    fn combine(&mut self, system: &mut impl Equilibrium, step: &mut [f64], response: &mut [f64]) {
         step.fill(0.0);
-        compliance_step.fill(0.0);
+        response.fill(0.0);
         let dimension = self.rotations.len();
-        let mut weights = self.projected[..dimension].to_vec();
+        self.weights.clear();
+        self.weights.extend_from_slice(&self.projected[..dimension]);
         for i in (0..dimension).rev() {
             for j in i + 1..dimension {
-                weights[i] -= self.hessenberg[j][i] * weights[j];
+                self.weights[i] -= self.triangle[j * MAX_DIMENSION + i] * self.weights[j];
             }
-            weights[i] /= self.hessenberg[i][i];
-            add_scaled(step, weights[i], &self.directions[i]);
-            add_scaled(compliance_step, weights[i], &self.compliance_directions[i]);
+            self.weights[i] /= self.triangle[i * MAX_DIMENSION + i];
+            add_scaled(step, self.weights[i], &self.basis[i]);
+            add_scaled(response, self.weights[i], &self.responses[i]);
         }
+        system.precondition(step);
     }
 }

@@ -6,38 +6,44 @@
 mod gmres;
 mod newton;
 
-pub use newton::solve;
+pub(crate) use gmres::Gmres;
+pub use newton::Newton;
 
-/// An equilibrium to be solved, F(p) = 0. The response to p is split into the linear part u = A p,
-/// which is dear, and a local rest, which is cheap.
+/// An equilibrium to be solved, F(p) = 0. The response to p is split into a linear part u = L p,
+/// which is dear because it contains the compliance, and a local rest, which is cheap.
 pub trait Equilibrium {
     /// Number of unknowns.
     fn size(&self) -> usize;
 
-    /// ‖μ pₙ‖₂, in Pa: what residuals are measured against.
+    /// Length of L p.
+    fn response_size(&self) -> usize {
+        self.size()
+    }
+
+    /// ‖μ pₙ‖₂ at the last evaluation, in Pa: what residuals are measured against.
     fn scale(&self) -> f64;
 
-    /// u = A p: one product.
+    /// u = L p: one product with the compliance.
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]);
 
-    /// The residual that defines the tolerance, ‖p − μ pₙ law(D − B p)‖₂ in Pa, with u = A p given.
+    /// The residual that defines the tolerance, ‖p − μ pₙ law(D − B p)‖₂ in Pa, with u = L p given.
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64;
 
-    /// F(p), in Pa, with u = A p given; zero where the defect is zero. Prepares the tangent at p.
+    /// F(p), in Pa, with u = L p given; zero where the defect is zero. Prepares the tangent at p.
     /// The step p ← p − F(p) must never lead away from the solution.
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]);
 
-    /// Jacobian of F times v, with A v given, at the p of the last residual.
-    fn tangent_product(&self, v: &[f64], compliance_v: &[f64], product: &mut [f64]);
+    /// Jacobian of F times v, with L v given, at the p of the last residual.
+    fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]);
 
-    /// Replaces v by an approximation of the inverse Jacobian times v.
-    fn precondition(&self, v: &mut [f64]);
+    /// Replaces v by an approximation of the inverse Jacobian times v, linear in v.
+    fn precondition(&mut self, v: &mut [f64]);
 }
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Largest ‖F‖₂ over the scale, dimensionless.
+    /// Largest defect over the scale, dimensionless.
     pub tolerance: f64,
     /// Most Newton steps.
     pub max_iterations: usize,
@@ -48,11 +54,11 @@ pub struct Limits {
 pub struct Outcome {
     /// Whether the tolerance was reached.
     pub converged: bool,
-    /// ‖F‖₂ over the scale reached, dimensionless.
+    /// Defect over the scale reached, dimensionless.
     pub residual: f64,
     /// Newton steps.
     pub iterations: usize,
-    /// Products with A.
+    /// Products with the compliance.
     pub products: usize,
     /// Safe steps in between.
     pub safe_steps: usize,
@@ -62,8 +68,19 @@ pub(crate) fn norm(v: &[f64]) -> f64 {
     dot(v, v).sqrt()
 }
 
+/// Sums that run side by side.
+const LANES: usize = 8;
+
 pub(crate) fn dot(v: &[f64], w: &[f64]) -> f64 {
-    v.iter().zip(w).map(|(v, w)| v * w).sum()
+    let (v, w) = (v.chunks_exact(LANES), w.chunks_exact(LANES));
+    let rest: f64 = v.remainder().iter().zip(w.remainder()).map(|(v, w)| v * w).sum();
+    let mut sums = [0.0; LANES];
+    for (v, w) in v.zip(w) {
+        for lane in 0..LANES {
+            sums[lane] += v[lane] * w[lane];
+        }
+    }
+    sums.iter().sum::<f64>() + rest
 }
 
 /// v ← v + factor · w

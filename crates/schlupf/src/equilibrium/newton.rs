@@ -1,13 +1,15 @@
 //! Inexact Newton's method with a line search on the residual norm (Eisenstat and Walker 1996).
 
-use super::gmres::Gmres;
-use super::{Equilibrium, Limits, Outcome, add_scaled, norm};
+use super::{Equilibrium, Gmres, Limits, Outcome, add_scaled, norm};
 
 /// Largest linear residual asked of the Krylov method, relative to that of the Newton step.
-const LARGEST_FORCING: f64 = 0.1;
+const LARGEST_FORCING: f64 = 0.3;
 
 /// Smallest one: a Newton step is never that exact anyway.
 const LEAST_FORCING: f64 = 1e-4;
+
+/// Part of the tolerance that the linear residual may take up.
+const ENOUGH: f64 = 0.8;
 
 /// Least fall of the residual norm that a step of length λ must bring, relative to λ.
 const SUFFICIENT_FALL: f64 = 1e-4;
@@ -18,93 +20,81 @@ const MAX_HALVINGS: usize = 10;
 /// Safe steps after which Newton's method is tried again.
 const SAFE_STEPS: usize = 20;
 
-/// Solves F(p) = 0 from the given p, in place.
-pub fn solve(system: &mut impl Equilibrium, p: &mut [f64], limits: &Limits) -> Outcome {
-    let scale = system.scale();
-    let mut newton = Newton::new(system.size());
-    let mut outcome = Outcome { products: 1, ..Outcome::default() };
-    system.compliance_product(p, &mut newton.u);
-    let mut forcing = LARGEST_FORCING;
-    let mut best = Best { defect: f64::INFINITY, iteration: 0 };
-    loop {
-        let defect = system.defect(p, &newton.u);
-        outcome.residual = if scale > 0.0 { defect / scale } else { defect };
-        outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
-        best.note(outcome.iterations, defect);
-        let given_up = outcome.iterations == limits.max_iterations
-            || !defect.is_finite()
-            || best.is_stale(outcome.iterations);
-        if outcome.converged || given_up {
-            return outcome;
-        }
-        system.residual(p, &newton.u, &mut newton.residual);
-        let before = norm(&newton.residual);
-        if before == 0.0 {
-            // Rounding hides the rest of the defect.
-            return outcome;
-        }
-        outcome.iterations += 1;
-        // No more than half of what is needed in the end.
-        let enough = 0.5 * limits.tolerance / outcome.residual;
-        outcome.products += newton.direction(system, forcing.max(enough).min(0.5));
-        let after = match newton.line_search(system, p, before) {
-            Some(length) => length,
-            None => newton.safe_steps(system, p, &mut outcome),
-        };
-        forcing = (0.9 * (after / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
-    }
-}
-
-/// The best defect so far. Rounding, amplified by a very stiff contact law, can hide the rest.
-struct Best {
-    defect: f64,
-    iteration: usize,
-}
-
-impl Best {
-    fn note(&mut self, iteration: usize, defect: f64) {
-        if defect < 0.9 * self.defect {
-            *self = Self { defect, iteration };
-        }
-    }
-
-    fn is_stale(&self, iteration: usize) -> bool {
-        iteration > self.iteration + PATIENCE
-    }
-}
-
-/// Newton steps without a better defect after which there is no hope.
-const PATIENCE: usize = 40;
-
-struct Newton {
+/// Newton's method and its workspace, kept between solutions.
+#[derive(Debug, Default)]
+pub struct Newton {
     u: Vec<f64>,
     residual: Vec<f64>,
     step: Vec<f64>,
-    compliance_step: Vec<f64>,
+    response_step: Vec<f64>,
     trial: [Vec<f64>; 3],
     krylov: Gmres,
 }
 
 impl Newton {
-    fn new(size: usize) -> Self {
-        let zeros = || vec![0.0; size];
-        Self {
-            u: zeros(),
-            residual: zeros(),
-            step: zeros(),
-            compliance_step: zeros(),
-            trial: [zeros(), zeros(), zeros()],
-            krylov: Gmres::default(),
+    /// Solves F(p) = 0 from the given p, in place. On return the system was last evaluated, for its
+    /// defect, at the p that is returned.
+    pub fn solve(
+        &mut self,
+        system: &mut impl Equilibrium,
+        p: &mut [f64],
+        limits: &Limits,
+    ) -> Outcome {
+        self.prepare(system);
+        let mut outcome = Outcome { products: 1, ..Outcome::default() };
+        system.compliance_product(p, &mut self.u);
+        system.residual(p, &self.u, &mut self.residual);
+        let mut length = norm(&self.residual);
+        let mut forcing = LARGEST_FORCING;
+        let mut best = Best { length, iteration: 0 };
+        loop {
+            let scale = if system.scale() > 0.0 { system.scale() } else { 1.0 };
+            let defect = system.defect(p, &self.u);
+            outcome.residual = defect / scale;
+            outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
+            best.note(outcome.iterations, length);
+            let given_up = outcome.iterations == limits.max_iterations
+                || !length.is_finite()
+                || length == 0.0
+                || best.is_stale(outcome.iterations);
+            if outcome.converged || given_up {
+                return outcome;
+            }
+            outcome.iterations += 1;
+            // A stiff contact law makes the defect larger than F; F is what the Krylov method sees.
+            let enough = ENOUGH * limits.tolerance / outcome.residual.max(length / scale);
+            outcome.products += self.direction(system, forcing.max(enough).min(0.5));
+            let before = length;
+            length = match self.line_search(system, p, before) {
+                Some(length) => length,
+                None => self.safe_steps(system, p, &mut outcome),
+            };
+            forcing = (0.9 * (length / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
+        }
+    }
+
+    /// L p of the p that was returned last.
+    pub fn response(&self) -> &[f64] {
+        &self.u
+    }
+
+    fn prepare(&mut self, system: &impl Equilibrium) {
+        let [p, u, residual] = &mut self.trial;
+        for vector in [p, residual, &mut self.residual, &mut self.step] {
+            vector.resize(system.size(), 0.0);
+        }
+        for vector in [u, &mut self.u, &mut self.response_step] {
+            vector.resize(system.response_size(), 0.0);
         }
     }
 
     fn direction(&mut self, system: &mut impl Equilibrium, forcing: f64) -> usize {
-        let target = [self.step.as_mut_slice(), self.compliance_step.as_mut_slice()];
+        let target = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
         self.krylov.solve(system, &self.residual, forcing, target)
     }
 
     /// Goes along the step as far as the residual norm falls enough, and returns it. A trial costs
-    /// no product, because A is linear.
+    /// no product, because L is linear.
     fn line_search(
         &mut self,
         system: &mut impl Equilibrium,
@@ -117,12 +107,13 @@ impl Newton {
             trial_p.copy_from_slice(p);
             trial_u.copy_from_slice(&self.u);
             add_scaled(trial_p, fraction, &self.step);
-            add_scaled(trial_u, fraction, &self.compliance_step);
+            add_scaled(trial_u, fraction, &self.response_step);
             system.residual(trial_p, trial_u, trial_residual);
             let trial_length = norm(trial_residual);
             if trial_length <= (1.0 - SUFFICIENT_FALL * fraction) * length {
                 p.copy_from_slice(trial_p);
                 std::mem::swap(&mut self.u, trial_u);
+                std::mem::swap(&mut self.residual, trial_residual);
                 return Some(trial_length);
             }
             fraction *= 0.5;
@@ -146,3 +137,24 @@ impl Newton {
         norm(&self.residual)
     }
 }
+
+/// The smallest residual so far. Rounding, amplified by a very stiff contact law, can hide the rest.
+struct Best {
+    length: f64,
+    iteration: usize,
+}
+
+impl Best {
+    fn note(&mut self, iteration: usize, length: f64) {
+        if length < 0.9 * self.length {
+            *self = Self { length, iteration };
+        }
+    }
+
+    fn is_stale(&self, iteration: usize) -> bool {
+        iteration > self.iteration + PATIENCE
+    }
+}
+
+/// Newton steps without a smaller residual after which there is no hope.
+const PATIENCE: usize = 40;

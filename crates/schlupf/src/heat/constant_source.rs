@@ -14,4 +14,17 @@ impl HeatModel for ConstantSource {
         let squares: f64 = record.iter().map(|s| s.flux * s.flux * s.duration).sum();
         FRAC_2_SQRT_PI * squares.sqrt()
     }
+
+    fn derivatives(&self, record: &[HeatStep], by_flux: &mut [f64]) {
+        let rise = self.rise_times_effusivity(record);
+        for (step, derivative) in record.iter().zip(by_flux) {
+            // No source, no rise: its derivative has no direction there.
+            let over_rise = if rise > 0.0 { step.flux / rise } else { 0.0 };
+            *derivative = FRAC_2_SQRT_PI.powi(2) * over_rise * step.duration;
+        }
+    }
+
+    fn is_linear(&self) -> bool {
+        false
+    }
 }

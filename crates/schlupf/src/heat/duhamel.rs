@@ -23,6 +23,21 @@ impl HeatModel for Duhamel {
         }
         FRAC_2_SQRT_PI * sum
     }
+
+    fn derivatives(&self, record: &[HeatStep], by_flux: &mut [f64]) {
+        let mut elapsed = 0.0;
+        let mut root = 0.0;
+        for (step, derivative) in record.iter().zip(by_flux) {
+            elapsed += step.duration;
+            let next_root = f64::sqrt(elapsed);
+            *derivative = FRAC_2_SQRT_PI * (next_root - root);
+            root = next_root;
+        }
+    }
+
+    fn is_linear(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

@@ -30,6 +30,12 @@ pub trait HeatModel: Debug + Send + Sync {
     /// Temperature rise times the effusivity β = √(λρc) (in W √s/m²) of a half-space that took all
     /// of the heat in `record`, the latest step first.
     fn rise_times_effusivity(&self, record: &[HeatStep]) -> f64;
+
+    /// Its derivatives with respect to the flux of each step, in √s, in the order of the record.
+    fn derivatives(&self, record: &[HeatStep], by_flux: &mut [f64]);
+
+    /// Whether the derivatives do not depend on the fluxes.
+    fn is_linear(&self) -> bool;
 }
 
 /// How friction heats the bodies.

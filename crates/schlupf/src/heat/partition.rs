@@ -63,6 +63,11 @@ impl Conduction {
         [surface[0] - self.bulk[0], surface[1] - self.bulk[1]]
     }
 
+    /// Derivative of [`Self::contact_temperature`], in m² √s K/W.
+    pub fn contact_factor(&self) -> f64 {
+        self.wheel_weight * self.factor[0] + (1.0 - self.wheel_weight) * self.factor[1]
+    }
+
     /// The temperature that friction depends on, in degC: the mean of the two surfaces, weighted by
     /// β√v.
     pub fn contact_temperature(&self, rise_times_effusivity: f64) -> f64 {

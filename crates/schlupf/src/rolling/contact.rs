@@ -18,15 +18,24 @@ pub(super) struct DiscreteContact {
     traction: VectorField,
     /// A p on the whole grid, of the last product.
     pub displacement: VectorField,
+    /// Differences of the displacement in passing.
+    passing: VectorField,
     /// μ0 k_c, in 1/m: times the pressure, the stiffness of the contact law at the start.
     bristles: f64,
+    cell_stiffness: f64,
+    estimates: Option<Estimates>,
+}
+
+/// What marching must know of the compliance of the whole patch.
+#[derive(Debug, Clone, Copy)]
+struct Estimates {
     stand_in: [f64; 2],
     safe_stiffness: f64,
 }
 
 /// Stiffness of the bristles over that of a cell up to which the interpolation is cubic, and from
 /// which on it is linear; dimensionless.
-const CUBIC_RANGE: [f64; 2] = [500.0, 2500.0];
+const CUBIC_RANGE: [f64; 2] = [250.0, 1250.0];
 
 impl DiscreteContact {
     /// A normal contact of a problem on a grid that spans it.
@@ -40,10 +49,11 @@ impl DiscreteContact {
             patch,
             compliance,
             traction: zeros.clone(),
+            passing: zeros.clone(),
             displacement: zeros,
-            bristles: problem.friction.cold_coefficient() * initial_stiffness(problem),
-            stand_in: [0.0; 2],
-            safe_stiffness: 0.0,
+            bristles: bristles(problem),
+            cell_stiffness: 0.0,
+            estimates: None,
         };
         contact.settle();
         Ok(contact)
@@ -60,15 +70,27 @@ impl DiscreteContact {
         Ok(())
     }
 
-    /// Weights and estimates of a new patch.
+    /// The same contact with other laws of friction and contact.
+    pub fn set_laws(&mut self, problem: &Problem) {
+        let bristles = bristles(problem);
+        if bristles != self.bristles {
+            self.bristles = bristles;
+            self.interpolate();
+        }
+    }
+
+    /// Weights and stiffness of a new patch.
     fn settle(&mut self) {
         self.interpolation = Interpolation::uncoupled(&self.patch);
+        self.estimates = None;
+        self.cell_stiffness = self.measure_cell_stiffness();
+        self.interpolate();
+    }
+
+    fn interpolate(&mut self) {
         if self.compliance.couples_cells() {
-            let cubic = self.cubic_share();
-            self.interpolation = Interpolation::new(&self.patch, cubic);
+            self.interpolation = Interpolation::new(&self.patch, self.cubic_share());
         }
-        self.stand_in = self.estimate_stand_in();
-        self.safe_stiffness = self.estimate_safe_stiffness();
     }
 
     /// How much of the interpolation at the leading edge is cubic.
@@ -77,8 +99,8 @@ impl DiscreteContact {
     /// whole, the displacement has a kink at the edge, and negative weights would let neighbouring
     /// strips swing against each other. Linear interpolation cannot; it is half as exact on softer
     /// bristles.
-    fn cubic_share(&mut self) -> f64 {
-        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness();
+    fn cubic_share(&self) -> f64 {
+        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness;
         let [all, none] = CUBIC_RANGE;
         ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
     }
@@ -114,10 +136,9 @@ impl DiscreteContact {
                 }
             }
         };
-        let mut passing = VectorField::zeros(self.displacement.x.len());
-        differences(&self.displacement.x, &mut passing.x);
-        differences(&self.displacement.y, &mut passing.y);
-        self.interpolation.gather(&passing, change);
+        differences(&self.displacement.x, &mut self.passing.x);
+        differences(&self.displacement.y, &mut self.passing.y);
+        self.interpolation.gather(&self.passing, change);
     }
 
     /// Displacement at the outer edge of the modelled surface over the largest one, dimensionless.
@@ -127,23 +148,36 @@ impl DiscreteContact {
     }
 
     /// Displacement over traction of the patch as a whole, for each component, in m/Pa.
-    pub fn stand_in(&self) -> [f64; 2] {
-        self.stand_in
+    pub fn stand_in(&mut self) -> [f64; 2] {
+        self.estimates().stand_in
     }
 
-    /// γ = 1/‖A‖ or somewhat less, in Pa/m.
-    pub fn safe_stiffness(&self) -> f64 {
-        self.safe_stiffness
+    /// 1/‖A‖ or somewhat less, in Pa/m.
+    pub fn safe_stiffness(&mut self) -> f64 {
+        self.estimates().safe_stiffness
     }
 
-    /// Half the inverse of what a cell in the middle moves by under its own traction, in Pa/m.
-    pub fn cell_stiffness(&mut self) -> f64 {
+    fn estimates(&mut self) -> Estimates {
+        let estimates = self.estimates.unwrap_or_else(|| Estimates {
+            stand_in: self.estimate_stand_in(),
+            safe_stiffness: self.estimate_safe_stiffness(),
+        });
+        self.estimates = Some(estimates);
+        estimates
+    }
+
+    /// Traction over displacement of a cell in the middle under its own traction, in Pa/m.
+    pub fn cell_stiffness(&self) -> f64 {
+        self.cell_stiffness
+    }
+
+    fn measure_cell_stiffness(&mut self) -> f64 {
         let middle = self.patch.len() / 2;
         let mut p = vec![0.0; 2 * self.patch.len()];
         let mut u = p.clone();
         (p[2 * middle], p[2 * middle + 1]) = (1.0, 1.0);
         self.product(&p, &mut u);
-        let own = u[2 * middle] + u[2 * middle + 1];
+        let own = 0.5 * (u[2 * middle] + u[2 * middle + 1]);
         if own > 0.0 { own.recip() } else { RIGID_STIFFNESS }
     }
 
@@ -207,7 +241,8 @@ fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
     })
 }
 
-/// Slope of the contact law at rest, in 1/m.
-fn initial_stiffness(problem: &Problem) -> f64 {
-    problem.contact_law.respond(&Slide::default()).by_increment[0][0]
+/// Cold coefficient of friction times the slope of the contact law at rest, in 1/m.
+fn bristles(problem: &Problem) -> f64 {
+    let slope = problem.contact_law.respond(&Slide::default()).by_increment[0][0];
+    problem.friction.cold_coefficient() * slope
 }

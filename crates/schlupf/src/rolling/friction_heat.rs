@@ -40,72 +40,6 @@ pub(super) fn set_temperatures(
     }
 }
 
-/// Temperatures of all cells in the steady state, where each cell's element has received what the
-/// cells upstream give now, and the friction that follows. Returns the records of the elements when
-/// they leave their cells.
-///
-/// Friction and temperature of a cell are found together, with its slip and its share of the
-/// bound as they are: from the leading edge on, μ = law(T(μ q)) has one root where μ falls with T.
-/// The friction power changes with μ.
-pub(super) fn set_steady_temperatures(
-    now: &mut Snapshot,
-    patch: &Patch,
-    heat: &Heat,
-    law: impl Fn(&Snapshot, usize) -> f64,
-) -> Vec<Vec<HeatStep>> {
-    let mut records = Vec::with_capacity(patch.len());
-    now.exit_rise.clear();
-    for strip in &patch.strips {
-        let mut record = Vec::with_capacity(strip.cells.len());
-        for k in strip.cells.clone() {
-            let arrived = record.clone();
-            let (solved, power) = (now.friction[k], now.friction_power[k]);
-            // The coefficient that the temperature asks for over the one tried.
-            let mut answer = |now: &mut Snapshot, tried: f64| {
-                now.friction_power[k] = if solved > 0.0 { power * tried / solved } else { 0.0 };
-                record.clone_from(&arrived);
-                pass_cell(now, patch, heat, (strip, k), &mut record);
-                law(now, k)
-            };
-            now.friction[k] = common_coefficient(now, solved, &mut answer);
-            let coefficient = now.friction[k];
-            answer(now, coefficient);
-            records.push(record.clone());
-        }
-        now.exit_rise.push(heat.rise_times_effusivity(&record));
-    }
-    records
-}
-
-/// Halvings of the interval around a root.
-const HALVINGS: usize = 60;
-
-/// The coefficient of friction μ with answer(μ) = μ: by fixed-point steps as long as they contract
-/// well, else by bisection between it and what it asks for.
-fn common_coefficient(
-    now: &mut Snapshot,
-    start: f64,
-    answer: &mut impl FnMut(&mut Snapshot, f64) -> f64,
-) -> f64 {
-    let (mut tried, mut last) = (start, f64::INFINITY);
-    loop {
-        let asked = answer(now, tried);
-        let distance = (asked - tried).abs();
-        if distance <= 1e-15 * start.max(asked) {
-            return asked;
-        }
-        if distance > 0.3 * last {
-            let (mut low, mut high) = (tried.min(asked), tried.max(asked));
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if answer(now, middle) > middle { low = middle } else { high = middle }
-            }
-            return 0.5 * (low + high);
-        }
-        (tried, last) = (asked, distance);
-    }
-}
-
 /// The temperature of an element in a cell, and its record when it leaves.
 fn pass_cell(
     now: &mut Snapshot,
@@ -127,7 +61,7 @@ fn pass_cell(
 
 /// The ways of the material in a cell, before and after the cell's point (in m): half of those to
 /// its neighbours, and all of those to an edge.
-fn ways_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
+pub(super) fn ways_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
     let way_in = patch.cells[k].way_in.distance;
     let before = if k == strip.cells.start { way_in } else { 0.5 * way_in };
     let after = if k + 1 == strip.cells.end {

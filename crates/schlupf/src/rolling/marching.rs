@@ -1,7 +1,7 @@
 //! Marching: the paper's simulation procedure. The material moves on by one cell a time step, and
 //! every step is an equilibrium; friction follows the temperatures of the step before.
 
-use crate::equilibrium::{Limits, Outcome, norm};
+use crate::equilibrium::{Limits, Newton, Outcome, norm};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
@@ -55,6 +55,7 @@ struct March<'a> {
     now: Snapshot,
     /// The elements, in the order of the patch.
     elements: Vec<Element>,
+    newton: Newton,
     outcome: Outcome,
     /// Relative change of traction and temperature in the last step.
     change: f64,
@@ -83,6 +84,7 @@ impl<'a> March<'a> {
             time,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
             elements: on_patch(&contact.patch, &state.elements),
+            newton: Newton::default(),
             outcome: Outcome::default(),
             change: f64::INFINITY,
             worst_residual: 0.0,
@@ -169,7 +171,7 @@ impl<'a> March<'a> {
             }
             let (rise, conduction) = (self.now.rise[k], &self.now.conduction);
             self.now.friction[k] =
-                self.problem.friction_coefficient(conduction, rise, slip_speed, cell.y);
+                self.problem.friction_response(conduction, rise, slip_speed, cell.y).coefficient;
         }
     }
 
@@ -198,7 +200,7 @@ impl<'a> March<'a> {
         let law = self.problem.contact_law.as_ref();
         let old_traction = self.now.traction.clone();
         let mut step = TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides);
-        self.outcome = step.solve(&mut self.now.traction, &limits);
+        self.outcome = step.solve(&mut self.newton, &mut self.now.traction, &limits);
         let (slides, responses) = (step.slides, step.responses);
         self.displace();
         self.change = relative_change(&old_traction, &self.now.traction, norm(&bound));

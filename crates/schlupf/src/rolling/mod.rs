@@ -4,12 +4,16 @@ mod arrival;
 mod cell;
 mod contact;
 mod friction_heat;
+mod level;
 pub mod marching;
 mod snapshot;
 pub mod steady;
+mod steady_friction;
 mod steady_state;
+mod strip_law;
 mod summary;
 mod time_step;
+mod transfer;
 mod turn;
 
 use crate::error::Error;

@@ -1,18 +1,17 @@
-//! The steady state, directly: one equilibrium for the whole patch, and the loop between traction
-//! and temperature around it.
+//! The steady state, directly: traction, temperature and friction of the whole patch as one
+//! equilibrium, found on nested grids.
 
-use crate::equilibrium::{self, Limits, Outcome, norm};
+use std::sync::Arc;
+
+use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
-use crate::grid::Grid;
-use crate::heat::HeatStep;
-use crate::patch::Patch;
+use crate::kinematics::Kinematics;
 use crate::problem::{Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 
 use super::Progress;
-use super::contact::DiscreteContact;
-use super::friction_heat::{set_friction_power, set_steady_temperatures};
+use super::level::{self, Level};
 use super::marching;
 use super::snapshot::Snapshot;
 use super::steady_state::SteadyState;
@@ -30,31 +29,7 @@ pub fn solve(
     options: &Options,
     report: &mut dyn FnMut(Progress),
 ) -> Result<Solution, Error> {
-    problem.check()?;
-    options.check()?;
-    refuse_transient(problem)?;
-    let mut steady = Steady::new(problem, options)?;
-    while !steady.is_finished() {
-        steady.find_equilibrium();
-        steady.heat_up();
-        report(steady.progress());
-    }
-    if steady.outcome.converged {
-        return Ok(steady.into_solution());
-    }
-    let mut marched = marching::march(problem, options, report)?;
-    marched.warnings.push(format!(
-        "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); this \
-         is the end of a march",
-        steady.outcome.residual, steady.outcome.iterations
-    ));
-    Ok(marched)
-}
-
-/// Coefficient of friction of a cell at its present temperature and slip speed, Eq. (23).
-fn friction(problem: &Problem, patch: &Patch, now: &Snapshot, k: usize) -> f64 {
-    let slip_speed = now.slip[k][0].hypot(now.slip[k][1]);
-    problem.friction_coefficient(&now.conduction, now.rise[k], slip_speed, patch.cells[k].y)
+    SteadySolver::new(options).solve(problem, report)
 }
 
 fn refuse_transient(problem: &Problem) -> Result<(), Error> {
@@ -71,144 +46,231 @@ fn refuse_transient(problem: &Problem) -> Result<(), Error> {
     Ok(())
 }
 
-/// All that changes from iteration to iteration.
-struct Steady<'a> {
-    problem: &'a Problem,
-    options: &'a Options,
-    contact: DiscreteContact,
-    now: Snapshot,
-    elements: Vec<Element>,
-    outcome: Outcome,
-    /// Relative change of the bound μ pₙ that the last temperatures ask for.
-    change: f64,
-    work: Work,
+/// A solver for steady states that are near each other: points of a creep curve, or families of
+/// them.
+///
+/// Problems that share the normal contact and the elasticity (the same `Arc`s) share grids, kernels
+/// and transforms, and each starts from the solutions before. The result does not depend on them
+/// but within the tolerance.
+pub struct SteadySolver {
+    options: Options,
+    setup: Option<Setup>,
+    newton: Newton,
 }
 
-impl<'a> Steady<'a> {
-    fn new(problem: &'a Problem, options: &'a Options) -> Result<Self, Error> {
+impl SteadySolver {
+    /// A solver without a past.
+    pub fn new(options: &Options) -> Self {
+        Self { options: options.clone(), setup: None, newton: Newton::default() }
+    }
+
+    /// Solves a problem for its steady state; see [`solve`].
+    pub fn solve(
+        &mut self,
+        problem: &Problem,
+        report: &mut dyn FnMut(Progress),
+    ) -> Result<Solution, Error> {
+        problem.check()?;
+        self.options.check()?;
+        refuse_transient(problem)?;
+        let setup = self.setup.take().filter(|setup| setup.fits(problem));
+        let mut setup = match setup {
+            Some(setup) => setup,
+            None => Setup::new(problem, &self.options)?,
+        };
+        let (outcome, work) = setup.find_equilibrium(problem, &self.options, &mut self.newton);
+        report(Progress { step: 1, steps: Some(1), change: outcome.residual });
+        if outcome.converged {
+            let response = self.newton.response();
+            let solution = setup.solution(problem, &self.options, response, (outcome, work));
+            self.setup = Some(setup);
+            return Ok(solution);
+        }
+        let mut marched = marching::march(problem, &self.options, report)?;
+        marched.warnings.push(format!(
+            "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
+             this is the end of a march",
+            outcome.residual, outcome.iterations
+        ));
+        Ok(marched)
+    }
+}
+
+/// What problems with one normal contact and elasticity share.
+struct Setup {
+    /// The problem solved last.
+    problem: Problem,
+    levels: Vec<Level>,
+    /// Motions of the solutions that the levels remember, the latest first.
+    earlier: Vec<Kinematics>,
+}
+
+/// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same where
+/// only the change since an earlier solution counts.
+const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
+
+/// Farthest extrapolation, in distances between the last two solutions.
+const FARTHEST: f64 = 2.5;
+
+impl Setup {
+    fn new(problem: &Problem, options: &Options) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
-        let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
-        let contact = DiscreteContact::new(problem, &normal, grid)?;
-        let conduction = problem.conduction(&problem.kinematics);
-        let cells = contact.patch.len();
-        let mut steady = Self {
-            problem,
-            options,
-            now: Snapshot::blank(problem.kinematics, conduction, cells),
-            elements: Vec::new(),
-            outcome: Outcome::default(),
-            change: f64::INFINITY,
-            work: Work { cells, ..Work::default() },
-            contact,
-        };
-        steady.now.friction = steady.entry_friction();
-        Ok(steady)
+        let levels = level::nested(problem, &normal, options)?;
+        Ok(Self { problem: problem.clone(), levels, earlier: Vec::new() })
     }
 
-    fn is_finished(&self) -> bool {
-        let iterations = self.work.outer_iterations;
-        let failed = iterations > 0 && !self.outcome.converged;
-        failed || self.change <= self.largest_change() || iterations >= self.options.max_iterations
+    fn fits(&self, problem: &Problem) -> bool {
+        Arc::ptr_eq(&self.problem.normal, &problem.normal)
+            && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
     }
 
-    /// Together with the residual of the equilibrium, the change of the bound stays within the
-    /// tolerance.
-    fn largest_change(&self) -> f64 {
-        0.5 * self.options.tolerance
-    }
-
-    /// Coefficients of friction of material that has just entered.
-    fn entry_friction(&self) -> Vec<f64> {
-        let cells = 0..self.contact.patch.len();
-        cells.map(|k| friction(self.problem, &self.contact.patch, &self.now, k)).collect()
-    }
-
-    /// Newton–Raphson on Eq. (13), for the whole patch at once.
-    fn find_equilibrium(&mut self) {
-        let limits = Limits {
-            tolerance: 0.5 * self.options.tolerance,
-            max_iterations: self.options.max_iterations,
-        };
-        let bound = self.now.bound(&self.contact.patch);
-        let law = self.problem.contact_law.as_ref();
-        let mut system = SteadyState::new(&mut self.contact, law, self.now.kinematics, bound);
-        self.outcome = equilibrium::solve(&mut system, &mut self.now.traction, &limits);
-        self.elements = system.elements(&self.now.traction);
-        self.work.newton_iterations += self.outcome.iterations;
-        self.work.operator_products += self.outcome.products as f64 + 1.0;
-        self.contact.product(&self.now.traction, &mut self.now.displacement);
-    }
-
-    /// Friction power and temperatures, Eqs. (17)–(22), and the friction that follows.
-    fn heat_up(&mut self) {
-        let mut change = vec![0.0; self.now.traction.len()];
-        self.contact.change_in_passing(&mut change);
-        let patch = &self.contact.patch;
-        set_friction_power(&mut self.now, patch, &change);
-        let bound = self.now.bound(patch);
-        let solved = self.now.clone();
-        let law = |now: &Snapshot, k: usize| friction(self.problem, patch, now, k);
-        let heat = &self.problem.heat;
-        let records = set_steady_temperatures(&mut self.now, patch, heat, law);
-        let wanted = self.now.bound(patch);
-        self.remember(records);
-        let moved: Vec<f64> = wanted.iter().zip(&bound).map(|(w, b)| w - b).collect();
-        let scale = norm(&bound);
-        self.change = if scale > 0.0 { norm(&moved) / scale } else { norm(&moved) };
-        self.work.outer_iterations += 1;
-        if self.is_finished() {
-            // The friction power is that of the traction found.
-            self.now.friction = solved.friction;
-            self.now.friction_power = solved.friction_power;
+    /// Newton's method for the whole patch, from the coarsest grid to the finest.
+    fn find_equilibrium(
+        &mut self,
+        problem: &Problem,
+        options: &Options,
+        newton: &mut Newton,
+    ) -> (Outcome, Work) {
+        let cells = self.levels[0].contact.patch.len();
+        let mut work = Work { cells, outer_iterations: 1, ..Work::default() };
+        let ahead = self.extrapolation(problem);
+        self.problem = problem.clone();
+        let mut outcome = Outcome::default();
+        for depth in (0..self.levels.len()).rev() {
+            self.levels[depth].set_problem(problem);
+            self.guess(depth, ahead);
+            let coarse = COARSE_TOLERANCE[usize::from(!self.earlier.is_empty())];
+            let limits = Limits {
+                tolerance: if depth == 0 { options.tolerance } else { coarse },
+                max_iterations: options.max_iterations,
+            };
+            let mut traction = std::mem::take(&mut self.levels[depth].traction);
+            let mut system = SteadyState::new(problem, &mut self.levels[depth..]);
+            outcome = newton.solve(&mut system, &mut traction, &limits);
+            self.levels[depth].traction = traction;
+            let share = self.levels[depth].strips.len() as f64 / cells as f64;
+            work.newton_iterations += outcome.iterations;
+            work.operator_products += share * outcome.products as f64;
         }
-    }
-
-    fn remember(&mut self, records: Vec<Vec<HeatStep>>) {
-        for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
-            element.heat = record;
-            element.rise = self.now.rise[k];
-            element.slip_speed = self.now.slip[k][0].hypot(self.now.slip[k][1]);
-        }
-    }
-
-    fn progress(&self) -> Progress {
-        Progress { step: self.work.outer_iterations, steps: None, change: self.change }
-    }
-
-    fn into_solution(mut self) -> Solution {
-        let residual = self.outcome.residual.max(self.change);
-        let status = if residual <= self.options.tolerance {
-            Status::Converged
+        if outcome.converged {
+            let is_at_rest = self.levels[0].traction.iter().all(|p| *p == 0.0);
+            if is_at_rest { self.earlier.clear() } else { self.remember(problem.kinematics) }
         } else {
-            Status::NotConverged
-        };
-        let mut warnings = summary::warnings(self.problem, &mut self.contact, &self.now);
-        if status == Status::NotConverged {
-            let warning = format!(
-                "not converged: after {} iterations between traction and temperature, friction \
-                 still changes by {:.1e}, above the tolerance {:.1e}",
-                self.work.outer_iterations, self.change, self.options.tolerance
-            );
-            warnings.insert(0, warning);
+            self.earlier.clear();
         }
-        let patch = &self.contact.patch;
+        (outcome, work)
+    }
+
+    /// The first guess on a level: what extrapolation along the earlier solutions gives, and the
+    /// part of the next coarser solution that this did not foresee.
+    fn guess(&mut self, depth: usize, ahead: f64) {
+        let (levels, coarser) = self.levels.split_at_mut(depth + 1);
+        let level = &mut levels[depth];
+        let [last, before] = &level.earlier;
+        match self.earlier.len() {
+            0 => level.traction.fill(0.0),
+            1 => level.traction.copy_from_slice(last),
+            _ => {
+                let pairs = last.iter().zip(before);
+                for (guess, (last, before)) in level.traction.iter_mut().zip(pairs) {
+                    *guess = last + ahead * (last - before);
+                }
+            }
+        }
+        level.clip();
+        level.news.copy_from_slice(&level.traction);
+        if let (Some(transfer), Some(next)) = (&level.transfer, coarser.first_mut()) {
+            for (news, found) in next.news.iter_mut().zip(&next.traction) {
+                *news = found - *news;
+            }
+            transfer.add_prolonged(&next.news, &mut level.traction);
+            level.clip();
+        }
+    }
+
+    fn remember(&mut self, kinematics: Kinematics) {
+        for level in &mut self.levels {
+            level.earlier.swap(0, 1);
+            level.earlier[0].copy_from_slice(&level.traction);
+        }
+        self.earlier.truncate(1);
+        self.earlier.insert(0, kinematics);
+    }
+
+    /// How far a motion lies ahead on the line through the last two, in distances between them; zero
+    /// where it does not lie on that line.
+    fn extrapolation(&self, problem: &Problem) -> f64 {
+        let [last, before] = self.earlier.as_slice() else { return 0.0 };
+        let normal = &self.levels[0].contact.normal;
+        let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
+        let difference = |to: &Kinematics, from: &Kinematics| {
+            [
+                to.creepage_x - from.creepage_x,
+                to.creepage_y - from.creepage_y,
+                lever * (to.spin - from.spin),
+            ]
+        };
+        let (made, next) = (difference(last, before), difference(&problem.kinematics, last));
+        let dot = |v: &[f64; 3], w: &[f64; 3]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
+        let squared = dot(&made, &made);
+        if squared == 0.0 {
+            return 0.0;
+        }
+        let ahead = dot(&made, &next) / squared;
+        let aside: f64 = (0..3).map(|c| (next[c] - ahead * made[c]).powi(2)).sum();
+        if aside > 1e-6 * dot(&next, &next) { 0.0 } else { ahead.clamp(-1.0, FARTHEST) }
+    }
+
+    /// All results; `response` is what Newton's method found last.
+    fn solution(
+        &mut self,
+        problem: &Problem,
+        options: &Options,
+        response: &[f64],
+        (outcome, mut work): (Outcome, Work),
+    ) -> Solution {
+        let Level { contact, strips, friction, traction, .. } = &mut self.levels[0];
+        let mut now = Snapshot::blank(problem.kinematics, friction.conduction, strips.len());
+        now.traction.copy_from_slice(traction);
+        contact.product(traction, &mut now.displacement);
+        work.operator_products += 1.0;
+        let mut change = vec![0.0; traction.len()];
+        contact.change_in_passing(&mut change);
+        friction.evaluate(problem, &contact.patch, traction, &change);
+        now.slip.copy_from_slice(&friction.slip);
+        now.friction_power.copy_from_slice(&friction.power);
+        now.rise.copy_from_slice(&friction.rise);
+        now.friction = friction.response.iter().map(|response| response.coefficient).collect();
+        let mut elements = strips.elements(&contact.patch, traction, response);
+        remember_heat(&mut elements, friction);
+        let patch = &contact.patch;
+        let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
+        now.exit_rise = exits.collect();
         let instant = Instant {
             time: 0.0,
-            kinematics: self.now.kinematics,
-            load: self.contact.normal.load,
-            force: summary::force(patch, &self.now),
-            max_rise: summary::temperature(patch, &self.now).max_rise,
-            newton_iterations: self.work.newton_iterations,
-            residual,
+            kinematics: now.kinematics,
+            load: contact.normal.load,
+            force: summary::force(patch, &now),
+            max_rise: summary::temperature(patch, &now).max_rise,
+            newton_iterations: work.newton_iterations,
+            residual: outcome.residual,
         };
         let account = summary::Account {
-            status,
-            residual,
+            status: Status::Converged,
+            residual: outcome.residual,
             history: vec![instant],
-            warnings,
-            work: self.work,
-            state: State { grid: patch.grid, time: 0.0, elements: self.elements },
+            warnings: summary::warnings(problem, contact, &now),
+            work,
+            state: State { grid: contact.patch.grid, time: 0.0, elements },
         };
-        summary::solution(self.problem, self.options, (&self.contact, &self.now), account)
+        summary::solution(problem, options, (contact, &now), account)
+    }
+}
+
+fn remember_heat(elements: &mut [Element], friction: &mut super::steady_friction::SteadyFriction) {
+    for (k, element) in elements.iter_mut().enumerate() {
+        element.heat = friction.record_on_leaving(k);
+        element.rise = friction.rise[k];
+        element.slip_speed = friction.slip[k][0].hypot(friction.slip[k][1]);
     }
 }

@@ -9,7 +9,7 @@
 //! softest law to Coulomb's. With γ ≤ 1/‖A‖ the step p ← p − F(p) is a forward–backward splitting
 //! (Lions and Mercier 1979) of 0 = A p − D + law⁻¹(p), which never leads away from the solution.
 
-use crate::equilibrium::{self, Equilibrium, Limits, Outcome};
+use crate::equilibrium::{self, Equilibrium, Limits, Newton, Outcome};
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
 
 use super::cell::{CellSolver, inverse_2x2, solve_2x2, times};
@@ -59,8 +59,8 @@ impl<'a> TimeStep<'a> {
     }
 
     /// Solves for the traction on the rail p, from the given one.
-    pub fn solve(&mut self, p: &mut [f64], limits: &Limits) -> Outcome {
-        equilibrium::solve(self, p, limits)
+    pub fn solve(&mut self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
+        newton.solve(self, p, limits)
     }
 }
 
@@ -105,7 +105,7 @@ impl Equilibrium for TimeStep<'_> {
         }
     }
 
-    fn tangent_product(&self, v: &[f64], compliance_v: &[f64], product: &mut [f64]) {
+    fn tangent_product(&mut self, v: &[f64], compliance_v: &[f64], product: &mut [f64]) {
         for (k, yielding) in self.yielding.iter().enumerate() {
             let target = [0, 1].map(|c| v[2 * k + c] - self.cell.gamma * compliance_v[2 * k + c]);
             let answer = times(yielding, target);
@@ -116,7 +116,7 @@ impl Equilibrium for TimeStep<'_> {
     }
 
     /// Each cell on its own, on a bedding as stiff as the patch as a whole.
-    fn precondition(&self, v: &mut [f64]) {
+    fn precondition(&mut self, v: &mut [f64]) {
         let [wx, wy] = self.stand_in.map(|a| 1.0 - self.cell.gamma * a);
         for (k, [[xx, xy], [yx, yy]]) in self.yielding.iter().enumerate() {
             let matrix = [[1.0 - xx * wx, -xy * wy], [-yx * wx, 1.0 - yy * wy]];

@@ -1,6 +1,6 @@
 //! Constant friction.
 
-use super::{FrictionLaw, FrictionState, require_coefficient};
+use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::Error;
 
 /// μ = μ0 everywhere.
@@ -18,7 +18,15 @@ impl Constant {
 }
 
 impl FrictionLaw for Constant {
-    fn coefficient(&self, _state: &FrictionState) -> f64 {
-        self.coefficient
+    fn respond(&self, _state: &FrictionState) -> FrictionResponse {
+        FrictionResponse {
+            coefficient: self.coefficient,
+            by_cold_coefficient: 1.0,
+            ..FrictionResponse::default()
+        }
+    }
+
+    fn is_constant(&self) -> bool {
+        true
     }
 }

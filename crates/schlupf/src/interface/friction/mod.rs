@@ -19,11 +19,29 @@ pub struct FrictionState {
     pub y: f64,
 }
 
+/// A coefficient of friction and its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FrictionResponse {
+    /// Coefficient of friction μ ≥ 0, dimensionless.
+    pub coefficient: f64,
+    /// ∂μ/∂T, in 1/K.
+    pub by_temperature: f64,
+    /// Derivative with respect to the slip speed, in s/m.
+    pub by_slip_speed: f64,
+    /// ∂μ/∂μ0, dimensionless.
+    pub by_cold_coefficient: f64,
+}
+
 /// A law for the coefficient of friction. Extension point.
 pub trait FrictionLaw: Debug + Send + Sync {
-    /// Coefficient of friction μ ≥ 0, dimensionless. At the default state (no slip, reference
-    /// temperature, y = 0) it is μ0.
-    fn coefficient(&self, state: &FrictionState) -> f64;
+    /// The coefficient of friction; at the default state (no slip, reference temperature, y = 0) it
+    /// is μ0. Where the law has a kink, the derivatives are those of one of its sides.
+    fn respond(&self, state: &FrictionState) -> FrictionResponse;
+
+    /// Whether the coefficient depends on neither temperature nor slip speed.
+    fn is_constant(&self) -> bool {
+        false
+    }
 
     /// Temperature over the reference (in K) from which on the law does not hold for material that
     /// enters the contact.
@@ -44,7 +62,7 @@ pub struct Friction {
 impl Friction {
     /// Cold coefficient μ0, dimensionless.
     pub fn cold_coefficient(&self) -> f64 {
-        self.law.coefficient(&FrictionState::default())
+        self.law.respond(&FrictionState::default()).coefficient
     }
 
     /// Checks the law for material that enters at `entry_temperature`, in degC.

@@ -1,6 +1,6 @@
 //! Friction that falls linearly with the contact temperature; Eq. (23).
 
-use super::{FrictionLaw, FrictionState, require_coefficient};
+use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::{Error, require, require_positive};
 
 /// μ = μ0 (1 − T/T_E), at least a floor (Neuhaus and Sextro 2014, Eq. 23; the floor is zero there).
@@ -33,9 +33,19 @@ impl TemperatureLinear {
 }
 
 impl FrictionLaw for TemperatureLinear {
-    fn coefficient(&self, state: &FrictionState) -> f64 {
+    fn respond(&self, state: &FrictionState) -> FrictionResponse {
         let falling = 1.0 - state.temperature / self.temperature_at_zero_friction;
-        (self.coefficient * falling).max(self.minimum_coefficient)
+        let coefficient = self.coefficient * falling;
+        if coefficient < self.minimum_coefficient {
+            let coefficient = self.minimum_coefficient;
+            return FrictionResponse { coefficient, ..FrictionResponse::default() };
+        }
+        FrictionResponse {
+            coefficient,
+            by_temperature: -self.coefficient / self.temperature_at_zero_friction,
+            by_slip_speed: 0.0,
+            by_cold_coefficient: falling,
+        }
     }
 
     fn temperature_limit(&self) -> f64 {
@@ -53,7 +63,7 @@ mod tests {
     fn neuhaus_sextro_2014_linear_fall() {
         let law = TemperatureLinear::new(0.4, 700.0, 0.1).unwrap();
         let at = |temperature| {
-            law.coefficient(&FrictionState { temperature, ..FrictionState::default() })
+            law.respond(&FrictionState { temperature, ..FrictionState::default() }).coefficient
         };
         assert_eq!(at(0.0), 0.4);
         assert_relative_eq!(at(350.0), 0.2, max_relative = 1e-14);

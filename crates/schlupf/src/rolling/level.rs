@@ -1,0 +1,120 @@
+//! One of the nested grids on which a steady state is found, from the coarsest to the one asked for.
+
+use crate::error::Error;
+use crate::grid::Grid;
+use crate::normal::NormalContact;
+use crate::problem::{Options, Problem};
+
+use super::contact::DiscreteContact;
+use super::steady_friction::SteadyFriction;
+use super::strip_law::StripLaw;
+use super::transfer::Transfer;
+
+/// A grid with its discrete contact, and the last solutions on it.
+pub(super) struct Level {
+    pub contact: DiscreteContact,
+    pub strips: StripLaw,
+    pub friction: SteadyFriction,
+    /// To the next coarser level.
+    pub transfer: Option<Transfer>,
+    /// Traction on the rail p of this level's solution, in Pa.
+    pub traction: Vec<f64>,
+    /// The same of the points before, the latest first.
+    pub earlier: [Vec<f64>; 2],
+    /// What of the solution goes beyond the first guess, in Pa.
+    pub news: Vec<f64>,
+    pub room: Room,
+}
+
+/// Room for a level's part in products and preconditioning, to be overwritten.
+#[derive(Default)]
+pub(super) struct Room {
+    pub at_entry: Vec<f64>,
+    pub flux: Vec<f64>,
+    pub bound: Vec<f64>,
+    pub right: Vec<f64>,
+    pub left: Vec<f64>,
+}
+
+/// A grid of fewer cells across the patch than this is not halved again.
+const COARSEST: usize = 16;
+
+/// The nested grids of a normal contact, the finest first.
+pub(super) fn nested(
+    problem: &Problem,
+    normal: &NormalContact,
+    options: &Options,
+) -> Result<Vec<Level>, Error> {
+    let mut cells = [options.cells_x, options.cells_y];
+    let mut levels: Vec<Level> = Vec::new();
+    loop {
+        let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
+        let level = Level::new(problem, normal, grid)?;
+        if let Some(finer) = levels.last_mut() {
+            finer.transfer = Some(Transfer::new(&finer.contact.patch, &level.contact.patch));
+        }
+        levels.push(level);
+        let halved = cells.map(|count| if count < COARSEST { count } else { count.div_ceil(2) });
+        if halved == cells {
+            return Ok(levels);
+        }
+        cells = halved;
+    }
+}
+
+impl Level {
+    fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
+        let contact = DiscreteContact::new(problem, normal, grid)?;
+        let unknowns = 2 * contact.patch.len();
+        let zeros = || vec![0.0; unknowns];
+        Ok(Self {
+            strips: StripLaw::new(problem, &contact.patch, contact.cell_stiffness()),
+            friction: SteadyFriction::new(problem, &contact.patch),
+            transfer: None,
+            traction: zeros(),
+            earlier: [zeros(), zeros()],
+            news: zeros(),
+            room: Room {
+                at_entry: zeros(),
+                flux: vec![0.0; contact.patch.len()],
+                bound: vec![0.0; contact.patch.len()],
+                right: zeros(),
+                left: zeros(),
+            },
+            contact,
+        })
+    }
+
+    /// Takes over another motion and other laws on the same grid.
+    pub fn set_problem(&mut self, problem: &Problem) {
+        let patch = &self.contact.patch;
+        self.strips.set_problem(problem, patch);
+        self.friction.set_problem(problem, patch);
+        self.contact.set_laws(problem);
+        self.take_bound();
+    }
+
+    /// μ pₙ with the friction of the last evaluation.
+    pub fn take_bound(&mut self) {
+        let cells = self.contact.patch.cells.iter().zip(&self.friction.response);
+        for (bound, (cell, response)) in self.strips.bound.iter_mut().zip(cells) {
+            *bound = response.coefficient * cell.pressure;
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        2 * self.strips.len()
+    }
+
+    /// Shortens the tractions that exceed μ pₙ.
+    pub fn clip(&mut self) {
+        for (p, bound) in self.traction.chunks_exact_mut(2).zip(&self.strips.bound) {
+            let length = p[0].hypot(p[1]);
+            if length > *bound {
+                p[0] *= bound / length;
+                p[1] *= bound / length;
+            }
+        }
+    }
+}

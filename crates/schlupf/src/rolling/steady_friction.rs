@@ -1,0 +1,250 @@
+//! Friction in steady rolling, as a function of traction and slip: the heat in a cell is what the
+//! cells upstream of it and the cell itself release now; Eqs. (17)–(23).
+//!
+//! Each cell's friction power is that of its traction with the mean slip over the cell, so rigid
+//! slip works with the whole force, and the elastic parts cancel: the integral of the friction power
+//! is the power of the creep forces. The heat is released on the way through the cell, evenly.
+
+use crate::heat::{HeatStep, partition::Conduction};
+use crate::interface::friction::FrictionResponse;
+use crate::kinematics::Kinematics;
+use crate::patch::{Patch, Strip};
+use crate::problem::Problem;
+
+use super::friction_heat::ways_through;
+
+/// Slip, heat, temperature and friction of every cell, and their tangent.
+pub(super) struct SteadyFriction {
+    /// Whether friction depends on temperature or slip speed at all.
+    pub is_coupled: bool,
+    kinematics: Kinematics,
+    spacing: f64,
+    pub conduction: Conduction,
+    /// Strip by strip and row by row the lower triangle ∂rise/∂flux of the heat model, in √s.
+    weights: Vec<f64>,
+    /// Where the row of each cell begins in the weights.
+    rows: Vec<usize>,
+    /// First cell of the strip of each cell.
+    first: Vec<usize>,
+    /// Heat flux on the way through a cell over its friction power, dimensionless.
+    flux_over_power: Vec<f64>,
+    /// Times for the way to the cell's point and through the cell, in s.
+    durations: Vec<[f64; 2]>,
+    /// Rigid slip velocity of each cell, in m/s.
+    rigid: Vec<[f64; 2]>,
+    pressure: Vec<f64>,
+    /// Traction of the last evaluation, in Pa.
+    traction: Vec<f64>,
+    pub slip: Vec<[f64; 2]>,
+    /// Friction power over area, in W/m².
+    pub power: Vec<f64>,
+    flux: Vec<f64>,
+    /// Temperature rise times effusivity, in W √s/m².
+    pub rise: Vec<f64>,
+    pub response: Vec<FrictionResponse>,
+    record: Vec<HeatStep>,
+}
+
+impl SteadyFriction {
+    /// Friction of a patch; [`Self::set_problem`] says which.
+    pub fn new(problem: &Problem, patch: &Patch) -> Self {
+        let cells = patch.len();
+        let mut friction = Self {
+            is_coupled: false,
+            kinematics: problem.kinematics,
+            spacing: patch.grid.spacing_x,
+            conduction: problem.conduction(&problem.kinematics),
+            weights: Vec::new(),
+            rows: Vec::with_capacity(cells),
+            first: Vec::with_capacity(cells),
+            flux_over_power: Vec::with_capacity(cells),
+            durations: vec![[0.0; 2]; cells],
+            rigid: vec![[0.0; 2]; cells],
+            pressure: patch.cells.iter().map(|cell| cell.pressure).collect(),
+            traction: vec![0.0; 2 * cells],
+            slip: vec![[0.0; 2]; cells],
+            power: vec![0.0; cells],
+            flux: vec![0.0; cells],
+            rise: vec![0.0; cells],
+            response: vec![FrictionResponse::default(); cells],
+            record: Vec::new(),
+        };
+        let mut row = 0;
+        for strip in &patch.strips {
+            for k in strip.cells.clone() {
+                let [before, after] = ways_through(patch, strip, k);
+                friction.flux_over_power.push(friction.spacing / (before + after));
+                friction.rows.push(row);
+                friction.first.push(strip.cells.start);
+                row += k + 1 - strip.cells.start;
+            }
+        }
+        friction
+    }
+
+    /// Takes over another motion, and other laws of friction and heat.
+    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
+        self.is_coupled = !problem.friction.law.is_constant();
+        self.conduction = problem.conduction(&problem.kinematics);
+        self.kinematics = problem.kinematics;
+        let speed = problem.kinematics.speed;
+        for strip in &patch.strips {
+            for k in strip.cells.clone() {
+                let [before, after] = ways_through(patch, strip, k);
+                self.durations[k] = [before / speed, (before + after) / speed];
+                let cell = &patch.cells[k];
+                let rigid = problem.kinematics.rigid_slip(cell.x, cell.y);
+                self.rigid[k] = rigid.map(|slip| speed * slip);
+            }
+        }
+        self.weights.clear();
+        if let Some(model) = &problem.heat.model {
+            let rows = self.rows.last().map_or(0, |row| {
+                row + self.rows.len() - self.first.last().copied().unwrap_or(0)
+            });
+            self.weights.resize(rows, 0.0);
+            if model.is_linear() {
+                self.flux.fill(0.0);
+                for k in 0..self.rows.len() {
+                    self.weigh(problem, k);
+                }
+            }
+        }
+        for k in 0..self.rows.len() {
+            self.rise[k] = 0.0;
+            self.slip[k] = [0.0; 2];
+            self.respond(problem, patch, k);
+        }
+    }
+
+    /// The record of a cell with the present fluxes, the latest step first.
+    fn recall(&mut self, k: usize) {
+        self.record.clear();
+        self.record.push(HeatStep { flux: self.flux[k], duration: self.durations[k][0] });
+        for j in (self.first[k]..k).rev() {
+            self.record.push(HeatStep { flux: self.flux[j], duration: self.durations[j][1] });
+        }
+    }
+
+    /// Derivatives of a cell's rise with respect to the fluxes up to its own.
+    fn weigh(&mut self, problem: &Problem, k: usize) {
+        let Some(model) = &problem.heat.model else { return };
+        self.recall(k);
+        let row = &mut self.weights[self.rows[k]..][..=k - self.first[k]];
+        model.derivatives(&self.record, row);
+        row.reverse();
+    }
+
+    fn respond(&mut self, problem: &Problem, patch: &Patch, k: usize) {
+        let slip_speed = self.slip[k][0].hypot(self.slip[k][1]);
+        let y = patch.cells[k].y;
+        self.response[k] =
+            problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
+    }
+
+    /// Slip, heat, temperature and friction for the traction p, `change` being by how much A p
+    /// changes while a material point passes each cell, in m.
+    pub fn evaluate(&mut self, problem: &Problem, patch: &Patch, p: &[f64], change: &[f64]) {
+        self.traction.copy_from_slice(p);
+        let is_linear = problem.heat.model.as_ref().is_some_and(|model| model.is_linear());
+        let per_length = self.kinematics.speed / self.spacing;
+        for k in 0..self.rows.len() {
+            self.slip[k] =
+                [0, 1].map(|c| self.rigid[k][c] - per_length * change[2 * k + c]);
+            self.power[k] = p[2 * k] * self.slip[k][0] + p[2 * k + 1] * self.slip[k][1];
+            // What the bristles of the contact law return does not cool.
+            self.flux[k] = self.power[k].max(0.0) * self.flux_over_power[k];
+            if is_linear {
+                self.rise[k] = self.weighted(k, &self.flux);
+            } else if let Some(model) = &problem.heat.model {
+                self.recall(k);
+                self.rise[k] = model.rise_times_effusivity(&self.record);
+                self.weigh(problem, k);
+            }
+            self.respond(problem, patch, k);
+        }
+    }
+
+    /// Σ weight · flux over the cells upstream and the cell itself.
+    fn weighted(&self, k: usize, flux: &[f64]) -> f64 {
+        if self.weights.is_empty() {
+            return 0.0;
+        }
+        let row = &self.weights[self.rows[k]..][..=k - self.first[k]];
+        crate::equilibrium::dot(row, &flux[self.first[k]..=k])
+    }
+
+    /// ∂μ/∂(rise times effusivity), in m²/(W √s).
+    fn by_rise(&self, k: usize) -> f64 {
+        self.response[k].by_temperature * self.conduction.contact_factor()
+    }
+
+    /// Change of the heat flux with that of the traction of a cell, in W/m².
+    pub fn flux_change(&self, k: usize, traction: [f64; 2]) -> f64 {
+        let power = traction[0] * self.slip[k][0] + traction[1] * self.slip[k][1];
+        if self.power[k] > 0.0 { power * self.flux_over_power[k] } else { 0.0 }
+    }
+
+    /// Change of μ pₙ in a cell (in Pa) whose traction changes by `traction` and by `by_bound` for
+    /// each Pa of it, `upstream` being the changes of flux of the cells before; the slip stays.
+    pub fn raised_bound(
+        &self,
+        k: usize,
+        upstream: &[f64],
+        traction: [f64; 2],
+        by_bound: [f64; 2],
+    ) -> f64 {
+        if self.weights.is_empty() {
+            return 0.0;
+        }
+        let row = &self.weights[self.rows[k]..][..=k - self.first[k]];
+        let (own, before) = (row[row.len() - 1], &row[..row.len() - 1]);
+        let inherited = crate::equilibrium::dot(before, &upstream[self.first[k]..k]);
+        let by_rise = self.pressure[k] * self.by_rise(k);
+        let raised = by_rise * (inherited + own * self.flux_change(k, traction));
+        raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))
+    }
+
+    /// Change of μ pₙ in every cell (in Pa) with that of the traction and of the slip (in m/s).
+    /// `flux` is room for the changes of the heat flux.
+    pub fn bound_changes(
+        &self,
+        traction: &[f64],
+        slip: impl Fn(usize) -> [f64; 2],
+        flux: &mut [f64],
+        bound: &mut [f64],
+    ) {
+        for k in 0..self.rows.len() {
+            let (v, slid) = (self.slip[k], slip(k));
+            let own = [traction[2 * k], traction[2 * k + 1]];
+            let rubbed = [0, 1].map(|c| self.traction[2 * k + c] * slid[c]);
+            flux[k] = self.flux_change(k, own);
+            if self.power[k] > 0.0 {
+                flux[k] += (rubbed[0] + rubbed[1]) * self.flux_over_power[k];
+            }
+            let speed = v[0].hypot(v[1]);
+            let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
+            let warmed = self.by_rise(k) * self.weighted(k, flux);
+            bound[k] = self.pressure[k] * (warmed + self.response[k].by_slip_speed * faster);
+        }
+    }
+
+    /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m).
+    pub fn slip_change(&self, change: &[f64], k: usize) -> [f64; 2] {
+        let per_length = self.kinematics.speed / self.spacing;
+        [0, 1].map(|c| -per_length * change[2 * k + c])
+    }
+
+    /// The record of an element when it leaves a cell, the latest step first.
+    pub fn record_on_leaving(&mut self, k: usize) -> Vec<HeatStep> {
+        self.recall(k);
+        let mut record = self.record.clone();
+        record[0].duration = self.durations[k][1];
+        record
+    }
+
+    /// Temperature rise times effusivity at the trailing edge of a strip, in W √s/m².
+    pub fn exit_rise(&mut self, problem: &Problem, strip: &Strip) -> f64 {
+        problem.heat.rise_times_effusivity(&self.record_on_leaving(strip.cells.end - 1))
+    }
+}

@@ -1,0 +1,316 @@
+//! The contact law along the strips of a patch, from the leading edge on.
+//!
+//! With b = B p the change of A p, relative to that at the leading edge, from cell to cell, and D the
+//! rigid slip on the way, every cell slides by D − b, and the contact law carries the traction on from
+//! its upstream neighbour. As in a time step the law is evaluated together with γ s
+//! (see [`super::time_step`]), now from cell to cell down the strip.
+
+use std::sync::Arc;
+
+use crate::equilibrium;
+use crate::interface::contact_law::{ContactLaw, Response, Slide};
+use crate::kinematics::Kinematics;
+use crate::patch::{Cell, Patch};
+use crate::problem::Problem;
+use crate::state::Element;
+
+use super::cell::{CellSolver, inverse_2x2, times};
+use super::steady_friction::SteadyFriction;
+use super::turn::{Way, with_turn};
+
+/// The contact law of a patch in steady rolling, and its tangent at the last residual.
+pub(super) struct StripLaw {
+    law: Arc<dyn ContactLaw>,
+    gamma: f64,
+    kinematics: Kinematics,
+    /// μ pₙ of each cell, in Pa.
+    pub bound: Vec<f64>,
+    ways: Vec<Way>,
+    /// Whether a cell is the first of its strip.
+    is_first: Vec<bool>,
+    /// Slide and answer of each cell at the last residual.
+    slides: Vec<Slide>,
+    responses: Vec<Response>,
+    /// (∂(μ pₙ law)/∂s + γ)⁻¹ of each cell at the last residual, in m/Pa.
+    softness: Vec<[[f64; 2]; 2]>,
+    /// Changes of the heat flux of each cell while the preconditioner goes down the strips.
+    flux_changes: Vec<f64>,
+}
+
+/// What a cell hands on to the next one downstream.
+#[derive(Clone, Copy, Default)]
+struct Handed {
+    traction: [f64; 2],
+    distance: [f64; 2],
+    increment: [f64; 2],
+}
+
+impl Handed {
+    /// What a cell hands on after it has slid.
+    fn after(slide: &Slide, response: &Response) -> Self {
+        Self {
+            traction: response.traction,
+            distance: [0, 1].map(|c| slide.distance[c] + slide.increment[c]),
+            increment: slide.increment,
+        }
+    }
+
+    /// What is handed on when this is handed, and the traction and the sliding change a little.
+    fn changed(&self, traction: [f64; 2], increment: [f64; 2]) -> Self {
+        let distance = [0, 1].map(|c| self.distance[c] + increment[c]);
+        Self { traction, distance, increment }
+    }
+}
+
+/// Small changes of what the law is given, cell by cell (x then y); in the order of the cells.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Cause {
+    /// Of the rigid slip D, in m.
+    pub rigid: Vec<f64>,
+    /// Of the turn between the middle and the end of the way as far as it is rigid, in m.
+    pub turn: Vec<f64>,
+    /// Of k_c over k_c, dimensionless.
+    pub stiffness: f64,
+}
+
+impl StripLaw {
+    /// The strips of a patch, with γ in Pa/m.
+    pub fn new(problem: &Problem, patch: &Patch, gamma: f64) -> Self {
+        let cells = patch.len();
+        let mut is_first = vec![false; cells];
+        for strip in &patch.strips {
+            is_first[strip.cells.start] = true;
+        }
+        Self {
+            law: Arc::clone(&problem.contact_law),
+            gamma,
+            kinematics: problem.kinematics,
+            bound: vec![0.0; cells],
+            ways: Vec::with_capacity(cells),
+            is_first,
+            slides: vec![Slide::default(); cells],
+            responses: vec![Response::default(); cells],
+            softness: vec![[[0.0; 2]; 2]; cells],
+            flux_changes: vec![0.0; cells],
+        }
+    }
+
+    /// Takes over another motion and another law.
+    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
+        self.law = Arc::clone(&problem.contact_law);
+        self.kinematics = problem.kinematics;
+        let way = |cell: &Cell| Way {
+            distance: cell.way_in.distance,
+            rigid: cell.way_in.rigid_slip(&problem.kinematics),
+        };
+        self.ways.clear();
+        self.ways.extend(patch.cells.iter().map(way));
+    }
+
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.slides.len()
+    }
+
+    /// Turns displacements at the cells, relative to those at their entries, into b, in place.
+    pub fn differences(&self, b: &mut [f64]) {
+        for k in (0..self.len()).rev() {
+            if !self.is_first[k] {
+                b[2 * k] -= b[2 * k - 2];
+                b[2 * k + 1] -= b[2 * k - 1];
+            }
+        }
+    }
+
+    /// The history of a cell from what its upstream neighbour hands on.
+    fn slide(&self, k: usize, handed: &Handed) -> Slide {
+        let slide =
+            Slide { traction: handed.traction, distance: handed.distance, ..Slide::default() };
+        let upstream = (!self.is_first[k]).then(|| {
+            let before = &self.ways[k - 1];
+            let stretch = [0, 1].map(|c| (handed.increment[c] - before.rigid[c]) / before.distance);
+            (before.distance, stretch)
+        });
+        with_turn(slide, &self.kinematics, &self.ways[k], upstream)
+    }
+
+    /// Lets every cell slide by D − b, and hands each slide and the law's answer on.
+    fn follow(&self, b: &[f64], mut visit: impl FnMut(usize, &Slide, &Response)) {
+        let mut handed = Handed::default();
+        for k in 0..self.len() {
+            if self.is_first[k] {
+                handed = Handed::default();
+            }
+            let increment = [0, 1].map(|c| self.ways[k].rigid[c] - b[2 * k + c]);
+            let slide = Slide { increment, ..self.slide(k, &handed) };
+            let response = self.law.respond(&slide);
+            visit(k, &slide, &response);
+            handed = Handed::after(&slide, &response);
+        }
+    }
+
+    /// ‖p − μ pₙ law(D − b)‖₂, in Pa.
+    pub fn defect(&self, p: &[f64], b: &[f64]) -> f64 {
+        let mut squares = 0.0;
+        self.follow(b, |k, _, response| {
+            for c in 0..2 {
+                squares += (p[2 * k + c] - self.bound[k] * response.traction[c]).powi(2);
+            }
+        });
+        squares.sqrt()
+    }
+
+    /// The elements of the steady state with the traction p, without their heat.
+    pub fn elements(&self, patch: &Patch, p: &[f64], b: &[f64]) -> Vec<Element> {
+        let mut elements = Vec::with_capacity(self.len());
+        self.follow(b, |k, slide, response| {
+            let way = &self.ways[k];
+            elements.push(Element {
+                index: patch.cells[k].index,
+                traction: [p[2 * k], p[2 * k + 1]],
+                saturation: response.traction,
+                sliding: [0, 1].map(|c| slide.distance[c] + slide.increment[c]),
+                stretch: [0, 1].map(|c| (slide.increment[c] - way.rigid[c]) / way.distance),
+                ..Element::default()
+            });
+        });
+        elements
+    }
+
+    /// F(p) = p − μ pₙ law(s) with μ pₙ law(s) + γ s = p + γ (D − b), in Pa.
+    pub fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
+        let law = Arc::clone(&self.law);
+        let cell = CellSolver { law: law.as_ref(), gamma: self.gamma };
+        let mut handed = Handed::default();
+        for k in 0..self.len() {
+            if self.is_first[k] {
+                handed = Handed::default();
+            }
+            let target = [0, 1]
+                .map(|c| p[2 * k + c] + self.gamma * (self.ways[k].rigid[c] - b[2 * k + c]));
+            let last = self.slides[k].increment;
+            let mut slide = Slide { increment: last, ..self.slide(k, &handed) };
+            let response = cell.solve(&mut slide, self.bound[k], target);
+            self.softness[k] = inverse_2x2(cell.stiffness(&response, self.bound[k]));
+            handed = Handed::after(&slide, &response);
+            self.slides[k] = slide;
+            self.responses[k] = response;
+            for c in 0..2 {
+                residual[2 * k + c] = p[2 * k + c] - self.bound[k] * response.traction[c];
+            }
+        }
+    }
+
+    /// What a cell's traction gains from small changes of what it was handed, dimensionless.
+    fn gain(&self, k: usize, handed: &Handed) -> [f64; 2] {
+        let response = &self.responses[k];
+        let by_distance = times(&response.by_distance, handed.distance);
+        let mut gain = [0, 1].map(|c| response.by_traction * handed.traction[c] + by_distance[c]);
+        let share = self.slides[k].turn_by_increment;
+        if share != 0.0 {
+            let ratio = share * self.ways[k].distance / self.ways[k - 1].distance;
+            let by_turn = times(&response.by_turn, handed.increment);
+            gain = [0, 1].map(|c| gain[c] - ratio * by_turn[c]);
+        }
+        gain
+    }
+
+    /// What a cell's traction gains from a cause at a given sliding, dimensionless.
+    fn gain_from(&self, k: usize, cause: &Cause) -> [f64; 2] {
+        let (slide, response) = (&self.slides[k], &self.responses[k]);
+        let pair = |values: &[f64], k: usize| [values[2 * k], values[2 * k + 1]];
+        let mut turn = pair(&cause.turn, k);
+        let share = slide.turn_by_increment;
+        if share != 0.0 {
+            let ratio = self.ways[k].distance / self.ways[k - 1].distance;
+            let (here, before) = (pair(&cause.rigid, k), pair(&cause.rigid, k - 1));
+            turn = [0, 1].map(|c| turn[c] - share * (here[c] - ratio * before[c]));
+        }
+        // The law depends on k_c times lengths, so a stiffer law is one with longer lengths.
+        let longer = [0, 1].map(|c| turn[c] + cause.stiffness * slide.turn[c]);
+        let turned = times(&response.by_turn, longer);
+        let slid = times(&response.by_increment, slide.increment);
+        let come = times(&response.by_distance, slide.distance);
+        [0, 1].map(|c| turned[c] + cause.stiffness * (slid[c] + come[c]))
+    }
+
+    /// Change of F with that of p, of b and of μ pₙ (`bound`, if it changes), and with a cause.
+    pub fn tangent(
+        &self,
+        p: &[f64],
+        b: &[f64],
+        bound: Option<&[f64]>,
+        cause: Option<&Cause>,
+        product: &mut [f64],
+    ) {
+        let mut handed = Handed::default();
+        for k in 0..self.len() {
+            if self.is_first[k] {
+                handed = Handed::default();
+            }
+            let response = &self.responses[k];
+            let mut gain = self.gain(k, &handed);
+            let raised = bound.map_or(0.0, |bound| bound[k]);
+            let mut rest = [0, 1].map(|c| {
+                p[2 * k + c] - self.gamma * b[2 * k + c] - raised * response.traction[c]
+            });
+            if let Some(cause) = cause {
+                let more = self.gain_from(k, cause);
+                gain = [0, 1].map(|c| gain[c] + more[c]);
+                rest = [0, 1].map(|c| rest[c] + self.gamma * cause.rigid[2 * k + c]);
+            }
+            let rest = [0, 1].map(|c| rest[c] - self.bound[k] * gain[c]);
+            let increment = times(&self.softness[k], rest);
+            let grown = times(&response.by_increment, increment);
+            let traction = [0, 1].map(|c| grown[c] + gain[c]);
+            handed = handed.changed(traction, increment);
+            for c in 0..2 {
+                product[2 * k + c] =
+                    p[2 * k + c] - raised * response.traction[c] - self.bound[k] * traction[c];
+            }
+        }
+    }
+
+    /// With B replaced by 1/γ times the difference to the upstream neighbour, the Jacobian is
+    /// triangular: one pass down every strip. Where `friction` depends on the heat from upstream,
+    /// that is part of it.
+    pub fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
+        let mut handed = Handed::default();
+        let mut upstream = [0.0; 2];
+        for k in 0..self.len() {
+            if self.is_first[k] {
+                handed = Handed::default();
+                upstream = [0.0; 2];
+            }
+            let response = &self.responses[k];
+            let gain = self.gain(k, &handed);
+            let mut rest = [0, 1].map(|c| upstream[c] - self.bound[k] * gain[c]);
+            let mut increment = times(&self.softness[k], rest);
+            let mut traction = grown(response, increment, gain);
+            upstream = [0, 1].map(|c| v[2 * k + c] + self.bound[k] * traction[c]);
+            if let Some(friction) = friction {
+                // A raised bound moves the traction by γ (∂(μ pₙ law)/∂s + γ)⁻¹ law for each Pa.
+                let by_bound = times(&self.softness[k], response.traction).map(|t| self.gamma * t);
+                let raised = friction.raised_bound(k, &self.flux_changes, upstream, by_bound);
+                upstream = [0, 1].map(|c| upstream[c] + raised * by_bound[c]);
+                rest = [0, 1].map(|c| rest[c] - raised * response.traction[c]);
+                increment = times(&self.softness[k], rest);
+                traction = grown(response, increment, gain);
+                self.flux_changes[k] = friction.flux_change(k, upstream);
+            }
+            handed = handed.changed(traction, increment);
+            v[2 * k..2 * k + 2].copy_from_slice(&upstream);
+        }
+    }
+
+    /// ‖μ pₙ‖₂, in Pa.
+    pub fn scale(&self) -> f64 {
+        equilibrium::norm(&self.bound)
+    }
+}
+
+/// Change of the traction over μ pₙ with the increment, and the gain.
+fn grown(response: &Response, increment: [f64; 2], gain: [f64; 2]) -> [f64; 2] {
+    let grown = times(&response.by_increment, increment);
+    [0, 1].map(|c| grown[c] + gain[c])
+}
