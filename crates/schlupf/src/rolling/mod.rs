@@ -5,6 +5,7 @@ mod cell;
 mod contact;
 mod friction_heat;
 pub mod marching;
+pub mod shift;
 mod snapshot;
 pub mod steady;
 mod steady_state;
