@@ -2,6 +2,7 @@
 
 pub mod carter;
 pub mod cattaneo_mindlin;
+pub mod haines_ollerton;
 pub mod kalker_linear;
 pub mod moving_source;
 pub mod winkler_strip;

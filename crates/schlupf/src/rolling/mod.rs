@@ -6,6 +6,7 @@ mod contact;
 mod friction_heat;
 mod level;
 pub mod marching;
+pub mod shift;
 mod snapshot;
 pub mod steady;
 mod steady_friction;

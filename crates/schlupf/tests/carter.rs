@@ -1,0 +1,200 @@
+//! Rolling in plane strain, against Carter, and on a slender ellipse, against strips of Carter.
+//!
+//! Plane strain is an elasticity of its own here, written against the public traits: one row of cells,
+//! each as wide as the contact, with the logarithmic influence of a strip load.
+
+mod common;
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use common::{problem, rolling};
+use schlupf::elasticity::half_space::{Convolution, HalfSpace};
+use schlupf::elasticity::{Compliance, Elasticity};
+use schlupf::grid::Grid;
+use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::friction::constant::Constant;
+use schlupf::material::Material;
+use schlupf::normal::PressureSource;
+use schlupf::normal::ellipse::Ellipse;
+use schlupf::normal::tabulated::{PressureTable, Tabulated};
+use schlupf::reference::carter::Carter;
+use schlupf::reference::haines_ollerton::HainesOllerton;
+use schlupf::{Error, Options, Solution, Status};
+
+const CYLINDERS: Carter = Carter {
+    half_length: 5e-3,
+    peak_pressure: 1e9,
+    friction_coefficient: 0.3,
+    shear_modulus: 82e9,
+    poisson_ratio: 0.28,
+};
+
+/// Creepages over that of full sliding.
+const CREEPAGES: [f64; 8] = [0.01, 0.03, 0.1, 0.25, 0.5, 0.75, 0.9, 1.2];
+
+/// Two half-spaces under tractions that do not change across rolling.
+#[derive(Debug, Clone, Copy)]
+struct PlaneStrain {
+    /// Combined shear modulus G, in Pa.
+    shear_modulus: f64,
+    /// Combined Poisson's ratio ν, dimensionless.
+    poisson_ratio: f64,
+    /// Distance from the load of the points that stay in place, in m. The displacement under a line
+    /// load has a constant that plane strain leaves open; in rolling only differences count. Well
+    /// outside the contact, it leaves the compliance positive definite.
+    reach: f64,
+}
+
+impl PlaneStrain {
+    const STEEL: Self = Self {
+        shear_modulus: CYLINDERS.shear_modulus,
+        poisson_ratio: CYLINDERS.poisson_ratio,
+        reach: 10.0 * CYLINDERS.half_length,
+    };
+
+    /// A_xx, A_yy and A_xy (in m/Pa) of cells of a length (in m) on the middle of one `columns` apart:
+    /// A_xx = −(2 (1 − ν)/(πG)) ∫ ln(|x − x'|/L) dx' (Johnson 1985, §2.3), and across, in pure shear,
+    /// A_yy = −(2/(πG)) ∫ ln(|x − x'|/L) dx'.
+    fn influence(&self, length: f64, columns: isize) -> [f64; 3] {
+        let primitive = |x: f64| x * ((x.abs() / self.reach).ln() - 1.0);
+        let x = columns as f64 * length;
+        let integral = primitive(x + 0.5 * length) - primitive(x - 0.5 * length);
+        let across = -2.0 * integral / (PI * self.shear_modulus);
+        [(1.0 - self.poisson_ratio) * across, across, 0.0]
+    }
+}
+
+impl Elasticity for PlaneStrain {
+    /// With the mean over the cell undone as in the half-space: h²u''/12.
+    fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        let at = |i: isize| self.influence(grid.spacing_x, i);
+        Ok(Box::new(Convolution::new(grid, |i, _| {
+            let (here, ahead, behind) = (at(i), at(i + 1), at(i - 1));
+            std::array::from_fn(|c| here[c] + (2.0 * here[c] - ahead[c] - behind[c]) / 12.0)
+        })))
+    }
+}
+
+/// p0 √(1 − x²/a²), the same for all y, in a table with 1000 samples on each side.
+fn cylinders() -> Tabulated {
+    let a = CYLINDERS.half_length;
+    let x: Vec<f64> = (-1000..=1000).map(|k| 1e-3 * a * f64::from(k)).collect();
+    let pressure = |x: &f64| CYLINDERS.peak_pressure * (1.0 - (x / a).powi(2)).max(0.0).sqrt();
+    let line: Vec<f64> = x.iter().map(pressure).collect();
+    Tabulated::new(PressureTable::new(&x, &[-a, a], line.repeat(2)).unwrap(), None).unwrap()
+}
+
+/// Steady rolling under a longitudinal creepage, with the contact law's k_c (in 1/m) and cells along
+/// and across.
+fn solve(
+    (normal, elasticity): (Arc<dyn PressureSource>, Arc<dyn Elasticity>),
+    creepage: f64,
+    stiffness: f64,
+    [cells_x, cells_y]: [usize; 2],
+) -> Solution {
+    let mut coulomb = problem(rolling(creepage, 0.0, 0.0));
+    coulomb.normal = normal;
+    coulomb.elasticity = elasticity;
+    coulomb.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    coulomb.friction.law = Arc::new(Constant::new(CYLINDERS.friction_coefficient).unwrap());
+    let options = Options { cells_x, cells_y, slip_threshold: 0.99, ..Options::default() };
+    let solution = schlupf::rolling::solve(&coulomb, &options, &mut |_| ()).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
+    assert!(solution.work.newton_iterations <= 60, "{:?}", solution.work);
+    solution
+}
+
+/// Two cylinders under a creepage as a share of that of full sliding.
+fn roll(share: f64, stiffness: f64, cells: usize) -> Solution {
+    let creepage = share * CYLINDERS.full_sliding_creepage();
+    let bodies = (Arc::new(cylinders()) as _, Arc::new(PlaneStrain::STEEL) as _);
+    solve(bodies, creepage, stiffness, [cells, 1])
+}
+
+/// Force over that of Carter, less one.
+fn error(share: f64, stiffness: f64, cells: usize) -> f64 {
+    let exact = CYLINDERS.force_over_limit(share * CYLINDERS.full_sliding_creepage());
+    roll(share, stiffness, cells).normalised.x / exact - 1.0
+}
+
+/// Carter 1926: the force within 1 %, also of a small force itself, for nearly rigid bristles on any
+/// sensible grid.
+#[test]
+fn carter_1926_creep_curve() {
+    for (stiffness, cells) in [(1e8, 100), (1e9, 50), (1e9, 100), (1e10, 200)] {
+        let errors = CREEPAGES.map(|share| error(share, stiffness, cells));
+        println!("k_c = {stiffness:e}/m, {cells} cells: {errors:+.4?}");
+        assert!(errors.iter().all(|e| e.abs() < 0.01), "{stiffness:e} {cells}: {errors:+.4?}");
+    }
+}
+
+/// Carter 1926 is the limit: with nearly rigid bristles twice the cells halve the error, and ten times
+/// the stiffness leaves less than 0.3 of what the bristles yield (not a tenth: next to the leading edge,
+/// where the pressure vanishes, no bristle is stiff).
+#[test]
+fn carter_1926_is_the_limit_of_cells_and_stiffness() {
+    for share in [0.1, 0.5, 0.75] {
+        let by_cells = [50, 100, 200].map(|cells| error(share, 1e10, cells).abs());
+        let rigid = error(share, 1e10, 200);
+        let yielding = [1e7, 1e8, 1e9].map(|stiffness| rigid - error(share, stiffness, 200));
+        println!("{share}: {by_cells:.5?} {yielding:.5?}");
+        assert!(by_cells.windows(2).all(|e| e[1] < 0.6 * e[0]), "{share}: {by_cells:?}");
+        assert!(yielding.windows(2).all(|e| e[1] < 0.3 * e[0]), "{share}: {yielding:?}");
+        assert!(yielding[2] > 0.0, "{share}: {yielding:?}");
+    }
+}
+
+/// Carter 1926: the traction within 1 % (relative L2), and a sticking zone at the leading edge of the
+/// length 2c to a cell: the one in which it ends counts as either.
+#[test]
+fn carter_1926_traction() {
+    for share in [0.1, 0.253, 0.5, 0.777, 0.9] {
+        let creepage = share * CYLINDERS.full_sliding_creepage();
+        let solution = roll(share, 1e9, 200);
+        let fields = &solution.fields;
+        let mut squares = [0.0; 2];
+        for (x, traction) in fields.x.iter().zip(&fields.traction_x) {
+            let exact = CYLINDERS.traction(creepage, *x);
+            squares[0] += (traction - exact).powi(2);
+            squares[1] += exact.powi(2);
+        }
+        let difference = f64::sqrt(squares[0] / squares[1]);
+        let stick = fields.sliding.iter().position(|slides| *slides).unwrap();
+        let length = fields.grid.spacing_x * stick as f64;
+        let exact = 2.0 * CYLINDERS.stick_half_length(creepage);
+        let off = (length - exact) / fields.grid.spacing_x;
+        println!("{share}: traction {difference:.4}, stick {off:+.2} cells");
+        assert!(difference < 0.01, "{share}: {difference}");
+        assert!(off.abs() < 1.0, "{share}: {length} m, exactly {exact} m");
+        assert!(fields.sliding[stick..].iter().all(|slides| *slides), "{share}");
+    }
+}
+
+/// Haines and Ollerton 1963: on a half-space an ellipse of a/b = 0.1 rolls as strips of Carter would,
+/// within 1.5 % of μN for any ν, under every creepage.
+#[test]
+fn haines_ollerton_1963_creep_curve() {
+    for poisson_ratio in [0.0, 0.28, 0.5] {
+        let material = Material { poisson_ratio, ..Material::STEEL };
+        let strips = HainesOllerton {
+            semi_axis_x: 2e-3,
+            semi_axis_y: 20e-3,
+            peak_pressure: 1e9,
+            friction_coefficient: CYLINDERS.friction_coefficient,
+            shear_modulus: material.shear_modulus(),
+            poisson_ratio,
+        };
+        let ellipse = Arc::new(Ellipse::from_peak_pressure(2e-3, 20e-3, 1e9).unwrap());
+        let half_space = Arc::new(HalfSpace::new(&material, &material).unwrap());
+        let errors = CREEPAGES.map(|share| {
+            let creepage = share * strips.full_sliding_creepage();
+            let bodies = (Arc::clone(&ellipse) as _, Arc::clone(&half_space) as _);
+            let force = solve(bodies, creepage, 1e9, [40, 40]).normalised.x;
+            force - strips.force_over_limit(creepage)
+        });
+        println!("ν = {poisson_ratio}: {errors:+.4?}");
+        assert!(errors.iter().all(|e| e.abs() < 0.015), "ν = {poisson_ratio}: {errors:+.4?}");
+    }
+}
