@@ -4,7 +4,7 @@
 //! Nothing is carried along, so there is one equilibrium: every cell slides by D − A p, the shift less
 //! what the bodies yield, with the same D in all of them and no history.
 
-use crate::equilibrium::{Limits, Outcome};
+use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::{Error, require_finite};
 use crate::grid::Grid;
 use crate::interface::contact_law::Slide;
@@ -49,7 +49,7 @@ pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<So
     let limits = Limits { tolerance: options.tolerance, max_iterations: options.max_iterations };
     let law = problem.contact_law.as_ref();
     let mut step = TimeStep::new(&mut contact, law, &bound, &prescribed, slides);
-    let outcome = step.solve(&mut now.traction, &limits);
+    let outcome = step.solve(&mut Newton::default(), &mut now.traction, &limits);
     let (slides, responses) = (step.slides, step.responses);
     contact.product(&now.traction, &mut now.displacement);
     let element = |k: usize| Element {
@@ -91,7 +91,7 @@ fn pressed_together(problem: &Problem, patch: &Patch) -> Snapshot {
     let at_rest = Kinematics { speed: 0.0, ..problem.kinematics };
     let mut now = Snapshot::blank(at_rest, conduction, patch.len());
     for (friction, cell) in now.friction.iter_mut().zip(&patch.cells) {
-        *friction = problem.friction_coefficient(&conduction, 0.0, 0.0, cell.y);
+        *friction = problem.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
     }
     now
 }
