@@ -70,23 +70,37 @@ impl HalfSpace {
     /// A_xx, A_yy and A_xy (in m/Pa) of a cell of the given size (in m) on the point at the distance
     /// `[x, y]` (in m) from its middle.
     pub fn influence_of(&self, size: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
-        let mut sums = [0.0; 3];
-        for (side_x, side_y) in [(0.5, 0.5), (0.5, -0.5), (-0.5, 0.5), (-0.5, -0.5)] {
-            let corner_x: f64 = x + side_x * size[0];
-            let corner_y: f64 = y + side_y * size[1];
-            let sign = if side_x == side_y { 1.0 } else { -1.0 };
-            let along = times_asinh(corner_x, corner_y);
-            let across = times_asinh(corner_y, corner_x);
-            let nu = self.poisson_ratio;
-            sums[0] += sign * ((1.0 - nu) * along + across);
-            sums[1] += sign * (along + (1.0 - nu) * across);
-            sums[2] -= sign * nu * corner_x.hypot(corner_y);
-        }
-        sums.map(|sum| sum / (PI * self.shear_modulus))
+        let corner = |side_x: f64, side_y: f64| {
+            self.corner([x + side_x * size[0], y + side_y * size[1]])
+        };
+        difference([
+            [corner(-0.5, -0.5), corner(0.5, -0.5)],
+            [corner(-0.5, 0.5), corner(0.5, 0.5)],
+        ])
+    }
+
+    /// Integrals of A_xx, A_yy and A_xy from the origin to a corner (x, y), in m³/N.
+    fn corner(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        let (along, across) = (times_asinh(x, y), times_asinh(y, x));
+        let nu = self.poisson_ratio;
+        let over = (PI * self.shear_modulus).recip();
+        [
+            over * ((1.0 - nu) * along + across),
+            over * (along + (1.0 - nu) * across),
+            -over * nu * (x * x + y * y).sqrt(),
+        ]
     }
 }
 
-/// The influences on a grid, each computed once: those at distances of both signs follow from the
+/// Integral over a rectangle from those to its corners, in rows.
+fn difference([[a, b], [c, d]]: [[[f64; 3]; 2]; 2]) -> [f64; 3] {
+    std::array::from_fn(|k| d[k] - b[k] - c[k] + a[k])
+}
+
+/// The influences on a grid with the mean over the cell undone to second order: a cell's constant
+/// traction stands for a smooth one, whose displacement differs by −h²∇²u/12 from that of its means.
+///
+/// Each corner of the cells counts once, and influences at distances of both signs follow from the
 /// first quadrant, because A_xx and A_yy are even in x and in y, and A_xy is odd in both.
 struct Influences {
     quadrant: Vec<[f64; 3]>,
@@ -94,12 +108,45 @@ struct Influences {
 }
 
 impl Influences {
-    /// As far as half way around the padded grid, and the neighbours for the correction.
+    /// As far as half way around the padded grid.
     fn new(bodies: &HalfSpace, grid: &Grid) -> Self {
-        let reach = |cells: usize| smooth_from(2 * cells - 1) / 2 + 3;
+        let reach = |cells: usize| smooth_from(2 * cells - 1) / 2 + 1;
         let (columns, rows) = (reach(grid.columns), reach(grid.rows));
-        let at = |k: usize| bodies.influence(grid, (k % columns) as isize, (k / columns) as isize);
-        Self { quadrant: (0..columns * rows).map(at).collect(), columns }
+        let plain = Self::plain(bodies, grid, [columns + 1, rows + 1]);
+        let mut quadrant = Vec::with_capacity(columns * rows);
+        for j in 0..rows as isize {
+            for i in 0..columns as isize {
+                let here = plain.at(i, j);
+                let neighbours =
+                    [plain.at(i + 1, j), plain.at(i - 1, j), plain.at(i, j + 1), plain.at(i, j - 1)];
+                quadrant.push(std::array::from_fn(|c| {
+                    let around: f64 = neighbours.iter().map(|neighbour| neighbour[c]).sum();
+                    here[c] + (4.0 * here[c] - around) / 12.0
+                }));
+            }
+        }
+        Self { quadrant, columns }
+    }
+
+    /// The influences themselves.
+    fn plain(bodies: &HalfSpace, grid: &Grid, [columns, rows]: [usize; 2]) -> Self {
+        let corner = |k: usize| {
+            let (i, j) = (k % (columns + 1), k / (columns + 1));
+            bodies.corner([
+                (i as f64 - 0.5) * grid.spacing_x,
+                (j as f64 - 0.5) * grid.spacing_y,
+            ])
+        };
+        let corners: Vec<[f64; 3]> = (0..(columns + 1) * (rows + 1)).map(corner).collect();
+        let mut quadrant = Vec::with_capacity(columns * rows);
+        for pair in corners.windows(columns + 1 + columns + 1).step_by(columns + 1) {
+            let (below, above) = pair.split_at(columns + 1);
+            let cells = below.windows(2).zip(above.windows(2));
+            quadrant.extend(cells.map(|(below, above)| {
+                difference([[below[0], below[1]], [above[0], above[1]]])
+            }));
+        }
+        Self { quadrant, columns }
     }
 
     fn at(&self, columns: isize, rows: isize) -> [f64; 3] {
@@ -107,17 +154,6 @@ impl Influences {
         let [xx, yy, xy] =
             self.quadrant[rows.unsigned_abs() * self.columns + columns.unsigned_abs()];
         [xx, yy, sign * xy]
-    }
-
-    /// The influence with the mean over the cell undone to second order: a cell's constant traction
-    /// stands for a smooth one, whose displacement differs by −h²∇²u/12 from that of its means.
-    fn corrected(&self, columns: isize, rows: isize) -> [f64; 3] {
-        let at = |i: isize, j: isize| self.at(columns + i, rows + j);
-        let (here, ahead, behind) = (at(0, 0), at(1, 0), at(-1, 0));
-        let (left, right) = (at(0, 1), at(0, -1));
-        std::array::from_fn(|c| {
-            here[c] + (4.0 * here[c] - ahead[c] - behind[c] - left[c] - right[c]) / 12.0
-        })
     }
 }
 
@@ -129,7 +165,7 @@ fn times_asinh(p: f64, q: f64) -> f64 {
 impl Elasticity for HalfSpace {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let influences = Influences::new(self, grid);
-        Ok(Box::new(Convolution::new(grid, |i, j| influences.corrected(i, j))))
+        Ok(Box::new(Convolution::new(grid, |i, j| influences.at(i, j))))
     }
 
     fn caveat(&self) -> Option<String> {
@@ -344,7 +380,7 @@ mod tests {
     #[test]
     fn influences_are_even_and_odd() {
         let (grid, bodies) = (grid(), steel());
-        let influences = Influences::new(&bodies, &grid);
+        let influences = Influences::plain(&bodies, &grid, [8, 8]);
         for (i, j) in [(-3, 2), (3, -2), (-1, -4), (0, -5), (-6, 0)] {
             let (mirrored, direct) = (influences.at(i, j), bodies.influence(&grid, i, j));
             for c in 0..3 {
@@ -371,7 +407,7 @@ mod tests {
             for row in 0..grid.rows {
                 for column in 0..grid.columns {
                     let apart = [i as isize - column as isize, j as isize - row as isize];
-                    let [xx, yy, xy] = influences.corrected(apart[0], apart[1]);
+                    let [xx, yy, xy] = influences.at(apart[0], apart[1]);
                     let k = grid.index(column, row);
                     sum[0] += xx * traction.x[k] + xy * traction.y[k];
                     sum[1] += xy * traction.x[k] + yy * traction.y[k];

@@ -10,11 +10,16 @@ pub(crate) struct Gmres {
     /// L M⁻¹ v of each vector of the basis.
     responses: Vec<Vec<f64>>,
     direction: Vec<f64>,
-    /// Columns of the triangular matrix, one after another with a stride of [`MAX_DIMENSION`].
+    /// Columns of the triangular matrix, one after another, each one longer than the one before.
     triangle: Vec<f64>,
     rotations: Vec<(f64, f64)>,
     projected: Vec<f64>,
     weights: Vec<f64>,
+}
+
+/// Of a triangular matrix, packed.
+fn start_of_column(k: usize) -> usize {
+    k * (k + 1) / 2
 }
 
 /// Largest dimension of the Krylov space.
@@ -50,7 +55,7 @@ impl Gmres {
     /// Empties the space for a system.
     fn prepare(&mut self, system: &impl Equilibrium) {
         self.direction.resize(system.size(), 0.0);
-        self.triangle.resize(MAX_DIMENSION * MAX_DIMENSION, 0.0);
+        self.triangle.clear();
         self.rotations.clear();
         self.projected.clear();
         self.make_room(system, 0);
@@ -77,7 +82,8 @@ impl Gmres {
         let w = &mut later[0];
         system.tangent_product(&self.direction, &self.responses[k], w);
 
-        let column = &mut self.triangle[k * MAX_DIMENSION..(k + 1) * MAX_DIMENSION];
+        self.triangle.resize(start_of_column(k + 1), 0.0);
+        let column = &mut self.triangle[start_of_column(k)..];
         for (entry, v) in column.iter_mut().zip(earlier) {
             *entry = dot(w, v);
             add_scaled(w, -*entry, v);
@@ -96,8 +102,9 @@ impl Gmres {
         self.projected[k] = cosine * projected;
         self.projected.push(-sine * projected);
         if length > 0.0 {
+            let over = length.recip();
             for w in w {
-                *w /= length;
+                *w *= over;
             }
         }
     }
@@ -111,9 +118,9 @@ impl Gmres {
         self.weights.extend_from_slice(&self.projected[..dimension]);
         for i in (0..dimension).rev() {
             for j in i + 1..dimension {
-                self.weights[i] -= self.triangle[j * MAX_DIMENSION + i] * self.weights[j];
+                self.weights[i] -= self.triangle[start_of_column(j) + i] * self.weights[j];
             }
-            self.weights[i] /= self.triangle[i * MAX_DIMENSION + i];
+            self.weights[i] /= self.triangle[start_of_column(i) + i];
             add_scaled(step, self.weights[i], &self.basis[i]);
             add_scaled(response, self.weights[i], &self.responses[i]);
         }

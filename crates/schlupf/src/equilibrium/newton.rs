@@ -11,6 +11,9 @@ const LEAST_FORCING: f64 = 1e-4;
 /// Part of the tolerance that the linear residual may take up.
 const ENOUGH: f64 = 0.8;
 
+/// ‖F‖₂ over the scale and the tolerance from which on the defect is looked at.
+const NEAR: f64 = 1e3;
+
 /// Least fall of the residual norm that a step of length λ must bring, relative to λ.
 const SUFFICIENT_FALL: f64 = 1e-4;
 
@@ -49,20 +52,22 @@ impl Newton {
         let mut best = Best { length, iteration: 0 };
         loop {
             let scale = if system.scale() > 0.0 { system.scale() } else { 1.0 };
-            let defect = system.defect(p, &self.u);
-            outcome.residual = defect / scale;
-            outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
             best.note(outcome.iterations, length);
             let given_up = outcome.iterations == limits.max_iterations
                 || !length.is_finite()
                 || length == 0.0
                 || best.is_stale(outcome.iterations);
+            outcome.residual = length / scale;
+            if given_up || outcome.residual <= NEAR * limits.tolerance {
+                // A stiff contact law makes the defect larger than F.
+                outcome.residual = (system.defect(p, &self.u) / scale).max(outcome.residual);
+                outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
+            }
             if outcome.converged || given_up {
                 return outcome;
             }
             outcome.iterations += 1;
-            // A stiff contact law makes the defect larger than F; F is what the Krylov method sees.
-            let enough = ENOUGH * limits.tolerance / outcome.residual.max(length / scale);
+            let enough = ENOUGH * limits.tolerance / outcome.residual;
             outcome.products += self.direction(system, forcing.max(enough).min(0.5));
             let before = length;
             length = match self.line_search(system, p, before) {

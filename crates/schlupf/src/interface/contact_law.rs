@@ -71,7 +71,7 @@ impl ContactLaw for TotalDisplacement {
         let k = self.stiffness;
         let distance =
             [slide.distance[0] + slide.increment[0], slide.distance[1] + slide.increment[1]];
-        let length = distance[0].hypot(distance[1]);
+        let length = length_of(distance);
         let z = k * length;
         if z < SMALL {
             return Self::response(distance.map(|d| k * d), diagonal(k));
@@ -105,25 +105,31 @@ impl Incremental {
 impl ContactLaw for Incremental {
     fn respond(&self, slide: &Slide) -> Response {
         let (k, q) = (self.stiffness, slide.traction);
-        let length = slide.increment[0].hypot(slide.increment[1]);
+        let length = length_of(slide.increment);
         let z = k * length;
         if z < SMALL {
             let traction = [q[0] + k * slide.increment[0], q[1] + k * slide.increment[1]];
             let by_increment = diagonal(k);
             return Response { traction, by_increment, by_traction: 1.0, ..Response::default() };
         }
-        let m = slide.increment.map(|s| s / length);
-        let turned = turned_increment(k, slide, length);
-        let end_length = turned.at_end[0].hypot(turned.at_end[1]).max(f64::MIN_POSITIVE);
-        let n = turned.at_end.map(|s| s / end_length);
-        let (kept, saturation) = ((-z).exp(), -(-z).exp_m1());
+        let m = [slide.increment[0] / length, slide.increment[1] / length];
+        let saturation = saturation_of(z);
+        let kept = 1.0 - saturation;
+        let turned = turned_increment(k, slide, length, seen_turn(0.5 * z, saturation));
+        let end_length = length_of(turned.at_end).max(f64::MIN_POSITIVE);
+        let n = [turned.at_end[0] / end_length, turned.at_end[1] / end_length];
         let across = direction_tensor(n, 0.0, saturation / end_length);
         let by_end_of_increment = product(&across, &turned.by_increment);
+        let fade = k * kept;
+        let by_increment = |r: usize, c: usize| {
+            fade * (n[r] - q[r]) * m[c] + by_end_of_increment[r][c]
+        };
         Response {
-            traction: [0, 1].map(|c| kept * q[c] + saturation * n[c]),
-            by_increment: [0, 1].map(|r| {
-                [0, 1].map(|c| k * kept * (n[r] - q[r]) * m[c] + by_end_of_increment[r][c])
-            }),
+            traction: [kept * q[0] + saturation * n[0], kept * q[1] + saturation * n[1]],
+            by_increment: [
+                [by_increment(0, 0), by_increment(0, 1)],
+                [by_increment(1, 0), by_increment(1, 1)],
+            ],
             by_turn: product(&across, &turned.by_turn),
             by_traction: kept,
             ..Response::default()
@@ -142,46 +148,65 @@ struct TurnedIncrement {
 }
 
 /// Turns an increment s of length |s| from its middle to its end: s + share · T, T the turn.
-fn turned_increment(stiffness: f64, slide: &Slide, length: f64) -> TurnedIncrement {
-    let s = slide.increment;
-    let turn = [0, 1].map(|c| slide.turn[c] + slide.turn_by_increment * s[c]);
-    let (seen, seen_slope) = seen_turn(0.5 * stiffness * length);
+fn turned_increment(
+    stiffness: f64,
+    slide: &Slide,
+    length: f64,
+    (seen, seen_slope): (f64, f64),
+) -> TurnedIncrement {
+    let (s, own) = (slide.increment, slide.turn_by_increment);
+    let turn = [slide.turn[0] + own * s[0], slide.turn[1] + own * s[1]];
     // Where the turn exceeds the increment itself it says little about the direction: it is
     // limited to the increment's length, by |s|/√(|s|² + |T|²).
     let turn_squared = turn[0] * turn[0] + turn[1] * turn[1];
     let diagonal = (length * length + turn_squared).sqrt();
     let limit = length / diagonal;
     let share = seen * limit;
-    let cubed = diagonal.powi(3);
-    let share_slope = 0.5 * stiffness * seen_slope * limit + seen * turn_squared / cubed;
-    let by_turn = [0, 1].map(|r| {
-        [0, 1].map(|c| {
-            f64::from(u8::from(r == c)) * share - turn[r] * seen * length * turn[c] / cubed
-        })
-    });
-    let by_increment = [0, 1].map(|r| {
-        [0, 1].map(|c| {
-            f64::from(u8::from(r == c))
-                + turn[r] * share_slope * s[c] / length
-                + slide.turn_by_increment * by_turn[r][c]
-        })
-    });
-    TurnedIncrement { at_end: [0, 1].map(|c| s[c] + share * turn[c]), by_increment, by_turn }
+    let over_cubed = diagonal.powi(3).recip();
+    let share_slope = 0.5 * stiffness * seen_slope * limit + seen * turn_squared * over_cubed;
+    let bent = seen * length * over_cubed;
+    let mixed = -bent * turn[0] * turn[1];
+    let by_turn =
+        [[share - bent * turn[0] * turn[0], mixed], [mixed, share - bent * turn[1] * turn[1]]];
+    let grown = share_slope / length;
+    let by_increment = |r: usize, c: usize| turn[r] * grown * s[c] + own * by_turn[r][c];
+    TurnedIncrement {
+        at_end: [s[0] + share * turn[0], s[1] + share * turn[1]],
+        by_increment: [
+            [1.0 + by_increment(0, 0), by_increment(0, 1)],
+            [by_increment(1, 0), 1.0 + by_increment(1, 1)],
+        ],
+        by_turn,
+    }
 }
 
 /// How much of the turn between the middle and the end of an increment the traction sees, and the
 /// derivative, for z/2 = k_c |Δs|/2: the law's exact answer to a direction that turns linearly on
 /// the way is coth(z/2) − 2/z of it, nothing while sticking, all of it in full sliding.
-fn seen_turn(half: f64) -> (f64, f64) {
+///
+/// `saturation` is 1 − exp(−z).
+fn seen_turn(half: f64, saturation: f64) -> (f64, f64) {
     if half < 1e-2 {
         return (half / 3.0 * (1.0 - half * half / 15.0), 1.0 / 3.0 - half * half / 15.0);
     }
-    let coth = half.tanh().recip();
+    let coth = (2.0 - saturation) / saturation;
     (coth - half.recip(), 1.0 - coth * coth + (half * half).recip())
 }
 
 fn product(a: &[[f64; 2]; 2], b: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
-    [0, 1].map(|r| [0, 1].map(|c| a[r][0] * b[0][c] + a[r][1] * b[1][c]))
+    let entry = |r: usize, c: usize| a[r][0] * b[0][c] + a[r][1] * b[1][c];
+    [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
+}
+
+/// 1 − exp(−z), to rounding.
+fn saturation_of(z: f64) -> f64 {
+    // Where nothing cancels the plain form is the faster one.
+    if z > 0.5 { 1.0 - (-z).exp() } else { -(-z).exp_m1() }
+}
+
+/// √(x² + y²); the lengths that occur are far from those whose squares overflow.
+fn length_of([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// along · n nᵀ + across · (I − n nᵀ)
@@ -301,6 +326,7 @@ mod tests {
     /// sliding.
     #[test]
     fn seen_turn_is_smooth_and_saturates() {
+        let seen_turn = |half: f64| super::seen_turn(half, -(-2.0 * half).exp_m1());
         let (below, above) = (seen_turn(0.999_999e-2), seen_turn(1.000_001e-2));
         assert_relative_eq!(below.0, above.0, max_relative = 1e-4);
         assert_relative_eq!(below.1, above.1, max_relative = 1e-4);

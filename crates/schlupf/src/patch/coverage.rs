@@ -38,6 +38,12 @@ impl Integrals {
         self.area > SLIVER * grid.cell_area()
     }
 
+    /// The same on the other side of y = 0.
+    pub fn mirrored(&self) -> Self {
+        let mirrored = |travel: &Travel| Travel { moment_y: -travel.moment_y, ..*travel };
+        Self { y: -self.y, entry: mirrored(&self.entry), exit: mirrored(&self.exit), ..*self }
+    }
+
     /// Adds the part of a chord from `low` to `high`.
     fn add(&mut self, chord: &Chord, low: f64, high: f64) {
         let length = high - low;

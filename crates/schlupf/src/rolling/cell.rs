@@ -8,8 +8,14 @@ const ITERATIONS: usize = 100;
 /// Shortest part of such a step that is tried.
 const SHORTEST: f64 = 1e-9;
 
-/// Relative accuracy of a cell on its own.
-const ROUNDING: f64 = 1e-15;
+/// Relative excess of a cell on its own that is left: far below any tolerance, above rounding.
+const ACCURACY: f64 = 1e-13;
+
+/// Relative excess from which on a last step needs no look at the law.
+const NEAR: f64 = 1e-8;
+
+/// Relative excess of a first guess that needs no rival.
+const GOOD: f64 = 1e-2;
 
 /// The law of a contact, and γ (in Pa/m) beside it.
 #[derive(Clone, Copy)]
@@ -23,20 +29,28 @@ impl CellSolver<'_> {
     /// Finds the sliding by Newton's method with a line search, from the increment in `slide`,
     /// where it leaves it. `bound` is μ pₙ. The equation is strongly monotone, so there is one.
     pub fn solve(&self, slide: &mut Slide, bound: f64, target: [f64; 2]) -> Response {
-        let (mut response, mut rest) = self.first_guess(slide, bound, target);
-        let enough = ROUNDING * (bound + target[0].hypot(target[1]));
+        let scale = bound + length(target);
+        let (mut response, mut rest) = self.first_guess(slide, bound, target, GOOD * scale);
         for _ in 0..ITERATIONS {
-            let length = rest[0].hypot(rest[1]);
-            if length <= enough {
+            let before = length(rest);
+            if before <= ACCURACY * scale {
                 break;
             }
             let step = solve_2x2(self.stiffness(&response, bound), rest);
             let start = slide.increment;
+            if before <= NEAR * scale {
+                // What is left after this step is beyond rounding.
+                slide.increment = [start[0] - step[0], start[1] - step[1]];
+                let fall = times(&response.by_increment, step);
+                response.traction[0] -= fall[0];
+                response.traction[1] -= fall[1];
+                break;
+            }
             let mut fraction = 1.0;
             loop {
-                slide.increment = [0, 1].map(|c| start[c] - fraction * step[c]);
+                slide.increment = [start[0] - fraction * step[0], start[1] - fraction * step[1]];
                 (response, rest) = self.excess(slide, bound, target);
-                if rest[0].hypot(rest[1]) < length || fraction < SHORTEST {
+                if length(rest) < before || fraction < SHORTEST {
                     break;
                 }
                 fraction *= 0.5;
@@ -47,32 +61,46 @@ impl CellSolver<'_> {
 
     /// ∂(μ pₙ law)/∂s + γ, in Pa/m.
     pub fn stiffness(&self, response: &Response, bound: f64) -> [[f64; 2]; 2] {
-        let [[xx, xy], [yx, yy]] = response.by_increment.map(|row| row.map(|d| bound * d));
-        [[xx + self.gamma, xy], [yx, yy + self.gamma]]
+        let [[xx, xy], [yx, yy]] = response.by_increment;
+        [[bound * xx + self.gamma, bound * xy], [bound * yx, bound * yy + self.gamma]]
     }
 
     /// μ pₙ law(s) + γ s − target.
     fn excess(&self, slide: &Slide, bound: f64, target: [f64; 2]) -> (Response, [f64; 2]) {
         let response = self.law.respond(slide);
-        let rest = [0, 1]
-            .map(|c| bound * response.traction[c] + self.gamma * slide.increment[c] - target[c]);
-        (response, rest)
+        let rest =
+            |c: usize| bound * response.traction[c] + self.gamma * slide.increment[c] - target[c];
+        (response, [rest(0), rest(1)])
     }
 
-    /// The better of where the cell slid last and where it would with Coulomb friction.
-    fn first_guess(&self, slide: &mut Slide, bound: f64, target: [f64; 2]) -> (Response, [f64; 2]) {
-        let last = self.excess(slide, bound, target);
-        let length = target[0].hypot(target[1]);
-        let share = if length > bound { 1.0 - bound / length } else { 0.0 };
+    /// The given increment, or that with Coulomb friction if the given one leaves more than `good`
+    /// and this leaves less.
+    fn first_guess(
+        &self,
+        slide: &mut Slide,
+        bound: f64,
+        target: [f64; 2],
+        good: f64,
+    ) -> (Response, [f64; 2]) {
+        let given = self.excess(slide, bound, target);
+        if length(given.1) <= good {
+            return given;
+        }
+        let pull = length(target);
+        let share = if pull > bound { 1.0 - bound / pull } else { 0.0 };
         let increment = target.map(|t| share * t / self.gamma);
         let like_coulomb = Slide { increment, ..*slide };
         let coulomb = self.excess(&like_coulomb, bound, target);
-        if last.1[0].hypot(last.1[1]) <= coulomb.1[0].hypot(coulomb.1[1]) {
-            return last;
+        if length(given.1) <= length(coulomb.1) {
+            return given;
         }
         *slide = like_coulomb;
         coulomb
     }
+}
+
+fn length([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 pub(super) fn inverse_2x2(matrix: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
@@ -85,8 +113,10 @@ pub(super) fn solve_2x2(matrix: [[f64; 2]; 2], right: [f64; 2]) -> [f64; 2] {
     times(&inverse_2x2(matrix), right)
 }
 
+#[inline]
 pub(super) fn times(matrix: &[[f64; 2]; 2], v: [f64; 2]) -> [f64; 2] {
-    matrix.map(|row| row[0] * v[0] + row[1] * v[1])
+    let [[xx, xy], [yx, yy]] = *matrix;
+    [xx * v[0] + xy * v[1], yx * v[0] + yy * v[1]]
 }
 
 #[cfg(test)]

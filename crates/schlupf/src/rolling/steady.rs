@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::problem::{Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
-use crate::state::{Element, State};
+use crate::state::State;
 
 use super::Progress;
 use super::level::{self, Level};
@@ -242,7 +242,13 @@ impl Setup {
         now.rise.copy_from_slice(&friction.rise);
         now.friction = friction.response.iter().map(|response| response.coefficient).collect();
         let mut elements = strips.elements(&contact.patch, traction, response);
-        remember_heat(&mut elements, friction);
+        for (k, element) in elements.iter_mut().enumerate() {
+            element.slip_speed = friction.slip[k][0].hypot(friction.slip[k][1]);
+            element.rise = friction.rise[k];
+            if problem.heat.model.is_some() {
+                element.heat = friction.record_on_leaving(k);
+            }
+        }
         let patch = &contact.patch;
         let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
         now.exit_rise = exits.collect();
@@ -264,13 +270,5 @@ impl Setup {
             state: State { grid: contact.patch.grid, time: 0.0, elements },
         };
         summary::solution(problem, options, (contact, &now), account)
-    }
-}
-
-fn remember_heat(elements: &mut [Element], friction: &mut super::steady_friction::SteadyFriction) {
-    for (k, element) in elements.iter_mut().enumerate() {
-        element.heat = friction.record_on_leaving(k);
-        element.rise = friction.rise[k];
-        element.slip_speed = friction.slip[k][0].hypot(friction.slip[k][1]);
     }
 }

@@ -136,7 +136,7 @@ impl SteadyFriction {
     }
 
     fn respond(&mut self, problem: &Problem, patch: &Patch, k: usize) {
-        let slip_speed = self.slip[k][0].hypot(self.slip[k][1]);
+        let slip_speed = speed_of(self.slip[k]);
         let y = patch.cells[k].y;
         self.response[k] =
             problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
@@ -222,7 +222,7 @@ impl SteadyFriction {
             if self.power[k] > 0.0 {
                 flux[k] += (rubbed[0] + rubbed[1]) * self.flux_over_power[k];
             }
-            let speed = v[0].hypot(v[1]);
+            let speed = speed_of(v);
             let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
             let warmed = self.by_rise(k) * self.weighted(k, flux);
             bound[k] = self.pressure[k] * (warmed + self.response[k].by_slip_speed * faster);
@@ -247,4 +247,8 @@ impl SteadyFriction {
     pub fn exit_rise(&mut self, problem: &Problem, strip: &Strip) -> f64 {
         problem.heat.rise_times_effusivity(&self.record_on_leaving(strip.cells.end - 1))
     }
+}
+
+fn speed_of([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
 }

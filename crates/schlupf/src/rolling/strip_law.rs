@@ -28,14 +28,31 @@ pub(super) struct StripLaw {
     ways: Vec<Way>,
     /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
-    /// Slide and answer of each cell at the last residual.
+    /// Slide and answer of each cell at the last residual, and p + γ (D − b) there, in Pa.
     slides: Vec<Slide>,
+    targets: Vec<[f64; 2]>,
     responses: Vec<Response>,
-    /// (∂(μ pₙ law)/∂s + γ)⁻¹ of each cell at the last residual, in m/Pa.
-    softness: Vec<[[f64; 2]; 2]>,
+    tangents: Vec<Tangent>,
+    /// Whether the law depends on the distance since entry.
+    remembers_distance: bool,
     /// Changes of the heat flux of each cell while the preconditioner goes down the strips.
     flux_changes: Vec<f64>,
 }
+
+/// Derivatives of a cell at the last residual, in the order in which a pass down the strip needs them.
+#[derive(Clone, Copy, Default)]
+struct Tangent {
+    /// ∂law/∂(traction before), dimensionless.
+    kept: f64,
+    /// ∂law/∂(increment of the upstream neighbour) by way of the turn, in 1/m.
+    by_upstream: Matrix,
+    /// (∂(μ pₙ law)/∂s + γ)⁻¹, in m/Pa.
+    softness: Matrix,
+    /// ∂law/∂s (∂(μ pₙ law)/∂s + γ)⁻¹, in 1/Pa.
+    yielding: Matrix,
+}
+
+type Matrix = [[f64; 2]; 2];
 
 /// What a cell hands on to the next one downstream.
 #[derive(Clone, Copy, Default)]
@@ -55,9 +72,20 @@ impl Handed {
         }
     }
 
+    /// The difference to what was handed on before.
+    fn since(&self, before: &Self) -> Self {
+        let difference = |now: [f64; 2], then: [f64; 2]| [now[0] - then[0], now[1] - then[1]];
+        Self {
+            traction: difference(self.traction, before.traction),
+            distance: difference(self.distance, before.distance),
+            increment: difference(self.increment, before.increment),
+        }
+    }
+
     /// What is handed on when this is handed, and the traction and the sliding change a little.
+    #[inline]
     fn changed(&self, traction: [f64; 2], increment: [f64; 2]) -> Self {
-        let distance = [0, 1].map(|c| self.distance[c] + increment[c]);
+        let distance = [self.distance[0] + increment[0], self.distance[1] + increment[1]];
         Self { traction, distance, increment }
     }
 }
@@ -89,8 +117,10 @@ impl StripLaw {
             ways: Vec::with_capacity(cells),
             is_first,
             slides: vec![Slide::default(); cells],
+            targets: vec![[0.0; 2]; cells],
             responses: vec![Response::default(); cells],
-            softness: vec![[[0.0; 2]; 2]; cells],
+            tangents: vec![Tangent::default(); cells],
+            remembers_distance: false,
             flux_changes: vec![0.0; cells],
         }
     }
@@ -98,6 +128,8 @@ impl StripLaw {
     /// Takes over another motion and another law.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
         self.law = Arc::clone(&problem.contact_law);
+        self.remembers_distance =
+            self.law.respond(&Slide::default()).by_distance != [[0.0; 2]; 2];
         self.kinematics = problem.kinematics;
         let way = |cell: &Cell| Way {
             distance: cell.way_in.distance,
@@ -182,18 +214,22 @@ impl StripLaw {
         let law = Arc::clone(&self.law);
         let cell = CellSolver { law: law.as_ref(), gamma: self.gamma };
         let mut handed = Handed::default();
+        let mut change = Handed::default();
         for k in 0..self.len() {
             if self.is_first[k] {
-                handed = Handed::default();
+                (handed, change) = (Handed::default(), Handed::default());
             }
             let target = [0, 1]
                 .map(|c| p[2 * k + c] + self.gamma * (self.ways[k].rigid[c] - b[2 * k + c]));
-            let last = self.slides[k].increment;
-            let mut slide = Slide { increment: last, ..self.slide(k, &handed) };
+            let before = (self.slides[k], self.responses[k]);
+            let increment = self.foreseen(k, target, &change);
+            let mut slide = Slide { increment, ..self.slide(k, &handed) };
             let response = cell.solve(&mut slide, self.bound[k], target);
-            self.softness[k] = inverse_2x2(cell.stiffness(&response, self.bound[k]));
+            self.tangents[k] = self.tangent_of(k, &slide, &response);
             handed = Handed::after(&slide, &response);
+            change = handed.since(&Handed::after(&before.0, &before.1));
             self.slides[k] = slide;
+            self.targets[k] = target;
             self.responses[k] = response;
             for c in 0..2 {
                 residual[2 * k + c] = p[2 * k + c] - self.bound[k] * response.traction[c];
@@ -201,18 +237,43 @@ impl StripLaw {
         }
     }
 
-    /// What a cell's traction gains from small changes of what it was handed, dimensionless.
-    fn gain(&self, k: usize, handed: &Handed) -> [f64; 2] {
-        let response = &self.responses[k];
-        let by_distance = times(&response.by_distance, handed.distance);
-        let mut gain = [0, 1].map(|c| response.by_traction * handed.traction[c] + by_distance[c]);
-        let share = self.slides[k].turn_by_increment;
-        if share != 0.0 {
-            let ratio = share * self.ways[k].distance / self.ways[k - 1].distance;
-            let by_turn = times(&response.by_turn, handed.increment);
-            gain = [0, 1].map(|c| gain[c] - ratio * by_turn[c]);
+    /// What a cell slides when its target changes from that of the last residual, and what it was
+    /// handed, to first order.
+    fn foreseen(&self, k: usize, target: [f64; 2], change: &Handed) -> [f64; 2] {
+        let gain = self.gain(k, change);
+        let rest = [0, 1].map(|c| target[c] - self.targets[k][c] - self.bound[k] * gain[c]);
+        let more = times(&self.tangents[k].softness, rest);
+        [0, 1].map(|c| self.slides[k].increment[c] + more[c])
+    }
+
+    fn tangent_of(&self, k: usize, slide: &Slide, response: &Response) -> Tangent {
+        let cell = CellSolver { law: self.law.as_ref(), gamma: self.gamma };
+        let softness = inverse_2x2(cell.stiffness(response, self.bound[k]));
+        let share = slide.turn_by_increment;
+        let ratio =
+            if share == 0.0 { 0.0 } else { share * self.ways[k].distance / self.ways[k - 1].distance };
+        Tangent {
+            kept: response.by_traction,
+            by_upstream: response.by_turn.map(|row| row.map(|by_turn| -ratio * by_turn)),
+            softness,
+            yielding: product_2x2(&response.by_increment, &softness),
         }
-        gain
+    }
+
+    /// What a cell's traction gains from small changes of what it was handed, dimensionless.
+    #[inline]
+    fn gain(&self, k: usize, handed: &Handed) -> [f64; 2] {
+        let tangent = &self.tangents[k];
+        let turned = times(&tangent.by_upstream, handed.increment);
+        let gain = [
+            tangent.kept * handed.traction[0] + turned[0],
+            tangent.kept * handed.traction[1] + turned[1],
+        ];
+        if !self.remembers_distance {
+            return gain;
+        }
+        let come = times(&self.responses[k].by_distance, handed.distance);
+        [gain[0] + come[0], gain[1] + come[1]]
     }
 
     /// What a cell's traction gains from a cause at a given sliding, dimensionless.
@@ -259,16 +320,23 @@ impl StripLaw {
                 gain = [0, 1].map(|c| gain[c] + more[c]);
                 rest = [0, 1].map(|c| rest[c] + self.gamma * cause.rigid[2 * k + c]);
             }
-            let rest = [0, 1].map(|c| rest[c] - self.bound[k] * gain[c]);
-            let increment = times(&self.softness[k], rest);
-            let grown = times(&response.by_increment, increment);
-            let traction = [0, 1].map(|c| grown[c] + gain[c]);
+            let (traction, increment) = self.moved(k, rest, gain);
             handed = handed.changed(traction, increment);
             for c in 0..2 {
                 product[2 * k + c] =
                     p[2 * k + c] - raised * response.traction[c] - self.bound[k] * traction[c];
             }
         }
+    }
+
+    /// Changes of the traction over μ pₙ and of the increment of a cell on which `pull` acts (in Pa)
+    /// beside the gain.
+    #[inline]
+    fn moved(&self, k: usize, pull: [f64; 2], gain: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+        let (tangent, bound) = (&self.tangents[k], self.bound[k]);
+        let rest = [pull[0] - bound * gain[0], pull[1] - bound * gain[1]];
+        let grown = times(&tangent.yielding, rest);
+        ([grown[0] + gain[0], grown[1] + gain[1]], times(&tangent.softness, rest))
     }
 
     /// With B replaced by 1/γ times the difference to the upstream neighbour, the Jacobian is
@@ -282,20 +350,19 @@ impl StripLaw {
                 handed = Handed::default();
                 upstream = [0.0; 2];
             }
-            let response = &self.responses[k];
             let gain = self.gain(k, &handed);
-            let mut rest = [0, 1].map(|c| upstream[c] - self.bound[k] * gain[c]);
-            let mut increment = times(&self.softness[k], rest);
-            let mut traction = grown(response, increment, gain);
-            upstream = [0, 1].map(|c| v[2 * k + c] + self.bound[k] * traction[c]);
+            let arrived = upstream;
+            let (mut traction, mut increment) = self.moved(k, arrived, gain);
+            let bound = self.bound[k];
+            upstream = [v[2 * k] + bound * traction[0], v[2 * k + 1] + bound * traction[1]];
             if let Some(friction) = friction {
                 // A raised bound moves the traction by γ (∂(μ pₙ law)/∂s + γ)⁻¹ law for each Pa.
-                let by_bound = times(&self.softness[k], response.traction).map(|t| self.gamma * t);
+                let law = self.responses[k].traction;
+                let by_bound = times(&self.tangents[k].softness, law).map(|t| self.gamma * t);
                 let raised = friction.raised_bound(k, &self.flux_changes, upstream, by_bound);
                 upstream = [0, 1].map(|c| upstream[c] + raised * by_bound[c]);
-                rest = [0, 1].map(|c| rest[c] - raised * response.traction[c]);
-                increment = times(&self.softness[k], rest);
-                traction = grown(response, increment, gain);
+                let rest = [0, 1].map(|c| arrived[c] - raised * law[c]);
+                (traction, increment) = self.moved(k, rest, gain);
                 self.flux_changes[k] = friction.flux_change(k, upstream);
             }
             handed = handed.changed(traction, increment);
@@ -309,8 +376,6 @@ impl StripLaw {
     }
 }
 
-/// Change of the traction over μ pₙ with the increment, and the gain.
-fn grown(response: &Response, increment: [f64; 2], gain: [f64; 2]) -> [f64; 2] {
-    let grown = times(&response.by_increment, increment);
-    [0, 1].map(|c| grown[c] + gain[c])
+fn product_2x2(a: &Matrix, b: &Matrix) -> Matrix {
+    a.map(|row| [row[0] * b[0][0] + row[1] * b[1][0], row[0] * b[0][1] + row[1] * b[1][1]])
 }

@@ -9,12 +9,12 @@ use crate::patch::{Cell, Patch};
 /// patch, and as a weighted mean the other way.
 #[derive(Debug)]
 pub(super) struct Transfer {
+    /// Of each fine cell in the coarse ones: prolongation.
     stencils: Vec<Stencil>,
-    /// Pressures of both patches, in Pa.
-    fine_pressure: Vec<f64>,
-    coarse_pressure: Vec<f64>,
-    /// Sum of the weights of each coarse cell.
-    total: Vec<f64>,
+    /// Of each coarse cell in the fine ones, one cell after another: restriction.
+    shares: Vec<(usize, f64)>,
+    /// Where the shares of each coarse cell end.
+    ends: Vec<usize>,
 }
 
 #[derive(Debug, Clone, Copy, Default)]
@@ -30,53 +30,56 @@ impl Transfer {
             numbers[cell.index] = Some(k);
         }
         let stencil = |cell: &Cell| stencil(&fine.grid, cell, coarse, &numbers);
-        let stencils: Vec<Stencil> = fine.cells.iter().map(stencil).collect();
-        let mut total = vec![0.0; coarse.len()];
-        for stencil in &stencils {
-            for (cell, weight) in stencil.cell.iter().zip(stencil.weight) {
-                total[*cell] += weight;
+        let mut stencils: Vec<Stencil> = fine.cells.iter().map(stencil).collect();
+        let mut rows = vec![Vec::new(); coarse.len()];
+        for (k, stencil) in stencils.iter_mut().enumerate() {
+            let pressure = fine.cells[k].pressure;
+            for (cell, weight) in stencil.cell.iter().zip(&mut stencil.weight) {
+                if *weight > 0.0 {
+                    rows[*cell].push((k, *weight * over(pressure)));
+                    *weight *= pressure * over(coarse.cells[*cell].pressure);
+                }
             }
         }
-        let pressure = |patch: &Patch| patch.cells.iter().map(|cell| cell.pressure).collect();
-        Self { stencils, fine_pressure: pressure(fine), coarse_pressure: pressure(coarse), total }
+        let mut transfer = Self { stencils, shares: Vec::new(), ends: Vec::new() };
+        for (row, cell) in rows.iter().zip(&coarse.cells) {
+            let total: f64 = row.iter().map(|(k, share)| share * fine.cells[*k].pressure).sum();
+            let factor = cell.pressure * over(total);
+            transfer.shares.extend(row.iter().map(|(k, share)| (*k, factor * share)));
+            transfer.ends.push(transfer.shares.len());
+        }
+        transfer
     }
 
     /// Adds to fine tractions what coarse ones are over the pressure, times the fine pressure.
     pub fn add_prolonged(&self, coarse: &[f64], fine: &mut [f64]) {
-        for (k, stencil) in self.stencils.iter().enumerate() {
-            let mut sum = [0.0; 2];
+        for (stencil, fine) in self.stencils.iter().zip(fine.chunks_exact_mut(2)) {
             for (cell, weight) in stencil.cell.iter().zip(stencil.weight) {
-                let share = weight * over(self.coarse_pressure[*cell]);
-                sum[0] += share * coarse[2 * cell];
-                sum[1] += share * coarse[2 * cell + 1];
+                fine[0] += weight * coarse[2 * cell];
+                fine[1] += weight * coarse[2 * cell + 1];
             }
-            fine[2 * k] += self.fine_pressure[k] * sum[0];
-            fine[2 * k + 1] += self.fine_pressure[k] * sum[1];
         }
     }
 
     /// Overwrites coarse tractions with the means of fine ones over the pressure, times the coarse
     /// pressure.
     pub fn restrict(&self, fine: &[f64], coarse: &mut [f64]) {
-        coarse.fill(0.0);
-        for (k, stencil) in self.stencils.iter().enumerate() {
-            let share = over(self.fine_pressure[k]);
-            for (cell, weight) in stencil.cell.iter().zip(stencil.weight) {
-                coarse[2 * cell] += weight * share * fine[2 * k];
-                coarse[2 * cell + 1] += weight * share * fine[2 * k + 1];
+        let mut start = 0;
+        for (end, coarse) in self.ends.iter().zip(coarse.chunks_exact_mut(2)) {
+            let mut sum = [0.0; 2];
+            for (k, share) in &self.shares[start..*end] {
+                sum[0] += share * fine[2 * k];
+                sum[1] += share * fine[2 * k + 1];
             }
-        }
-        for (k, total) in self.total.iter().enumerate() {
-            let factor = if *total > 0.0 { self.coarse_pressure[k] / total } else { 0.0 };
-            coarse[2 * k] *= factor;
-            coarse[2 * k + 1] *= factor;
+            coarse.copy_from_slice(&sum);
+            start = *end;
         }
     }
 }
 
-/// 1/p, and nothing for no pressure.
-fn over(pressure: f64) -> f64 {
-    if pressure > 0.0 { pressure.recip() } else { 0.0 }
+/// 1/x, and nothing for nothing.
+fn over(x: f64) -> f64 {
+    if x > 0.0 { x.recip() } else { 0.0 }
 }
 
 /// Bilinear weights at the centre of a fine cell, among coarse cells in contact.
