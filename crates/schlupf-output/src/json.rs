@@ -71,12 +71,22 @@ struct Document<'a> {
     t_gamma: TGamma,
     temperature: Temperature,
     area: Area,
-    /// Derivatives of the forces: not computed by the present drivers.
-    sensitivity: Option<()>,
+    sensitivity: Option<Sensitivity>,
     history: History,
     warnings: &'a [String],
     residual: f64,
     work: Work,
+}
+
+/// Derivatives of force and moment by each parameter.
+#[derive(Serialize)]
+struct Sensitivity {
+    creepage_x: Vector,
+    creepage_y: Vector,
+    spin: Vector,
+    load: Option<Vector>,
+    friction_coefficient: Vector,
+    contact_stiffness: Vector,
 }
 
 #[derive(Serialize)]
@@ -153,6 +163,7 @@ struct History {
 struct Work {
     newton_iterations: usize,
     operator_products: f64,
+    sensitivity_products: usize,
     outer_iterations: usize,
     steps: usize,
     cells: usize,
@@ -196,17 +207,31 @@ impl<'a> Document<'a> {
                 y: temperature.y,
             },
             area: Area { contact: area.contact, stick: area.stick, slip: area.slip },
-            sensitivity: None,
+            sensitivity: solution.sensitivity.as_ref().map(Sensitivity::from),
             history: History::new(&solution.history),
             warnings: &solution.warnings,
             residual: solution.residual,
             work: Work {
                 newton_iterations: work.newton_iterations,
                 operator_products: work.operator_products,
+                sensitivity_products: work.sensitivity_products,
                 outer_iterations: work.outer_iterations,
                 steps: work.steps,
                 cells: work.cells,
             },
+        }
+    }
+}
+
+impl From<&schlupf::solution::Sensitivity> for Sensitivity {
+    fn from(sensitivity: &schlupf::solution::Sensitivity) -> Self {
+        Self {
+            creepage_x: sensitivity.creepage_x.into(),
+            creepage_y: sensitivity.creepage_y.into(),
+            spin: sensitivity.spin.into(),
+            load: sensitivity.load.map(Vector::from),
+            friction_coefficient: sensitivity.friction_coefficient.into(),
+            contact_stiffness: sensitivity.contact_stiffness.into(),
         }
     }
 }

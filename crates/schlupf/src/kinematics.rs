@@ -52,6 +52,13 @@ impl Kinematics {
         [0.0, -0.5 * self.spin * distance * distance]
     }
 
+    /// Derivatives of ln(v0/(ωR)) with respect to ξ and η, dimensionless.
+    pub fn slowness_by_creepage(&self) -> [f64; 2] {
+        let along = (1.0 - self.creepage_y.powi(2)).sqrt();
+        let slowness = (along - self.creepage_x).recip();
+        [slowness, slowness * self.creepage_y / along]
+    }
+
     /// Checks that the wheel rolls: a speed, finite creepages, ω R > 0.
     pub fn check(&self) -> Result<(), Error> {
         require_positive("kinematics.speed", self.speed, "m/s")?;

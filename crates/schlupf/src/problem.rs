@@ -108,6 +108,8 @@ pub struct Options {
     pub max_steps: usize,
     /// A cell slides where |t| ≥ this · μ pₙ; dimensionless.
     pub slip_threshold: f64,
+    /// Whether to find the derivatives of the forces too; in the steady driver only.
+    pub sensitivity: bool,
 }
 
 impl Default for Options {
@@ -120,6 +122,7 @@ impl Default for Options {
             max_iterations: 200,
             max_steps: 2000,
             slip_threshold: 0.95,
+            sensitivity: false,
         }
     }
 }

@@ -47,6 +47,8 @@ pub struct Solution {
     pub history: Vec<Instant>,
     /// Whatever the reader of the numbers must know.
     pub warnings: Vec<String>,
+    /// Derivatives of forces and moment, where they were asked for and found.
+    pub sensitivity: Option<Sensitivity>,
     /// How much work it was.
     pub work: Work,
     /// The state at the end, to go on from.
@@ -62,6 +64,26 @@ pub struct Resultant {
     pub y: f64,
     /// Moment Mz about the centre of the patch, in N m (or normalised, dimensionless).
     pub moment_z: f64,
+}
+
+/// Derivatives of the steady forces and moment on the wheel, everything else staying. Where a law has
+/// a kink they are those of one of its sides.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sensitivity {
+    /// By the longitudinal creepage ξ, in N and N m.
+    pub creepage_x: Resultant,
+    /// By the lateral creepage η, in N and N m.
+    pub creepage_y: Resultant,
+    /// By the spin φ, in N m and N m².
+    pub spin: Resultant,
+    /// By the normal load N (dimensionless, and in m), if the elasticity knows how it grows with the
+    /// patch. The patch grows as its description says: with the curvatures of the bodies, or not at
+    /// all where its size is given.
+    pub load: Option<Resultant>,
+    /// By the cold coefficient of friction μ0, in N and N m.
+    pub friction_coefficient: Resultant,
+    /// By the stiffness k_c of the contact law, in N m and N m².
+    pub contact_stiffness: Resultant,
 }
 
 /// Power put into the contact.
@@ -193,6 +215,8 @@ pub struct Work {
     pub newton_iterations: usize,
     /// Products with the compliance A, dimensionless; one on a coarser grid of n' cells counts n'/n.
     pub operator_products: f64,
+    /// Products more for the derivatives.
+    pub sensitivity_products: usize,
     /// Iterations between traction and temperature.
     pub outer_iterations: usize,
     /// Time steps.

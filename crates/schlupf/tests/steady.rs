@@ -5,9 +5,8 @@ mod common;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::{cells, problem, rolling, solve};
+use common::{cells, half_space, problem, rolling, solve};
 use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
@@ -16,7 +15,6 @@ use schlupf::heat::partition::Partition;
 use schlupf::history::History;
 use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::material::Material;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::problem::Driver;
 use schlupf::{Error, Options, Problem, Solution, Status, rolling};
@@ -25,10 +23,6 @@ fn at_once(problem: &Problem, options: &Options) -> Solution {
     let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
-}
-
-fn half_space() -> Arc<dyn Elasticity> {
-    Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap())
 }
 
 /// Steady and marched solve the same discrete equations: they agree to ten times the tolerance, for

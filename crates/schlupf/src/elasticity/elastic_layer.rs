@@ -151,7 +151,9 @@ impl Elasticity for ElasticLayer {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let surroundings = self.surroundings(grid)?;
         let stiffness = self.per_area(grid);
-        Ok(Box::new(LayerCompliance::new(&stiffness, surroundings, *grid)))
+        let mut compliance = LayerCompliance::new(&stiffness, surroundings, *grid);
+        compliance.is_discrete = matches!(self.stiffness, Stiffness::Discrete(_));
+        Ok(Box::new(compliance))
     }
 }
 
@@ -160,6 +162,8 @@ pub struct LayerCompliance {
     grid: Grid,
     surroundings: Surroundings,
     couples_cells: bool,
+    /// Whether the springs keep their stiffness when the grid grows.
+    is_discrete: bool,
     components: [Component; 2],
     transform: Arc<dyn TransformType2And3<f64>>,
     scratch: Vec<f64>,
@@ -174,6 +178,11 @@ struct Component {
     coupling: f64,
     /// The systems along y, the rows beyond the grid condensed.
     condensed: Tridiagonal,
+    /// What lies beyond the first and the last row, for each wave number, in N/m³; and how it grows
+    /// with the logarithm of the grid's size.
+    outside_by_size: Vec<f64>,
+    /// Bedding c alone, in N/m³.
+    plain_bedding: f64,
 }
 
 impl Component {
@@ -184,19 +193,45 @@ impl Component {
         let eigenvalue = |k: usize| 2.0 - 2.0 * (PI * k as f64 / waves as f64).cos();
         let bedding: Vec<f64> =
             (0..waves).map(|k| stiffness.bedding + along * eigenvalue(k)).collect();
-        let outside: Vec<f64> =
-            bedding.iter().map(|b| condensed(*b, coupling, surroundings.rows_beyond)).collect();
+        let chain = |b: &f64| {
+            condensed(stiffness.bedding, b - stiffness.bedding, coupling, surroundings.rows_beyond)
+        };
+        let (outside, outside_by_size): (Vec<f64>, Vec<f64>) = bedding.iter().map(chain).unzip();
         let condensed = Tridiagonal::new(&bedding, coupling, grid.rows, &outside);
-        Self { bedding, coupling, condensed }
+        let plain_bedding = stiffness.bedding;
+        Self { bedding, coupling, condensed, outside_by_size, plain_bedding }
+    }
+
+    /// Minus the change of the stiffness with the logarithm of the grid's size, times the
+    /// displacement of one row; `above` and `below` are those next to it, if there are.
+    fn relief(&self, row: [&[f64]; 3], ends: usize, relief: &mut [f64]) {
+        let [above, here, below] = row;
+        let neighbours = usize::from(!above.is_empty()) + usize::from(!below.is_empty());
+        for (wave, relief) in relief.iter_mut().enumerate() {
+            let next_to = above.get(wave).copied().unwrap_or(0.0)
+                + below.get(wave).copied().unwrap_or(0.0);
+            let coupled = self.coupling * (neighbours as f64 * here[wave] - next_to);
+            let bedded = (self.bedding[wave] - self.plain_bedding) * here[wave];
+            let outside = ends as f64 * self.outside_by_size[wave] * here[wave];
+            *relief = 2.0 * (bedded + coupled) - outside;
+        }
     }
 }
 
-/// Stiffness that a chain of `rows` elements beyond a row adds to it: each on its bedding b and
-/// coupled by g to the next, from the free end inwards s ← b + g s/(g + s).
-fn condensed(bedding: f64, coupling: f64, rows: usize) -> f64 {
-    (0..rows).fold(0.0, |beyond, _| {
-        let element = bedding + beyond;
-        coupling * element / (coupling + element)
+/// Stiffness that a chain of `rows` elements beyond a row adds to it, and its change with the
+/// logarithm of the grid's size: each element on its bedding c + `along` and coupled by g to the
+/// next, from the free end inwards s ← e g/(g + e), e = c + `along` + s. Both couplings go with the
+/// inverse square of the size.
+fn condensed(bedding: f64, along: f64, coupling: f64, rows: usize) -> (f64, f64) {
+    (0..rows).fold((0.0, 0.0), |(beyond, beyond_by_size), _| {
+        let element = bedding + along + beyond;
+        let element_by_size = beyond_by_size - 2.0 * along;
+        if coupling + element == 0.0 {
+            return (0.0, 0.0);
+        }
+        let (share, rest) = (coupling / (coupling + element), element / (coupling + element));
+        let by_size = share * share * element_by_size - 2.0 * rest * rest * coupling;
+        (coupling * rest, by_size)
     })
 }
 
@@ -262,6 +297,7 @@ impl LayerCompliance {
             couples_cells: stiffness
                 .iter()
                 .any(|s| s.coupling_along_x > 0.0 || s.coupling_along_y > 0.0),
+            is_discrete: false,
             components: stiffness.map(|s| Component::new(&s, &grid, &surroundings)),
             scratch: vec![0.0; transform.get_scratch_len()],
             spectrum: vec![0.0; surroundings.columns * grid.rows],
@@ -281,9 +317,15 @@ impl LayerCompliance {
     }
 
     fn component_displacement(&mut self, c: usize, traction: &[f64], displacement: &mut [f64]) {
-        let Surroundings { columns, first_column, .. } = self.surroundings;
+        let columns = self.surroundings.columns;
         self.transform_rows(traction);
         self.components[c].condensed.solve(&mut self.spectrum, columns);
+        self.transform_back(displacement);
+    }
+
+    /// From the spectrum to the displacement of the grid.
+    fn transform_back(&mut self, displacement: &mut [f64]) {
+        let Surroundings { columns, first_column, .. } = self.surroundings;
         let inverse = 2.0 / columns as f64;
         let rows = self.spectrum.chunks_exact_mut(columns);
         for (row, displacement) in rows.zip(displacement.chunks_exact_mut(self.grid.columns)) {
@@ -292,6 +334,26 @@ impl LayerCompliance {
                 *u = inverse * value;
             }
         }
+    }
+
+    /// −A (dC/d ln size) A t of one component, C being the stiffness.
+    fn component_by_size(&mut self, c: usize, traction: &[f64], displacement: &mut [f64]) {
+        let columns = self.surroundings.columns;
+        self.transform_rows(traction);
+        let component = &self.components[c];
+        component.condensed.solve(&mut self.spectrum, columns);
+        let rows = self.grid.rows;
+        let mut relief = vec![0.0; self.spectrum.len()];
+        for (j, relief) in relief.chunks_exact_mut(columns).enumerate() {
+            let row = |j: usize| &self.spectrum[j * columns..(j + 1) * columns];
+            let above = if j > 0 { row(j - 1) } else { &[] };
+            let below = if j + 1 < rows { row(j + 1) } else { &[] };
+            let ends = usize::from(j == 0) + usize::from(j + 1 == rows);
+            component.relief([above, row(j), below], ends, relief);
+        }
+        component.condensed.solve(&mut relief, columns);
+        self.spectrum = relief;
+        self.transform_back(displacement);
     }
 
     /// One component of the displacement on the total area, row after row, in m; without
@@ -321,6 +383,24 @@ impl Compliance for LayerCompliance {
     fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField) {
         self.component_displacement(0, &traction.x, &mut displacement.x);
         self.component_displacement(1, &traction.y, &mut displacement.y);
+    }
+
+    fn displacement_by_size(
+        &mut self,
+        traction: &VectorField,
+        displacement: &mut VectorField,
+    ) -> bool {
+        if self.is_discrete {
+            // All stiffnesses per area go with the inverse square of the size.
+            self.displacement(traction, displacement);
+            for u in displacement.x.iter_mut().chain(&mut displacement.y) {
+                *u *= 2.0;
+            }
+        } else {
+            self.component_by_size(0, &traction.x, &mut displacement.x);
+            self.component_by_size(1, &traction.y, &mut displacement.y);
+        }
+        true
     }
 
     fn couples_cells(&self) -> bool {

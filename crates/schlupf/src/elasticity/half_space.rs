@@ -165,7 +165,8 @@ fn times_asinh(p: f64, q: f64) -> f64 {
 impl Elasticity for HalfSpace {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let influences = Influences::new(self, grid);
-        Ok(Box::new(Convolution::new(grid, |i, j| influences.at(i, j))))
+        let convolution = Convolution::new(grid, |i, j| influences.at(i, j));
+        Ok(Box::new(HalfSpaceCompliance { convolution }))
     }
 
     fn caveat(&self) -> Option<String> {
@@ -176,6 +177,31 @@ impl Elasticity for HalfSpace {
                 self.dissimilarity
             )
         })
+    }
+}
+
+/// The half-space on one grid. Displacements grow with its size as they are.
+#[derive(Debug)]
+struct HalfSpaceCompliance {
+    convolution: Convolution,
+}
+
+impl Compliance for HalfSpaceCompliance {
+    fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField) {
+        self.convolution.displacement(traction, displacement);
+    }
+
+    fn displacement_by_size(
+        &mut self,
+        traction: &VectorField,
+        displacement: &mut VectorField,
+    ) -> bool {
+        self.convolution.displacement(traction, displacement);
+        true
+    }
+
+    fn couples_cells(&self) -> bool {
+        true
     }
 }
 

@@ -28,6 +28,16 @@ pub trait Compliance: Debug + Send {
     /// traction t on the wheel (in Pa).
     fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField);
 
+    /// Change of the displacement (in m) with the logarithm of the size of the grid, all lengths
+    /// growing alike. Whether the model knows it; if not, nothing is written.
+    fn displacement_by_size(
+        &mut self,
+        _traction: &VectorField,
+        _displacement: &mut VectorField,
+    ) -> bool {
+        false
+    }
+
     /// Whether a loaded cell moves its neighbours. If not, nothing moves ahead of the leading edge.
     fn couples_cells(&self) -> bool;
 

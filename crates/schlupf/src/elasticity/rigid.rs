@@ -20,6 +20,16 @@ impl Compliance for Rigid {
         displacement.y.fill(0.0);
     }
 
+    fn displacement_by_size(
+        &mut self,
+        _traction: &VectorField,
+        displacement: &mut VectorField,
+    ) -> bool {
+        displacement.x.fill(0.0);
+        displacement.y.fill(0.0);
+        true
+    }
+
     fn couples_cells(&self) -> bool {
         false
     }

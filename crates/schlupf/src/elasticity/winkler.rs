@@ -37,6 +37,16 @@ impl Compliance for Winkler {
         divide(&traction.y, &mut displacement.y, self.bedding[1]);
     }
 
+    fn displacement_by_size(
+        &mut self,
+        _traction: &VectorField,
+        displacement: &mut VectorField,
+    ) -> bool {
+        displacement.x.fill(0.0);
+        displacement.y.fill(0.0);
+        true
+    }
+
     fn couples_cells(&self) -> bool {
         false
     }

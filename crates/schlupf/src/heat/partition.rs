@@ -26,6 +26,8 @@ pub struct Conduction {
     factor: [f64; 2],
     /// Weight of the wheel's surface in the contact temperature, dimensionless.
     wheel_weight: f64,
+    /// Whether the partition follows from the speeds.
+    follows_speed: bool,
 }
 
 impl Conduction {
@@ -49,6 +51,7 @@ impl Conduction {
             bulk,
             factor: [share * slowness.sqrt() / effusivity[0], (1.0 - share) / effusivity[1]],
             wheel_weight,
+            follows_speed: partition == Partition::Velocity,
         }
     }
 
@@ -61,6 +64,19 @@ impl Conduction {
     pub fn rises(&self, rise_times_effusivity: f64) -> [f64; 2] {
         let surface = self.surface_temperatures(rise_times_effusivity);
         [surface[0] - self.bulk[0], surface[1] - self.bulk[1]]
+    }
+
+    /// Change of the contact temperature (in K) with the logarithm of v0/(ωR), for a rise times
+    /// effusivity in W √s/m² that stays.
+    pub fn contact_temperature_by_slowness(&self, rise_times_effusivity: f64) -> f64 {
+        if !self.follows_speed {
+            return 0.0;
+        }
+        // With β_w √(ωR/v0) = D the wheel's weight is D/(D + β_r), both factors are 1/(D + β_r),
+        // and d ln D = −½ d ln(v0/ωR).
+        let weight = self.wheel_weight;
+        let entry = -0.5 * weight * (1.0 - weight) * (self.bulk[0] - self.bulk[1]);
+        entry + 0.5 * weight * self.contact_factor() * rise_times_effusivity
     }
 
     /// Derivative of [`Self::contact_temperature`], in m² √s K/W.

@@ -107,6 +107,10 @@ impl PressureSource for Hertz {
         };
         Ok(NormalContact { summary, pressure: Pressure::Elliptic })
     }
+
+    fn growth(&self) -> f64 {
+        1.0 / 3.0
+    }
 }
 
 /// 1/R₁ + 1/R₂, in 1/m; positive.

@@ -16,6 +16,13 @@ use tabulated::PressureTable;
 pub trait PressureSource: Debug + Send + Sync {
     /// The normal contact under `load` (in N), or under the source's own load.
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error>;
+
+    /// With which power of the load the lengths of the patch grow (dimensionless), if the load is
+    /// all that changes in the description of the source: 1/3 for two bodies of given curvature, 0
+    /// for a patch whose size is given.
+    fn growth(&self) -> f64 {
+        0.0
+    }
 }
 
 /// A loaded normal contact.

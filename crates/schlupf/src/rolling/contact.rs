@@ -112,6 +112,16 @@ impl DiscreteContact {
         self.interpolation.gather(&self.displacement, u);
     }
 
+    /// The same for the change of A p with the logarithm of the size of the patch; whether the
+    /// elasticity knows it.
+    pub fn product_by_size(&mut self, p: &[f64], u: &mut [f64]) -> bool {
+        self.interpolation.spread(p, &mut self.traction);
+        let is_known =
+            self.compliance.displacement_by_size(&self.traction, &mut self.displacement);
+        self.interpolation.gather(&self.displacement, u);
+        is_known
+    }
+
     /// The displacement field of the last product at the cells' points.
     pub fn displacement_at_cells(&self, u: &mut [f64]) {
         self.interpolation.gather(&self.displacement, u);

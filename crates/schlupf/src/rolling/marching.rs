@@ -312,6 +312,7 @@ impl<'a> March<'a> {
             residual,
             history: self.history,
             warnings,
+            sensitivity: None,
             work: self.work,
             state,
         };

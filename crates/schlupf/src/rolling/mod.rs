@@ -6,6 +6,7 @@ mod contact;
 mod friction_heat;
 mod level;
 pub mod marching;
+mod sensitivity;
 pub mod shift;
 mod snapshot;
 pub mod steady;

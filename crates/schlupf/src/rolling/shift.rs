@@ -128,12 +128,14 @@ fn account(
         residual: outcome.residual,
         history: vec![instant],
         warnings,
+        sensitivity: None,
         work: Work {
             newton_iterations: outcome.iterations,
             operator_products: outcome.products as f64 + 1.0,
             outer_iterations: 1,
             steps: 0,
             cells: contact.patch.len(),
+            sensitivity_products: 0,
         },
         state: State { grid: contact.patch.grid, time: 0.0, elements },
     }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::equilibrium::{Limits, Newton, Outcome};
+use crate::equilibrium::{Gmres, Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::problem::{Options, Problem};
@@ -13,6 +13,7 @@ use crate::state::State;
 use super::Progress;
 use super::level::{self, Level};
 use super::marching;
+use super::sensitivity::sensitivity;
 use super::snapshot::Snapshot;
 use super::steady_state::SteadyState;
 use super::summary;
@@ -56,12 +57,13 @@ pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
     newton: Newton,
+    krylov: Gmres,
 }
 
 impl SteadySolver {
     /// A solver without a past.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), setup: None, newton: Newton::default() }
+        Self { options: options.clone(), setup: None, newton: Newton::default(), krylov: Gmres::default() }
     }
 
     /// Solves a problem for its steady state; see [`solve`].
@@ -82,7 +84,10 @@ impl SteadySolver {
         report(Progress { step: 1, steps: Some(1), change: outcome.residual });
         if outcome.converged {
             let response = self.newton.response();
-            let solution = setup.solution(problem, &self.options, response, (outcome, work));
+            let mut solution = setup.solution(problem, &self.options, response, (outcome, work));
+            if self.options.sensitivity {
+                self.differentiate(problem, &mut setup, &mut solution);
+            }
             self.setup = Some(setup);
             return Ok(solution);
         }
@@ -93,6 +98,24 @@ impl SteadySolver {
             outcome.residual, outcome.iterations
         ));
         Ok(marched)
+    }
+}
+
+impl SteadySolver {
+    /// Adds the derivatives to a solution that was just found.
+    fn differentiate(&mut self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
+        let response = self.newton.response();
+        let levels = &mut setup.levels;
+        let (found, products) = sensitivity(problem, levels, &mut self.krylov, response);
+        solution.sensitivity = found;
+        solution.work.sensitivity_products = products;
+        if found.is_none() {
+            solution.warnings.push(
+                "sensitivity: a linear system at the solution was not solved; the derivatives are \
+                 left out"
+                    .to_owned(),
+            );
+        }
     }
 }
 
@@ -266,6 +289,7 @@ impl Setup {
             residual: outcome.residual,
             history: vec![instant],
             warnings: summary::warnings(problem, contact, &now),
+            sensitivity: None,
             work,
             state: State { grid: contact.patch.grid, time: 0.0, elements },
         };

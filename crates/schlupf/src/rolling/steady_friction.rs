@@ -214,17 +214,29 @@ impl SteadyFriction {
         flux: &mut [f64],
         bound: &mut [f64],
     ) {
+        self.bound_changes_at(traction, slip, |_| 0.0, flux, bound);
+    }
+
+    /// The same, where the rise times effusivity (in W √s/m²) of each cell changes besides.
+    pub fn bound_changes_at(
+        &self,
+        traction: &[f64],
+        slip: impl Fn(usize) -> [f64; 2],
+        rise: impl Fn(usize) -> f64,
+        flux: &mut [f64],
+        bound: &mut [f64],
+    ) {
         for k in 0..self.rows.len() {
             let (v, slid) = (self.slip[k], slip(k));
             let own = [traction[2 * k], traction[2 * k + 1]];
-            let rubbed = [0, 1].map(|c| self.traction[2 * k + c] * slid[c]);
+            let rubbed = self.traction[2 * k] * slid[0] + self.traction[2 * k + 1] * slid[1];
             flux[k] = self.flux_change(k, own);
             if self.power[k] > 0.0 {
-                flux[k] += (rubbed[0] + rubbed[1]) * self.flux_over_power[k];
+                flux[k] += rubbed * self.flux_over_power[k];
             }
             let speed = speed_of(v);
             let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
-            let warmed = self.by_rise(k) * self.weighted(k, flux);
+            let warmed = self.by_rise(k) * (self.weighted(k, flux) + rise(k));
             bound[k] = self.pressure[k] * (warmed + self.response[k].by_slip_speed * faster);
         }
     }

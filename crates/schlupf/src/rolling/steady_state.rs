@@ -4,9 +4,10 @@
 use crate::equilibrium::Equilibrium;
 use crate::problem::Problem;
 
+use super::contact::DiscreteContact;
 use super::level::Level;
 use super::steady_friction::SteadyFriction;
-use super::strip_law::StripLaw;
+use super::strip_law::{Cause, StripLaw};
 
 /// The steady equilibrium on the first of some levels. The coarser ones, solved before, help to
 /// precondition it.
@@ -61,14 +62,8 @@ impl Equilibrium for SteadyState<'_> {
         let Level { contact, strips, room, .. } = &mut self.levels[0];
         let (b, passing) = u.split_at_mut(p.len());
         contact.product(p, b);
-        contact.displacement_at_entries(&mut room.at_entry);
-        for (b, entry) in b.iter_mut().zip(&room.at_entry) {
-            *b -= entry;
-        }
-        strips.differences(b);
-        if is_coupled {
-            contact.change_in_passing(passing);
-        }
+        let passing = is_coupled.then_some(passing);
+        relate(contact, strips, &mut room.at_entry, (b, passing));
     }
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
@@ -95,6 +90,99 @@ impl Equilibrium for SteadyState<'_> {
 
     fn precondition(&mut self, v: &mut [f64]) {
         precondition(self.levels, v);
+    }
+}
+
+/// From the displacement at the cells, in b, and the field of the last product: b relative to the
+/// upstream neighbour, and the change in passing if that is wanted.
+fn relate(
+    contact: &mut DiscreteContact,
+    strips: &StripLaw,
+    at_entry: &mut [f64],
+    (b, passing): (&mut [f64], Option<&mut [f64]>),
+) {
+    contact.displacement_at_entries(at_entry);
+    for (b, entry) in b.iter_mut().zip(at_entry) {
+        *b -= *entry;
+    }
+    strips.differences(b);
+    if let Some(passing) = passing {
+        contact.change_in_passing(passing);
+    }
+}
+
+/// Small changes of what the equilibrium is given.
+pub(super) struct Direct {
+    /// Of what the contact law is given.
+    pub cause: Cause,
+    /// Of the linear response at the same traction, in m; empty if there is none.
+    pub response: Vec<f64>,
+    /// Of μ pₙ beside what follows from slip and temperature, in Pa.
+    pub bound: Vec<f64>,
+    /// Of the rigid slip velocity, in m/s.
+    pub slip: Vec<[f64; 2]>,
+    /// Of the rise times effusivity, in W √s/m².
+    pub rise: Vec<f64>,
+}
+
+impl Direct {
+    /// Nothing changes in any of `cells` cells.
+    pub fn nothing(cells: usize) -> Self {
+        Self {
+            cause: Cause {
+                rigid: vec![0.0; 2 * cells],
+                turn: vec![0.0; 2 * cells],
+                stiffness: 0.0,
+            },
+            response: Vec::new(),
+            bound: vec![0.0; cells],
+            slip: vec![[0.0; 2]; cells],
+            rise: vec![0.0; cells],
+        }
+    }
+}
+
+impl SteadyState<'_> {
+    /// Change of F at the same traction, in Pa.
+    pub fn change_by(&mut self, direct: &Direct, change: &mut [f64]) {
+        let is_coupled = self.is_coupled();
+        let size = self.size();
+        let mut response = direct.response.clone();
+        response.resize(self.response_size(), 0.0);
+        let Level { strips, friction, room, .. } = &mut self.levels[0];
+        let nothing = vec![0.0; size];
+        room.bound.copy_from_slice(&direct.bound);
+        if is_coupled {
+            let passing = &response[size..];
+            let slip = |k: usize| {
+                let elastic = friction.slip_change(passing, k);
+                [0, 1].map(|c| direct.slip[k][c] + elastic[c])
+            };
+            friction.bound_changes_at(
+                &nothing,
+                slip,
+                |k| direct.rise[k],
+                &mut room.flux,
+                &mut room.bound,
+            );
+            for (bound, direct) in room.bound.iter_mut().zip(&direct.bound) {
+                *bound += direct;
+            }
+        }
+        let b = &response[..size];
+        strips.tangent(&nothing, b, Some(&room.bound), Some(&direct.cause), change);
+    }
+
+    /// Change of the linear response at the solution with the logarithm of the size of the patch;
+    /// whether the elasticity knows it.
+    pub fn response_by_size(&mut self, response: &mut [f64]) -> bool {
+        let is_coupled = self.is_coupled();
+        let Level { contact, strips, traction, room, .. } = &mut self.levels[0];
+        let (b, passing) = response.split_at_mut(traction.len());
+        let is_known = contact.product_by_size(traction, b);
+        let passing = is_coupled.then_some(passing);
+        relate(contact, strips, &mut room.at_entry, (b, passing));
+        is_known
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{
-    Area, Fields, Instant, Power, Resultant, Solution, Status, TGamma, Temperature, Work,
+    Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma, Temperature, Work,
 };
 use crate::state::State;
 
@@ -17,6 +17,7 @@ pub(super) struct Account {
     pub residual: f64,
     pub history: Vec<Instant>,
     pub warnings: Vec<String>,
+    pub sensitivity: Option<Sensitivity>,
     pub work: Work,
     pub state: State,
 }
@@ -51,6 +52,7 @@ pub(super) fn solution(
         fields: fields(patch, now, options.slip_threshold),
         history: account.history,
         warnings: account.warnings,
+        sensitivity: account.sensitivity,
         work: account.work,
         state: account.state,
     }
@@ -58,10 +60,15 @@ pub(super) fn solution(
 
 /// Forces and moment on the wheel.
 pub(super) fn force(patch: &Patch, now: &Snapshot) -> Resultant {
+    resultant(patch, &now.traction)
+}
+
+/// Forces and moment on the wheel of a traction on the rail.
+pub(super) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
     let area = patch.grid.cell_area();
     let mut sum = Resultant::default();
     for (k, cell) in patch.cells.iter().enumerate() {
-        let [px, py] = now.traction_at(k);
+        let [px, py] = [traction[2 * k], traction[2 * k + 1]];
         sum.x -= px * area;
         sum.y -= py * area;
         sum.moment_z -= (cell.x * py - cell.y * px) * area;

@@ -6,11 +6,12 @@ use std::sync::Arc;
 
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
+use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::heat::{Heat, partition::Partition};
 use schlupf::interface::contact_law::Incremental;
 use schlupf::interface::friction::{Friction, constant::Constant};
 use schlupf::kinematics::Kinematics;
-use schlupf::material::Body;
+use schlupf::material::{Body, Material};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::marching::march;
 use schlupf::{Options, Problem, Solution, Status};
@@ -25,6 +26,11 @@ pub fn layer() -> Arc<dyn Elasticity> {
     let stiffness =
         LayerStiffness { bedding: 1e13, coupling_along_x: 3.24e7, coupling_along_y: 3.24e7 };
     Arc::new(ElasticLayer::new(stiffness, stiffness, Some(15e-3)).unwrap())
+}
+
+/// The half-space of two steel bodies.
+pub fn half_space() -> Arc<dyn Elasticity> {
+    Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap())
 }
 
 /// a = 6 mm, b = 5 mm, p0 = 1 GPa, μ = 0.4, k_c = 5e6/m, no heat.

@@ -1,0 +1,206 @@
+//! Derivatives of the steady forces, exact: from F(p, θ) = 0 follows J dp/dθ = −∂F/∂θ with the Jacobian
+//! of the converged equilibrium, one linear solution for each parameter θ.
+//!
+//! ∂F/∂θ is known in closed form: creepages and spin enter by the rigid slip, μ0 by the bound μ pₙ. The
+//! contact law depends on k_c times lengths only, so its derivative by k_c follows from those by the
+//! lengths. A load that makes the patch grow scales all lengths.
+
+use crate::equilibrium::{Equilibrium, Gmres, add_scaled, norm};
+use crate::interface::contact_law::Slide;
+use crate::kinematics::Kinematics;
+use crate::patch::Cell;
+use crate::problem::Problem;
+use crate::solution::{Resultant, Sensitivity};
+
+use super::level::Level;
+use super::steady_state::{Direct, SteadyState};
+use super::summary;
+
+/// Linear residual of the derivatives, relative to ∂F/∂θ.
+const ACCURACY: f64 = 1e-9;
+
+/// Linear residual that is not accepted any more.
+const WORST: f64 = 1e-6;
+
+/// Times the Krylov method is begun anew for one derivative.
+const RESTARTS: usize = 12;
+
+/// The derivatives at the solution of the first of `levels`, if all linear systems could be solved;
+/// and the number of products. `response` is L p of the solution.
+pub(super) fn sensitivity(
+    problem: &Problem,
+    levels: &mut [Level],
+    krylov: &mut Gmres,
+    response: &[f64],
+) -> (Option<Sensitivity>, usize) {
+    let size = levels[0].size();
+    let mut derivatives = Derivatives {
+        problem,
+        levels,
+        krylov,
+        products: 0,
+        step: vec![0.0; size],
+        response_step: vec![0.0; response.len()],
+        change: vec![0.0; size],
+    };
+    let found = derivatives.all(response);
+    (found, derivatives.products)
+}
+
+struct Derivatives<'a> {
+    problem: &'a Problem,
+    levels: &'a mut [Level],
+    krylov: &'a mut Gmres,
+    products: usize,
+    step: Vec<f64>,
+    response_step: Vec<f64>,
+    change: Vec<f64>,
+}
+
+impl Derivatives<'_> {
+    fn all(&mut self, response: &[f64]) -> Option<Sensitivity> {
+        let [slowness_x, slowness_y] = self.problem.kinematics.slowness_by_creepage();
+        let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
+        let along_y = Kinematics { creepage_y: 1.0, ..standing(self.problem) };
+        let turning = Kinematics { spin: 1.0, ..standing(self.problem) };
+        Some(Sensitivity {
+            creepage_x: self.by(&self.by_motion(&along_x, slowness_x))?,
+            creepage_y: self.by(&self.by_motion(&along_y, slowness_y))?,
+            spin: self.by(&self.by_motion(&turning, 0.0))?,
+            load: self.by_load(response)?,
+            friction_coefficient: self.by(&self.by_friction())?,
+            contact_stiffness: self.by_stiffness()?,
+        })
+    }
+
+    /// What changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`.
+    fn by_motion(&self, motion: &Kinematics, slowness: f64) -> Direct {
+        let Level { contact, friction, .. } = &self.levels[0];
+        let mut direct = Direct::nothing(self.levels[0].strips.len());
+        for (k, cell) in contact.patch.cells.iter().enumerate() {
+            direct.set_motion(k, cell, motion);
+            let warmer = friction.conduction.contact_temperature_by_slowness(friction.rise[k]);
+            let by_temperature = friction.response[k].by_temperature;
+            direct.bound[k] = cell.pressure * by_temperature * slowness * warmer;
+        }
+        direct
+    }
+
+    fn by_friction(&self) -> Direct {
+        let Level { contact, friction, .. } = &self.levels[0];
+        let mut direct = Direct::nothing(self.levels[0].strips.len());
+        let cells = contact.patch.cells.iter().zip(&friction.response);
+        for (bound, (cell, response)) in direct.bound.iter_mut().zip(cells) {
+            *bound = cell.pressure * response.by_cold_coefficient;
+        }
+        direct
+    }
+
+    fn by_stiffness(&mut self) -> Option<Resultant> {
+        let stiffness = self.problem.contact_law.respond(&Slide::default()).by_increment[0][0];
+        let mut direct = Direct::nothing(self.levels[0].strips.len());
+        direct.cause.stiffness = 1.0;
+        Some(scaled(&self.by(&direct)?, stiffness.recip()))
+    }
+
+    /// Nothing in the inner option where the elasticity does not know how it grows.
+    fn by_load(&mut self, response: &[f64]) -> Option<Option<Resultant>> {
+        let growth = self.problem.normal.growth();
+        let mut direct = Direct::nothing(self.levels[0].strips.len());
+        let mut system = SteadyState::new(self.problem, self.levels);
+        direct.response = vec![0.0; response.len()];
+        if growth != 0.0 && !system.response_by_size(&mut direct.response) {
+            return Some(None);
+        }
+        self.products += usize::from(growth != 0.0);
+        let Level { contact, strips, friction, traction, .. } = &self.levels[0];
+        for u in &mut direct.response {
+            *u *= growth;
+        }
+        let kinematics = &self.problem.kinematics;
+        let turning = Kinematics { spin: kinematics.spin, ..standing(self.problem) };
+        for (k, cell) in contact.patch.cells.iter().enumerate() {
+            // All ways grow; what the spin makes of them does so twice.
+            direct.set_motion(k, cell, &turning);
+            let (rigid, half_turn) =
+                (cell.way_in.rigid_slip(kinematics), turning.half_turn(cell.way_in.distance));
+            for c in 0..2 {
+                direct.cause.rigid[2 * k + c] += rigid[c];
+                direct.cause.rigid[2 * k + c] *= growth;
+                direct.cause.turn[2 * k + c] = 2.0 * growth * half_turn[c];
+                direct.slip[k][c] *= growth;
+            }
+            // T β is a flux times the root of a time.
+            direct.rise[k] = 0.5 * growth * friction.rise[k];
+            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k];
+        }
+        // The slip is the change of A p in passing over the size of a cell, which grows.
+        if friction.is_coupled {
+            let size = strips.len() * 2;
+            add_scaled(&mut direct.response[size..], -growth, &response[size..]);
+        }
+        let whole = summary::resultant(&contact.patch, traction);
+        let load = contact.normal.load;
+        let moved = self.by(&direct)?;
+        let grown = Resultant {
+            x: moved.x + 2.0 * growth * whole.x,
+            y: moved.y + 2.0 * growth * whole.y,
+            moment_z: moved.moment_z + 3.0 * growth * whole.moment_z,
+        };
+        Some(Some(scaled(&grown, load.recip())))
+    }
+
+    /// Change of the forces with what changes directly.
+    fn by(&mut self, direct: &Direct) -> Option<Resultant> {
+        let size = self.step.len();
+        let mut residual = vec![0.0; size];
+        let mut system = SteadyState::new(self.problem, self.levels);
+        system.change_by(direct, &mut residual);
+        let start = norm(&residual);
+        self.change.fill(0.0);
+        let mut left = start;
+        let mut product = vec![0.0; size];
+        for _ in 0..RESTARTS {
+            if left <= ACCURACY * start {
+                break;
+            }
+            let targets = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
+            let forcing = (0.5 * ACCURACY * start / left).min(0.5);
+            self.products += self.krylov.solve(&mut system, &residual, forcing, targets);
+            system.tangent_product(&self.step, &self.response_step, &mut product);
+            add_scaled(&mut residual, 1.0, &product);
+            add_scaled(&mut self.change, 1.0, &self.step);
+            left = norm(&residual);
+        }
+        let is_good = left <= WORST * start && start.is_finite();
+        is_good.then(|| summary::resultant(&self.levels[0].contact.patch, &self.change))
+    }
+}
+
+/// No motion but that of the frame.
+fn standing(problem: &Problem) -> Kinematics {
+    let speed = problem.kinematics.speed;
+    Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
+}
+
+fn scaled(resultant: &Resultant, factor: f64) -> Resultant {
+    Resultant {
+        x: factor * resultant.x,
+        y: factor * resultant.y,
+        moment_z: factor * resultant.moment_z,
+    }
+}
+
+impl Direct {
+    /// The changes in a cell when its motion changes.
+    fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
+        let way = &cell.way_in;
+        let (rigid, turn) = (way.rigid_slip(motion), motion.half_turn(way.distance));
+        let slip = motion.rigid_slip(cell.x, cell.y);
+        for c in 0..2 {
+            self.cause.rigid[2 * k + c] = rigid[c];
+            self.cause.turn[2 * k + c] = turn[c];
+            self.slip[k][c] = motion.speed * slip[c];
+        }
+    }
+}

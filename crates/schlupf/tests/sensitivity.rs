@@ -1,0 +1,177 @@
+//! Exact derivatives of the forces against central differences of whole solutions.
+
+mod common;
+
+use std::sync::Arc;
+
+use common::{half_space, problem, rolling};
+use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
+use schlupf::elasticity::winkler::Winkler;
+use schlupf::heat::constant_source::ConstantSource;
+use schlupf::heat::duhamel::Duhamel;
+use schlupf::heat::partition::Partition;
+use schlupf::heat::Heat;
+use schlupf::interface::contact_law::{Incremental, TotalDisplacement};
+use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::material::{Material, contact_modulus};
+use schlupf::normal::PressureSource;
+use schlupf::normal::hertz::{Hertz, Radii};
+use schlupf::solution::{Resultant, Sensitivity};
+use schlupf::{Options, Problem, Solution, Status};
+
+const LOAD: f64 = 80e3;
+
+fn hertz(load: f64) -> Arc<dyn PressureSource> {
+    let wheel = Radii { x: 0.46, y: f64::INFINITY };
+    let rail = Radii { x: f64::INFINITY, y: 0.3 };
+    let modulus = contact_modulus(&Material::STEEL, &Material::STEEL);
+    Arc::new(Hertz::new(wheel, rail, modulus, load).unwrap())
+}
+
+fn at(problem: &Problem) -> Solution {
+    on_cells(problem, 14)
+}
+
+fn on_cells(problem: &Problem, cells: usize) -> Solution {
+    let options = Options {
+        tolerance: 1e-11,
+        cells_x: cells,
+        cells_y: cells,
+        sensitivity: true,
+        ..Options::default()
+    };
+    let solution = schlupf::rolling::solve(problem, &options, &mut |_| ()).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    assert_eq!(solution.work.steps, 0);
+    solution
+}
+
+/// The problem with one parameter set.
+type Setter<'a> = &'a dyn Fn(&Problem, f64) -> Problem;
+
+/// (F(θ + h) − F(θ − h))/2h with h a small part of `scale`.
+fn difference(base: &Problem, with: Setter, value: f64, scale: f64) -> [f64; 3] {
+    let h = 2e-5 * scale;
+    let [plus, minus] = [value + h, value - h].map(|value| at(&with(base, value)).force);
+    let over = |plus: f64, minus: f64| (plus - minus) / (2.0 * h);
+    [over(plus.x, minus.x), over(plus.y, minus.y), over(plus.moment_z, minus.moment_z)]
+}
+
+/// Compares all derivatives of a problem; `law` sets μ0 and k_c.
+fn check(name: &str, base: &Problem, friction: Setter, stiffness: Setter) {
+    let solution = at(base);
+    let Sensitivity { creepage_x, creepage_y, spin, load, friction_coefficient, contact_stiffness } =
+        solution.sensitivity.unwrap();
+    let k = base.kinematics;
+    let limit = 0.4 * LOAD;
+    let parameters: [(&str, Resultant, Setter, f64, f64); 6] = [
+        ("ξ", creepage_x, &|p, v| moved(p, |k| k.creepage_x = v), k.creepage_x, 1e-3),
+        ("η", creepage_y, &|p, v| moved(p, |k| k.creepage_y = v), k.creepage_y, 1e-3),
+        ("φ", spin, &|p, v| moved(p, |k| k.spin = v), k.spin, 0.2),
+        ("N", load.unwrap(), &|p, v| Problem { normal: hertz(v), ..p.clone() }, LOAD, LOAD),
+        ("μ0", friction_coefficient, friction, 0.4, 0.4),
+        ("k_c", contact_stiffness, stiffness, 5e6, 5e6),
+    ];
+    for (parameter, exact, with, value, scale) in parameters {
+        let approximate = difference(base, with, value, scale);
+        let lever = 5e-3;
+        let pairs = [exact.x, exact.y, exact.moment_z / lever].into_iter();
+        let pairs = pairs.zip([approximate[0], approximate[1], approximate[2] / lever]);
+        for (component, (exact, approximate)) in pairs.enumerate() {
+            let error = (exact - approximate).abs() * scale / limit;
+            assert!(
+                error < 2e-6,
+                "{name}, {parameter}, component {component}: {exact:e}, not {approximate:e}"
+            );
+        }
+    }
+}
+
+fn moved(problem: &Problem, set: impl Fn(&mut schlupf::kinematics::Kinematics)) -> Problem {
+    let mut problem = problem.clone();
+    set(&mut problem.kinematics);
+    problem
+}
+
+fn incremental(problem: &Problem, stiffness: f64) -> Problem {
+    Problem { contact_law: Arc::new(Incremental::new(stiffness).unwrap()), ..problem.clone() }
+}
+
+fn constant(problem: &Problem, coefficient: f64) -> Problem {
+    let mut problem = problem.clone();
+    problem.friction.law = Arc::new(Constant::new(coefficient).unwrap());
+    problem
+}
+
+fn falling(problem: &Problem, coefficient: f64) -> Problem {
+    let mut problem = problem.clone();
+    problem.friction.law = Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.05).unwrap());
+    problem
+}
+
+fn base() -> Problem {
+    Problem { normal: hertz(LOAD), ..problem(rolling(0.0012, 0.0015, 0.25)) }
+}
+
+#[test]
+fn on_the_layer_and_the_half_space() {
+    let layer = base();
+    check("layer", &layer, &constant, &incremental);
+    let half = Problem { elasticity: half_space(), ..base() };
+    check("half-space", &half, &constant, &incremental);
+    let springs = Springs { bedding: 8e6, coupling: 3e7 };
+    let discrete = ElasticLayer::from_springs(springs, springs, Some(15e-3)).unwrap();
+    check("springs", &Problem { elasticity: Arc::new(discrete), ..base() }, &constant, &incremental);
+    let uncoupled = Problem { elasticity: Arc::new(Winkler::new(2e13, 1e13).unwrap()), ..base() };
+    check("Winkler", &uncoupled, &constant, &incremental);
+}
+
+#[test]
+fn with_heat_that_lowers_friction() {
+    let mut hot = falling(&Problem { elasticity: half_space(), ..base() }, 0.4);
+    hot.kinematics.creepage_x = 0.012;
+    hot.wheel.bulk_temperature = 120.0;
+    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    check("Duhamel", &hot, &falling, &incremental);
+    hot.heat = Heat { model: Some(Arc::new(ConstantSource)), partition: Partition::Given(0.5) };
+    check("constant source", &hot, &falling, &incremental);
+}
+
+#[test]
+fn with_the_law_in_total_displacement() {
+    let total = |problem: &Problem, stiffness: f64| Problem {
+        contact_law: Arc::new(TotalDisplacement::new(stiffness).unwrap()),
+        ..problem.clone()
+    };
+    let base = total(&base(), 5e6);
+    check("total displacement", &base, &constant, &total);
+}
+
+/// With the size of the patch given, only the pressure grows with the load; beyond saturation the
+/// force is μN.
+#[test]
+fn of_a_sliding_patch_of_given_size() {
+    let sliding = problem(rolling(0.05, 0.0, 0.0));
+    let sensitivity = at(&sliding).sensitivity.unwrap();
+    let by_load = sensitivity.load.unwrap();
+    assert!((by_load.x + 0.4).abs() < 1e-6, "{by_load:?}");
+    assert!(sensitivity.creepage_x.x.abs() < 1e-3 * 0.4 * LOAD, "{sensitivity:?}");
+}
+
+/// Kalker 1967: at rest the slope of the force is the same in both directions of a creepage, and
+/// derivatives exist there.
+#[test]
+fn kalker_1967_at_rest() {
+    let rest = Problem { elasticity: half_space(), ..problem(rolling(0.0, 0.0, 0.0)) };
+    let slope = at(&rest).sensitivity.unwrap();
+    let small = 1e-8;
+    let moved = at(&Problem { kinematics: rolling(small, 0.0, 0.0), ..rest.clone() }).force;
+    assert!((slope.creepage_x.x * small / moved.x - 1.0).abs() < 1e-4, "{slope:?} {moved:?}");
+    // By reciprocity C23 is in Fy under spin and in −Mz under lateral creepage, where the bristles,
+    // whose stiffness goes with the pressure, give way little; the rest is the grid's.
+    let stiff = incremental(&rest, 1e8);
+    let slope = on_cells(&stiff, 40).sensitivity.unwrap();
+    let (by_spin, by_lateral) = (slope.spin.y, slope.creepage_y.moment_z);
+    assert!((by_spin / by_lateral + 1.0).abs() < 0.02, "{by_spin} {by_lateral}");
+}
