@@ -97,9 +97,9 @@ pub struct Options {
     /// Cells across rolling over the patch.
     pub cells_y: usize,
     /// Largest residual ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, dimensionless, the friction being that of the
-    /// temperatures found. Marching to the steady state ends
-    /// when a step also changes the traction by less, and the temperature by less than this part of
-    /// its largest rise.
+    /// temperatures found. Marching to the steady state ends when the passage of the material
+    /// through the whole patch also changes the traction by less, and the temperature by less than
+    /// this part of its largest rise.
     pub tolerance: f64,
     /// Most Newton steps for one equilibrium, and most iterations between traction and temperature
     /// in the steady driver.

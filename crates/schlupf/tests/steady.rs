@@ -17,6 +17,7 @@ use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::problem::Driver;
+use schlupf::rolling::steady::SteadySolver;
 use schlupf::{Error, Options, Problem, Solution, Status, rolling};
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
@@ -46,9 +47,7 @@ fn the_steady_state_is_the_end_of_marching() {
             let (steady, marched) = (at_once(&both, &options), solve(&both, &options));
             let (one, two) = (steady.normalised, marched.normalised);
             let differs = (one.x - two.x).hypot(one.y - two.y).hypot(one.moment_z - two.moment_z);
-            // The march ends when a step changes less than the tolerance; on the half-space its
-            // memory fades slowly, and what is left adds up over the steps.
-            assert!(differs < 1e-6, "{elasticity:?} {law:?}: {differs:e}");
+            assert!(differs < 10.0 * options.tolerance, "{elasticity:?} {law:?}: {differs:e}");
             assert_eq!(steady.fields.sliding, marched.fields.sliding);
         }
     }
@@ -70,19 +69,96 @@ fn the_hot_steady_state_is_the_end_of_marching() {
     assert!(steady.work.outer_iterations < 25, "{:?}", steady.work);
 }
 
-/// Products with A of a cold solution hardly depend on the grid.
+/// Motions that a creep force law is made of.
+const MOTIONS: [(f64, f64, f64); 7] = [
+    (0.0005, 0.0, 0.0),
+    (0.002, 0.0, 0.0),
+    (0.0, 0.001, 0.0),
+    (0.002, 0.002, 0.0),
+    (0.0, 0.0, 1.0),
+    (0.0, 0.001, 0.4),
+    (0.003, 0.001, 0.2),
+];
+
+/// Products with A of a cold solution do not depend on the grid.
 #[test]
-fn work_stays_bounded() {
-    for elasticity in [common::layer(), half_space()] {
-        for (cells_across, allowed) in [(20, 60.0), (40, 75.0), (80, 90.0)] {
-            for (xi, eta, spin) in [(0.001, 0.0, 0.0), (0.002, 0.002, 0.0), (0.0, 0.001, 0.4)] {
+fn cold_work_does_not_grow_with_the_grid() {
+    for (elasticity, allowed) in [(common::layer(), 40.0), (half_space(), 30.0)] {
+        for cells_across in [20, 40, 80, 160] {
+            for (xi, eta, spin) in MOTIONS {
                 let mut cold = problem(rolling(xi, eta, spin));
                 cold.elasticity = Arc::clone(&elasticity);
                 let work = at_once(&cold, &cells(cells_across)).work;
                 assert!(work.operator_products < allowed, "{elasticity:?} {work:?}");
-                assert!(work.newton_iterations <= 12, "{work:?}");
+                // Those on the coarser grids count too.
+                assert!(work.newton_iterations <= 16, "{work:?}");
             }
         }
+    }
+}
+
+/// Heat that lowers friction costs no more products: it is part of the same equilibrium.
+#[test]
+fn heat_costs_no_products() {
+    for (xi, eta, spin) in MOTIONS {
+        let mut hot = problem(rolling(xi, eta, spin));
+        hot.elasticity = half_space();
+        hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+        hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+        let work = at_once(&hot, &cells(24)).work;
+        assert!(work.operator_products < 30.0, "{work:?}");
+    }
+}
+
+/// Mean and largest number of products for a point of a creep curve in a direction (ξ, η, φ).
+fn along_a_curve(base: &Problem, options: &Options, direction: [f64; 3]) -> [f64; 2] {
+    const POINTS: u32 = 30;
+    let mut solver = SteadySolver::new(options);
+    let (mut total, mut largest) = (0.0, 0.0_f64);
+    for point in 1..=POINTS {
+        let size = 0.008 * f64::from(point).powf(1.5) / f64::from(POINTS).powf(1.5);
+        let [xi, eta, spin] = direction.map(|d| d * size);
+        let problem = Problem { kinematics: rolling(xi, eta, spin), ..base.clone() };
+        let solution = solver.solve(&problem, &mut |_| ()).unwrap();
+        assert_eq!(solution.work.steps, 0, "marched");
+        total += solution.work.operator_products;
+        largest = largest.max(solution.work.operator_products);
+    }
+    [total / f64::from(POINTS), largest]
+}
+
+/// Points of a creep curve start from the points before.
+#[test]
+fn warm_work_along_a_creep_curve() {
+    let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
+    for (elasticity, allowed) in
+        [(common::layer(), [28.0, 36.0]), (half_space(), [18.0, 27.0])]
+    {
+        let mut base = problem(rolling(0.0, 0.0, 0.0));
+        base.elasticity = elasticity;
+        for cells_across in [20, 40, 80] {
+            let counts = directions.map(|d| along_a_curve(&base, &cells(cells_across), d));
+            println!("{:?} {cells_across}: {counts:.1?}", base.elasticity);
+            for [mean, largest] in counts {
+                assert!(mean < allowed[0] && largest < allowed[1], "{mean} {largest}");
+            }
+        }
+    }
+}
+
+/// What a solver has solved before changes its results by no more than the tolerance.
+#[test]
+fn a_warm_start_leaves_no_trace() {
+    let options = cells(20);
+    let mut solver = SteadySolver::new(&options);
+    let base = problem(rolling(0.001, 0.0, 0.0));
+    for (xi, eta, spin) in MOTIONS {
+        let now = Problem { kinematics: rolling(xi, eta, spin), ..base.clone() };
+        let warm = solver.solve(&now, &mut |_| ()).unwrap().normalised;
+        let cold = at_once(&now, &options).normalised;
+        let differs =
+            (warm.x - cold.x).hypot(warm.y - cold.y).hypot(warm.moment_z - cold.moment_z);
+        assert!(differs < 4.0 * options.tolerance, "{differs:e}");
     }
 }
 

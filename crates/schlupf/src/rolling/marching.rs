@@ -59,6 +59,10 @@ struct March<'a> {
     outcome: Outcome,
     /// Relative change of traction and temperature in the last step.
     change: f64,
+    /// The same over the last passage of the material through the whole patch.
+    passage_change: f64,
+    /// Traction and temperature rises a passage ago.
+    passage_start: [Vec<f64>; 2],
     worst_residual: f64,
     work: Work,
     history: Vec<Instant>,
@@ -87,6 +91,8 @@ impl<'a> March<'a> {
             newton: Newton::default(),
             outcome: Outcome::default(),
             change: f64::INFINITY,
+            passage_change: f64::INFINITY,
+            passage_start: [Vec::new(), Vec::new()],
             worst_residual: 0.0,
             work: Work { cells: contact.patch.len(), ..Work::default() },
             history: Vec::new(),
@@ -125,9 +131,25 @@ impl<'a> March<'a> {
             let [start, end] = history.span();
             return self.time >= end - 1e-9 * (end - start);
         }
-        let longest = self.contact.patch.strips.iter().map(|s| s.cells.len()).max().unwrap_or(0);
-        let is_steady = self.change <= self.options.tolerance && self.work.steps > longest;
+        let is_steady = self.passage_change <= self.options.tolerance;
         is_steady || self.work.steps >= self.options.max_steps
+    }
+
+    /// At the end of a passage, compares with its start. What is left to come is about as much as
+    /// a passage changes, but many times what a step does.
+    fn compare_passages(&mut self) {
+        let longest = self.contact.patch.strips.iter().map(|s| s.cells.len()).max().unwrap_or(1);
+        if !self.work.steps.is_multiple_of(longest) {
+            return;
+        }
+        let [traction, rise] = &self.passage_start;
+        if traction.len() == self.now.traction.len() {
+            let scale = norm(&self.now.bound(&self.contact.patch));
+            let warmed = largest_change(rise, &self.now.rise);
+            self.passage_change =
+                relative_change(traction, &self.now.traction, scale).max(warmed);
+        }
+        self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
     }
 
     /// Carries every element over into the next cell; Eqs. (9)–(12).
@@ -256,12 +278,7 @@ impl<'a> March<'a> {
             element.rise = self.now.rise[k];
             element.slip_speed = self.now.slip[k][0].hypot(self.now.slip[k][1]);
         }
-        let hottest = self.now.rise.iter().copied().fold(0.0, f64::max);
-        let difference = |(new, old): (&f64, &f64)| (new - old).abs();
-        let warmed = self.now.rise.iter().zip(&old_rise).map(difference).fold(0.0, f64::max);
-        if hottest > 0.0 {
-            self.change = self.change.max(warmed / hottest);
-        }
+        self.change = self.change.max(largest_change(&old_rise, &self.now.rise));
     }
 
     /// Counts the work and keeps the forces of the step.
@@ -271,6 +288,7 @@ impl<'a> March<'a> {
         self.work.newton_iterations += self.outcome.iterations;
         self.work.operator_products += self.outcome.products as f64;
         self.work.outer_iterations += 1;
+        self.compare_passages();
         self.worst_residual = self.worst_residual.max(self.outcome.residual);
         self.history.push(Instant {
             time: self.time,
@@ -295,7 +313,7 @@ impl<'a> March<'a> {
     fn into_solution(mut self) -> Solution {
         let transient = self.problem.history.is_some();
         let residual =
-            if transient { self.worst_residual } else { self.outcome.residual.max(self.change) };
+            if transient { self.worst_residual } else { self.outcome.residual.max(self.passage_change) };
         let status = if residual <= self.options.tolerance {
             Status::Converged
         } else {
@@ -329,12 +347,20 @@ impl<'a> March<'a> {
             )
         } else {
             format!(
-                "not converged: after {} time steps traction or temperature still change by {:.1e} \
-                 a step, above the tolerance {tolerance:.1e}",
-                self.work.steps, self.change
+                "not converged: after {} time steps traction or temperature still change by {:.1e} in \
+                 a passage of the patch, above the tolerance {tolerance:.1e}",
+                self.work.steps, self.passage_change
             )
         }
     }
+}
+
+/// Largest change over the largest new value.
+fn largest_change(old: &[f64], new: &[f64]) -> f64 {
+    let largest = new.iter().copied().fold(0.0, f64::max);
+    let difference = |(new, old): (&f64, &f64)| (new - old).abs();
+    let changed = new.iter().zip(old).map(difference).fold(0.0, f64::max);
+    if largest > 0.0 { changed / largest } else { 0.0 }
 }
 
 fn relative_change(old: &[f64], new: &[f64], scale: f64) -> f64 {
