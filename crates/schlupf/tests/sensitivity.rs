@@ -7,10 +7,10 @@ use std::sync::Arc;
 use common::{half_space, problem, rolling};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
 use schlupf::elasticity::winkler::Winkler;
+use schlupf::heat::Heat;
 use schlupf::heat::constant_source::ConstantSource;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::heat::Heat;
 use schlupf::interface::contact_law::{Incremental, TotalDisplacement};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
@@ -122,7 +122,12 @@ fn on_the_layer_and_the_half_space() {
     check("half-space", &half, &constant, &incremental);
     let springs = Springs { bedding: 8e6, coupling: 3e7 };
     let discrete = ElasticLayer::from_springs(springs, springs, Some(15e-3)).unwrap();
-    check("springs", &Problem { elasticity: Arc::new(discrete), ..base() }, &constant, &incremental);
+    check(
+        "springs",
+        &Problem { elasticity: Arc::new(discrete), ..base() },
+        &constant,
+        &incremental,
+    );
     let uncoupled = Problem { elasticity: Arc::new(Winkler::new(2e13, 1e13).unwrap()), ..base() };
     check("Winkler", &uncoupled, &constant, &incremental);
 }

@@ -131,9 +131,7 @@ fn along_a_curve(base: &Problem, options: &Options, direction: [f64; 3]) -> [f64
 #[test]
 fn warm_work_along_a_creep_curve() {
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
-    for (elasticity, allowed) in
-        [(common::layer(), [28.0, 36.0]), (half_space(), [18.0, 27.0])]
-    {
+    for (elasticity, allowed) in [(common::layer(), [28.0, 36.0]), (half_space(), [18.0, 27.0])] {
         let mut base = problem(rolling(0.0, 0.0, 0.0));
         base.elasticity = elasticity;
         for cells_across in [20, 40, 80] {
@@ -156,8 +154,7 @@ fn a_warm_start_leaves_no_trace() {
         let now = Problem { kinematics: rolling(xi, eta, spin), ..base.clone() };
         let warm = solver.solve(&now, &mut |_| ()).unwrap().normalised;
         let cold = at_once(&now, &options).normalised;
-        let differs =
-            (warm.x - cold.x).hypot(warm.y - cold.y).hypot(warm.moment_z - cold.moment_z);
+        let differs = (warm.x - cold.x).hypot(warm.y - cold.y).hypot(warm.moment_z - cold.moment_z);
         assert!(differs < 4.0 * options.tolerance, "{differs:e}");
     }
 }

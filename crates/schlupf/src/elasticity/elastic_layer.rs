@@ -208,8 +208,8 @@ impl Component {
         let [above, here, below] = row;
         let neighbours = usize::from(!above.is_empty()) + usize::from(!below.is_empty());
         for (wave, relief) in relief.iter_mut().enumerate() {
-            let next_to = above.get(wave).copied().unwrap_or(0.0)
-                + below.get(wave).copied().unwrap_or(0.0);
+            let next_to =
+                above.get(wave).copied().unwrap_or(0.0) + below.get(wave).copied().unwrap_or(0.0);
             let coupled = self.coupling * (neighbours as f64 * here[wave] - next_to);
             let bedded = (self.bedding[wave] - self.plain_bedding) * here[wave];
             let outside = ends as f64 * self.outside_by_size[wave] * here[wave];

@@ -70,13 +70,9 @@ impl HalfSpace {
     /// A_xx, A_yy and A_xy (in m/Pa) of a cell of the given size (in m) on the point at the distance
     /// `[x, y]` (in m) from its middle.
     pub fn influence_of(&self, size: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
-        let corner = |side_x: f64, side_y: f64| {
-            self.corner([x + side_x * size[0], y + side_y * size[1]])
-        };
-        difference([
-            [corner(-0.5, -0.5), corner(0.5, -0.5)],
-            [corner(-0.5, 0.5), corner(0.5, 0.5)],
-        ])
+        let corner =
+            |side_x: f64, side_y: f64| self.corner([x + side_x * size[0], y + side_y * size[1]]);
+        difference([[corner(-0.5, -0.5), corner(0.5, -0.5)], [corner(-0.5, 0.5), corner(0.5, 0.5)]])
     }
 
     /// Integrals of A_xx, A_yy and A_xy from the origin to a corner (x, y), in m³/N.
@@ -117,8 +113,12 @@ impl Influences {
         for j in 0..rows as isize {
             for i in 0..columns as isize {
                 let here = plain.at(i, j);
-                let neighbours =
-                    [plain.at(i + 1, j), plain.at(i - 1, j), plain.at(i, j + 1), plain.at(i, j - 1)];
+                let neighbours = [
+                    plain.at(i + 1, j),
+                    plain.at(i - 1, j),
+                    plain.at(i, j + 1),
+                    plain.at(i, j - 1),
+                ];
                 quadrant.push(std::array::from_fn(|c| {
                     let around: f64 = neighbours.iter().map(|neighbour| neighbour[c]).sum();
                     here[c] + (4.0 * here[c] - around) / 12.0
@@ -132,19 +132,17 @@ impl Influences {
     fn plain(bodies: &HalfSpace, grid: &Grid, [columns, rows]: [usize; 2]) -> Self {
         let corner = |k: usize| {
             let (i, j) = (k % (columns + 1), k / (columns + 1));
-            bodies.corner([
-                (i as f64 - 0.5) * grid.spacing_x,
-                (j as f64 - 0.5) * grid.spacing_y,
-            ])
+            bodies.corner([(i as f64 - 0.5) * grid.spacing_x, (j as f64 - 0.5) * grid.spacing_y])
         };
         let corners: Vec<[f64; 3]> = (0..(columns + 1) * (rows + 1)).map(corner).collect();
         let mut quadrant = Vec::with_capacity(columns * rows);
         for pair in corners.windows(columns + 1 + columns + 1).step_by(columns + 1) {
             let (below, above) = pair.split_at(columns + 1);
             let cells = below.windows(2).zip(above.windows(2));
-            quadrant.extend(cells.map(|(below, above)| {
-                difference([[below[0], below[1]], [above[0], above[1]]])
-            }));
+            quadrant
+                .extend(cells.map(|(below, above)| {
+                    difference([[below[0], below[1]], [above[0], above[1]]])
+                }));
         }
         Self { quadrant, columns }
     }

@@ -121,9 +121,8 @@ impl ContactLaw for Incremental {
         let across = direction_tensor(n, 0.0, saturation / end_length);
         let by_end_of_increment = product(&across, &turned.by_increment);
         let fade = k * kept;
-        let by_increment = |r: usize, c: usize| {
-            fade * (n[r] - q[r]) * m[c] + by_end_of_increment[r][c]
-        };
+        let by_increment =
+            |r: usize, c: usize| fade * (n[r] - q[r]) * m[c] + by_end_of_increment[r][c];
         Response {
             traction: [kept * q[0] + saturation * n[0], kept * q[1] + saturation * n[1]],
             by_increment: [

@@ -116,8 +116,7 @@ impl DiscreteContact {
     /// elasticity knows it.
     pub fn product_by_size(&mut self, p: &[f64], u: &mut [f64]) -> bool {
         self.interpolation.spread(p, &mut self.traction);
-        let is_known =
-            self.compliance.displacement_by_size(&self.traction, &mut self.displacement);
+        let is_known = self.compliance.displacement_by_size(&self.traction, &mut self.displacement);
         self.interpolation.gather(&self.displacement, u);
         is_known
     }

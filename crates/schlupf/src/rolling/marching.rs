@@ -146,8 +146,7 @@ impl<'a> March<'a> {
         if traction.len() == self.now.traction.len() {
             let scale = norm(&self.now.bound(&self.contact.patch));
             let warmed = largest_change(rise, &self.now.rise);
-            self.passage_change =
-                relative_change(traction, &self.now.traction, scale).max(warmed);
+            self.passage_change = relative_change(traction, &self.now.traction, scale).max(warmed);
         }
         self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
     }
@@ -312,8 +311,11 @@ impl<'a> March<'a> {
 
     fn into_solution(mut self) -> Solution {
         let transient = self.problem.history.is_some();
-        let residual =
-            if transient { self.worst_residual } else { self.outcome.residual.max(self.passage_change) };
+        let residual = if transient {
+            self.worst_residual
+        } else {
+            self.outcome.residual.max(self.passage_change)
+        };
         let status = if residual <= self.options.tolerance {
             Status::Converged
         } else {

@@ -63,7 +63,12 @@ pub struct SteadySolver {
 impl SteadySolver {
     /// A solver without a past.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), setup: None, newton: Newton::default(), krylov: Gmres::default() }
+        Self {
+            options: options.clone(),
+            setup: None,
+            newton: Newton::default(),
+            krylov: Gmres::default(),
+        }
     }
 
     /// Solves a problem for its steady state; see [`solve`].

@@ -99,9 +99,10 @@ impl SteadyFriction {
         }
         self.weights.clear();
         if let Some(model) = &problem.heat.model {
-            let rows = self.rows.last().map_or(0, |row| {
-                row + self.rows.len() - self.first.last().copied().unwrap_or(0)
-            });
+            let rows = self
+                .rows
+                .last()
+                .map_or(0, |row| row + self.rows.len() - self.first.last().copied().unwrap_or(0));
             self.weights.resize(rows, 0.0);
             if model.is_linear() {
                 self.flux.fill(0.0);
@@ -138,8 +139,7 @@ impl SteadyFriction {
     fn respond(&mut self, problem: &Problem, patch: &Patch, k: usize) {
         let slip_speed = speed_of(self.slip[k]);
         let y = patch.cells[k].y;
-        self.response[k] =
-            problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
+        self.response[k] = problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
     }
 
     /// Slip, heat, temperature and friction for the traction p, `change` being by how much A p
@@ -149,8 +149,7 @@ impl SteadyFriction {
         let is_linear = problem.heat.model.as_ref().is_some_and(|model| model.is_linear());
         let per_length = self.kinematics.speed / self.spacing;
         for k in 0..self.rows.len() {
-            self.slip[k] =
-                [0, 1].map(|c| self.rigid[k][c] - per_length * change[2 * k + c]);
+            self.slip[k] = [0, 1].map(|c| self.rigid[k][c] - per_length * change[2 * k + c]);
             self.power[k] = p[2 * k] * self.slip[k][0] + p[2 * k + 1] * self.slip[k][1];
             // What the bristles of the contact law return does not cool.
             self.flux[k] = self.power[k].max(0.0) * self.flux_over_power[k];

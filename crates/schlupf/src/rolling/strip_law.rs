@@ -128,8 +128,7 @@ impl StripLaw {
     /// Takes over another motion and another law.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
         self.law = Arc::clone(&problem.contact_law);
-        self.remembers_distance =
-            self.law.respond(&Slide::default()).by_distance != [[0.0; 2]; 2];
+        self.remembers_distance = self.law.respond(&Slide::default()).by_distance != [[0.0; 2]; 2];
         self.kinematics = problem.kinematics;
         let way = |cell: &Cell| Way {
             distance: cell.way_in.distance,
@@ -219,8 +218,8 @@ impl StripLaw {
             if self.is_first[k] {
                 (handed, change) = (Handed::default(), Handed::default());
             }
-            let target = [0, 1]
-                .map(|c| p[2 * k + c] + self.gamma * (self.ways[k].rigid[c] - b[2 * k + c]));
+            let target =
+                [0, 1].map(|c| p[2 * k + c] + self.gamma * (self.ways[k].rigid[c] - b[2 * k + c]));
             let before = (self.slides[k], self.responses[k]);
             let increment = self.foreseen(k, target, &change);
             let mut slide = Slide { increment, ..self.slide(k, &handed) };
@@ -250,8 +249,11 @@ impl StripLaw {
         let cell = CellSolver { law: self.law.as_ref(), gamma: self.gamma };
         let softness = inverse_2x2(cell.stiffness(response, self.bound[k]));
         let share = slide.turn_by_increment;
-        let ratio =
-            if share == 0.0 { 0.0 } else { share * self.ways[k].distance / self.ways[k - 1].distance };
+        let ratio = if share == 0.0 {
+            0.0
+        } else {
+            share * self.ways[k].distance / self.ways[k - 1].distance
+        };
         Tangent {
             kept: response.by_traction,
             by_upstream: response.by_turn.map(|row| row.map(|by_turn| -ratio * by_turn)),
@@ -312,9 +314,8 @@ impl StripLaw {
             let response = &self.responses[k];
             let mut gain = self.gain(k, &handed);
             let raised = bound.map_or(0.0, |bound| bound[k]);
-            let mut rest = [0, 1].map(|c| {
-                p[2 * k + c] - self.gamma * b[2 * k + c] - raised * response.traction[c]
-            });
+            let mut rest = [0, 1]
+                .map(|c| p[2 * k + c] - self.gamma * b[2 * k + c] - raised * response.traction[c]);
             if let Some(cause) = cause {
                 let more = self.gain_from(k, cause);
                 gain = [0, 1].map(|c| gain[c] + more[c]);

@@ -3,7 +3,8 @@
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{
-    Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma, Temperature, Work,
+    Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma, Temperature,
+    Work,
 };
 use crate::state::State;
 

@@ -96,7 +96,8 @@ fn stencil(fine: &Grid, cell: &Cell, coarse: &Patch, numbers: &[Option<usize>]) 
     let weights = [(1.0 - wx) * (1.0 - wy), wx * (1.0 - wy), (1.0 - wx) * wy, wx * wy];
     for (n, ((di, dj), weight)) in corners.into_iter().zip(weights).enumerate() {
         let (i, j) = (column as isize + di, row as isize + dj);
-        let inside = (0..grid.columns as isize).contains(&i) && (0..grid.rows as isize).contains(&j);
+        let inside =
+            (0..grid.columns as isize).contains(&i) && (0..grid.rows as isize).contains(&j);
         let number = if inside { numbers[grid.index(i as usize, j as usize)] } else { None };
         if let Some(number) = number {
             stencil.cell[n] = number;
