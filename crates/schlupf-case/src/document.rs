@@ -186,11 +186,7 @@ fn convert(value: &DeValue<'_>) -> Content {
 
 /// Puts an override `path=value`, given by an option, in place of what the file says. An empty value
 /// takes the field out.
-pub fn apply(
-    entries: &mut Vec<Entry>,
-    option: &'static str,
-    text: &str,
-) -> Result<(), CaseError> {
+pub fn apply(entries: &mut Vec<Entry>, option: &'static str, text: &str) -> Result<(), CaseError> {
     let place = Place::Override { option, text: text.to_owned() };
     let Some((path, value)) = text.split_once('=') else {
         let message =

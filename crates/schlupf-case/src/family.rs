@@ -21,8 +21,9 @@ impl Family {
     pub fn parse(option: &'static str, text: &str) -> Result<Self, CaseError> {
         let place = || Place::Override { option, text: text.to_owned() };
         let Some((path, values)) = text.split_once('=') else {
-            let message =
-                format!("{option} must be of the form section.field=value,value,…, but is {text:?}");
+            let message = format!(
+                "{option} must be of the form section.field=value,value,…, but is {text:?}"
+            );
             return Err(CaseError::new("", message, place()));
         };
         let path = path.trim();
@@ -68,13 +69,15 @@ fn split(text: &str) -> Option<Vec<&str>> {
     let mut depth = 0_usize;
     let mut quote = None;
     for (at, character) in text.char_indices() {
-        match (quote, character) {
-            (Some(open), _) if open == character => quote = None,
-            (Some(_), _) => {}
-            (None, '"' | '\'') => quote = Some(character),
-            (None, '[' | '(' | '{') => depth += 1,
-            (None, ']' | ')' | '}') => depth = depth.checked_sub(1)?,
-            (None, ',') if depth == 0 => {
+        if let Some(open) = quote {
+            quote = Some(open).filter(|open| *open != character);
+            continue;
+        }
+        match character {
+            '"' | '\'' => quote = Some(character),
+            '[' | '(' | '{' => depth += 1,
+            ']' | ')' | '}' => depth = depth.checked_sub(1)?,
+            ',' if depth == 0 => {
                 parts.push(text[start..at].trim());
                 start = at + 1;
             }
@@ -130,7 +133,10 @@ mod tests {
             .collect();
         assert_eq!(loads, [60e3, 80e3]);
         let errors = of("normal.load=60 kN,80 m,-1 kN").unwrap_err().to_string();
-        assert!(errors.contains("--over normal.load=80 m: normal.load must be a force"), "{errors}");
+        assert!(
+            errors.contains("--over normal.load=80 m: normal.load must be a force"),
+            "{errors}"
+        );
         assert!(errors.contains("--over normal.load=-1 kN: "), "{errors}");
         assert_eq!(errors.lines().count(), 2);
     }

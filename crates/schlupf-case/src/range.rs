@@ -17,13 +17,15 @@ pub fn range(option: &'static str, path: &str, text: &str) -> Result<[f64; 2], C
     };
     let unit = field.kind.unit();
     let example = if unit.is_empty() { "0..0.05".to_owned() } else { format!("\"0..2 {unit}\"") };
-    let form = || format!("{option} must be a range START..END, such as {example}, but is {text:?}");
+    let form =
+        || format!("{option} must be a range START..END, such as {example}, but is {text:?}");
     let ends = text.split_once("..").map(|(start, end)| (start.trim(), end.trim()));
-    let Some((start, end)) = ends.filter(|(start, end)| !start.is_empty() && !end.is_empty()) else {
+    let Some((start, end)) = ends.filter(|(start, end)| !start.is_empty() && !end.is_empty())
+    else {
         return Err(CaseError::new(path, form(), place));
     };
-    let start_with_unit = format!("{start} {}", unit_of(end));
-    let is_bare = !unit.is_empty() && start.parse::<f64>().is_ok();
+    let start_with_unit = format!("{start} {}", unit_of(end)).trim_end().to_owned();
+    let is_bare = start.parse::<f64>().is_ok() && !unit.is_empty();
     let read = |what: &str, text: &str| {
         number(field, text).map_err(|refusal| {
             CaseError::new(path, refusal.message(what), place.clone()).help(refusal.help)
@@ -71,9 +73,8 @@ fn number(field: &Field, text: &str) -> Result<f64, Refusal> {
 
 /// What follows the number that a text begins with.
 fn unit_of(text: &str) -> &str {
-    let is_number = |end: &usize| {
-        text.get(..*end).is_some_and(|start| start.trim_end().parse::<f64>().is_ok())
-    };
+    let is_number =
+        |end: &usize| text.get(..*end).is_some_and(|start| start.trim_end().parse::<f64>().is_ok());
     let end = (0..=text.len()).rev().find(is_number).unwrap_or(0);
     text[end..].trim_start()
 }

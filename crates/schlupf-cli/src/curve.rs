@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::creep_curve::{self, Creepages, CreepCurve, Sampling, Spacing};
+use schlupf::creep_curve::{self, CreepCurve, Creepages, Sampling, Spacing};
 use schlupf::rolling;
 use schlupf_case::{Case, CaseErrors, Family, direction, range};
 use schlupf_output::creep_curve::{CurveFamily, Member, csv, json, summary};
@@ -55,8 +55,12 @@ pub fn run(arguments: &CurveArguments) -> Result<ExitCode, Failure> {
     if family.is_converged() {
         return Ok(ExitCode::SUCCESS);
     }
-    for warning in family.warnings().iter().filter(|text| text.contains("not converged: ")) {
-        report::warn(warning);
+    for member in &family.members {
+        let name = family.name(member).map_or_else(String::new, |name| format!("{name}: "));
+        let failures = member.curve.warnings.iter();
+        for failure in failures.filter(|text| text.starts_with("not converged: ")) {
+            report::warn(&format!("{name}{failure}"));
+        }
     }
     Ok(ExitCode::from(NOT_CONVERGED))
 }

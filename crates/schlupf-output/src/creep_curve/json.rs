@@ -114,7 +114,7 @@ impl<'a> Curve<'a> {
 struct Slope {
     force: Vector,
     normalised: Vector,
-    kalker: Vector,
+    kalker: Option<Vector>,
 }
 
 impl Slope {
@@ -122,7 +122,7 @@ impl Slope {
         Self {
             force: slope.force.into(),
             normalised: slope.normalised.into(),
-            kalker: slope.kalker.into(),
+            kalker: slope.kalker.map(Vector::from),
         }
     }
 }

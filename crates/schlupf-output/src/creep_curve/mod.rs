@@ -66,7 +66,9 @@ impl CurveFamily {
             }
         };
         add(first, own);
-        others.iter().for_each(|member| add(member, of(member)));
+        for member in others {
+            add(member, of(member));
+        }
         warnings
     }
 }

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, CreepCurve, InitialSlope, Maximum, PLATEAU, Path, Point};
+use schlupf::solution::Resultant;
 
 use super::{CurveFamily, Member};
 use crate::number::significant as number;
@@ -98,8 +99,7 @@ fn table(text: &mut String, curve: &CreepCurve) {
             columns.push(column);
         }
     }
-    let heading: String = columns.iter().map(|(name, _)| format!("{name:>12}")).collect();
-    line(text, &heading);
+    row(text, columns.iter().map(|(name, _)| name.clone()), "");
     let stride = (points.len() - 1).div_ceil(MOST_ROWS - 1).max(1);
     let last = points.len() - 1;
     let mut rows = 0;
@@ -109,16 +109,20 @@ fn table(text: &mut String, curve: &CreepCurve) {
             continue;
         }
         rows += 1;
-        let mut row: String =
-            columns.iter().map(|(_, value)| format!("{:>12}", number(value(point)))).collect();
-        if is_marked {
-            row.push_str("  NOT CONVERGED");
-        }
-        line(text, &row);
+        let remark = if is_marked { "  NOT CONVERGED" } else { "" };
+        row(text, columns.iter().map(|(_, value)| number(value(point))), remark);
     }
     if rows < points.len() {
         line(text, &format!("  ({rows} of {} points; --csv and --json have all)", points.len()));
     }
+}
+
+fn row(text: &mut String, entries: impl Iterator<Item = String>, remark: &str) {
+    for entry in entries {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "{entry:>12}");
+    }
+    line(text, remark);
 }
 
 fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
@@ -128,15 +132,16 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
         Abscissa::Spin => ("φ", ["", "C23", "C33"], "kN m", "N m²", "m μ0 N"),
         Abscissa::Total { .. } => ("ν", ["", "", ""], "kN", "N m", "μ0 N"),
     };
+    let kalker = |component: fn(&Resultant) -> f64| slope.kalker.as_ref().map(component);
     let components = [
-        ("dFx", slope.force.x / 1e3, force_unit, slope.normalised.x, slope.kalker.x),
-        ("dFy", slope.force.y / 1e3, force_unit, slope.normalised.y, slope.kalker.y),
+        ("dFx", slope.force.x / 1e3, force_unit, slope.normalised.x, kalker(|k| k.x)),
+        ("dFy", slope.force.y / 1e3, force_unit, slope.normalised.y, kalker(|k| k.y)),
         (
             "dMz",
             slope.force.moment_z,
             moment_unit,
             slope.normalised.moment_z,
-            slope.kalker.moment_z,
+            kalker(|k| k.moment_z),
         ),
     ];
     let largest = components.iter().map(|component| component.3.abs()).fold(0.0, f64::max);
@@ -154,7 +159,7 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
             number(value),
             number(normalised)
         );
-        if !coefficient.is_empty() {
+        if let Some(kalker) = kalker.filter(|_| !coefficient.is_empty()) {
             // Writing to a String cannot fail.
             let _ = write!(entry, ", as with Kalker's {coefficient} = {}", number(kalker));
         }
@@ -180,16 +185,14 @@ fn largest(text: &mut String, curve: &CreepCurve) {
     let converged = curve.points.iter().filter(|point| point.status == Status::Converged);
     let largest = converged
         .max_by(|one, other| one.traction_coefficient.total_cmp(&other.traction_coefficient));
-    let entry = largest.map_or_else(
-        || "none: no point converged".to_owned(),
-        |point| {
-            format!(
-                "none within the range: |F|/N is largest at its end, {} at {}",
-                number(point.traction_coefficient),
-                curve.path.abscissa().equation(point.abscissa)
-            )
-        },
-    );
+    let entry = match largest {
+        Some(point) if curve.is_converged() => format!(
+            "none within the range: |F|/N is largest at an end of it, {} at {}",
+            number(point.traction_coefficient),
+            curve.path.abscissa().equation(point.abscissa)
+        ),
+        _ => "none found between the points that converged".to_owned(),
+    };
     line(text, &format!("{:<18}{entry}", "maximum"));
 }
 

@@ -6,9 +6,10 @@ use schlupf::solution::Resultant;
 
 use super::color::{LEVELS, Palette, paint};
 use super::frame::{Frame, TICK_SIZE};
-use super::label::{self, Anchor, TextStyle};
+use super::label::{Anchor, TextStyle};
 use super::marks::{self, ALARM, Entry, HEADING, Sample, short};
 use super::panels::{BLUE, Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
+use super::smooth::smooth;
 use super::svg::{Drawing, INK, MUTED};
 use crate::creep_curve::{CurveFamily, Member};
 
@@ -28,7 +29,7 @@ pub(super) fn draw(family: &CurveFamily) -> Option<String> {
             corner,
             size: [picture.right() - LEFT, panel.panel.height],
             x: picture.x,
-            y: panel.panel.range(),
+            y: panel.range(),
         };
         corner[1] += panel.panel.height + GAP;
         panel.draw(&mut drawing, &frame);
@@ -44,6 +45,7 @@ pub(super) fn draw(family: &CurveFamily) -> Option<String> {
 struct Component {
     direction: [f64; 2],
     name: &'static str,
+    remark: &'static str,
     dashes: &'static str,
 }
 
@@ -160,28 +162,28 @@ impl<'a> Picture<'a> {
         };
         let mut curves = Vec::new();
         let mut entries = Vec::new();
-        let mut slopes = Vec::new();
         for component in &self.components {
             for (member, color) in self.family.members.iter().zip(&self.colors) {
                 let load = member.curve.normal.load;
-                let value = |point: &Point| component.of(&point.force) / load;
-                curves.push(curve(&member.curve, value, color, component.dashes));
-                let slope = |force: &Resultant| component.of(force) / load;
-                slopes.extend(Tangent::new(&member.curve, value, slope, color));
+                let value = |force: &Resultant| component.of(force) / load;
+                let points = with_maxima(&member.curve, value);
+                curves.push(curve(&points, color, component.dashes));
             }
             if self.components.len() > 1 {
                 let color = if self.colors.len() > 1 { INK } else { &self.colors[0] };
                 let sample = Sample::Line(vec![stroke(color, component.dashes)]);
-                entries.push(Entry { sample, text: format!("{}/$N$", component.name) });
+                entries.push(Entry {
+                    sample,
+                    text: format!("{}/$N${}", component.name, component.remark),
+                });
             }
         }
         let mut panel = MarkedPanel {
             panel: Panel { label, height: 330.0, curves },
-            tangents: slopes,
+            tangents: self.tangents(|member, force| main.of(force) / member.curve.normal.load),
             dots: Vec::new(),
-            crosses: self.failures(|member, point| {
-                main.of(&point.force) / member.curve.normal.load
-            }),
+            crosses: self
+                .failures(|member, point| main.of(&point.force) / member.curve.normal.load),
             entries,
         };
         self.mark_maxima(&mut panel);
@@ -189,12 +191,24 @@ impl<'a> Picture<'a> {
         panel
     }
 
+    /// The lines of the initial slopes of what is computed from the force.
+    fn tangents(&self, value: impl Fn(&Member, &Resultant) -> f64) -> Vec<Tangent> {
+        let members = self.family.members.iter().zip(&self.colors);
+        let tangent = |(member, color): (&Member, &String)| {
+            Tangent::new(&member.curve, |force: &Resultant| value(member, force), color)
+        };
+        members.filter_map(tangent).collect()
+    }
+
     fn mark_maxima(&self, panel: &mut MarkedPanel) {
         let main = &self.components[0];
         for (member, color) in self.family.members.iter().zip(&self.colors) {
             for maximum in &member.curve.maxima {
-                let at = [maximum.abscissa, main.of(&maximum.force) / member.curve.normal.load];
-                panel.dots.push(Dot { at, color: color.clone(), hollow: maximum.is_saturated });
+                let value = main.of(&maximum.force) / member.curve.normal.load;
+                if value.is_finite() {
+                    let at = [maximum.abscissa, value];
+                    panel.dots.push(Dot { at, color: color.clone(), hollow: maximum.is_saturated });
+                }
             }
         }
     }
@@ -215,10 +229,9 @@ impl<'a> Picture<'a> {
         let is_seen = self.abscissa == Abscissa::Spin
             || self.largest(|point| point.normalised.moment_z) > INVISIBLE;
         let value = |point: &Point| -point.force.moment_z;
-        let mut panel = self.panel("moment on the rail \u{2212}$M$_z (N m)", value);
-        for (member, color) in self.family.members.iter().zip(&self.colors) {
-            let slope = |force: &Resultant| -force.moment_z;
-            panel.tangents.extend(Tangent::new(&member.curve, value, slope, color));
+        let mut panel = self.panel("moment \u{2212}$M$_z (N m)", value);
+        if self.abscissa == Abscissa::Spin {
+            panel.tangents = self.tangents(|_, force| -force.moment_z);
         }
         is_seen.then_some(panel)
     }
@@ -231,7 +244,10 @@ impl<'a> Picture<'a> {
 
     fn panel(&self, label: &str, value: impl Fn(&Point) -> f64 + Copy) -> MarkedPanel {
         let members = self.family.members.iter().zip(&self.colors);
-        let curves = members.map(|(member, color)| curve(&member.curve, value, color, ""));
+        let curves = members.map(|(member, color)| {
+            let points = member.curve.points.iter().map(|point| [point.abscissa, value(point)]);
+            curve(&points.collect::<Vec<_>>(), color, "")
+        });
         MarkedPanel {
             panel: Panel { label: label.to_owned(), height: 180.0, curves: curves.collect() },
             tangents: Vec::new(),
@@ -267,17 +283,26 @@ impl<'a> Picture<'a> {
 /// The component along the abscissa, and the one across.
 fn components(abscissa: Abscissa) -> [Component; 2] {
     const DASHES: &str = "8 4";
-    let x = |dashes| Component { direction: [1.0, 0.0], name: "\u{2212}$F$_x", dashes };
-    let y = |dashes| Component { direction: [0.0, 1.0], name: "\u{2212}$F$_y", dashes };
+    let x = |dashes| Component { direction: [1.0, 0.0], name: "\u{2212}$F$_x", remark: "", dashes };
+    let y = |dashes| Component { direction: [0.0, 1.0], name: "\u{2212}$F$_y", remark: "", dashes };
     match abscissa {
         Abscissa::CreepageX => [x(""), y(DASHES)],
         Abscissa::CreepageY | Abscissa::Spin => [y(""), x(DASHES)],
         Abscissa::Total { direction } => {
             let (sin, cos) = direction.sin_cos();
-            [
-                Component { direction: [cos, sin], name: "\u{2212}$F$_ν", dashes: "" },
-                Component { direction: [-sin, cos], name: "\u{2212}$F$_n", dashes: DASHES },
-            ]
+            let along = Component {
+                direction: [cos, sin],
+                name: "\u{2212}$F$_ν",
+                remark: " along $ν$",
+                dashes: "",
+            };
+            let across = Component {
+                direction: [-sin, cos],
+                name: "\u{2212}$F$_n",
+                remark: " across $ν$",
+                dashes: DASHES,
+            };
+            [along, across]
         }
     }
 }
@@ -294,17 +319,24 @@ fn colors(count: usize) -> Vec<String> {
 }
 
 fn stroke(color: &str, dashes: &str) -> String {
-    let dashes = if dashes.is_empty() {
-        String::new()
-    } else {
-        format!(r#" stroke-dasharray="{dashes}""#)
-    };
+    let dashes =
+        if dashes.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{dashes}""#) };
     format!(r#"stroke="{color}" stroke-width="2.2" stroke-linejoin="round"{dashes}"#)
 }
 
-fn curve(curve: &CreepCurve, value: impl Fn(&Point) -> f64, color: &str, dashes: &str) -> Curve {
-    let points = curve.points.iter().map(|point| [point.abscissa, value(point)]).collect();
-    Curve { points, stroke: stroke(color, dashes), text: String::new() }
+/// A curve of the forces with its maxima, which are solutions, too.
+fn with_maxima(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64) -> Vec<[f64; 2]> {
+    let points = curve.points.iter().map(|point| [point.abscissa, value(&point.force)]);
+    let maxima = curve.maxima.iter().filter(|maximum| !maximum.is_saturated);
+    let maxima = maxima.map(|maximum| [maximum.abscissa, value(&maximum.force)]);
+    let mut points: Vec<[f64; 2]> = points.chain(maxima).collect();
+    points.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    points.dedup_by_key(|point| point[0]);
+    points
+}
+
+fn curve(points: &[[f64; 2]], color: &str, dashes: &str) -> Curve {
+    Curve { points: smooth(points), stroke: stroke(color, dashes), text: String::new() }
 }
 
 /// The line of the initial slope.
@@ -316,26 +348,21 @@ struct Tangent {
 }
 
 impl Tangent {
-    fn new(
-        curve: &CreepCurve,
-        value: impl Fn(&Point) -> f64,
-        slope: impl Fn(&Resultant) -> f64,
-        color: &str,
-    ) -> Option<Self> {
-        let slope = slope(&curve.initial_slope.as_ref()?.force);
-        let nearest =
-            curve.points.iter().min_by(|p, q| p.abscissa.abs().total_cmp(&q.abscissa.abs()))?;
-        // Beside zero the tangent has left the curve only a little.
-        let value = value(nearest) - if nearest.abscissa == 0.0 { 0.0 } else { f64::NAN };
-        (value.is_finite() && slope.is_finite() && slope != 0.0)
-            .then(|| Self { value, slope, color: color.to_owned() })
+    fn new(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64, color: &str) -> Option<Self> {
+        let slope = value(&curve.initial_slope.as_ref()?.force);
+        let zero = curve.points.iter().find(|point| point.abscissa == 0.0)?;
+        let value = value(&zero.force);
+        (value.is_finite() && slope.is_finite() && slope != 0.0).then(|| Self {
+            value,
+            slope,
+            color: color.to_owned(),
+        })
     }
 
     /// The part of the line within a frame.
     fn within(&self, frame: &Frame) -> [[f64; 2]; 2] {
         let crossings = frame.y.map(|y| (y - self.value) / self.slope);
-        let [low, high] =
-            [crossings[0].min(crossings[1]), crossings[0].max(crossings[1])];
+        let [low, high] = [crossings[0].min(crossings[1]), crossings[0].max(crossings[1])];
         [low.max(frame.x[0]), high.min(frame.x[1])].map(|x| [x, self.value + self.slope * x])
     }
 }
@@ -391,6 +418,20 @@ impl MarkedPanel {
         if !self.crosses.is_empty() {
             entry(Sample::Cross(cross_stroke()), "not converged");
         }
+    }
+
+    /// Range of the curves and zero, with some room for what is drawn on them.
+    fn range(&self) -> [f64; 2] {
+        const ROOM: f64 = 0.05;
+        let values = || self.panel.curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);
+        let finite = || values().filter(|value| value.is_finite());
+        let [low, high] = [finite().fold(0.0, f64::min), finite().fold(0.0, f64::max)];
+        let room = ROOM * (high - low);
+        let [below, above] = self.panel.range();
+        [
+            if low < 0.0 { below.min(low - room) } else { below },
+            if high > 0.0 { above.max(high + room) } else { above },
+        ]
     }
 
     fn draw(&self, drawing: &mut Drawing, frame: &Frame) {

@@ -17,8 +17,7 @@ const MARGIN: f64 = 24.0;
 
 /// Title of the figure, title of the case, and its kinematics.
 pub(super) fn heading(drawing: &mut Drawing, patch: &Patch, title: &str) {
-    let remark =
-        if patch.solution.status == Status::NotConverged { "not converged" } else { "" };
+    let remark = if patch.solution.status == Status::NotConverged { "not converged" } else { "" };
     title_block(drawing, title, [patch.title, &conditions(patch)], remark);
 }
 
@@ -143,7 +142,7 @@ pub(super) fn rolling_direction(drawing: &mut Drawing, center: [f64; 2]) {
 
 /// A dot at a point.
 pub(super) fn dot(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
-    drawing.shape(&format!(r#"<circle cx="{x:.2}" cy="{y:.2}" r="4.5" {style}/>"#));
+    drawing.shape(&format!(r#"<circle cx="{x:.2}" cy="{y:.2}" r="4" {style}/>"#));
 }
 
 /// A diagonal cross at a point.
@@ -185,7 +184,12 @@ pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
     let [left, top] = at;
     let [mut x, mut y] = at;
     for entry in entries {
-        let entry_width = SAMPLE + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
+        let sample = if matches!(entry.sample, Sample::Dot(_) | Sample::Cross(_)) {
+            0.5 * SAMPLE
+        } else {
+            SAMPLE
+        };
+        let entry_width = sample + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
         if x > left && x + entry_width > left + width {
             [x, y] = [left, y + ROW];
         }
@@ -200,10 +204,10 @@ pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
             Sample::Arrow(style) => {
                 drawing.path(&arrow([x, middle], [x + SAMPLE, middle], 9.0), style);
             }
-            Sample::Dot(style) => dot(drawing, [x + 0.5 * SAMPLE, middle], style),
-            Sample::Cross(style) => cross(drawing, [x + 0.5 * SAMPLE, middle], style),
+            Sample::Dot(style) => dot(drawing, [x + 0.5 * sample, middle], style),
+            Sample::Cross(style) => cross(drawing, [x + 0.5 * sample, middle], style),
         }
-        drawing.text([x + SAMPLE + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);
+        drawing.text([x + sample + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);
         x += entry_width;
     }
     y - top + ROW

@@ -20,6 +20,7 @@ mod projection;
 mod quantity;
 mod raster;
 mod sampler;
+mod smooth;
 mod surface;
 mod svg;
 mod ticks;

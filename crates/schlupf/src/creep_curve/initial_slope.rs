@@ -18,8 +18,9 @@ pub struct InitialSlope {
     /// The same in the form of Kalker's coefficients, dimensionless and positive where the force opposes
     /// the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), over spin each over another c.
     /// Over ξ it is C11, over η C22 (and −C23), over φ C23 and C33 of a half-space with the shear
-    /// modulus G of both bodies that would have this slope.
-    pub kalker: Resultant,
+    /// modulus G of both bodies that would have this slope. `None` where another creepage is not zero:
+    /// then something slides already.
+    pub kalker: Option<Resultant>,
 }
 
 /// What was found, or why nothing was.
@@ -75,7 +76,7 @@ pub(super) fn find(
         }
         Ok(force) => {
             let normalised = scale.normalised(&force);
-            let kalker = scale.kalker(&force, problem, path);
+            let kalker = differences.is_from_rest.then(|| scale.kalker(&force, problem, path));
             Finding { value: Some(InitialSlope { force, normalised, kalker }), warning: None, work }
         }
     })
@@ -109,11 +110,7 @@ impl Scale {
 }
 
 fn scaled(force: &Resultant, factor: f64, moment_factor: f64) -> Resultant {
-    Resultant {
-        x: force.x * factor,
-        y: force.y * factor,
-        moment_z: force.moment_z * moment_factor,
-    }
+    Resultant { x: force.x * factor, y: force.y * factor, moment_z: force.moment_z * moment_factor }
 }
 
 /// The sum of multiples of two.
@@ -166,9 +163,8 @@ impl Differences<'_> {
         } else {
             (self.force(-distance)?, 2.0 * distance)
         };
-        Ok(after.and_then(|after| {
-            before.map(|before| sum(&after, 1.0 / width, &before, -1.0 / width))
-        }))
+        Ok(after
+            .and_then(|after| before.map(|before| sum(&after, 1.0 / width, &before, -1.0 / width))))
     }
 
     fn force(&mut self, abscissa: f64) -> Result<Quotient, Error> {

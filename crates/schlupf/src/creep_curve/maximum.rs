@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::solution::{Resultant, Status};
 
-use super::{Path, Point, Solver};
+use super::{Point, Solver};
 
 /// Where the tangential force |F| is largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,14 +31,20 @@ pub const PLATEAU: f64 = 1e-3;
 /// saturated does so before this part of the last creepage.
 const LATEST_SATURATION: f64 = 0.8;
 
+/// The creepage at which saturation begins is found to this part of it.
+const SATURATION_PRECISION: f64 = 0.01;
+
 /// A fall by less than this many tolerances of the solutions is none.
 const NOISE: f64 = 10.0;
 
 /// Most solutions to find one maximum.
-const MAX_SOLUTIONS: usize = 8;
+const MAX_SOLUTIONS: usize = 60;
 
-/// The creepage of a maximum is found to this part of it: the force is, then, to its square.
+/// The creepage of a maximum is found to this part of it; the force then to far less, as it is flat.
 const PRECISION: f64 = 1e-3;
+
+/// Where the slope at an end is looked at, as a part of the way to the next point.
+const PROBE: f64 = 0.01;
 
 /// The maxima on both sides of zero, below first; each side has its points from zero outwards.
 pub(super) fn of_sides(
@@ -47,85 +53,176 @@ pub(super) fn of_sides(
 ) -> Result<Vec<Maximum>, Error> {
     let mut maxima = Vec::new();
     for (side, other) in [(below, above), (above, below)] {
-        let mut side = side.clone();
+        let mut points = side.clone();
         // Between the two sides, zero itself is the inner end.
-        if let (Some(first), Some(across)) = (side.first(), other.first()) {
-            if first.abscissa != 0.0 {
-                let zero = if across.abscissa == 0.0 { *across } else { solver.point(0.0)? };
-                side.insert(0, zero);
-            }
+        if let (Some(first), Some(across)) = (side.first(), other.first())
+            && first.abscissa != 0.0
+        {
+            let zero = if across.abscissa == 0.0 { *across } else { solver.point(0.0)? };
+            points.insert(0, zero);
         }
-        side.retain(|point| point.status == Status::Converged);
-        maxima.extend(of_side(solver, &side)?);
+        let (points, failed) =
+            points.into_iter().partition(|point| point.status == Status::Converged);
+        let noise = NOISE * solver.options.tolerance * solver.problem.friction.cold_coefficient();
+        maxima.extend(Side { solver, points, failed, noise }.maximum()?);
     }
     Ok(maxima)
 }
 
-/// The maximum of points from zero outwards; `None` where it lies at an end.
-fn of_side(solver: &mut Solver, side: &[Point]) -> Result<Option<Maximum>, Error> {
-    let force = |point: &Point| point.traction_coefficient;
-    let Some(top) = (0..side.len()).max_by(|i, k| force(&side[*i]).total_cmp(&force(&side[*k])))
-    else {
-        return Ok(None);
-    };
-    let noise = NOISE * solver.options.tolerance * solver.problem.friction.cold_coefficient();
-    let is_lower = |point: &&Point| force(point) < force(&side[top]) - noise;
-    let before = side[..top].iter().rev().find(is_lower);
-    let after = side[top..].iter().find(is_lower);
-    match (before, after) {
-        (_, None) => Ok(saturated(solver.path, side, top)),
-        (None, Some(_)) => Ok(None),
-        (Some(before), Some(after)) => highest(solver, [*before, side[top], *after]).map(Some),
-    }
+fn force(point: &Point) -> f64 {
+    point.traction_coefficient
 }
 
-/// The beginning of a plateau that reaches to the end, if there is one.
-fn saturated(path: &Path, side: &[Point], top: usize) -> Option<Maximum> {
-    let highest = &side[top];
-    let level = highest.traction_coefficient * (1.0 - PLATEAU);
-    let last = side.last()?;
-    let begin = side.iter().rposition(|p| p.traction_coefficient < level).map_or(0, |k| k + 1);
-    let first = side.get(begin)?;
-    let abscissa = match side[..begin].last() {
-        None => first.abscissa,
-        Some(below) => {
-            let rise = first.traction_coefficient - below.traction_coefficient;
-            let share = (level - below.traction_coefficient) / rise;
-            below.abscissa + share * (first.abscissa - below.abscissa)
-        }
-    };
-    let is_saturated = highest.traction_coefficient > 0.0
-        && abscissa.abs() <= LATEST_SATURATION * last.abscissa.abs();
-    is_saturated.then(|| Maximum {
-        abscissa,
-        kinematics: path.at(abscissa).at_speed(highest.kinematics.speed),
-        is_saturated,
-        ..Maximum::at(highest)
-    })
+/// The points on one side of zero, from there outwards.
+struct Side<'a, 'b> {
+    solver: &'a mut Solver<'b>,
+    /// Those that converged.
+    points: Vec<Point>,
+    /// Those that did not: where one of them is, there may be a maximum unseen.
+    failed: Vec<Point>,
+    /// Differences of |F|/N below this one mean nothing.
+    noise: f64,
 }
 
-/// The maximum between two lower points, by parabolas through three points of which the middle one is
-/// the highest, with a solution at the top of each.
-fn highest(solver: &mut Solver, mut three: [Point; 3]) -> Result<Maximum, Error> {
-    for _ in 0..MAX_SOLUTIONS {
-        let [before, middle, after] = three;
-        let top = top_of_parabola(&three.map(|p| [p.abscissa, p.traction_coefficient]));
-        if (top - middle.abscissa).abs() <= PRECISION * middle.abscissa.abs() {
-            break;
-        }
-        let next = solver.point(top)?;
-        if next.status == Status::NotConverged {
-            break;
-        }
-        let is_before = (top < middle.abscissa) == (before.abscissa < middle.abscissa);
-        three = match (is_before, next.traction_coefficient > middle.traction_coefficient) {
-            (true, true) => [before, next, middle],
-            (true, false) => [next, middle, after],
-            (false, true) => [middle, next, after],
-            (false, false) => [before, middle, next],
+impl Side<'_, '_> {
+    /// `None` where |F| rises up to the outer end or falls from the inner end on.
+    fn maximum(&mut self) -> Result<Option<Maximum>, Error> {
+        let by_force =
+            |i: &usize, k: &usize| force(&self.points[*i]).total_cmp(&force(&self.points[*k]));
+        let Some(top) = (0..self.points.len()).max_by(by_force) else { return Ok(None) };
+        let highest = self.points[top];
+        let is_lower = |point: &&Point| force(point) < force(&highest) - self.noise;
+        let before = self.points[..top].iter().rev().find(is_lower).copied();
+        let after = self.points[top..].iter().find(is_lower).copied();
+        let three = match (before, after) {
+            (Some(before), Some(after)) => Some([before, highest, after]),
+            (None, None) => return self.saturation(&highest),
+            (Some(before), None) => match self.probe(&highest, &before)? {
+                None => return self.saturation(&highest),
+                three => three,
+            },
+            (None, Some(after)) => self.probe(&highest, &after)?,
         };
+        match three {
+            Some(three) if self.is_known(three[0].abscissa, three[2].abscissa, &highest) => {
+                self.highest(three)
+            }
+            _ => Ok(None),
+        }
     }
-    Ok(Maximum::at(&three[1]))
+
+    /// Whether no point failed from one abscissa to the other, nor where it may have been higher than
+    /// the highest.
+    fn is_known(&self, from: f64, to: f64, highest: &Point) -> bool {
+        self.failed.iter().all(|point| {
+            let is_outside = point.abscissa < from.min(to) || point.abscissa > from.max(to);
+            is_outside && force(point) <= force(highest)
+        })
+    }
+
+    /// Three points with the highest in the middle, if |F| rises from the highest point, an end of the
+    /// curve, towards the next one: then there is a maximum between those.
+    fn probe(&mut self, end: &Point, next: &Point) -> Result<Option<[Point; 3]>, Error> {
+        let step = (next.abscissa - end.abscissa).abs().min(end.abscissa.abs()) * PROBE;
+        let towards = (next.abscissa - end.abscissa).signum();
+        let probe = self.solver.point(end.abscissa + towards * step)?;
+        let rises = force(&probe) > force(end) + self.noise;
+        Ok((rises && probe.status == Status::Converged).then_some([*end, probe, *next]))
+    }
+
+    /// The beginning of a plateau that reaches to the end, if there is one.
+    fn saturation(&mut self, highest: &Point) -> Result<Option<Maximum>, Error> {
+        let level = force(highest) * (1.0 - PLATEAU);
+        let begin = self.points.iter().rposition(|point| force(point) < level);
+        let below = begin.map(|k| self.points[k].abscissa);
+        let mut reached = self.points[begin.map_or(0, |k| k + 1)].abscissa;
+        let end = self.points[self.points.len() - 1].abscissa;
+        let is_known =
+            self.is_known(below.unwrap_or(reached), f64::INFINITY.copysign(end), highest);
+        if !is_known || force(highest) <= self.noise {
+            return Ok(None);
+        }
+        let latest = LATEST_SATURATION * end;
+        if reached.abs() > latest.abs() {
+            let is_between = below.is_some_and(|below| below.abs() < latest.abs());
+            if !is_between || !self.reaches(latest, level)? {
+                return Ok(None);
+            }
+            reached = latest;
+        }
+        // Without a point below, all of the curve is saturated.
+        let mut lower = below.unwrap_or(reached);
+        while (reached - lower).abs() > SATURATION_PRECISION * reached.abs() {
+            let middle = 0.5 * (lower + reached);
+            if self.reaches(middle, level)? {
+                reached = middle;
+            } else {
+                lower = middle;
+            }
+        }
+        let speed = highest.kinematics.speed;
+        Ok(Some(Maximum {
+            abscissa: reached,
+            kinematics: self.solver.path.at(reached).at_speed(speed),
+            is_saturated: true,
+            ..Maximum::at(highest)
+        }))
+    }
+
+    fn reaches(&mut self, abscissa: f64, level: f64) -> Result<bool, Error> {
+        let point = self.solver.point(abscissa)?;
+        Ok(force(&point) >= level && point.status == Status::Converged)
+    }
+
+    /// The maximum within three points of which the middle one is the highest (Brent 1973): at the top
+    /// of the parabola through them, or, where that narrows the range too slowly, in the larger part.
+    fn highest(&mut self, mut three: [Point; 3]) -> Result<Option<Maximum>, Error> {
+        let width = |three: &[Point; 3]| (three[2].abscissa - three[0].abscissa).abs();
+        let mut narrowed = true;
+        for _ in 0..MAX_SOLUTIONS {
+            let middle = three[1];
+            let precision = PRECISION * middle.abscissa.abs();
+            let before = width(&three);
+            if before <= 2.0 * precision {
+                break;
+            }
+            let next = self.solver.point(next_abscissa(&three, narrowed, precision))?;
+            if next.status == Status::NotConverged {
+                return Ok(None);
+            }
+            three = with(three, next);
+            narrowed = width(&three) < 0.5 * before;
+        }
+        Ok(Some(Maximum::at(&three[1])))
+    }
+}
+
+/// Where to look next: on the side of the top of the parabola, at least half the precision away from the
+/// middle point, so that the range closes on both sides of it.
+fn next_abscissa(three: &[Point; 3], narrowed: bool, precision: f64) -> f64 {
+    const GOLDEN: f64 = 0.381_966_011_250_105;
+    let [before, middle, after] = three.map(|point| point.abscissa);
+    let larger = if (before - middle).abs() > (after - middle).abs() { before } else { after };
+    if !narrowed {
+        return middle + GOLDEN * (larger - middle);
+    }
+    let top = top_of_parabola(&three.map(|point| [point.abscissa, force(&point)]));
+    let least = 0.5 * precision;
+    if (top - middle).abs() >= least {
+        return top;
+    }
+    middle + least.min(0.5 * (larger - middle).abs()) * (larger - middle).signum()
+}
+
+/// Three points about the highest of these four.
+fn with([before, middle, after]: [Point; 3], next: Point) -> [Point; 3] {
+    let is_before = (next.abscissa < middle.abscissa) == (before.abscissa < middle.abscissa);
+    match (is_before, force(&next) > force(&middle)) {
+        (true, true) => [before, next, middle],
+        (true, false) => [next, middle, after],
+        (false, true) => [middle, next, after],
+        (false, false) => [before, middle, next],
+    }
 }
 
 /// Where the parabola through three points has its top, the middle one being the highest.

@@ -68,9 +68,18 @@ impl Abscissa {
 
     /// `creepage_x = 0.05`: its name and a value (dimensionless, or in 1/m) of six digits.
     pub fn equation(self, value: f64) -> String {
-        let rounded = format!("{value:.5e}").parse().unwrap_or(value);
+        format!("{} = {}", self.name(), self.value(value))
+    }
+
+    /// A value (dimensionless, or in 1/m) of six digits with its unit.
+    pub fn value(self, value: f64) -> String {
+        let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
         let unit = if self == Self::Spin { " 1/m" } else { "" };
-        format!("{} = {rounded}{unit}", self.name())
+        if rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) {
+            format!("{rounded}{unit}")
+        } else {
+            format!("{rounded:e}{unit}")
+        }
     }
 }
 
@@ -80,6 +89,7 @@ pub struct Path {
     start: Creepages,
     end: Creepages,
     abscissa: Abscissa,
+    range: [f64; 2],
 }
 
 impl Path {
@@ -112,7 +122,15 @@ impl Path {
             )?;
             Abscissa::Spin
         };
-        Ok(Self { start, end, abscissa })
+        let range = [start, end].map(|creepages| match abscissa {
+            Abscissa::CreepageX => creepages.x,
+            Abscissa::CreepageY => creepages.y,
+            Abscissa::Spin => creepages.spin,
+            Abscissa::Total { direction } => {
+                creepages.x * direction.cos() + creepages.y * direction.sin()
+            }
+        });
+        Ok(Self { start, end, abscissa, range })
     }
 
     /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards y),
@@ -130,7 +148,11 @@ impl Path {
             let [x, y] = components(range[end], direction);
             Creepages { x, y, spin: spin[end] }
         });
-        Self::new(start, end).map(|path| Self { abscissa: Abscissa::Total { direction }, ..path })
+        Self::new(start, end).map(|path| Self {
+            abscissa: Abscissa::Total { direction },
+            range,
+            ..path
+        })
     }
 
     /// What the curve is drawn over.
@@ -150,19 +172,12 @@ impl Path {
 
     /// The abscissa at the start and at the end; dimensionless, or in 1/m for spin.
     pub fn range(&self) -> [f64; 2] {
-        [self.start, self.end].map(|creepages| match self.abscissa {
-            Abscissa::CreepageX => creepages.x,
-            Abscissa::CreepageY => creepages.y,
-            Abscissa::Spin => creepages.spin,
-            Abscissa::Total { direction } => {
-                creepages.x * direction.cos() + creepages.y * direction.sin()
-            }
-        })
+        self.range
     }
 
     /// Creepages at an abscissa (dimensionless, or in 1/m for spin).
     pub fn at(&self, abscissa: f64) -> Creepages {
-        let [from, to] = self.range();
+        let [from, to] = self.range;
         let share = (abscissa - from) / (to - from);
         let along = |start: f64, end: f64| {
             if start == end { start } else { (1.0 - share) * start + share * end }
@@ -186,7 +201,7 @@ impl Path {
 
     /// Whether the curve comes from, ends at or runs through zero of everything that varies.
     pub fn has_origin(&self) -> bool {
-        let [from, to] = self.range();
+        let [from, to] = self.range;
         let contains_zero = from.min(to) <= 0.0 && from.max(to) >= 0.0;
         let [start, end] = [self.start, self.end].map(|creepages| creepages.components());
         let origin = self.at(0.0).components();
@@ -201,7 +216,7 @@ impl Path {
     /// longer rolls: where it is locked, or η is ±1. `None` where it always rolls.
     pub fn locks_at(&self) -> Option<f64> {
         let rolls = |abscissa: f64| self.at(abscissa).at_speed(1.0).check().is_ok();
-        let [from, to] = self.range();
+        let [from, to] = self.range;
         if !rolls(from) {
             return Some(from);
         }

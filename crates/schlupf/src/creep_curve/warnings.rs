@@ -66,6 +66,7 @@ impl Warnings {
             let first = abscissa.equation(kind.first);
             match kind.points {
                 1 => format!("{first}: {}", kind.text),
+                2 => format!("{first} and one further point: {}", kind.text),
                 count => format!("{first} and {} further points: {}", count - 1, kind.text),
             }
         }));
@@ -84,15 +85,16 @@ fn not_converged(abscissa: Abscissa, points: &[Point]) -> Option<String> {
         return None;
     }
     let named: Vec<String> =
-        failed.iter().take(MOST_NAMES).map(|point| abscissa.equation(point.abscissa)).collect();
+        failed.iter().take(MOST_NAMES).map(|point| abscissa.value(point.abscissa)).collect();
     let rest = match failed.len().saturating_sub(MOST_NAMES) {
         0 => String::new(),
         rest => format!(" and {rest} more"),
     };
     Some(format!(
-        "not converged: {} of {} points, at {}{rest}",
+        "not converged: {} of {} points, at {} = {}{rest}",
         failed.len(),
         points.len(),
+        abscissa.name(),
         named.join(", ")
     ))
 }
@@ -112,7 +114,7 @@ mod tests {
         assert_eq!(kinds, [2, 3, 1]);
         let texts = warnings.texts(Abscissa::Spin, &[]);
         assert_eq!(texts[0], "the curve");
-        assert_eq!(texts[1], "spin = 0 1/m and 1 further points: the margin: 1.3 %");
+        assert_eq!(texts[1], "spin = 0 1/m and one further point: the margin: 1.3 %");
         assert_eq!(texts[3], "spin = 0.1 1/m: once");
     }
 }
