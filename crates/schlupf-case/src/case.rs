@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use schlupf::{Options, Problem};
 
-use crate::document;
+use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors, Cause};
 use crate::fields;
 use crate::place::{Place, Source};
@@ -25,6 +25,8 @@ pub struct Case {
     /// What was given without effect, each with its place.
     pub notices: Vec<String>,
     settings: Settings,
+    entries: Vec<Entry>,
+    name: String,
     folder: PathBuf,
 }
 
@@ -56,8 +58,24 @@ impl Case {
         let source = Arc::new(Source { name: name.to_owned(), text: text.to_owned() });
         let (mut entries, mut errors) = document::parse(&source)?;
         for text in overrides {
-            errors.extend(document::apply(&mut entries, text).err());
+            errors.extend(document::apply(&mut entries, "--set", text).err());
         }
+        Self::from_entries(entries, errors, name, folder)
+    }
+
+    /// The same case with another field, `section.field=value`, that an option of the command line gives.
+    pub fn with(&self, option: &'static str, assignment: &str) -> Result<Self, CaseErrors> {
+        let mut entries = self.entries.clone();
+        document::apply(&mut entries, option, assignment)?;
+        Self::from_entries(entries, Vec::new(), &self.name, &self.folder)
+    }
+
+    fn from_entries(
+        entries: Vec<Entry>,
+        mut errors: Vec<CaseError>,
+        name: &str,
+        folder: &Path,
+    ) -> Result<Self, CaseErrors> {
         let file = Place::File { name: name.to_owned() };
         let (settings, wrong_fields) = Settings::read(&entries, file);
         errors.extend(wrong_fields);
@@ -69,6 +87,8 @@ impl Case {
             options: read::options(&settings)?,
             notices: settings.idle(),
             settings,
+            entries,
+            name: name.to_owned(),
             folder: folder.to_owned(),
         })
     }

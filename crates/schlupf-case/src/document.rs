@@ -83,8 +83,13 @@ pub struct Entry {
 pub enum Origin {
     /// In the case file.
     File(Arc<Source>),
-    /// By an override, the text after `--set`.
-    Override(String),
+    /// By an option of the command line.
+    Override {
+        /// The option, such as `--set`.
+        option: &'static str,
+        /// The text after it.
+        text: String,
+    },
 }
 
 impl Origin {
@@ -92,7 +97,7 @@ impl Origin {
     pub fn place(&self, span: &Range<usize>) -> Place {
         match self {
             Self::File(source) => Place::Text { source: Arc::clone(source), span: span.clone() },
-            Self::Override(text) => Place::Override { text: text.clone() },
+            Self::Override { option, text } => Place::Override { option, text: text.clone() },
         }
     }
 }
@@ -179,10 +184,10 @@ fn convert(value: &DeValue<'_>) -> Content {
     }
 }
 
-/// Puts an override `path=value` in place of what the file says. An empty value takes the field
-/// out.
-pub fn apply(entries: &mut Vec<Entry>, text: &str) -> Result<(), CaseError> {
-    let place = Place::Override { text: text.to_owned() };
+/// Puts an override `path=value`, given by an option, in place of what the file says. An empty value
+/// takes the field out.
+pub fn apply(entries: &mut Vec<Entry>, option: &'static str, text: &str) -> Result<(), CaseError> {
+    let place = Place::Override { option, text: text.to_owned() };
     let Some((path, value)) = text.split_once('=') else {
         let message =
             format!("an override must be of the form section.field=value, but is {text:?}");
@@ -196,7 +201,7 @@ pub fn apply(entries: &mut Vec<Entry>, text: &str) -> Result<(), CaseError> {
             path: path.to_owned(),
             key: 0..0,
             value: Value { content: override_content(path, value), span: 0..0 },
-            origin: Origin::Override(text.to_owned()),
+            origin: Origin::Override { option, text: text.to_owned() },
         });
     }
     Ok(())
@@ -210,6 +215,14 @@ fn override_content(path: &str, text: &str) -> Content {
         Ok(Content::Text(text)) => Content::Text(text),
         Ok(content) if !wants_text => content,
         _ => Content::Text(text.to_owned()),
+    }
+}
+
+/// A text without the quotes of TOML around it, if it has any.
+pub fn without_quotes(text: &str) -> String {
+    match DeValue::parse(text).map(|value| convert(value.get_ref())) {
+        Ok(Content::Text(text)) => text,
+        _ => text.to_owned(),
     }
 }
 
@@ -239,8 +252,8 @@ mod tests {
     #[test]
     fn overrides_replace_and_remove() {
         let mut entries = entries("[kinematics]\nspeed = \"30 m/s\"\ncreepage_x = 0.1");
-        apply(&mut entries, "kinematics.speed=60 km/h").unwrap();
-        apply(&mut entries, "kinematics.creepage_x=").unwrap();
+        apply(&mut entries, "--set", "kinematics.speed=60 km/h").unwrap();
+        apply(&mut entries, "--set", "kinematics.creepage_x=").unwrap();
         assert_eq!(entries.len(), 1);
         assert_eq!(entries[0].value.content, Content::Text("60 km/h".to_owned()));
     }

@@ -69,7 +69,7 @@ pub struct CaseErrors {
 
 impl CaseErrors {
     /// Fails if there are errors.
-    pub(crate) fn check(errors: Vec<CaseError>) -> Result<(), Self> {
+    pub fn check(errors: Vec<CaseError>) -> Result<(), Self> {
         let mut errors = errors.into_iter();
         match errors.next() {
             Some(first) => Err(Self { first: Box::new(first), others: errors.collect() }),

@@ -11,6 +11,8 @@ pub mod document;
 pub mod error;
 pub mod fields;
 pub mod place;
+mod family;
+mod range;
 mod read;
 mod schema;
 mod setting;
@@ -21,7 +23,9 @@ pub mod units;
 
 pub use case::{Case, Effective};
 pub use error::{CaseError, CaseErrors, Cause};
+pub use family::Family;
 pub use place::{Place, Source};
+pub use range::{direction, range};
 pub use schema::schema;
 pub use setting::{Refusal, Setting};
 pub use template::template;

@@ -48,9 +48,11 @@ pub enum Place {
         /// Name of the file.
         name: String,
     },
-    /// In a command-line override.
+    /// In an option of the command line.
     Override {
-        /// The text after `--set`.
+        /// The option, such as `--set`.
+        option: &'static str,
+        /// The text after it.
         text: String,
     },
     /// Nowhere: the default value of the field.
@@ -80,7 +82,7 @@ impl fmt::Display for Place {
                 write!(f, "{}:{line}:{column}", source.name)
             }
             Self::File { name } => f.write_str(name),
-            Self::Override { text } => write!(f, "--set {text}"),
+            Self::Override { option, text } => write!(f, "{option} {text}"),
             Self::Default => f.write_str("default value"),
         }
     }

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueHint};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
+use schlupf::creep_curve::{MAX_POINTS, Sampling};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -27,6 +28,9 @@ pub enum Command {
     /// Solve a case
     #[command(after_help = EXIT_CODES)]
     Solve(Box<SolveArguments>),
+    /// Compute creep curves: forces over creepage
+    #[command(after_help = EXIT_CODES)]
+    Curve(Box<CurveArguments>),
     /// Check a case file and say what it would solve
     Check(CaseArguments),
     /// Write a commented case file to start from
@@ -78,6 +82,74 @@ pub struct SolveArguments {
     /// Print no summary
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// Which creep curves, and where to write them.
+#[derive(Debug, Args)]
+#[command(group = ArgGroup::new("varied")
+    .args(["creepage_x", "creepage_y", "spin", "creepage"]).required(true).multiple(true))]
+pub struct CurveArguments {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Vary the longitudinal creepage, such as 0..0.05; several of these options vary all together
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub creepage_x: Option<String>,
+    /// Vary the lateral creepage
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub creepage_y: Option<String>,
+    /// Vary the spin creepage, such as "0..2 1/m"
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub spin: Option<String>,
+    /// Vary the total creepage in the direction of --direction
+    #[arg(
+        long,
+        value_name = "START..END",
+        allow_hyphen_values = true,
+        requires = "direction",
+        conflicts_with_all = ["creepage_x", "creepage_y"]
+    )]
+    pub creepage: Option<String>,
+    /// Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg)
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, requires = "creepage")]
+    pub direction: Option<String>,
+    /// Number of points
+    #[arg(long, value_name = "N", default_value_t = Sampling::default().points,
+          value_parser = number_of_points)]
+    pub points: usize,
+    /// How the points are spaced: finer near zero creepage, or evenly
+    #[arg(long, value_enum, default_value_t = SpacingArgument::Refined)]
+    pub spacing: SpacingArgument,
+    /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s"
+    #[arg(long, value_name = "SECTION.FIELD=VALUE,…")]
+    pub over: Option<String>,
+    /// Write the curves as JSON; `-` is standard output, then without the summary
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Write the curves as CSV, one row for each point
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub csv: Option<PathBuf>,
+    /// Draw the figure `creep_curve` (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+    /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// How the points of a curve are spaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SpacingArgument {
+    /// Steps grow from zero creepage outwards
+    Refined,
+    /// All steps are equal
+    Even,
+}
+
+/// A number of points that makes a curve.
+fn number_of_points(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|count| (2..=MAX_POINTS).contains(count));
+    count.ok_or_else(|| format!("must be a whole number between 2 and {MAX_POINTS}"))
 }
 
 /// Where to write a case file.

@@ -1,4 +1,4 @@
-//! The commands that do not solve.
+//! The commands that do not solve, and how a case is read.
 
 use std::fmt::Write;
 use std::io::ErrorKind;

@@ -4,6 +4,7 @@
 
 mod arguments;
 mod commands;
+mod curve;
 mod failure;
 mod outputs;
 mod progress;
@@ -21,6 +22,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let result = match arguments.command {
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Curve(arguments) => curve::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

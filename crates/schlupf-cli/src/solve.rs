@@ -45,7 +45,8 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-fn is_stdout(path: &Path) -> bool {
+/// Whether a path stands for standard output.
+pub fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
@@ -88,7 +89,7 @@ fn inputs(arguments: &SolveArguments, case: &Case) -> Vec<Input> {
 }
 
 /// Names of the files of a figure: the drawing and the picture.
-fn figure_files(name: &str) -> [String; 2] {
+pub fn figure_files(name: &str) -> [String; 2] {
     [format!("{name}.svg"), format!("{name}.png")]
 }
 

@@ -6,14 +6,23 @@ use serde::Serialize;
 use serde_json::Serializer;
 use serde_json::ser::{Formatter, PrettyFormatter};
 
+use schlupf::normal::NormalSummary;
 use schlupf::solution::{Instant, Resultant, Solution, Status};
+use schlupf::{kinematics, solution};
 
 use crate::number::without_sign_of_zero;
 
 /// The result of a case as a JSON document: SI units, temperatures in degC and their rises in K,
 /// forces on the wheel. A number that is not finite becomes `null`.
 pub fn document(title: &str, solution: &Solution) -> String {
-    let document = Document::new(title, solution);
+    text(&Document::new(title, solution))
+}
+
+/// Name and version of the program.
+pub(crate) const PROGRAM: &str = concat!("schlupf ", env!("CARGO_PKG_VERSION"));
+
+/// A document as text.
+pub(crate) fn text(document: &impl Serialize) -> String {
     let mut text = Vec::new();
     let formatter = Numbers { layout: PrettyFormatter::new() };
     // Plain structs of numbers and text with text keys: there is nothing that could fail.
@@ -59,7 +68,7 @@ impl Formatter for Numbers {
 
 #[derive(Serialize)]
 struct Document<'a> {
-    program: String,
+    program: &'static str,
     title: &'a str,
     status: &'static str,
     normal: Normal,
@@ -90,7 +99,7 @@ struct Sensitivity {
 }
 
 #[derive(Serialize)]
-struct Normal {
+pub(crate) struct Normal {
     load: f64,
     semi_axis_x: f64,
     semi_axis_y: f64,
@@ -99,7 +108,7 @@ struct Normal {
 }
 
 #[derive(Serialize)]
-struct Kinematics {
+pub(crate) struct Kinematics {
     speed: f64,
     creepage_x: f64,
     creepage_y: f64,
@@ -107,7 +116,7 @@ struct Kinematics {
 }
 
 #[derive(Serialize)]
-struct Vector {
+pub(crate) struct Vector {
     x: f64,
     y: f64,
     moment_z: f64,
@@ -160,7 +169,7 @@ struct History {
 }
 
 #[derive(Serialize)]
-struct Work {
+pub(crate) struct Work {
     newton_iterations: usize,
     operator_products: f64,
     sensitivity_products: usize,
@@ -173,25 +182,14 @@ impl<'a> Document<'a> {
     fn new(title: &'a str, solution: &'a Solution) -> Self {
         let Solution { normal, kinematics, power, t_gamma, temperature, area, work, .. } = solution;
         Self {
-            program: concat!("schlupf ", env!("CARGO_PKG_VERSION")).to_owned(),
+            program: PROGRAM,
             title,
             status: match solution.status {
                 Status::Converged => "converged",
                 Status::NotConverged => "not-converged",
             },
-            normal: Normal {
-                load: normal.load,
-                semi_axis_x: normal.semi_axis_x,
-                semi_axis_y: normal.semi_axis_y,
-                peak_pressure: normal.peak_pressure,
-                approach: normal.approach,
-            },
-            kinematics: Kinematics {
-                speed: kinematics.speed,
-                creepage_x: kinematics.creepage_x,
-                creepage_y: kinematics.creepage_y,
-                spin: kinematics.spin,
-            },
+            normal: normal.into(),
+            kinematics: kinematics.into(),
             force: solution.force.into(),
             normalised: solution.normalised.into(),
             traction_coefficient: solution.traction_coefficient,
@@ -211,14 +209,43 @@ impl<'a> Document<'a> {
             history: History::new(&solution.history),
             warnings: &solution.warnings,
             residual: solution.residual,
-            work: Work {
-                newton_iterations: work.newton_iterations,
-                operator_products: work.operator_products,
-                sensitivity_products: work.sensitivity_products,
-                outer_iterations: work.outer_iterations,
-                steps: work.steps,
-                cells: work.cells,
-            },
+            work: work.into(),
+        }
+    }
+}
+
+impl From<&NormalSummary> for Normal {
+    fn from(normal: &NormalSummary) -> Self {
+        Self {
+            load: normal.load,
+            semi_axis_x: normal.semi_axis_x,
+            semi_axis_y: normal.semi_axis_y,
+            peak_pressure: normal.peak_pressure,
+            approach: normal.approach,
+        }
+    }
+}
+
+impl From<&kinematics::Kinematics> for Kinematics {
+    fn from(kinematics: &kinematics::Kinematics) -> Self {
+        Self {
+            speed: kinematics.speed,
+            creepage_x: kinematics.creepage_x,
+            creepage_y: kinematics.creepage_y,
+            spin: kinematics.spin,
+        }
+    }
+}
+
+impl From<&solution::Work> for Work {
+    fn from(work: &solution::Work) -> Self {
+        Self {
+            newton_iterations: work.newton_iterations,
+            operator_products: work.operator_products,
+            sensitivity_products: work.sensitivity_products,
+            outer_iterations: work.outer_iterations,
+            steps: work.steps,
+            cells: work.cells,
         }
     }
 }

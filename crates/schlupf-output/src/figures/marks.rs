@@ -17,19 +17,33 @@ const MARGIN: f64 = 24.0;
 
 /// Title of the figure, title of the case, and its kinematics.
 pub(super) fn heading(drawing: &mut Drawing, patch: &Patch, title: &str) {
+    let remark = if patch.solution.status == Status::NotConverged { "not converged" } else { "" };
+    title_block(drawing, title, [patch.title, &conditions(patch)], remark);
+}
+
+/// Title of the figure, title of the case as it stands and its conditions, and a remark in red.
+pub(super) fn title_block(
+    drawing: &mut Drawing,
+    title: &str,
+    [case, conditions]: [&str; 2],
+    remark: &str,
+) {
     drawing.text([MARGIN, 32.0], &TextStyle::new(19.0, Anchor::Start), title);
     let small = TextStyle { color: MUTED, ..TextStyle::new(13.0, Anchor::Start) };
     let room = (drawing.width - 2.0 * MARGIN) / small.size;
-    drawing.plain_text([MARGIN, 54.0], &small, &shortened(patch.title, room));
-    drawing.text([MARGIN, 74.0], &small, &conditions(patch));
-    if patch.solution.status == Status::NotConverged {
-        let style = TextStyle { color: "#b40426", ..TextStyle::new(15.0, Anchor::End) };
-        drawing.text([drawing.width - MARGIN, 32.0], &style, "not converged");
+    drawing.plain_text([MARGIN, 54.0], &small, &shortened(case, room));
+    drawing.text([MARGIN, 74.0], &small, conditions);
+    if !remark.is_empty() {
+        let style = TextStyle { color: ALARM, ..TextStyle::new(15.0, Anchor::End) };
+        drawing.text([drawing.width - MARGIN, 32.0], &style, remark);
     }
 }
 
+/// Colour of what did not converge.
+pub(super) const ALARM: &str = "#b40426";
+
 /// A text cut to a width in font sizes.
-fn shortened(text: &str, room: f64) -> String {
+pub(super) fn shortened(text: &str, room: f64) -> String {
     if label::width(text) <= room {
         return text.to_owned();
     }
@@ -51,7 +65,8 @@ fn conditions(patch: &Patch) -> String {
     parts.join(", ")
 }
 
-fn short(value: f64) -> String {
+/// A number with a true minus sign.
+pub(super) fn short(value: f64) -> String {
     significant(value).replace('-', "\u{2212}")
 }
 
@@ -125,6 +140,18 @@ pub(super) fn rolling_direction(drawing: &mut Drawing, center: [f64; 2]) {
     drawing.path(&path, &format!(r#"fill="{INK}""#));
 }
 
+/// A dot at a point.
+pub(super) fn dot(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
+    drawing.shape(&format!(r#"<circle cx="{x:.2}" cy="{y:.2}" r="4" {style}/>"#));
+}
+
+/// A diagonal cross at a point.
+pub(super) fn cross(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
+    const ARM: f64 = 4.5;
+    drawing.line([x - ARM, y - ARM], [x + ARM, y + ARM], style);
+    drawing.line([x - ARM, y + ARM], [x + ARM, y - ARM], style);
+}
+
 /// An entry of a legend: sample strokes (SVG attributes, drawn one over the other) and text.
 #[derive(Debug)]
 pub(super) struct Entry {
@@ -143,6 +170,10 @@ pub(super) enum Sample {
     Area(String),
     /// An arrow.
     Arrow(String),
+    /// A dot.
+    Dot(String),
+    /// A cross.
+    Cross(String),
 }
 
 /// Entries in a row from the left end of its base line, in more rows if they do not fit; returns the
@@ -153,7 +184,12 @@ pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
     let [left, top] = at;
     let [mut x, mut y] = at;
     for entry in entries {
-        let entry_width = SAMPLE + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
+        let sample = if matches!(entry.sample, Sample::Dot(_) | Sample::Cross(_)) {
+            0.5 * SAMPLE
+        } else {
+            SAMPLE
+        };
+        let entry_width = sample + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
         if x > left && x + entry_width > left + width {
             [x, y] = [left, y + ROW];
         }
@@ -168,8 +204,10 @@ pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
             Sample::Arrow(style) => {
                 drawing.path(&arrow([x, middle], [x + SAMPLE, middle], 9.0), style);
             }
+            Sample::Dot(style) => dot(drawing, [x + 0.5 * sample, middle], style),
+            Sample::Cross(style) => cross(drawing, [x + 0.5 * sample, middle], style),
         }
-        drawing.text([x + SAMPLE + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);
+        drawing.text([x + sample + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);
         x += entry_width;
     }
     y - top + ROW

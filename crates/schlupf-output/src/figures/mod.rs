@@ -1,10 +1,11 @@
-//! Figures of a solution, each as SVG and as PNG of the same drawing.
+//! Figures of a solution or of creep curves, each as SVG and as PNG of the same drawing.
 //!
 //! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
 
 mod color;
 mod contour;
+mod creep_curve;
 mod cut;
 mod font;
 mod frame;
@@ -19,12 +20,15 @@ mod projection;
 mod quantity;
 mod raster;
 mod sampler;
+mod smooth;
 mod surface;
 mod svg;
 mod ticks;
 mod units;
 
 use schlupf::Solution;
+
+use crate::creep_curve::CurveFamily;
 
 use map::Arrows;
 use patch::Patch;
@@ -47,6 +51,9 @@ pub enum FigureError {
     /// The solution has nothing to draw.
     #[error("the solution has no contact patch of finite size to draw")]
     NoPatch,
+    /// There is no creep curve with numbers to draw.
+    #[error("there is no creep curve of finite numbers to draw")]
+    NoCurve,
     /// The drawing could not be turned into a picture.
     #[error("the figure could not be rendered: {0}")]
     Render(String),
@@ -65,7 +72,22 @@ pub fn all(title: &str, solution: &Solution) -> Result<Vec<Figure>, FigureError>
         .collect()
 }
 
-/// Names of all figures that there can be.
+/// Name of the figure of creep curves.
+pub const CREEP_CURVE: &str = "creep_curve";
+
+/// The figure of creep curves: force on the rail over load, moment and temperature rise over creepage.
+pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
+    let svg = creep_curve_drawing(family)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: CREEP_CURVE.to_owned(), svg, png })
+}
+
+/// The SVG document of creep curves.
+pub fn creep_curve_drawing(family: &CurveFamily) -> Result<String, FigureError> {
+    creep_curve::draw(family).ok_or(FigureError::NoCurve)
+}
+
+/// Names of all figures of a solution that there can be.
 pub fn names() -> Vec<String> {
     const SURFACES: [&str; 6] =
         ["pressure", "force_x", "force_y", "slip", "friction_power", "temperature"];

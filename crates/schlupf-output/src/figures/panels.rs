@@ -63,11 +63,15 @@ pub(super) struct Stack {
     pub shading: &'static str,
 }
 
-const WIDTH: f64 = 900.0;
-const LEFT: f64 = 92.0;
-const RIGHT: f64 = 30.0;
+/// Width of the drawing.
+pub(super) const WIDTH: f64 = 900.0;
+/// Left end of the plot area.
+pub(super) const LEFT: f64 = 92.0;
+/// What is right of the plot area.
+pub(super) const RIGHT: f64 = 30.0;
 const SHADE: &str = r##"fill="#e9eef4""##;
-const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
+/// Stroke of the line at zero.
+pub(super) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
 
 impl Stack {
     /// Height of the drawing.
@@ -107,13 +111,7 @@ impl Stack {
         frame.draw_grid(drawing);
         let zero = frame.at([self.x[0], 0.0])[1];
         drawing.line([LEFT, zero], [frame.right(), zero], ZERO);
-        for curve in &panel.curves {
-            let pieces = curve.points.split(|point| !point.iter().all(|c| c.is_finite()));
-            for piece in pieces.filter(|piece| !piece.is_empty()) {
-                let points: Vec<[f64; 2]> = piece.iter().map(|point| frame.at(*point)).collect();
-                drawing.polyline(&points, &curve.stroke);
-            }
-        }
+        panel.draw_curves(drawing, frame);
         frame.draw_vertical(drawing, &panel.label);
         marks::legend(drawing, [LEFT, frame.corner[1] - 9.0], frame.size[0], &self.entries(panel));
     }
@@ -136,11 +134,22 @@ impl Stack {
 }
 
 /// Between two panels, for the legend of the lower one.
-const GAP: f64 = 36.0;
+pub(super) const GAP: f64 = 36.0;
 
 impl Panel {
+    /// Draws the curves into a frame.
+    pub(super) fn draw_curves(&self, drawing: &mut Drawing, frame: &Frame) {
+        for curve in &self.curves {
+            let pieces = curve.points.split(|point| !point.iter().all(|c| c.is_finite()));
+            for piece in pieces.filter(|piece| !piece.is_empty()) {
+                let points: Vec<[f64; 2]> = piece.iter().map(|point| frame.at(*point)).collect();
+                drawing.polyline(&points, &curve.stroke);
+            }
+        }
+    }
+
     /// Range of its curves and zero, a little widened.
-    fn range(&self) -> [f64; 2] {
+    pub(super) fn range(&self) -> [f64; 2] {
         let values = || {
             self.curves
                 .iter()

@@ -1,0 +1,143 @@
+//! Several cases that differ in one field.
+
+use crate::case::Case;
+use crate::document;
+use crate::error::{CaseError, CaseErrors};
+use crate::fields;
+use crate::place::Place;
+
+/// A field and the values that it takes, one after the other.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Family {
+    /// Dotted path of the field.
+    pub field: &'static str,
+    /// Its values as text, without quotes.
+    pub values: Vec<String>,
+    option: &'static str,
+}
+
+impl Family {
+    /// Reads `section.field=value,value,…`. A comma within quotes or brackets does not separate values.
+    pub fn parse(option: &'static str, text: &str) -> Result<Self, CaseError> {
+        let place = || Place::Override { option, text: text.to_owned() };
+        let Some((path, values)) = text.split_once('=') else {
+            let message = format!(
+                "{option} must be of the form section.field=value,value,…, but is {text:?}"
+            );
+            return Err(CaseError::new("", message, place()));
+        };
+        let path = path.trim();
+        let Some(field) = fields::find(path) else {
+            let help = fields::closest_path(path).map(|meant| format!("did you mean `{meant}`?"));
+            let message = format!("unknown field `{path}`");
+            return Err(CaseError::new(path, message, place()).help(help));
+        };
+        let refused = |reason: String| Err(CaseError::new(path, reason, place()));
+        let Some(values) = split(values) else {
+            return refused(format!("the values of {path} must have closed quotes and brackets"));
+        };
+        let values: Vec<String> = values.into_iter().map(document::without_quotes).collect();
+        if values.iter().any(String::is_empty) {
+            return refused(format!("every value of {path} must be given, but one is empty"));
+        }
+        let is_repeated = |(k, value): &(usize, &String)| values[..*k].contains(value);
+        if let Some((_, value)) = values.iter().enumerate().find(is_repeated) {
+            return refused(format!("the values of {path} must differ, but {value:?} is repeated"));
+        }
+        Ok(Self { field: field.path, values, option })
+    }
+
+    /// The case with each of the values, or what is wrong with any of them.
+    pub fn members(&self, case: &Case) -> Result<Vec<Case>, CaseErrors> {
+        let mut members = Vec::new();
+        let mut errors = Vec::new();
+        for value in &self.values {
+            match case.with(self.option, &format!("{}={value}", self.field)) {
+                Ok(member) => members.push(member),
+                Err(wrong) => errors.extend(wrong.iter().cloned()),
+            }
+        }
+        CaseErrors::check(errors)?;
+        Ok(members)
+    }
+}
+
+/// The parts of a text between its commas; `None` where quotes or brackets are not closed.
+fn split(text: &str) -> Option<Vec<&str>> {
+    let mut parts = Vec::new();
+    let mut start = 0;
+    let mut depth = 0_usize;
+    let mut quote = None;
+    for (at, character) in text.char_indices() {
+        if let Some(open) = quote {
+            quote = Some(open).filter(|open| *open != character);
+            continue;
+        }
+        match character {
+            '"' | '\'' => quote = Some(character),
+            '[' | '(' | '{' => depth += 1,
+            ']' | ')' | '}' => depth = depth.checked_sub(1)?,
+            ',' if depth == 0 => {
+                parts.push(text[start..at].trim());
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(text[start..].trim());
+    (depth == 0 && quote.is_none()).then_some(parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    fn values(text: &str) -> Vec<String> {
+        Family::parse("--over", text).unwrap().values
+    }
+
+    fn message(text: &str) -> String {
+        Family::parse("--over", text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn commas_separate_values_outside_quotes_and_brackets() {
+        assert_eq!(values("kinematics.speed=10 m/s, 20 m/s"), ["10 m/s", "20 m/s"]);
+        assert_eq!(values("normal.file=\"a,b.csv\",'c.csv'"), ["a,b.csv", "c.csv"]);
+        assert_eq!(values("wheel.conductivity=50 W/(m K)"), ["50 W/(m K)"]);
+        assert_eq!(values("friction.coefficient=0.1,0.2,0.3").len(), 3);
+        assert_eq!(split("[1,2],[3]").unwrap(), ["[1,2]", "[3]"]);
+    }
+
+    #[test]
+    fn what_is_no_family_is_refused_with_its_value() {
+        assert!(message("kinematics.speed").contains("section.field=value,value,…, but is"));
+        assert!(message("kinematics.sped=1 m/s").contains("did you mean `kinematics.speed`?"));
+        assert!(message("kinematics.speed=1 m/s,,2 m/s").contains("one is empty"));
+        assert!(message("kinematics.speed=").contains("one is empty"));
+        assert!(message("kinematics.speed=1 m/s,1 m/s").contains("\"1 m/s\" is repeated"));
+        assert!(message("normal.file=\"a,b").contains("closed quotes"));
+        assert!(message("normal.load=1 kN),2 kN").contains("closed quotes and brackets"));
+    }
+
+    #[test]
+    fn every_member_is_read_as_a_case_and_every_error_is_reported() {
+        let case = Case::from_str("", "case.toml", Path::new(""), &[]).unwrap();
+        let of = |text| Family::parse("--over", text).unwrap().members(&case);
+        let members = of("normal.load=60 kN,80 kN").unwrap();
+        let loads: Vec<f64> = members
+            .iter()
+            .map(|member| member.problem.normal.normal_contact(None).unwrap().summary.load)
+            .collect();
+        assert_eq!(loads, [60e3, 80e3]);
+        let errors = of("normal.load=60 kN,80 m,-1 kN").unwrap_err().to_string();
+        assert!(
+            errors.contains("--over normal.load=80 m: normal.load must be a force"),
+            "{errors}"
+        );
+        assert!(errors.contains("--over normal.load=-1 kN: "), "{errors}");
+        assert_eq!(errors.lines().count(), 2);
+    }
+}

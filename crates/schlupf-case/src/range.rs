@@ -1,0 +1,136 @@
+//! Ranges of a field and directions, as the command line gives them.
+
+use std::f64::consts::TAU;
+
+use crate::document::{Content, Value};
+use crate::error::CaseError;
+use crate::fields::{self, Default, Field, Kind, Requirement};
+use crate::place::Place;
+use crate::setting::{Refusal, Setting};
+use crate::units::Measure;
+
+/// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the end.
+pub fn range(option: &'static str, path: &str, text: &str) -> Result<[f64; 2], CaseError> {
+    let place = Place::Override { option, text: text.to_owned() };
+    let Some(field) = fields::find(path) else {
+        return Err(CaseError::new(path, format!("unknown field `{path}`"), place));
+    };
+    let unit = field.kind.unit();
+    let example = if unit.is_empty() { "0..0.05".to_owned() } else { format!("\"0..2 {unit}\"") };
+    let form =
+        || format!("{option} must be a range START..END, such as {example}, but is {text:?}");
+    let ends = text.split_once("..").map(|(start, end)| (start.trim(), end.trim()));
+    let Some((start, end)) = ends.filter(|(start, end)| !start.is_empty() && !end.is_empty())
+    else {
+        return Err(CaseError::new(path, form(), place));
+    };
+    let start_with_unit = format!("{start} {}", unit_of(end)).trim_end().to_owned();
+    let is_bare = start.parse::<f64>().is_ok() && !unit.is_empty();
+    let read = |what: &str, text: &str| {
+        number(field, text).map_err(|refusal| {
+            CaseError::new(path, refusal.message(what), place.clone()).help(refusal.help)
+        })
+    };
+    let start = read("the start of the range", if is_bare { &start_with_unit } else { start })?;
+    let end = read("the end of the range", end)?;
+    if start == end {
+        let value = format!("{} {unit}", fields::readable(start));
+        let message = format!(
+            "the end of the range must differ from its start, but both are {}",
+            value.trim_end()
+        );
+        return Err(CaseError::new(path, message, place));
+    }
+    Ok([start, end])
+}
+
+/// The angle (in rad) that an option gives for a direction.
+pub fn direction(option: &'static str, text: &str) -> Result<f64, CaseError> {
+    const DIRECTION: Field = Field {
+        path: "direction",
+        kind: Kind::Quantity(&Measure::ANGLE),
+        requirement: Requirement::Magnitude(TAU),
+        default: Default::Nothing,
+        example: None,
+        used_with: None,
+        doc: "",
+    };
+    number(&DIRECTION, text).map_err(|refusal| {
+        let place = Place::Override { option, text: text.to_owned() };
+        CaseError::new("", refusal.message("the direction"), place).help(refusal.help)
+    })
+}
+
+fn number(field: &Field, text: &str) -> Result<f64, Refusal> {
+    let plain = matches!(field.kind, Kind::Number).then(|| text.parse().ok()).flatten();
+    let content = plain.map_or_else(|| Content::Text(text.to_owned()), Content::Float);
+    let value = Value { content, span: 0..0 };
+    match field.read(&value)? {
+        Setting::Number(number) => Ok(number),
+        _ => Err(Refusal::new("a number".to_owned(), &value)),
+    }
+}
+
+/// What follows the number that a text begins with.
+fn unit_of(text: &str) -> &str {
+    let is_number =
+        |end: &usize| text.get(..*end).is_some_and(|start| start.trim_end().parse::<f64>().is_ok());
+    let end = (0..=text.len()).rev().find(is_number).unwrap_or(0);
+    text[end..].trim_start()
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    fn creepage(text: &str) -> Result<[f64; 2], CaseError> {
+        range("--creepage-x", "kinematics.creepage_x", text)
+    }
+
+    fn spin(text: &str) -> Result<[f64; 2], CaseError> {
+        range("--spin", "kinematics.spin", text)
+    }
+
+    #[test]
+    fn ranges_run_up_down_and_through_zero() {
+        assert_eq!(creepage("0..0.05"), Ok([0.0, 0.05]));
+        assert_eq!(creepage(" -1e-3 .. 5e-2 "), Ok([-1e-3, 5e-2]));
+        assert_eq!(creepage("0.05..0."), Ok([0.05, 0.0]));
+        assert_eq!(creepage("0...5"), Ok([0.0, 0.5]));
+        assert_eq!(spin("0 1/m..2 1/m"), Ok([0.0, 2.0]));
+        assert_eq!(spin("-1..2/m"), Ok([-1.0, 2.0]));
+        assert_eq!(spin("0..2e-3 1/mm"), Ok([0.0, 2.0]));
+    }
+
+    #[test]
+    fn what_is_no_range_is_refused_with_its_value() {
+        let message = |text| creepage(text).unwrap_err().to_string();
+        assert_eq!(
+            message("0.05"),
+            "--creepage-x 0.05: --creepage-x must be a range START..END, such as 0..0.05, but is \
+             \"0.05\""
+        );
+        assert!(message("0..").contains("must be a range"));
+        assert!(message("0..fast").contains("the end of the range must be a number without unit"));
+        assert!(message("nan..1").contains("the start of the range must be finite"));
+        assert!(message("0..1e9").contains("at most ±1e6"));
+        assert!(message("0.05..0.05").contains("must differ from its start, but both are 0.05"));
+        assert!(message("0..2 1/m").contains("write the number alone"));
+        let message = |text| spin(text).unwrap_err().to_string();
+        assert!(message("0..2").contains("the unit is missing"), "{}", message("0..2"));
+        assert!(message("0 1/m..2 m").contains("`m` is m in base units"));
+        assert!(message("1 m..2 1/m").contains("the start of the range must be an inverse length"));
+        assert!(range("--x", "no.field", "0..1").is_err());
+    }
+
+    #[test]
+    fn directions_are_angles() {
+        assert_relative_eq!(direction("--direction", "30deg").unwrap(), TAU / 12.0);
+        assert_relative_eq!(direction("--direction", "-0.5 rad").unwrap(), -0.5);
+        let message = |text| direction("--direction", text).unwrap_err().to_string();
+        assert!(message("30").contains("the direction must be an angle with its unit"));
+        assert!(message("400 deg").contains("at most ±6.28319 rad"));
+    }
+}

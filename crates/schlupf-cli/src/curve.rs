@@ -1,0 +1,267 @@
+//! `schlupf curve`.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use schlupf::creep_curve::{self, CreepCurve, Creepages, Sampling, Spacing};
+use schlupf::rolling;
+use schlupf_case::{Case, CaseErrors, Family, direction, range};
+use schlupf_output::creep_curve::{CurveFamily, Member, csv, json, summary};
+use schlupf_output::figures;
+
+use crate::arguments::{CurveArguments, SpacingArgument};
+use crate::commands::read_case;
+use crate::failure::{Failure, NOT_CONVERGED};
+use crate::outputs::Input;
+use crate::progress::Progress;
+use crate::solve::{figure_files, is_stdout};
+use crate::{outputs, report, stdout};
+
+const CREEPAGE_X: &str = "--creepage-x";
+const CREEPAGE_Y: &str = "--creepage-y";
+const SPIN: &str = "--spin";
+const CREEPAGE: &str = "--creepage";
+const OVER: &str = "--over";
+
+/// Computes creep curves and writes them.
+pub fn run(arguments: &CurveArguments) -> Result<ExitCode, Failure> {
+    let case = read_case(&arguments.case)?;
+    let varied = Varied::read(arguments)?;
+    let family = arguments.over.as_deref().map(|text| Family::parse(OVER, text)).transpose();
+    let family = family.map_err(CaseErrors::from)?;
+    let sampling = sampling(arguments);
+    let tasks = tasks(&case, &varied, family.as_ref())?;
+    for task in &tasks {
+        task.check(&sampling, &varied)?;
+    }
+    check_outputs(arguments, &tasks)?;
+    let progress = Progress::start();
+    let mut members = Vec::new();
+    for (k, task) in tasks.iter().enumerate() {
+        let curve = task.trace(&sampling, &mut |done| {
+            let step = k * sampling.points + done;
+            let steps = Some(tasks.len() * sampling.points);
+            progress.step(rolling::Progress { step, steps, change: 0.0 });
+        })?;
+        let notices = task.case.notices.clone();
+        members.push(Member { value: task.value.clone(), notices, curve });
+    }
+    let over = family.map(|family| family.field.to_owned());
+    let family = CurveFamily { title: case.title, over, sampling, members };
+    let files = files(arguments, &family, &progress)?;
+    drop(progress);
+    outputs::write(&files, arguments.figures.as_deref())?;
+    print(arguments, &family)?;
+    if family.is_converged() {
+        return Ok(ExitCode::SUCCESS);
+    }
+    for member in &family.members {
+        let name = family.name(member).map_or_else(String::new, |name| format!("{name}: "));
+        let failures = member.curve.warnings.iter();
+        for failure in failures.filter(|text| text.starts_with("not converged: ")) {
+            report::warn(&format!("{name}{failure}"));
+        }
+    }
+    Ok(ExitCode::from(NOT_CONVERGED))
+}
+
+fn sampling(arguments: &CurveArguments) -> Sampling {
+    let spacing = match arguments.spacing {
+        SpacingArgument::Refined => Spacing::Refined,
+        SpacingArgument::Even => Spacing::Even,
+    };
+    Sampling { points: arguments.points, spacing }
+}
+
+/// Which creepages vary, and from where to where.
+struct Varied {
+    creepage_x: Option<[f64; 2]>,
+    creepage_y: Option<[f64; 2]>,
+    spin: Option<[f64; 2]>,
+    /// Total creepage, and its direction in rad.
+    total: Option<([f64; 2], f64)>,
+    /// The options as they were given, for messages.
+    text: String,
+}
+
+impl Varied {
+    fn read(arguments: &CurveArguments) -> Result<Self, Failure> {
+        let CurveArguments { creepage_x, creepage_y, spin, creepage, direction: angle, .. } =
+            arguments;
+        let range = |option, field, text: &Option<String>| {
+            let text = text.as_deref();
+            text.map(|text| range(option, field, text)).transpose().map_err(CaseErrors::from)
+        };
+        let given = [
+            (CREEPAGE_X, creepage_x),
+            (CREEPAGE_Y, creepage_y),
+            (SPIN, spin),
+            (CREEPAGE, creepage),
+            ("--direction", angle),
+        ];
+        let text = given
+            .iter()
+            .filter_map(|(option, text)| Some(format!("{option} {}", text.as_ref()?)))
+            .collect::<Vec<_>>()
+            .join(" ");
+        let total = match (range(CREEPAGE, "kinematics.creepage_x", creepage)?, angle) {
+            (Some(range), Some(angle)) => {
+                Some((range, direction("--direction", angle).map_err(CaseErrors::from)?))
+            }
+            _ => None,
+        };
+        Ok(Self {
+            creepage_x: range(CREEPAGE_X, "kinematics.creepage_x", creepage_x)?,
+            creepage_y: range(CREEPAGE_Y, "kinematics.creepage_y", creepage_y)?,
+            spin: range(SPIN, "kinematics.spin", spin)?,
+            total,
+            text,
+        })
+    }
+
+    /// The creepages of a case with those that vary in their place.
+    fn path(&self, case: &Case) -> Result<creep_curve::Path, schlupf::Error> {
+        let own = Creepages::of(&case.problem.kinematics);
+        let spin = self.spin.unwrap_or([own.spin; 2]);
+        if let Some((range, direction)) = self.total {
+            return creep_curve::Path::in_direction(range, direction, spin);
+        }
+        let x = self.creepage_x.unwrap_or([own.x; 2]);
+        let y = self.creepage_y.unwrap_or([own.y; 2]);
+        let [start, end] = [0, 1].map(|k| Creepages { x: x[k], y: y[k], spin: spin[k] });
+        creep_curve::Path::new(start, end)
+    }
+
+    /// The option that makes a field of the case count for nothing.
+    fn option_in_place_of(&self, field: &str) -> Option<&'static str> {
+        match field {
+            "kinematics.creepage_x" | "kinematics.angular_velocity" | "kinematics.wheel_radius" => {
+                self.total.map(|_| CREEPAGE).or(self.creepage_x.map(|_| CREEPAGE_X))
+            }
+            "kinematics.creepage_y" | "kinematics.yaw_angle" => {
+                self.total.map(|_| CREEPAGE).or(self.creepage_y.map(|_| CREEPAGE_Y))
+            }
+            "kinematics.spin" => self.spin.map(|_| SPIN),
+            _ => None,
+        }
+    }
+}
+
+/// One curve to compute.
+struct Task {
+    value: Option<String>,
+    case: Case,
+    path: creep_curve::Path,
+}
+
+/// One task, or one for each member of the family.
+fn tasks(case: &Case, varied: &Varied, family: Option<&Family>) -> Result<Vec<Task>, Failure> {
+    let task = |value: Option<&String>, case: Case| {
+        let path = varied.path(&case).map_err(|error| varied.failure(&case, &error))?;
+        Ok(Task { value: value.cloned(), case, path })
+    };
+    let Some(family) = family else {
+        return Ok(vec![task(None, case.clone())?]);
+    };
+    if let Some(option) = varied.option_in_place_of(family.field) {
+        let field = family.field;
+        let reason = format!("{OVER} must not vary {field}, in place of which {option} varies");
+        return Err(Failure::Arguments(reason));
+    }
+    let members = family.members(case)?;
+    family.values.iter().zip(members).map(|(value, case)| task(Some(value), case)).collect()
+}
+
+impl Varied {
+    /// An error of the core about a curve: of the options that ask for it, or of the case.
+    fn failure(&self, case: &Case, error: &schlupf::Error) -> Failure {
+        let (schlupf::Error::Invalid { quantity, .. }
+        | schlupf::Error::Contradiction { quantity, .. }) = error
+        else {
+            return Failure::Case(case.explain(error).into());
+        };
+        let is_of_option = self.option_in_place_of(quantity).is_some();
+        if is_of_option {
+            Failure::Arguments(format!("{}: {error}", self.text))
+        } else {
+            Failure::Case(case.explain(error).into())
+        }
+    }
+}
+
+impl Task {
+    fn check(&self, sampling: &Sampling, varied: &Varied) -> Result<(), Failure> {
+        let Case { problem, options, .. } = &self.case;
+        creep_curve::check(problem, options, &self.path, sampling)
+            .map_err(|error| varied.failure(&self.case, &error))
+    }
+
+    fn trace(
+        &self,
+        sampling: &Sampling,
+        report: &mut dyn FnMut(usize),
+    ) -> Result<CreepCurve, Failure> {
+        let Case { problem, options, .. } = &self.case;
+        let mut report = |progress: creep_curve::Progress| report(progress.done);
+        creep_curve::trace(problem, options, &self.path, sampling, &mut report)
+            .map_err(|error| Failure::Case(self.case.explain(&error).into()))
+    }
+}
+
+fn check_outputs(arguments: &CurveArguments, tasks: &[Task]) -> Result<(), Failure> {
+    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
+        .into_iter()
+        .filter_map(|(option, path)| Some((option, path?)))
+        .collect();
+    let input = |what: &str, path: &Path| Input {
+        what: what.to_owned(),
+        path: path.to_owned(),
+        except: None,
+    };
+    let mut inputs: Vec<Input> =
+        arguments.case.case.iter().map(|path| input("the case file", path)).collect();
+    for task in tasks {
+        inputs.extend(task.case.files().iter().map(|(field, path)| input(field, path)));
+    }
+    match &arguments.figures {
+        None => outputs::check(&outputs, &inputs),
+        Some(directory) => {
+            let names = figure_files(figures::CREEP_CURVE);
+            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
+        }
+    }
+}
+
+/// All files in memory: what cannot be made is known before the first one is written.
+fn files(
+    arguments: &CurveArguments,
+    family: &CurveFamily,
+    progress: &Progress,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    let mut files = Vec::new();
+    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+        files.push((path.to_owned(), json::document(family).into_bytes()));
+    }
+    if let Some(path) = &arguments.csv {
+        files.push((path.clone(), csv::table(family).into_bytes()));
+    }
+    if let Some(directory) = &arguments.figures {
+        progress.stage("drawing figures");
+        let figure = figures::creep_curve(family)?;
+        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
+        files.push((svg, figure.svg.into_bytes()));
+        files.push((png, figure.png));
+    }
+    Ok(files)
+}
+
+fn print(arguments: &CurveArguments, family: &CurveFamily) -> Result<(), Failure> {
+    if arguments.json.as_deref().is_some_and(is_stdout) {
+        stdout::write(&json::document(family))
+    } else if arguments.quiet {
+        Ok(())
+    } else {
+        stdout::write(&summary::text(family))
+    }
+}

@@ -1,0 +1,202 @@
+//! `schlupf curve` from the outside: outputs, families, errors and exit codes.
+
+mod support;
+
+use serde_json::Value;
+use support::{Bench, Run};
+
+/// A case that takes no time.
+const SMALL: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\n\
+                     [grid]\ncells_x = 8\ncells_y = 6\n";
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    bench
+}
+
+fn curve(bench: &Bench, arguments: &[&str]) -> Run {
+    bench.run(&[&["curve", "case.toml", "--points", "9"], arguments].concat())
+}
+
+fn document(bench: &Bench, arguments: &[&str]) -> Value {
+    let run = curve(bench, &[&["--json", "-"], arguments].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    serde_json::from_str(&run.stdout).unwrap()
+}
+
+#[test]
+fn every_output_is_written() {
+    let bench = bench();
+    let run = curve(
+        &bench,
+        &["--creepage-x", "0..0.05", "--json", "c.json", "--csv", "c.csv", "--figures", "in/here"],
+    );
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+    assert_eq!(bench.list(), ["c.csv", "c.json", "case.toml", "in"]);
+    for part in ["small", "creepage_x", "initial slope", "maximum           |F|/N = 0.3"] {
+        assert!(run.stdout.contains(part), "{part:?} is not in\n{}", run.stdout);
+    }
+    let result: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
+    let curve = &result["curves"][0];
+    assert_eq!(curve["points"]["force_x"].as_array().unwrap().len(), 9);
+    assert!(curve["initial_slope"]["force"]["x"].as_f64().unwrap() < 0.0, "braking");
+    let maximum = curve["maximum"]["kinematics"]["creepage_x"].as_f64().unwrap();
+    assert!(maximum > 0.005 && maximum < 0.01, "{maximum}");
+    assert_eq!(bench.read("c.csv").lines().count(), 11);
+    for name in ["in/here/creep_curve.svg", "in/here/creep_curve.png"] {
+        assert!(bench.path(name).exists());
+    }
+}
+
+#[test]
+fn a_family_has_a_curve_for_each_value() {
+    let bench = bench();
+    let family = ["--over", "kinematics.speed=10 m/s,72 km/h", "--csv", "c.csv"];
+    let result = document(&bench, &[&["--creepage-x", "0..0.05", "--quiet"], &family[..]].concat());
+    assert_eq!(result["over"]["field"], "kinematics.speed");
+    assert_eq!(result["curves"][1]["value"], "72 km/h");
+    let speeds = [0, 1].map(|k| result["curves"][k]["points"]["speed"][0].as_f64().unwrap());
+    assert!((speeds[0] - 10.0).abs() + (speeds[1] - 20.0).abs() < 1e-12);
+    let top = |k: usize| result["curves"][k]["maximum"]["traction_coefficient"].as_f64().unwrap();
+    assert!(top(0) > top(1), "faster is hotter");
+    let table = bench.read("c.csv");
+    assert!(table.lines().nth(1).unwrap().starts_with("kinematics.speed,creepage_x,"));
+    assert_eq!(table.lines().filter(|line| line.starts_with("72 km/h,")).count(), 9);
+}
+
+#[test]
+fn other_creepages_are_kept_and_several_vary_together() {
+    let bench = bench();
+    let result = document(&bench, &["--creepage-y", "-0.01..0.01"]);
+    let points = &result["curves"][0]["points"];
+    assert_eq!(points["creepage_x"][0], 0.002);
+    assert_eq!(points["creepage_y"][8], 0.01);
+    assert!(result["curves"][0]["initial_slope"]["kalker"].is_null(), "something slides already");
+    let result =
+        document(&bench, &["--creepage-x", "0..0.01", "--spin", "0..0.5 1/m", "--spacing", "even"]);
+    let points = &result["curves"][0]["points"];
+    assert_eq!((&points["creepage_x"][4], &points["spin"][4]), (&0.005.into(), &0.25.into()));
+    let result = document(&bench, &["--creepage", "0..0.01", "--direction", "90deg"]);
+    let points = &result["curves"][0]["points"];
+    assert_eq!((&points["creepage_x"][8], &points["creepage_y"][8]), (&0.0.into(), &0.01.into()));
+    let forces = document(&bench, &["--spin", "-1..1 1/m", "--set", "kinematics.creepage_x=0"]);
+    let moments = &forces["curves"][0]["points"]["moment_z"];
+    assert!(moments[0].as_f64().unwrap() > 0.0 && moments[8].as_f64().unwrap() < 0.0);
+}
+
+#[test]
+fn what_did_not_converge_is_written_and_marked() {
+    let bench = bench();
+    let one_step = ["--set", "solver.driver=marching", "--set", "solver.max_steps=1"];
+    let files = ["--creepage-x", "0..0.01", "--json", "c.json", "--figures", "f"];
+    let run = curve(&bench, &[&files[..], &one_step].concat());
+    assert_eq!(run.code, Some(3), "{}", run.stderr);
+    let expected =
+        "warning: not converged: 8 of 9 points, at creepage_x = 8.98199e-5, 0.000215883, ";
+    assert!(run.stderr.starts_with(expected), "{}", run.stderr);
+    assert!(run.stdout.contains("NOT CONVERGED"), "{}", run.stdout);
+    let result: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
+    assert_eq!(result["curves"][0]["points"]["status"][0], "converged");
+    assert_eq!(result["curves"][0]["points"]["status"][1], "not-converged");
+    assert!(result["curves"][0]["maximum"].is_null());
+    assert!(bench.read("f/creep_curve.svg").contains("not converged at some points"));
+}
+
+/// Arguments after `curve case.toml`, parts of the report.
+const BAD: &[(&[&str], &[&str])] = &[
+    (&[], &["--creepage-x <START..END>", "required"]),
+    (&["--creepage-x", "0.05"], &["--creepage-x must be a range START..END", "\"0.05\""]),
+    (&["--creepage-x", "0.05..0.05"], &["must differ from its start, but both are 0.05"]),
+    (&["--creepage-x", "0..nan"], &["--creepage-x 0..nan: the end", "finite", "NaN"]),
+    (&["--creepage-x", "0..1 m"], &["a number without unit", "\"1 m\""]),
+    (&["--spin", "0..2"], &["the unit is missing", "1/m"]),
+    (&["--spin", "0 1/m..2 m"], &["`m` is m in base units"]),
+    (
+        &["--creepage-x", "0..1.5"],
+        &["--creepage-x 0..1.5", "the wheel must roll", "at creepage_x = 1 it does not"],
+    ),
+    (
+        &["--creepage", "0..2", "--direction", "0 deg"],
+        &["--creepage 0..2 --direction 0 deg", "at creepage = 1 it does not"],
+    ),
+    (&["--creepage", "0..0.1"], &["--direction <ANGLE>"]),
+    (&["--creepage", "0..0.1", "--direction", "30"], &["must be an angle", "\"30\""]),
+    (&["--creepage", "0..0.1", "--creepage-x", "0..1"], &["cannot be used with"]),
+    (&["--creepage-x", "0..0.1", "--points", "1"], &["'1' for '--points", "between 2 and 10000"]),
+    (&["--creepage-x", "0..0.1", "--spacing", "odd"], &["refined, even"]),
+    (&["--creepage-x", "0..0.1", "--over", "speed"], &["section.field=value,value,…"]),
+    (
+        &["--creepage-x", "0..0.1", "--over", "kinematics.sped=1 m/s"],
+        &["did you mean `kinematics.speed`?"],
+    ),
+    (
+        &["--creepage-x", "0..0.1", "--over", "kinematics.speed=10 m/s,20 kN,-1 m/s"],
+        &["--over kinematics.speed=20 kN: ", "--over kinematics.speed=-1 m/s: "],
+    ),
+    (
+        &["--creepage-x", "0..0.1", "--over", "kinematics.creepage_x=0,1"],
+        &["--over must not vary kinematics.creepage_x", "--creepage-x"],
+    ),
+    (
+        &["--creepage-y", "0..0.1", "--over", "kinematics.yaw_angle=0 deg,1 deg"],
+        &["--over must not vary kinematics.yaw_angle", "--creepage-y"],
+    ),
+    (
+        &["--creepage-y", "0..0.9", "--over", "kinematics.creepage_x=0,0.5"],
+        &["--creepage-y 0..0.9", "at creepage_y = 0.866025 it does not"],
+    ),
+    (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is that of the case file"]),
+    (&["--creepage-x", "0..0.1", "--csv", "-"], &["--csv must name a file"]),
+];
+
+#[test]
+fn bad_input_is_reported_and_nothing_is_written() {
+    for (arguments, parts) in BAD {
+        let bench = bench();
+        let outputs = ["curve", "case.toml", "--json", "c.json", "--figures", "f"];
+        let run = bench.run(&[&outputs, *arguments].concat());
+        assert_eq!(run.code, Some(2), "{arguments:?}: {}", run.stderr);
+        assert_eq!(run.stdout, "");
+        for part in *parts {
+            assert!(run.stderr.contains(part), "{part:?} is not in\n{}", run.stderr);
+        }
+        assert_eq!(bench.list(), ["case.toml"]);
+    }
+}
+
+#[test]
+fn a_history_has_no_creep_curve() {
+    let bench = bench();
+    let history = "[history]\ntime = [\"0 s\", \"1 ms\"]\ncreepage_x = [0.0, 0.001]\n";
+    bench.write("case.toml", &format!("{SMALL}{history}"));
+    let run = curve(&bench, &["--creepage-x", "0..0.01"]);
+    assert_eq!(run.code, Some(2));
+    for part in ["case.toml:8:8: history.time: a creep curve is of steady rolling", "^^^"] {
+        assert!(run.stderr.contains(part), "{part:?} is not in\n{}", run.stderr);
+    }
+}
+
+#[test]
+fn the_file_system_is_asked_before_the_work() {
+    let bench = bench();
+    std::fs::create_dir_all(bench.path("full/creep_curve.png")).unwrap();
+    for arguments in
+        [["--json", "missing/c.json"], ["--figures", "case.toml"], ["--figures", "full"]]
+    {
+        let run = curve(&bench, &[&["--creepage-x", "0..0.01"], &arguments[..]].concat());
+        assert_eq!(run.code, Some(1), "{arguments:?}: {}", run.stderr);
+        assert_eq!(run.stdout, "");
+    }
+    assert_eq!(bench.list(), ["case.toml", "full"]);
+}
+
+#[test]
+fn a_field_without_effect_is_among_the_warnings() {
+    let bench = bench();
+    let none = ["--set", "heat.model=none", "--over", "heat.partition=0.3,0.5"];
+    let result = document(&bench, &[&["--creepage-x", "0..0.01"], &none[..]].concat());
+    let warning = result["warnings"][0].as_str().unwrap();
+    let expected = "heat.partition = 0.3: --over heat.partition=0.3: heat.partition has no effect";
+    assert!(warning.starts_with(expected), "{warning}");
+}

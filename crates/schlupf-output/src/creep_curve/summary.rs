@@ -1,0 +1,207 @@
+//! Creep curves for people: a table with some of the points, slope and maximum of every curve.
+
+use std::fmt::Write;
+
+use schlupf::Status;
+use schlupf::creep_curve::{Abscissa, CreepCurve, InitialSlope, Maximum, PLATEAU, Path, Point};
+use schlupf::solution::Resultant;
+
+use super::{CurveFamily, Member};
+use crate::number::significant as number;
+use crate::summary::without_noise;
+
+/// Most points of a curve in the table, apart from those that did not converge.
+const MOST_ROWS: usize = 21;
+
+/// The curves on a terminal: forces on the wheel, temperatures, slope, maximum and warnings.
+pub fn text(family: &CurveFamily) -> String {
+    let mut text = format!("{}\n", family.title);
+    for member in &family.members {
+        text.push('\n');
+        if let Some(name) = family.name(member) {
+            line(&mut text, &name);
+        }
+        curve(&mut text, member);
+    }
+    let warnings = family.warnings();
+    if !warnings.is_empty() {
+        text.push('\n');
+    }
+    for warning in warnings {
+        line(&mut text, &format!("warning: {warning}"));
+    }
+    text
+}
+
+fn curve(text: &mut String, member: &Member) {
+    let curve = &member.curve;
+    conditions(text, curve);
+    table(text, curve);
+    match &curve.initial_slope {
+        Some(slope) => self::slope(text, slope, &curve.path),
+        None if curve.path.has_origin() => line(text, "initial slope     not found"),
+        None => line(text, "initial slope     none: the curve does not reach zero creepage"),
+    }
+    for maximum in &curve.maxima {
+        top(text, maximum, curve.path.abscissa());
+    }
+    if curve.maximum().is_none() {
+        largest(text, curve);
+    }
+}
+
+fn conditions(text: &mut String, curve: &CreepCurve) {
+    let [start, end] = [curve.path.start(), curve.path.end()];
+    let speed = curve.points.first().map_or(f64::NAN, |point| point.kinematics.speed);
+    let mut parts = vec![
+        format!("load {} kN", number(curve.normal.load / 1e3)),
+        format!("speed {} m/s", number(speed)),
+    ];
+    let constant = [
+        ("creepage_x", start.x, end.x, ""),
+        ("creepage_y", start.y, end.y, ""),
+        ("spin", start.spin, end.spin, " 1/m"),
+    ];
+    for (name, start, end, unit) in constant {
+        if start == end && start != 0.0 {
+            parts.push(format!("{name} {}{unit}", number(start)));
+        }
+    }
+    if let Abscissa::Total { direction } = curve.path.abscissa() {
+        parts.push(format!("direction {}°", number(direction.to_degrees())));
+    }
+    line(text, &parts.join(", "));
+}
+
+/// A column of the table: its heading, and how to get its number.
+type Column = (String, fn(&Point) -> f64);
+
+fn table(text: &mut String, curve: &CreepCurve) {
+    let points = &curve.points;
+    let abscissa = match curve.path.abscissa() {
+        Abscissa::Spin => "spin (1/m)".to_owned(),
+        other => other.name().to_owned(),
+    };
+    let mut columns: Vec<Column> = vec![
+        (abscissa, |point| point.abscissa),
+        ("Fx (kN)".to_owned(), |point| without_noise(point.force.x, point.normalised.x) / 1e3),
+        ("Fy (kN)".to_owned(), |point| without_noise(point.force.y, point.normalised.y) / 1e3),
+        ("|F|/N".to_owned(), |point| {
+            without_noise(point.traction_coefficient, point.traction_coefficient)
+        }),
+    ];
+    let moment: Column = ("Mz (N m)".to_owned(), |point| {
+        without_noise(point.force.moment_z, point.normalised.moment_z)
+    });
+    let rise: Column = ("rise (K)".to_owned(), |point| point.max_rise);
+    for column in [moment, rise] {
+        if points.iter().any(|point| (column.1)(point) != 0.0) {
+            columns.push(column);
+        }
+    }
+    row(text, columns.iter().map(|(name, _)| name.clone()), "");
+    let stride = (points.len() - 1).div_ceil(MOST_ROWS - 1).max(1);
+    let last = points.len() - 1;
+    let mut rows = 0;
+    for (k, point) in points.iter().enumerate() {
+        let is_marked = point.status == Status::NotConverged;
+        if k % stride != 0 && k != last && !is_marked {
+            continue;
+        }
+        rows += 1;
+        let remark = if is_marked { "  NOT CONVERGED" } else { "" };
+        row(text, columns.iter().map(|(_, value)| number(value(point))), remark);
+    }
+    if rows < points.len() {
+        line(text, &format!("  ({rows} of {} points; --csv and --json have all)", points.len()));
+    }
+}
+
+fn row(text: &mut String, entries: impl Iterator<Item = String>, remark: &str) {
+    for entry in entries {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "{entry:>12}");
+    }
+    line(text, remark);
+}
+
+fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
+    let (symbol, coefficients, force_unit, moment_unit, bound) = match path.abscissa() {
+        Abscissa::CreepageX => ("ξ", ["C11", "", ""], "kN", "N m", "μ0 N"),
+        Abscissa::CreepageY => ("η", ["", "C22", "-C23"], "kN", "N m", "μ0 N"),
+        Abscissa::Spin => ("φ", ["", "C23", "C33"], "kN m", "N m²", "m μ0 N"),
+        Abscissa::Total { .. } => ("ν", ["", "", ""], "kN", "N m", "μ0 N"),
+    };
+    let kalker = |component: fn(&Resultant) -> f64| slope.kalker.as_ref().map(component);
+    let components = [
+        ("dFx", slope.force.x / 1e3, force_unit, slope.normalised.x, kalker(|k| k.x)),
+        ("dFy", slope.force.y / 1e3, force_unit, slope.normalised.y, kalker(|k| k.y)),
+        (
+            "dMz",
+            slope.force.moment_z,
+            moment_unit,
+            slope.normalised.moment_z,
+            kalker(|k| k.moment_z),
+        ),
+    ];
+    let largest = components.iter().map(|component| component.3.abs()).fold(0.0, f64::max);
+    let mut name = "initial slope";
+    for ((what, value, unit, normalised, kalker), coefficient) in
+        components.into_iter().zip(coefficients)
+    {
+        // What is left of the tolerance of the solutions.
+        if normalised.abs() <= 1e-5 * largest {
+            continue;
+        }
+        let bound = if what == "dMz" { format!("{bound} √(ab)") } else { bound.to_owned() };
+        let mut entry = format!(
+            "{name:<18}{what}/d{symbol} = {} {unit} = {} {bound}",
+            number(value),
+            number(normalised)
+        );
+        if let Some(kalker) = kalker.filter(|_| !coefficient.is_empty()) {
+            // Writing to a String cannot fail.
+            let _ = write!(entry, ", as with Kalker's {coefficient} = {}", number(kalker));
+        }
+        line(text, &entry);
+        name = "";
+    }
+}
+
+fn top(text: &mut String, maximum: &Maximum, abscissa: Abscissa) {
+    let value = number(maximum.traction_coefficient);
+    let place = abscissa.equation(significant(maximum.abscissa));
+    let entry = if maximum.is_saturated {
+        let level = number(100.0 * PLATEAU);
+        format!("|F|/N = {value}, saturated: within {level} % from {place} on")
+    } else {
+        format!("|F|/N = {value} at {place}")
+    };
+    line(text, &format!("{:<18}{entry}", "maximum"));
+}
+
+/// Where the largest force is, if that is no maximum.
+fn largest(text: &mut String, curve: &CreepCurve) {
+    let converged = curve.points.iter().filter(|point| point.status == Status::Converged);
+    let largest = converged
+        .max_by(|one, other| one.traction_coefficient.total_cmp(&other.traction_coefficient));
+    let entry = match largest {
+        Some(point) if curve.is_converged() => format!(
+            "none within the range: |F|/N is largest at an end of it, {} at {}",
+            number(point.traction_coefficient),
+            curve.path.abscissa().equation(point.abscissa)
+        ),
+        _ => "none found between the points that converged".to_owned(),
+    };
+    line(text, &format!("{:<18}{entry}", "maximum"));
+}
+
+/// Four significant digits: more are not known of a place.
+fn significant(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+fn line(text: &mut String, line: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "{}", line.trim_end());
+}

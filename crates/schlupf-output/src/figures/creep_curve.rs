@@ -1,0 +1,460 @@
+//! Creep curves: force on the rail over load, moment and temperature rise over creepage.
+
+use schlupf::Status;
+use schlupf::creep_curve::{Abscissa, CreepCurve, Point};
+use schlupf::solution::Resultant;
+
+use super::color::{LEVELS, Palette, paint};
+use super::frame::{Frame, TICK_SIZE};
+use super::label::{Anchor, TextStyle};
+use super::marks::{self, ALARM, Entry, HEADING, Sample, short};
+use super::panels::{BLUE, Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
+use super::smooth::smooth;
+use super::svg::{Drawing, INK, MUTED};
+use crate::creep_curve::{CurveFamily, Member};
+
+/// The figure; `None` where there is nothing to draw.
+pub(super) fn draw(family: &CurveFamily) -> Option<String> {
+    let picture = Picture::new(family)?;
+    let panels = picture.panels();
+    let heights: f64 = panels.iter().map(|panel| panel.panel.height + GAP).sum();
+    let top = HEADING + 40.0;
+    let height = (top + heights + 26.0).max(top + picture.legend_height() + 16.0);
+    let mut drawing = Drawing::new(WIDTH, height);
+    picture.heading(&mut drawing);
+    let mut corner = [LEFT, top];
+    let count = panels.len();
+    for (k, panel) in panels.into_iter().enumerate() {
+        let frame = Frame {
+            corner,
+            size: [picture.right() - LEFT, panel.panel.height],
+            x: picture.x,
+            y: panel.range(),
+        };
+        corner[1] += panel.panel.height + GAP;
+        panel.draw(&mut drawing, &frame);
+        if k + 1 == count {
+            frame.draw_horizontal(&mut drawing, &picture.axis());
+        }
+    }
+    picture.legend(&mut drawing, [picture.right() + 22.0, top]);
+    Some(drawing.finish())
+}
+
+/// A part of the force: its direction in the plane of contact, name, and how its curves are dashed.
+struct Component {
+    direction: [f64; 2],
+    name: &'static str,
+    remark: &'static str,
+    dashes: &'static str,
+}
+
+impl Component {
+    /// The part on the rail.
+    fn of(&self, force: &Resultant) -> f64 {
+        -(force.x * self.direction[0] + force.y * self.direction[1])
+    }
+}
+
+/// What is drawn, and over what.
+struct Picture<'a> {
+    family: &'a CurveFamily,
+    abscissa: Abscissa,
+    /// Range of the abscissa.
+    x: [f64; 2],
+    /// Colour of each member.
+    colors: Vec<String>,
+    /// The main component of the force, and the other one where it is seen.
+    components: Vec<Component>,
+}
+
+/// A component of less than this part of the largest force is not seen.
+const INVISIBLE: f64 = 0.01;
+
+/// Width of the legend of the members.
+const LEGEND: f64 = 170.0;
+
+/// Distance of its entries.
+const LEGEND_ROW: f64 = 24.0;
+
+impl<'a> Picture<'a> {
+    fn new(family: &'a CurveFamily) -> Option<Self> {
+        let abscissa = family.abscissa()?;
+        let [from, to] = family.members.first()?.curve.path.range();
+        let x = [from.min(to), from.max(to)];
+        let mut picture =
+            Self { family, abscissa, x, colors: colors(family.members.len()), components: vec![] };
+        let [main, other] = components(abscissa);
+        let largest = |component: &Component| picture.largest(|point| component.of(&point.force));
+        let [of_main, of_other] = [largest(&main), largest(&other)];
+        if !(x[1] > x[0] && x[0].is_finite() && x[1].is_finite()) || of_main.max(of_other) == 0.0 {
+            return None;
+        }
+        let is_seen = of_other > INVISIBLE * of_main;
+        picture.components.push(main);
+        picture.components.extend(is_seen.then_some(other));
+        Some(picture)
+    }
+
+    fn points(&self) -> impl Iterator<Item = &Point> {
+        self.family.members.iter().flat_map(|member| &member.curve.points)
+    }
+
+    /// The largest magnitude of a finite value.
+    fn largest(&self, value: impl Fn(&Point) -> f64) -> f64 {
+        self.points().map(value).filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
+    }
+
+    /// Right end of the plot areas.
+    fn right(&self) -> f64 {
+        WIDTH - if self.family.over.is_some() { LEGEND + 2.0 * RIGHT } else { RIGHT }
+    }
+
+    fn heading(&self, drawing: &mut Drawing) {
+        let title = if self.family.members.len() == 1 { "Creep curve" } else { "Creep curves" };
+        let remark = if self.family.is_converged() { "" } else { "not converged at some points" };
+        marks::title_block(drawing, title, [&self.family.title, &self.conditions()], remark);
+    }
+
+    /// What is the same at all points of all curves.
+    fn conditions(&self) -> String {
+        let constant = |value: fn(&Point) -> f64| {
+            let first = self.points().next().map(value)?;
+            self.points().all(|point| value(point) == first).then_some(first)
+        };
+        let creepage = |value: fn(&Point) -> f64| constant(value).filter(|value| *value != 0.0);
+        let load = self.family.members.first().map(|member| member.curve.normal.load);
+        let is_same = |load: &f64| self.family.members.iter().all(|m| m.curve.normal.load == *load);
+        let parts = [
+            creepage(|point| point.kinematics.creepage_x).map(|x| format!("$ξ$ = {}", short(x))),
+            creepage(|point| point.kinematics.creepage_y).map(|y| format!("$η$ = {}", short(y))),
+            creepage(|point| point.kinematics.spin).map(|s| format!("$φ$ = {} 1/m", short(s))),
+            constant(|point| point.kinematics.speed).map(|v| format!("$v$_0 = {} m/s", short(v))),
+            load.filter(is_same).map(|load| format!("$N$ = {} kN", short(load / 1e3))),
+        ];
+        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+
+    fn axis(&self) -> String {
+        match self.abscissa {
+            Abscissa::CreepageX => "longitudinal creepage $ξ$".to_owned(),
+            Abscissa::CreepageY => "lateral creepage $η$".to_owned(),
+            Abscissa::Spin => "spin creepage $φ$ (1/m)".to_owned(),
+            Abscissa::Total { direction } => {
+                let degrees = short(direction.to_degrees());
+                format!("creepage $ν$ at {degrees}° to the rolling direction")
+            }
+        }
+    }
+
+    fn panels(&self) -> Vec<MarkedPanel> {
+        let mut panels = vec![self.forces()];
+        panels.extend(self.moments());
+        panels.extend(self.temperatures());
+        panels
+    }
+
+    fn forces(&self) -> MarkedPanel {
+        let main = &self.components[0];
+        let label = match self.components.len() {
+            1 => format!("force on the rail {}/$N$", main.name),
+            _ => "force on the rail over load".to_owned(),
+        };
+        let mut curves = Vec::new();
+        let mut entries = Vec::new();
+        for component in &self.components {
+            for (member, color) in self.family.members.iter().zip(&self.colors) {
+                let load = member.curve.normal.load;
+                let value = |force: &Resultant| component.of(force) / load;
+                let points = with_maxima(&member.curve, value);
+                curves.push(curve(&points, color, component.dashes));
+            }
+            if self.components.len() > 1 {
+                let color = if self.colors.len() > 1 { INK } else { &self.colors[0] };
+                let sample = Sample::Line(vec![stroke(color, component.dashes)]);
+                entries.push(Entry {
+                    sample,
+                    text: format!("{}/$N${}", component.name, component.remark),
+                });
+            }
+        }
+        let mut panel = MarkedPanel {
+            panel: Panel { label, height: 330.0, curves },
+            tangents: self.tangents(|member, force| main.of(force) / member.curve.normal.load),
+            dots: Vec::new(),
+            crosses: self
+                .failures(|member, point| main.of(&point.force) / member.curve.normal.load),
+            entries,
+        };
+        self.mark_maxima(&mut panel);
+        panel.explain();
+        panel
+    }
+
+    /// The lines of the initial slopes of what is computed from the force.
+    fn tangents(&self, value: impl Fn(&Member, &Resultant) -> f64) -> Vec<Tangent> {
+        let members = self.family.members.iter().zip(&self.colors);
+        let tangent = |(member, color): (&Member, &String)| {
+            Tangent::new(&member.curve, |force: &Resultant| value(member, force), color)
+        };
+        members.filter_map(tangent).collect()
+    }
+
+    fn mark_maxima(&self, panel: &mut MarkedPanel) {
+        let main = &self.components[0];
+        for (member, color) in self.family.members.iter().zip(&self.colors) {
+            for maximum in &member.curve.maxima {
+                let value = main.of(&maximum.force) / member.curve.normal.load;
+                if value.is_finite() {
+                    let at = [maximum.abscissa, value];
+                    panel.dots.push(Dot { at, color: color.clone(), hollow: maximum.is_saturated });
+                }
+            }
+        }
+    }
+
+    /// Where points did not converge.
+    fn failures(&self, value: impl Fn(&Member, &Point) -> f64) -> Vec<[f64; 2]> {
+        let mut crosses = Vec::new();
+        for member in &self.family.members {
+            let failed = member.curve.points.iter().filter(|p| p.status == Status::NotConverged);
+            crosses.extend(failed.map(|point| [point.abscissa, value(member, point)]));
+        }
+        crosses.retain(|at| at.iter().all(|c| c.is_finite()));
+        crosses
+    }
+
+    /// Nothing where there is none and none is asked for.
+    fn moments(&self) -> Option<MarkedPanel> {
+        let is_seen = self.abscissa == Abscissa::Spin
+            || self.largest(|point| point.normalised.moment_z) > INVISIBLE;
+        let value = |point: &Point| -point.force.moment_z;
+        let mut panel = self.panel("moment \u{2212}$M$_z (N m)", value);
+        if self.abscissa == Abscissa::Spin {
+            panel.tangents = self.tangents(|_, force| -force.moment_z);
+        }
+        is_seen.then_some(panel)
+    }
+
+    /// Nothing where there is no heat.
+    fn temperatures(&self) -> Option<MarkedPanel> {
+        let value = |point: &Point| point.max_rise;
+        (self.largest(value) > 0.0).then(|| self.panel("largest temp. rise (K)", value))
+    }
+
+    fn panel(&self, label: &str, value: impl Fn(&Point) -> f64 + Copy) -> MarkedPanel {
+        let members = self.family.members.iter().zip(&self.colors);
+        let curves = members.map(|(member, color)| {
+            let points = member.curve.points.iter().map(|point| [point.abscissa, value(point)]);
+            curve(&points.collect::<Vec<_>>(), color, "")
+        });
+        MarkedPanel {
+            panel: Panel { label: label.to_owned(), height: 180.0, curves: curves.collect() },
+            tangents: Vec::new(),
+            dots: Vec::new(),
+            crosses: self.failures(|_, point| value(point)),
+            entries: Vec::new(),
+        }
+    }
+
+    fn legend_height(&self) -> f64 {
+        if self.family.over.is_some() { LEGEND_ROW * self.family.members.len() as f64 } else { 0.0 }
+    }
+
+    /// The members with their colours, one below the other from the upper left corner.
+    fn legend(&self, drawing: &mut Drawing, [left, top]: [f64; 2]) {
+        const SAMPLE: f64 = 26.0;
+        let Some(field) = &self.family.over else { return };
+        let room = (LEGEND + RIGHT) / TICK_SIZE;
+        let style = TextStyle { color: MUTED, ..TextStyle::new(TICK_SIZE, Anchor::Start) };
+        drawing.plain_text([left, top - 9.0], &style, &marks::shortened(field, room));
+        for (k, (member, color)) in self.family.members.iter().zip(&self.colors).enumerate() {
+            let y = top + 18.0 + LEGEND_ROW * k as f64;
+            let middle = y - 0.36 * TICK_SIZE;
+            drawing.line([left, middle], [left + SAMPLE, middle], &stroke(color, ""));
+            let style = TextStyle::new(TICK_SIZE, Anchor::Start);
+            let text = member.value.as_deref().unwrap_or_default();
+            let text = marks::shortened(text, room - (SAMPLE + 8.0) / TICK_SIZE);
+            drawing.plain_text([left + SAMPLE + 8.0, y], &style, &text);
+        }
+    }
+}
+
+/// The component along the abscissa, and the one across.
+fn components(abscissa: Abscissa) -> [Component; 2] {
+    const DASHES: &str = "8 4";
+    let x = |dashes| Component { direction: [1.0, 0.0], name: "\u{2212}$F$_x", remark: "", dashes };
+    let y = |dashes| Component { direction: [0.0, 1.0], name: "\u{2212}$F$_y", remark: "", dashes };
+    match abscissa {
+        Abscissa::CreepageX => [x(""), y(DASHES)],
+        Abscissa::CreepageY | Abscissa::Spin => [y(""), x(DASHES)],
+        Abscissa::Total { direction } => {
+            let (sin, cos) = direction.sin_cos();
+            let along = Component {
+                direction: [cos, sin],
+                name: "\u{2212}$F$_ν",
+                remark: " along $ν$",
+                dashes: "",
+            };
+            let across = Component {
+                direction: [-sin, cos],
+                name: "\u{2212}$F$_n",
+                remark: " across $ν$",
+                dashes: DASHES,
+            };
+            [along, across]
+        }
+    }
+}
+
+/// Colours from dark to light, so that they differ in grey, too.
+fn colors(count: usize) -> Vec<String> {
+    /// The light end of the palette is not seen on white.
+    const LIGHTEST: f64 = 0.78;
+    if count == 1 {
+        return vec![BLUE.to_owned()];
+    }
+    let level = |k: usize| LIGHTEST * k as f64 / (count - 1) as f64 * (LEVELS - 1) as f64;
+    (0..count).map(|k| paint(Palette::Mechanical, level(k).round() as usize)).collect()
+}
+
+fn stroke(color: &str, dashes: &str) -> String {
+    let dashes =
+        if dashes.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{dashes}""#) };
+    format!(r#"stroke="{color}" stroke-width="2.2" stroke-linejoin="round"{dashes}"#)
+}
+
+/// A curve of the forces with its maxima, which are solutions, too.
+fn with_maxima(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64) -> Vec<[f64; 2]> {
+    let points = curve.points.iter().map(|point| [point.abscissa, value(&point.force)]);
+    let maxima = curve.maxima.iter().filter(|maximum| !maximum.is_saturated);
+    let maxima = maxima.map(|maximum| [maximum.abscissa, value(&maximum.force)]);
+    let mut points: Vec<[f64; 2]> = points.chain(maxima).collect();
+    points.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    points.dedup_by_key(|point| point[0]);
+    points
+}
+
+fn curve(points: &[[f64; 2]], color: &str, dashes: &str) -> Curve {
+    Curve { points: smooth(points), stroke: stroke(color, dashes), text: String::new() }
+}
+
+/// The line of the initial slope.
+struct Tangent {
+    /// Value at zero of the abscissa, and slope.
+    value: f64,
+    slope: f64,
+    color: String,
+}
+
+impl Tangent {
+    fn new(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64, color: &str) -> Option<Self> {
+        let slope = value(&curve.initial_slope.as_ref()?.force);
+        let zero = curve.points.iter().find(|point| point.abscissa == 0.0)?;
+        let value = value(&zero.force);
+        (value.is_finite() && slope.is_finite() && slope != 0.0).then(|| Self {
+            value,
+            slope,
+            color: color.to_owned(),
+        })
+    }
+
+    /// The part of the line within a frame.
+    fn within(&self, frame: &Frame) -> [[f64; 2]; 2] {
+        let crossings = frame.y.map(|y| (y - self.value) / self.slope);
+        let [low, high] = [crossings[0].min(crossings[1]), crossings[0].max(crossings[1])];
+        [low.max(frame.x[0]), high.min(frame.x[1])].map(|x| [x, self.value + self.slope * x])
+    }
+}
+
+/// A maximum.
+struct Dot {
+    at: [f64; 2],
+    color: String,
+    hollow: bool,
+}
+
+/// A panel with what is marked on its curves.
+struct MarkedPanel {
+    panel: Panel,
+    tangents: Vec<Tangent>,
+    dots: Vec<Dot>,
+    crosses: Vec<[f64; 2]>,
+    entries: Vec<Entry>,
+}
+
+impl Dot {
+    fn style(color: &str, hollow: bool) -> String {
+        if hollow {
+            format!(r##"fill="#ffffff" stroke="{color}" stroke-width="2""##)
+        } else {
+            format!(r##"fill="{color}" stroke="#ffffff" stroke-width="1.2""##)
+        }
+    }
+}
+
+fn tangent_stroke(color: &str) -> String {
+    format!(r#"stroke="{color}" stroke-width="1" stroke-dasharray="4 3""#)
+}
+
+fn cross_stroke() -> String {
+    format!(r#"stroke="{ALARM}" stroke-width="2""#)
+}
+
+impl MarkedPanel {
+    /// Entries of the legend for what is marked.
+    fn explain(&mut self) {
+        let mut entry = |sample, text: &str| {
+            self.entries.push(Entry { sample, text: text.to_owned() });
+        };
+        if !self.tangents.is_empty() {
+            entry(Sample::Line(vec![tangent_stroke(INK)]), "initial slope");
+        }
+        for (hollow, text) in [(false, "maximum of |$F$|"), (true, "saturation")] {
+            if self.dots.iter().any(|dot| dot.hollow == hollow) {
+                entry(Sample::Dot(Dot::style(INK, hollow)), text);
+            }
+        }
+        if !self.crosses.is_empty() {
+            entry(Sample::Cross(cross_stroke()), "not converged");
+        }
+    }
+
+    /// Range of the curves and zero, with some room for what is drawn on them.
+    fn range(&self) -> [f64; 2] {
+        const ROOM: f64 = 0.05;
+        let values = || self.panel.curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);
+        let finite = || values().filter(|value| value.is_finite());
+        let [low, high] = [finite().fold(0.0, f64::min), finite().fold(0.0, f64::max)];
+        let room = ROOM * (high - low);
+        let [below, above] = self.panel.range();
+        [
+            if low < 0.0 { below.min(low - room) } else { below },
+            if high > 0.0 { above.max(high + room) } else { above },
+        ]
+    }
+
+    fn draw(&self, drawing: &mut Drawing, frame: &Frame) {
+        frame.draw_grid(drawing);
+        let [left, right] = [frame.corner[0], frame.right()];
+        let [zero_x, zero_y] = frame.at([0.0, 0.0]);
+        drawing.line([left, zero_y], [right, zero_y], ZERO);
+        if zero_x > left && zero_x < right {
+            drawing.line([zero_x, frame.corner[1]], [zero_x, frame.bottom()], ZERO);
+        }
+        for tangent in &self.tangents {
+            let [from, to] = tangent.within(frame).map(|point| frame.at(point));
+            drawing.line(from, to, &tangent_stroke(&tangent.color));
+        }
+        self.panel.draw_curves(drawing, frame);
+        for dot in &self.dots {
+            marks::dot(drawing, frame.at(dot.at), &Dot::style(&dot.color, dot.hollow));
+        }
+        for at in &self.crosses {
+            marks::cross(drawing, frame.at(*at), &cross_stroke());
+        }
+        frame.draw_vertical(drawing, &self.panel.label);
+        let width = frame.size[0];
+        marks::legend(drawing, [left, frame.corner[1] - 9.0], width, &self.entries);
+    }
+}

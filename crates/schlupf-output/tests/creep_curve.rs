@@ -1,0 +1,325 @@
+//! JSON, CSV, summary and figure of made-up creep curves.
+
+mod common;
+
+use std::collections::BTreeSet;
+
+use common::{RECIPE, solution};
+use schlupf::Status;
+use schlupf::creep_curve::{
+    CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling, Spacing,
+};
+use schlupf::normal::NormalSummary;
+use schlupf::solution::{Area, Power, Resultant, Work};
+use schlupf_output::creep_curve::{CurveFamily, Member, csv as table, json, summary};
+use schlupf_output::figures::{FigureError, creep_curve, creep_curve_drawing};
+
+const LOAD: f64 = 80e3;
+
+/// A curve that rises like a hyperbola to the bound, and falls with the temperature.
+fn made_up(path: Path, bound: f64) -> CreepCurve {
+    let sampling = Sampling { points: 21, spacing: Spacing::Refined };
+    let point = |abscissa: f64| {
+        let kinematics = path.at(abscissa).at_speed(30.0);
+        let slip = 200.0 * abscissa;
+        let size = bound * slip / (1.0 + slip * slip).sqrt() * (1.0 - 3.0 * abscissa.abs());
+        let [x, y] = [kinematics.creepage_x, kinematics.creepage_y + 0.002 * kinematics.spin];
+        let length = x.hypot(y).max(1e-300);
+        let force = Resultant {
+            x: -LOAD * size.abs() * x / length,
+            y: -LOAD * size.abs() * y / length,
+            moment_z: -40.0 * size * f64::from(kinematics.spin != 0.0),
+        };
+        Point {
+            abscissa,
+            kinematics,
+            force,
+            normalised: normalised(&force),
+            traction_coefficient: size.abs(),
+            power: Power { friction: 1.0, creep: 1.0, returned: 0.0 },
+            max_rise: 2e3 * abscissa.abs(),
+            area: Area { contact: 1e-4, stick: 4e-5, slip: 6e-5 },
+            status: Status::Converged,
+            residual: 1e-8,
+            work: Work { newton_iterations: 5, operator_products: 40.5, ..Work::default() },
+        }
+    };
+    let points: Vec<Point> = sampling.abscissae(path.range()).into_iter().map(point).collect();
+    let top = point(path.range()[1] * 0.3);
+    let maximum = Maximum {
+        abscissa: top.abscissa,
+        kinematics: top.kinematics,
+        force: top.force,
+        normalised: top.normalised,
+        traction_coefficient: 1.01 * bound,
+        is_saturated: false,
+    };
+    let force = Resultant { x: -200.0 * bound * LOAD, y: -1.0, moment_z: 0.0 };
+    CreepCurve {
+        path,
+        normal: NormalSummary { load: LOAD, ..solution(RECIPE).normal },
+        points,
+        initial_slope: Some(InitialSlope {
+            force,
+            normalised: normalised(&force),
+            kalker: Some(Resultant { x: 4.2, y: 0.0, moment_z: 0.0 }),
+        }),
+        maxima: vec![maximum],
+        warnings: vec!["a warning".to_owned()],
+        work: Work::default(),
+    }
+}
+
+fn normalised(force: &Resultant) -> Resultant {
+    let limit = 0.4 * LOAD;
+    Resultant { x: force.x / limit, y: force.y / limit, moment_z: force.moment_z / (limit * 5e-3) }
+}
+
+fn over_x(from: f64, to: f64) -> Path {
+    let [start, end] = [from, to].map(|x| Creepages { x, ..Creepages::default() });
+    Path::new(start, end).unwrap()
+}
+
+fn family_of(path: Path, values: &[&str]) -> CurveFamily {
+    let member = |(k, value): (usize, Option<&str>)| Member {
+        value: value.map(str::to_owned),
+        notices: Vec::new(),
+        curve: made_up(path, 0.4 / (1.0 + 0.1 * k as f64)),
+    };
+    let values: Vec<Option<&str>> =
+        if values.is_empty() { vec![None] } else { values.iter().map(|v| Some(*v)).collect() };
+    CurveFamily {
+        title: "steel wheel".to_owned(),
+        over: values[0].map(|_| "kinematics.speed".to_owned()),
+        sampling: Sampling { points: 21, spacing: Spacing::Refined },
+        members: values.into_iter().enumerate().map(member).collect(),
+    }
+}
+
+fn keys(value: &serde_json::Value) -> BTreeSet<&str> {
+    value.as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+fn set(names: &'static str) -> BTreeSet<&'static str> {
+    names.split_whitespace().collect()
+}
+
+/// The words of a drawing, by line.
+fn text_of(svg: &str) -> Vec<String> {
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let texts = document.descendants().filter(|node| node.has_tag_name("text"));
+    let text = |node: roxmltree::Node| -> String {
+        node.descendants().filter(roxmltree::Node::is_text).filter_map(|n| n.text()).collect()
+    };
+    texts.map(text).collect()
+}
+
+#[test]
+fn json_has_its_keys() {
+    let family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s"]);
+    let document: serde_json::Value = serde_json::from_str(&json::document(&family)).unwrap();
+    assert_eq!(keys(&document), set("program title path over curves warnings"));
+    let path = &document["path"];
+    let names = "abscissa start end creepage_x creepage_y spin direction points spacing";
+    assert_eq!(keys(path), set(names));
+    assert_eq!(path["abscissa"], "creepage_x");
+    assert_eq!(path["creepage_x"], serde_json::json!([0.0, 0.05]));
+    assert!(path["spin"].is_null() && path["direction"].is_null());
+    assert_eq!(document["over"]["values"], serde_json::json!(["10 m/s", "20 m/s"]));
+    let curve = &document["curves"][1];
+    assert_eq!(keys(curve), set("value normal initial_slope maximum maxima points work"));
+    assert_eq!(curve["value"], "20 m/s");
+    assert_eq!(keys(&curve["initial_slope"]), set("force normalised kalker"));
+    assert_eq!(curve["initial_slope"]["kalker"]["x"], 4.2);
+    let names = "abscissa kinematics force normalised traction_coefficient saturated";
+    assert_eq!(keys(&curve["maximum"]), set(names));
+    assert_eq!(curve["maximum"], curve["maxima"][0]);
+    let names = "abscissa speed creepage_x creepage_y spin force_x force_y moment_z normalised_x \
+                 normalised_y normalised_moment_z traction_coefficient friction_power creep_power \
+                 max_rise contact_area stick_area slip_area status residual newton_iterations \
+                 operator_products";
+    assert_eq!(keys(&curve["points"]), set(names));
+    for (name, column) in curve["points"].as_object().unwrap() {
+        assert_eq!(column.as_array().unwrap().len(), 21, "{name}");
+    }
+    let force = family.members[1].curve.points[7].force.x;
+    let read = curve["points"]["force_x"][7].as_f64().unwrap();
+    assert!((read / force - 1.0).abs() < 1e-15, "{read} {force}");
+    assert_eq!(curve["points"]["status"][7], "converged");
+    assert_eq!(document["warnings"], serde_json::json!(["a warning"]));
+}
+
+#[test]
+fn json_says_null_where_there_is_nothing() {
+    let mut family = family_of(over_x(0.01, 0.05), &[]);
+    let curve = &mut family.members[0].curve;
+    curve.initial_slope = None;
+    curve.maxima.clear();
+    curve.points[3].status = Status::NotConverged;
+    curve.points[3].force.x = f64::NAN;
+    let document: serde_json::Value = serde_json::from_str(&json::document(&family)).unwrap();
+    assert!(document["over"].is_null());
+    let curve = &document["curves"][0];
+    assert!(curve["value"].is_null() && curve["initial_slope"].is_null());
+    assert!(curve["maximum"].is_null());
+    assert!(curve["points"]["force_x"][3].is_null());
+    assert_eq!(curve["points"]["status"][3], "not-converged");
+}
+
+#[test]
+fn csv_reads_back_to_the_same_numbers() {
+    let family = family_of(over_x(0.0, 0.05), &["10 m/s", "a, \"b\""]);
+    let text = table::table(&family);
+    assert!(text.starts_with("# units: as given, 1, 1, 1/m, N, N, N m, 1, "), "{text}");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    assert_eq!(header[..5], ["kinematics.speed", "creepage_x", "creepage_y", "spin", "force_x"]);
+    assert_eq!(header[20], "status");
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 42);
+    let units = text.lines().next().unwrap().split(';').next().unwrap();
+    assert_eq!(units.split(", ").count(), header.len());
+    assert_eq!((&rows[0][0], &rows[41][0]), ("10 m/s", "a, \"b\""));
+    let point = &family.members[1].curve.points[20];
+    assert_eq!(rows[41][1].parse::<f64>().unwrap(), point.abscissa);
+    assert_eq!(rows[41][4].parse::<f64>().unwrap(), point.force.x);
+    assert_eq!(&rows[41][20], "converged");
+}
+
+#[test]
+fn csv_of_a_fixed_direction_has_the_total_creepage() {
+    let path = Path::in_direction([0.0, 0.05], 0.5, [0.0; 2]).unwrap();
+    let text = table::table(&family_of(path, &[]));
+    assert_eq!(text.lines().nth(1).unwrap().split(',').next(), Some("creepage"));
+    assert!(text.lines().last().unwrap().starts_with("5e-2,"));
+}
+
+#[test]
+fn the_summary_is_compact_and_says_what_it_leaves_out() {
+    let mut family = family_of(over_x(-0.05, 0.05), &["10 m/s"]);
+    let curve = &mut family.members[0].curve;
+    let copies: Vec<Point> = curve.points.iter().flat_map(|point| [*point; 5]).collect();
+    curve.points = copies;
+    curve.points[7].status = Status::NotConverged;
+    let text = summary::text(&family);
+    assert!(text.lines().count() <= 36, "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 100));
+    for part in [
+        "steel wheel",
+        "kinematics.speed = 10 m/s",
+        "load 80 kN, speed 30 m/s",
+        "|F|/N",
+        "rise (K)",
+        "NOT CONVERGED",
+        "of 105 points; --csv and --json have all",
+        "Kalker's C11 = 4.2",
+        "|F|/N = 0.404 at creepage_x = 0.015",
+        "warning: a warning",
+    ] {
+        assert!(text.contains(part), "{part:?} is not in\n{text}");
+    }
+    assert!(!text.contains("Mz"), "{text}");
+}
+
+#[test]
+fn the_summary_says_why_there_is_no_slope_and_no_maximum() {
+    let mut family = family_of(over_x(0.01, 0.05), &[]);
+    let curve = &mut family.members[0].curve;
+    curve.initial_slope = None;
+    let top = curve.maxima.pop().unwrap();
+    let text = summary::text(&family);
+    assert!(text.contains("none: the curve does not reach zero creepage"), "{text}");
+    assert!(text.contains("none within the range: |F|/N is largest at an end"), "{text}");
+    family.members[0].curve.maxima = vec![Maximum { is_saturated: true, ..top }];
+    let text = summary::text(&family);
+    assert!(text.contains("saturated: within 0.1 % from creepage_x = 0.015 on"), "{text}");
+}
+
+#[test]
+fn warnings_name_their_curve_unless_they_are_common() {
+    let mut family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s"]);
+    family.members[1].curve.warnings.push("another".to_owned());
+    family.members[0].notices.push("no effect".to_owned());
+    let expected =
+        ["a warning", "kinematics.speed = 10 m/s: no effect", "kinematics.speed = 20 m/s: another"];
+    assert_eq!(family.warnings(), expected);
+}
+
+#[test]
+fn the_figure_names_axes_members_and_marks() {
+    let mut family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s", "40 m/s"]);
+    family.members[2].curve.points[9].status = Status::NotConverged;
+    let figure = creep_curve(&family).unwrap();
+    assert_eq!(figure.name, "creep_curve");
+    assert_eq!(figure.png[..8], *b"\x89PNG\r\n\x1a\n");
+    let text = text_of(&figure.svg);
+    for part in [
+        "Creep curves",
+        "steel wheel",
+        "force on the rail −Fx/N",
+        "largest temp. rise (K)",
+        "longitudinal creepage ξ",
+        "kinematics.speed",
+        "10 m/s",
+        "40 m/s",
+        "initial slope",
+        "maximum of |F|",
+        "not converged",
+        "not converged at some points",
+    ] {
+        assert!(text.iter().any(|line| line == part), "{part:?} is not in {text:?}");
+    }
+    assert_eq!(text.iter().filter(|line| line.contains("Fy")).count(), 0);
+    assert_eq!(figure.svg.matches("<circle").count(), 4, "three maxima and one in the legend");
+}
+
+#[test]
+fn every_abscissa_has_its_axis_and_panels() {
+    let [spin, lateral] = [(0.0, 2.0), (0.05, 0.0)].map(|(y, spin)| {
+        let end = Creepages { y, spin, ..Creepages::default() };
+        Path::new(Creepages::default(), end).unwrap()
+    });
+    let total = Path::in_direction([-0.05, 0.05], 30_f64.to_radians(), [0.0; 2]).unwrap();
+    let of = |path: Path| text_of(&creep_curve_drawing(&family_of(path, &[])).unwrap());
+    let text = of(spin);
+    for part in ["spin creepage φ (1/m)", "force on the rail −Fy/N", "moment −Mz (N m)"] {
+        assert!(text.contains(&part.to_owned()), "{part:?} is not in {text:?}");
+    }
+    assert!(of(lateral).contains(&"lateral creepage η".to_owned()));
+    let text = of(total);
+    assert!(text.contains(&"creepage ν at 30° to the rolling direction".to_owned()), "{text:?}");
+    assert!(text.contains(&"force on the rail −Fν/N".to_owned()), "{text:?}");
+}
+
+#[test]
+fn one_and_many_members_have_colours_of_their_own() {
+    let values: Vec<String> = (0..8).map(|k| format!("{k} m/s")).collect();
+    let names: Vec<&str> = values.iter().map(String::as_str).collect();
+    let family = family_of(over_x(0.0, 0.05), &names);
+    let svg = creep_curve_drawing(&family).unwrap();
+    let strokes = svg.split("stroke=\"#").skip(1).map(|rest| rest[..6].to_owned());
+    assert!(strokes.collect::<BTreeSet<String>>().len() >= 8);
+    assert_eq!(text_of(&svg).iter().filter(|line| line.ends_with("m/s")).count(), 8);
+    let alone = creep_curve_drawing(&family_of(over_x(0.0, 0.05), &[])).unwrap();
+    assert!(alone.contains("#0072b2") && text_of(&alone).contains(&"Creep curve".to_owned()));
+}
+
+#[test]
+fn numbers_that_are_none_do_not_spoil_the_rest() {
+    let mut family = family_of(over_x(0.0, 0.05), &["<&>", "\u{0}"]);
+    let curve = &mut family.members[0].curve;
+    curve.points[4].force.x = f64::NAN;
+    curve.points[5].max_rise = f64::INFINITY;
+    curve.points[6].status = Status::NotConverged;
+    curve.points[6].force.y = f64::NAN;
+    curve.initial_slope.as_mut().unwrap().force.x = f64::NAN;
+    curve.maxima[0].force.x = f64::NAN;
+    assert!(text_of(&creep_curve_drawing(&family).unwrap()).contains(&"<&>".to_owned()));
+    for point in family.members.iter_mut().flat_map(|member| &mut member.curve.points) {
+        point.force = Resultant { x: f64::NAN, y: f64::NAN, moment_z: f64::NAN };
+    }
+    assert_eq!(creep_curve_drawing(&family).unwrap_err(), FigureError::NoCurve);
+    family.members.clear();
+    assert_eq!(creep_curve_drawing(&family).unwrap_err(), FigureError::NoCurve);
+}

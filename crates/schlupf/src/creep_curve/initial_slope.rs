@@ -1,0 +1,118 @@
+//! The slope of a creep curve at zero creepage.
+
+use crate::error::Error;
+use crate::normal::NormalSummary;
+use crate::problem::{Options, Problem};
+use crate::rolling::steady;
+use crate::solution::{Resultant, Sensitivity, Work};
+
+use super::{Abscissa, Creepages, Path};
+
+/// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where everything
+/// that varies is zero; what does not vary keeps its value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InitialSlope {
+    /// d(Fx, Fy, Mz)/dν: in N and N m over a dimensionless creepage, in N m and N m² over spin.
+    pub force: Resultant,
+    /// d(F/(μ0 N), Mz/(μ0 N √(ab)))/dν: dimensionless over a creepage, in m over spin.
+    pub normalised: Resultant,
+    /// The same in the form of Kalker's coefficients, dimensionless and positive where the force opposes
+    /// the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), over spin each over another c.
+    /// Over ξ it is C11, over η C22 (and −C23), over φ C23 and C33 of a half-space with the shear
+    /// modulus G of both bodies that would have this slope. `None` where another creepage is not zero:
+    /// then something slides already.
+    pub kalker: Option<Resultant>,
+}
+
+/// What was found, or why nothing was.
+#[derive(Debug, Default)]
+pub(super) struct Finding {
+    pub value: Option<InitialSlope>,
+    pub warning: Option<String>,
+    pub work: Work,
+}
+
+/// Tolerance of the solution at the origin.
+const TOLERANCE: f64 = 1e-9;
+
+/// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian of
+/// the equilibrium there.
+pub(super) fn find(
+    problem: &Problem,
+    options: &Options,
+    path: &Path,
+    normal: &NormalSummary,
+) -> Result<Finding, Error> {
+    if !path.has_origin() {
+        return Ok(Finding::default());
+    }
+    let options = Options {
+        tolerance: options.tolerance.min(TOLERANCE),
+        sensitivity: true,
+        ..options.clone()
+    };
+    let origin = path.at(0.0);
+    let mut there = problem.clone();
+    there.kinematics = origin.at_speed(problem.kinematics.speed);
+    let solution = steady::solve(&there, &options, &mut |_| ())?;
+    let work = solution.work;
+    let Some(sensitivity) = solution.sensitivity else {
+        let warning = format!(
+            "no initial slope: the derivatives at {} were not found",
+            path.abscissa().equation(0.0)
+        );
+        return Ok(Finding { value: None, warning: Some(warning), work });
+    };
+    let scale = Scale {
+        limit: problem.friction.cold_coefficient() * normal.load,
+        lever: (normal.semi_axis_x * normal.semi_axis_y).sqrt(),
+    };
+    let force = along(path, &sensitivity);
+    let normalised = scale.normalised(&force);
+    let kalker = (origin == Creepages::default()).then(|| scale.kalker(&force, problem, path));
+    Ok(Finding { value: Some(InitialSlope { force, normalised, kalker }), warning: None, work })
+}
+
+/// The derivative of the forces along a path.
+fn along(path: &Path, sensitivity: &Sensitivity) -> Resultant {
+    let [one, other] = path.range().map(|abscissa| path.at(abscissa).components());
+    let length = path.range()[1] - path.range()[0];
+    let parts = [sensitivity.creepage_x, sensitivity.creepage_y, sensitivity.spin];
+    let rates = (0..3).map(|c| (other[c] - one[c]) / length);
+    parts.iter().zip(rates).fold(Resultant::default(), |sum, (part, rate)| Resultant {
+        x: sum.x + rate * part.x,
+        y: sum.y + rate * part.y,
+        moment_z: sum.moment_z + rate * part.moment_z,
+    })
+}
+
+/// What forces are measured in.
+#[derive(Debug, Clone, Copy)]
+struct Scale {
+    /// μ0 N, in N.
+    limit: f64,
+    /// √(ab), in m.
+    lever: f64,
+}
+
+impl Scale {
+    fn normalised(&self, force: &Resultant) -> Resultant {
+        scaled(force, 1.0 / self.limit, 1.0 / (self.limit * self.lever))
+    }
+
+    fn kalker(&self, slope: &Resultant, problem: &Problem, path: &Path) -> Resultant {
+        let [wheel, rail] = [&problem.wheel, &problem.rail].map(|b| b.material.shear_modulus());
+        let modulus = 2.0 / (1.0 / wheel + 1.0 / rail);
+        let per_force = -1.0 / (modulus * self.lever.powi(2) * self.per_creepage(path));
+        scaled(slope, per_force, per_force / self.lever)
+    }
+
+    /// The abscissa that makes a creepage of one at the distance c.
+    fn per_creepage(&self, path: &Path) -> f64 {
+        if path.abscissa() == Abscissa::Spin { self.lever } else { 1.0 }
+    }
+}
+
+fn scaled(force: &Resultant, factor: f64, moment_factor: f64) -> Resultant {
+    Resultant { x: force.x * factor, y: force.y * factor, moment_z: force.moment_z * moment_factor }
+}

@@ -1,0 +1,267 @@
+//! Creep curves: forces over creepage in steady rolling.
+//!
+//! A [`Path`] says which creepages vary, a [`Sampling`] at how many points, and [`trace`] solves there,
+//! from zero creepage outwards, so that every solution is close to the one before. The slope at zero
+//! creepage is exact, from the Jacobian of the equilibrium there; the maximum of the force has solutions of
+//! its own.
+
+mod initial_slope;
+mod maximum;
+mod path;
+mod sampling;
+mod warnings;
+
+use crate::error::Error;
+use crate::kinematics::Kinematics;
+use crate::normal::NormalSummary;
+use crate::problem::{Driver, Options, Problem};
+use crate::rolling;
+use crate::rolling::steady::SteadySolver;
+use crate::solution::{Area, Power, Resultant, Solution, Status, Work};
+
+pub use initial_slope::InitialSlope;
+pub use maximum::{Maximum, PLATEAU};
+pub use path::{Abscissa, Creepages, Path};
+pub use sampling::{MAX_POINTS, Sampling, Spacing};
+
+use warnings::Warnings;
+
+/// Forces over creepage.
+#[derive(Debug, Clone)]
+pub struct CreepCurve {
+    /// Which creepages vary.
+    pub path: Path,
+    /// The normal contact, the same at all points.
+    pub normal: NormalSummary,
+    /// The points in the order of the path.
+    pub points: Vec<Point>,
+    /// Slope where everything that varies is zero. `None` where the path does not go there, or where
+    /// a solution that it takes did not converge, of which there is a warning then.
+    pub initial_slope: Option<InitialSlope>,
+    /// Maxima of |F|, in the order of the path: one on each side of zero creepage, unless |F| still
+    /// rises at the outer end of that side, or is largest at its inner end.
+    pub maxima: Vec<Maximum>,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<String>,
+    /// How much work all solutions were, those of slope and maximum included.
+    pub work: Work,
+}
+
+impl CreepCurve {
+    /// The maximum of |F| over the curve. `None` where it lies at an end of the curve: the curve says
+    /// nothing about what is beyond.
+    pub fn maximum(&self) -> Option<&Maximum> {
+        let higher = |one: &&Maximum, other: &&Maximum| {
+            one.traction_coefficient.total_cmp(&other.traction_coefficient)
+        };
+        let highest = self.maxima.iter().max_by(higher)?;
+        let converged = self.points.iter().filter(|point| point.status == Status::Converged);
+        let largest = converged.map(|point| point.traction_coefficient).fold(0.0, f64::max);
+        (highest.traction_coefficient >= largest * (1.0 - PLATEAU)).then_some(highest)
+    }
+
+    /// Whether every point converged.
+    pub fn is_converged(&self) -> bool {
+        self.points.iter().all(|point| point.status == Status::Converged)
+    }
+}
+
+/// A point of a creep curve: the results of one solution, without its fields. Forces act on the wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Abscissa of the curve; dimensionless, or in 1/m for spin.
+    pub abscissa: f64,
+    /// Speed and creepages.
+    pub kinematics: Kinematics,
+    /// Forces and moment.
+    pub force: Resultant,
+    /// F/(μ0 N), and Mz/(μ0 N √(ab)); dimensionless.
+    pub normalised: Resultant,
+    /// |F|/N, dimensionless.
+    pub traction_coefficient: f64,
+    /// Power of friction and of the creep forces.
+    pub power: Power,
+    /// Largest temperature rise, in K.
+    pub max_rise: f64,
+    /// Contact, stick and slip areas.
+    pub area: Area,
+    /// Whether to trust it.
+    pub status: Status,
+    /// Relative residual, dimensionless.
+    pub residual: f64,
+    /// How much work it was.
+    pub work: Work,
+}
+
+impl Point {
+    fn new(abscissa: f64, solution: &Solution) -> Self {
+        Self {
+            abscissa,
+            kinematics: solution.kinematics,
+            force: solution.force,
+            normalised: solution.normalised,
+            traction_coefficient: solution.traction_coefficient,
+            power: solution.power,
+            max_rise: solution.temperature.max_rise,
+            area: solution.area,
+            status: solution.status,
+            residual: solution.residual,
+            work: solution.work,
+        }
+    }
+}
+
+/// How far a curve has got.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Points that are solved.
+    pub done: usize,
+    /// All points of the curve.
+    pub points: usize,
+}
+
+/// Computes a creep curve of a problem, whose own creepages count only where the path keeps them: see
+/// [`Path::new`].
+///
+/// `report` is called after every point. Points that do not converge are kept and marked, and a warning
+/// names them.
+///
+/// # Errors
+/// Whatever [`check`] refuses, before anything is solved.
+pub fn trace(
+    problem: &Problem,
+    options: &Options,
+    path: &Path,
+    sampling: &Sampling,
+    report: &mut dyn FnMut(Progress),
+) -> Result<CreepCurve, Error> {
+    check(problem, options, path, sampling)?;
+    let normal = problem.normal.normal_contact(None)?.summary;
+    let mut abscissae = sampling.abscissae(path.range());
+    let is_downwards = abscissae.first() > abscissae.last();
+    abscissae.sort_by(f64::total_cmp);
+    let mut solver = Solver::new(problem, options, path);
+    let mut warnings = Warnings::default();
+    let mut done = 0;
+    let mut solve_side = |side: &[f64]| -> Result<Vec<Point>, Error> {
+        let mut points = Vec::with_capacity(side.len());
+        for &abscissa in side {
+            let solution = solver.solve(abscissa)?;
+            warnings.note(abscissa, &solution.warnings);
+            points.push(Point::new(abscissa, &solution));
+            done += 1;
+            report(Progress { done, points: sampling.points });
+        }
+        Ok(points)
+    };
+    let first_positive = abscissae.partition_point(|abscissa| *abscissa < 0.0);
+    let (below, above) = abscissae.split_at(first_positive);
+    let outwards: Vec<f64> = below.iter().rev().copied().collect();
+    let sides = [solve_side(above)?, solve_side(&outwards)?];
+    let mut maxima = maximum::of_sides(&mut solver, &sides)?;
+    let slope = initial_slope::find(problem, options, path, &normal)?;
+    warnings.extend(slope.warning);
+    solver.add(&slope.work);
+    let [above, below] = sides;
+    let mut points: Vec<Point> = below.into_iter().rev().chain(above).collect();
+    if is_downwards {
+        points.reverse();
+        maxima.reverse();
+    }
+    Ok(CreepCurve {
+        path: *path,
+        normal,
+        warnings: warnings.texts(path.abscissa(), &points),
+        points,
+        initial_slope: slope.value,
+        maxima,
+        work: solver.work,
+    })
+}
+
+/// Checks whatever can be checked before the first solution.
+///
+/// # Errors
+/// A history or an initial state, as a creep curve is of steady rolling; a wheel that does not roll
+/// somewhere on the path; and whatever [`Problem::check`] and [`Options::check`] refuse there.
+pub fn check(
+    problem: &Problem,
+    options: &Options,
+    path: &Path,
+    sampling: &Sampling,
+) -> Result<(), Error> {
+    let transient = |quantity, what: &str| {
+        let reason = format!("a creep curve is of steady rolling, but there is {what}");
+        Err(Error::Contradiction { quantity, reason })
+    };
+    if problem.history.is_some() {
+        return transient("history.time", "a history");
+    }
+    if problem.initial_state.is_some() {
+        return transient("solver.initial_state", "an initial state");
+    }
+    options.check()?;
+    sampling.check()?;
+    if let Some(locked) = path.locks_at() {
+        return Err(Error::Contradiction {
+            quantity: path.abscissa().quantity(),
+            reason: format!(
+                "the wheel must roll throughout a creep curve, but at {} it does not",
+                path.abscissa().equation(locked)
+            ),
+        });
+    }
+    let mut there = problem.clone();
+    sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {
+        there.kinematics = path.at(abscissa).at_speed(problem.kinematics.speed);
+        there.check()
+    })
+}
+
+/// Solves one point after the other, each from those before.
+struct Solver<'a> {
+    problem: Problem,
+    options: &'a Options,
+    path: &'a Path,
+    steady: SteadySolver,
+    /// All work so far.
+    work: Work,
+}
+
+impl<'a> Solver<'a> {
+    fn new(problem: &Problem, options: &'a Options, path: &'a Path) -> Self {
+        Self {
+            problem: problem.clone(),
+            options,
+            path,
+            steady: SteadySolver::new(options),
+            work: Work::default(),
+        }
+    }
+
+    fn solve(&mut self, abscissa: f64) -> Result<Solution, Error> {
+        let speed = self.problem.kinematics.speed;
+        self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
+        let solution = if self.options.driver == Some(Driver::Marching) {
+            rolling::solve(&self.problem, self.options, &mut |_| ())?
+        } else {
+            self.steady.solve(&self.problem, &mut |_| ())?
+        };
+        self.add(&solution.work);
+        Ok(solution)
+    }
+
+    fn point(&mut self, abscissa: f64) -> Result<Point, Error> {
+        self.solve(abscissa).map(|solution| Point::new(abscissa, &solution))
+    }
+
+    fn add(&mut self, work: &Work) {
+        let total = &mut self.work;
+        total.newton_iterations += work.newton_iterations;
+        total.operator_products += work.operator_products;
+        total.sensitivity_products += work.sensitivity_products;
+        total.outer_iterations += work.outer_iterations;
+        total.steps += work.steps;
+        total.cells = work.cells;
+    }
+}

@@ -1,0 +1,326 @@
+//! Which creepages a curve runs through.
+
+use crate::error::{Error, require, require_finite};
+use crate::kinematics::Kinematics;
+
+/// Longitudinal, lateral and spin creepage.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Creepages {
+    /// Longitudinal creepage ξ, dimensionless.
+    pub x: f64,
+    /// Lateral creepage η, dimensionless.
+    pub y: f64,
+    /// Spin creepage φ, in 1/m.
+    pub spin: f64,
+}
+
+impl Creepages {
+    /// Those of a wheel.
+    pub fn of(kinematics: &Kinematics) -> Self {
+        Self { x: kinematics.creepage_x, y: kinematics.creepage_y, spin: kinematics.spin }
+    }
+
+    /// A wheel with these creepages at a speed (in m/s).
+    pub fn at_speed(&self, speed: f64) -> Kinematics {
+        Kinematics { speed, creepage_x: self.x, creepage_y: self.y, spin: self.spin }
+    }
+
+    pub(super) fn components(&self) -> [f64; 3] {
+        [self.x, self.y, self.spin]
+    }
+}
+
+/// What a curve is drawn over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Abscissa {
+    /// The longitudinal creepage ξ.
+    CreepageX,
+    /// The lateral creepage η.
+    CreepageY,
+    /// The spin creepage φ.
+    Spin,
+    /// The total creepage ν in a fixed direction: ξ = ν cos θ, η = ν sin θ; dimensionless.
+    Total {
+        /// The direction θ, counted from x towards y, in rad.
+        direction: f64,
+    },
+}
+
+impl Abscissa {
+    /// Its name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CreepageX => "creepage_x",
+            Self::CreepageY => "creepage_y",
+            Self::Spin => "spin",
+            Self::Total { .. } => "creepage",
+        }
+    }
+
+    /// The field of a case that it stands for, or the first of them.
+    pub(super) fn quantity(self) -> &'static str {
+        match self {
+            Self::CreepageX | Self::Total { .. } => "kinematics.creepage_x",
+            Self::CreepageY => "kinematics.creepage_y",
+            Self::Spin => "kinematics.spin",
+        }
+    }
+
+    /// `creepage_x = 0.05`: its name and a value (dimensionless, or in 1/m) of six digits.
+    pub fn equation(self, value: f64) -> String {
+        format!("{} = {}", self.name(), self.value(value))
+    }
+
+    /// A value (dimensionless, or in 1/m) of six digits with its unit.
+    pub fn value(self, value: f64) -> String {
+        let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+        let unit = if self == Self::Spin { " 1/m" } else { "" };
+        if rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) {
+            format!("{rounded}{unit}")
+        } else {
+            format!("{rounded:e}{unit}")
+        }
+    }
+}
+
+/// A straight line in the space of creepages, in the direction in which it is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Path {
+    start: Creepages,
+    end: Creepages,
+    abscissa: Abscissa,
+    range: [f64; 2],
+}
+
+impl Path {
+    /// The line from `start` to `end`. What is the same in both stays constant; all else varies
+    /// together, each linearly.
+    ///
+    /// The abscissa is the creepage that varies. Where ξ and η vary in a fixed direction, it is the
+    /// total creepage, positive towards the larger end; where creepages vary otherwise, the first of
+    /// ξ, η, φ that does.
+    pub fn new(start: Creepages, end: Creepages) -> Result<Self, Error> {
+        for creepages in [&start, &end] {
+            require_finite("kinematics.creepage_x", creepages.x, "")?;
+            require_finite("kinematics.creepage_y", creepages.y, "")?;
+            require_finite("kinematics.spin", creepages.spin, "1/m")?;
+        }
+        let abscissa = if start.x != end.x && start.y != end.y && is_fixed_direction(&start, &end) {
+            let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
+            Abscissa::Total { direction: larger.y.atan2(larger.x) }
+        } else if start.x != end.x {
+            Abscissa::CreepageX
+        } else if start.y != end.y {
+            Abscissa::CreepageY
+        } else {
+            require(
+                start.spin != end.spin,
+                "kinematics.spin",
+                "another at the end of a creep curve than at its start, as no other creepage varies",
+                end.spin,
+                "1/m",
+            )?;
+            Abscissa::Spin
+        };
+        let range = [start, end].map(|creepages| match abscissa {
+            Abscissa::CreepageX => creepages.x,
+            Abscissa::CreepageY => creepages.y,
+            Abscissa::Spin => creepages.spin,
+            Abscissa::Total { direction } => {
+                creepages.x * direction.cos() + creepages.y * direction.sin()
+            }
+        });
+        Ok(Self { start, end, abscissa, range })
+    }
+
+    /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards y),
+    /// with a spin creepage (in 1/m) that is constant or varies along.
+    pub fn in_direction(range: [f64; 2], direction: f64, spin: [f64; 2]) -> Result<Self, Error> {
+        require_finite("direction", direction, "rad")?;
+        require(
+            range[0] != range[1],
+            "creepage",
+            "another at the end of a creep curve than at its start",
+            range[1],
+            "",
+        )?;
+        let [start, end] = [0, 1].map(|end| {
+            let [x, y] = components(range[end], direction);
+            Creepages { x, y, spin: spin[end] }
+        });
+        Self::new(start, end).map(|path| Self {
+            abscissa: Abscissa::Total { direction },
+            range,
+            ..path
+        })
+    }
+
+    /// What the curve is drawn over.
+    pub fn abscissa(&self) -> Abscissa {
+        self.abscissa
+    }
+
+    /// Creepages at the start.
+    pub fn start(&self) -> Creepages {
+        self.start
+    }
+
+    /// Creepages at the end.
+    pub fn end(&self) -> Creepages {
+        self.end
+    }
+
+    /// The abscissa at the start and at the end; dimensionless, or in 1/m for spin.
+    pub fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// Creepages at an abscissa (dimensionless, or in 1/m for spin).
+    pub fn at(&self, abscissa: f64) -> Creepages {
+        let [from, to] = self.range;
+        let share = (abscissa - from) / (to - from);
+        let along = |start: f64, end: f64| {
+            if start == end { start } else { (1.0 - share) * start + share * end }
+        };
+        let mut creepages = Creepages {
+            x: along(self.start.x, self.end.x),
+            y: along(self.start.y, self.end.y),
+            spin: along(self.start.spin, self.end.spin),
+        };
+        // Without the rounding of the way through `share`.
+        match self.abscissa {
+            Abscissa::CreepageX => creepages.x = abscissa,
+            Abscissa::CreepageY => creepages.y = abscissa,
+            Abscissa::Spin => creepages.spin = abscissa,
+            Abscissa::Total { direction } => {
+                [creepages.x, creepages.y] = components(abscissa, direction);
+            }
+        }
+        creepages
+    }
+
+    /// Whether the curve comes from, ends at or runs through zero of everything that varies.
+    pub fn has_origin(&self) -> bool {
+        let [from, to] = self.range;
+        let contains_zero = from.min(to) <= 0.0 && from.max(to) >= 0.0;
+        let [start, end] = [self.start, self.end].map(|creepages| creepages.components());
+        let origin = self.at(0.0).components();
+        contains_zero
+            && (0..3).filter(|c| start[*c] != end[*c]).all(|c| {
+                let largest = start[c].abs().max(end[c].abs());
+                origin[c].abs() <= ROUNDING * largest
+            })
+    }
+
+    /// The first abscissa (dimensionless, or in 1/m for spin) from the start on at which the wheel no
+    /// longer rolls: where it is locked, or η is ±1. `None` where it always rolls.
+    pub fn locks_at(&self) -> Option<f64> {
+        let rolls = |abscissa: f64| self.at(abscissa).at_speed(1.0).check().is_ok();
+        let [from, to] = self.range;
+        if !rolls(from) {
+            return Some(from);
+        }
+        // The creepages of a rolling wheel are a convex set: what rolls at both ends rolls throughout.
+        if rolls(to) {
+            return None;
+        }
+        let (mut rolling, mut locked) = (from, to);
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let middle = 0.5 * (rolling + locked);
+            *(if rolls(middle) { &mut rolling } else { &mut locked }) = middle;
+        }
+        Some(locked)
+    }
+}
+
+/// Relative rounding of creepages that were computed.
+const ROUNDING: f64 = 1e-12;
+
+/// ξ and η of a total creepage in a direction (in rad), without rounding along the axes.
+fn components(creepage: f64, direction: f64) -> [f64; 2] {
+    let clean = |part: f64| if part.abs() < ROUNDING { 0.0 } else { creepage * part };
+    [clean(direction.cos()), clean(direction.sin())]
+}
+
+fn is_fixed_direction(start: &Creepages, end: &Creepages) -> bool {
+    let cross = start.x * end.y - start.y * end.x;
+    cross.abs() <= ROUNDING * start.x.hypot(start.y) * end.x.hypot(end.y)
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+
+    fn creepages(x: f64, y: f64, spin: f64) -> Creepages {
+        Creepages { x, y, spin }
+    }
+
+    fn path(start: [f64; 3], end: [f64; 3]) -> Path {
+        let [start, end] = [start, end].map(|[x, y, spin]| creepages(x, y, spin));
+        Path::new(start, end).unwrap()
+    }
+
+    #[test]
+    fn the_abscissa_is_what_varies() {
+        let abscissa = |start, end| path(start, end).abscissa();
+        assert_eq!(abscissa([0.0, 0.01, 0.0], [0.05, 0.01, 0.0]), Abscissa::CreepageX);
+        assert_eq!(abscissa([0.01, 0.0, 0.0], [0.01, 0.05, 0.0]), Abscissa::CreepageY);
+        assert_eq!(abscissa([0.0; 3], [0.0, 0.0, 2.0]), Abscissa::Spin);
+        assert_eq!(abscissa([0.0; 3], [0.02, 0.0, 2.0]), Abscissa::CreepageX);
+        assert_eq!(abscissa([0.01, 0.0, 0.0], [0.05, 0.02, 0.0]), Abscissa::CreepageX);
+        let diagonal = path([0.0; 3], [0.03, 0.04, 0.0]);
+        assert!(matches!(diagonal.abscissa(), Abscissa::Total { .. }));
+        assert_relative_eq!(diagonal.range()[1], 0.05, max_relative = 1e-14);
+        let backwards = path([-0.03, -0.04, 0.0], [0.003, 0.004, 0.0]);
+        assert_relative_eq!(backwards.range()[0], 0.05, max_relative = 1e-14);
+        assert_relative_eq!(backwards.range()[1], -0.005, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn values_on_the_path_are_exact() {
+        let path = path([0.0, 0.002, 0.0], [0.05, 0.002, 0.5]);
+        for value in [0.0, 1e-4, 0.0123, 0.05] {
+            let at = path.at(value);
+            assert_eq!((at.x, at.y), (value, 0.002));
+            assert_relative_eq!(at.spin, 10.0 * value, max_relative = 1e-14);
+        }
+        let lateral = Path::in_direction([-0.02, 0.05], FRAC_PI_2, [0.0; 2]).unwrap();
+        assert_eq!(lateral.at(0.05), creepages(0.0, 0.05, 0.0));
+        assert_eq!(lateral.range(), [-0.02, 0.05]);
+        let driving = Path::in_direction([0.0, 0.05], PI, [0.3; 2]).unwrap();
+        assert_eq!(driving.at(0.05), creepages(-0.05, 0.0, 0.3));
+    }
+
+    #[test]
+    fn the_origin_is_where_all_that_varies_vanishes() {
+        assert!(path([0.0, 0.002, 0.1], [0.05, 0.002, 0.1]).has_origin());
+        assert!(path([-0.01, 0.0, -0.2], [0.03, 0.0, 0.6]).has_origin());
+        assert!(!path([0.01, 0.0, 0.0], [0.03, 0.0, 0.0]).has_origin());
+        assert!(!path([0.0, 0.0, 0.1], [0.03, 0.0, 0.6]).has_origin());
+    }
+
+    #[test]
+    fn a_wheel_locks_where_its_circumference_stands_still() {
+        let at = |start, end| path(start, end).locks_at();
+        assert_eq!(at([0.0; 3], [0.99, 0.0, 0.0]), None);
+        assert_eq!(at([0.0; 3], [-5.0, 0.0, 0.0]), None);
+        assert_relative_eq!(at([0.0; 3], [1.5, 0.0, 0.0]).unwrap(), 1.0, max_relative = 1e-12);
+        assert_eq!(at([1.5, 0.0, 0.0], [0.0; 3]), Some(1.5));
+        assert_relative_eq!(at([0.0; 3], [0.0, -2.0, 0.0]).unwrap(), -1.0, max_relative = 1e-12);
+        let lateral = at([0.0, 0.6, 0.0], [1.0, 0.6, 0.0]).unwrap();
+        assert_relative_eq!(lateral, 0.8, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn a_point_is_no_path() {
+        let message = Path::new(Creepages::default(), Creepages::default()).unwrap_err();
+        assert!(message.to_string().contains("no other creepage varies"));
+        let nowhere = Creepages { x: f64::NAN, ..Creepages::default() };
+        assert!(Path::new(Creepages::default(), nowhere).is_err());
+        assert!(Path::in_direction([0.1, 0.1], 0.3, [0.0; 2]).is_err());
+        assert!(Path::in_direction([0.0, 0.1], f64::INFINITY, [0.0; 2]).is_err());
+    }
+}

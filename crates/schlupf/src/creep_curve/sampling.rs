@@ -1,0 +1,127 @@
+//! At which creepages a curve is computed.
+
+use crate::error::{Error, require};
+
+/// How many points a curve has, and how they are spaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sampling {
+    /// Number of points, at least two.
+    pub points: usize,
+    /// How they are spaced.
+    pub spacing: Spacing,
+}
+
+/// How the points of a curve are spaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spacing {
+    /// Even in u with an abscissa ∝ sinh 5u, |u| ≤ 1: steps grow from zero outwards, evenly near zero
+    /// and by an even factor far from it. From zero on, the last of 41 steps is some 70 times the first.
+    Refined,
+    /// Even in the abscissa.
+    Even,
+}
+
+/// Most points of a curve.
+pub const MAX_POINTS: usize = 10_000;
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { points: 41, spacing: Spacing::Refined }
+    }
+}
+
+impl Sampling {
+    /// Checks that there is a curve to draw.
+    pub fn check(&self) -> Result<(), Error> {
+        let requirement = format!("between 2 and {MAX_POINTS}");
+        let is_legal = (2..=MAX_POINTS).contains(&self.points);
+        require(is_legal, "points", &requirement, self.points as f64, "points")
+    }
+
+    /// Abscissae from `from` to `to`, monotone (each in the unit of the ends: dimensionless, or
+    /// in 1/m). A refined range with zero inside has a point there.
+    pub fn abscissae(&self, [from, to]: [f64; 2]) -> Vec<f64> {
+        let steps = self.points - 1;
+        match self.spacing {
+            Spacing::Even => (0..=steps).map(|k| between([from, to], k, steps)).collect(),
+            Spacing::Refined => {
+                let largest = from.abs().max(to.abs());
+                let scale = largest / STRENGTH.sinh();
+                let [start, end] = [from, to].map(|end| (end / scale).asinh());
+                let zero_inside = start * end < 0.0 && steps > 1;
+                let before = (start / (start - end) * steps as f64).round() as usize;
+                let before = if zero_inside { before.clamp(1, steps - 1) } else { 0 };
+                let side = |k: usize| match k {
+                    0 => from,
+                    _ if k == steps => to,
+                    _ if k < before => scale * between([start, 0.0], k, before).sinh(),
+                    _ if zero_inside => {
+                        scale * between([0.0, end], k - before, steps - before).sinh()
+                    }
+                    _ => scale * between([start, end], k, steps).sinh(),
+                };
+                (0..=steps).map(side).collect()
+            }
+        }
+    }
+}
+
+/// How much finer the steps are at zero: sinh 5u.
+const STRENGTH: f64 = 5.0;
+
+/// The k-th of `steps` even steps; zero where rounding alone keeps it from that.
+fn between([from, to]: [f64; 2], k: usize, steps: usize) -> f64 {
+    if k == steps {
+        return to;
+    }
+    let value = from + (to - from) * (k as f64 / steps as f64);
+    if value.abs() < 1e-12 * from.abs().max(to.abs()) { 0.0 } else { value }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    fn refined(points: usize, range: [f64; 2]) -> Vec<f64> {
+        Sampling { points, spacing: Spacing::Refined }.abscissae(range)
+    }
+
+    #[test]
+    fn steps_grow_from_zero_outwards() {
+        let points = refined(41, [0.0, 0.05]);
+        assert_eq!((points.len(), points[0], points[40]), (41, 0.0, 0.05));
+        let steps: Vec<f64> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert!(steps.windows(2).all(|pair| pair[1] > pair[0]));
+        assert!((60.0..90.0).contains(&(steps[39] / steps[0])), "{}", steps[39] / steps[0]);
+        let down = refined(41, [0.05, 0.0]);
+        for (up, down) in points.iter().zip(down.iter().rev()) {
+            assert_relative_eq!(up, down, max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_range_through_zero_has_a_point_there_and_is_fine_about_it() {
+        for (range, points) in [([-0.05, 0.05], 41), ([-0.001, 0.05], 10), ([0.05, -0.02], 3)] {
+            let values = refined(points, range);
+            assert_eq!(values.len(), points);
+            assert_eq!([values[0], values[points - 1]], range);
+            assert_eq!(values.iter().filter(|value| **value == 0.0).count(), 1, "{values:?}");
+            let rises = range[1] > range[0];
+            assert!(values.windows(2).all(|pair| (pair[1] > pair[0]) == rises), "{values:?}");
+        }
+        assert_eq!(refined(2, [-0.01, 0.02]), [-0.01, 0.02]);
+    }
+
+    #[test]
+    fn even_steps_are_even() {
+        let even = Sampling { points: 5, spacing: Spacing::Even };
+        assert_eq!(even.abscissae([-0.5, 0.5]), [-0.5, -0.25, 0.0, 0.25, 0.5]);
+        let values = Sampling { points: 7, ..even }.abscissae([-0.03, 0.03]);
+        assert_eq!(values[3], 0.0);
+        assert!(Sampling { points: 1, ..even }.check().is_err());
+        assert!(Sampling { points: MAX_POINTS + 1, ..even }.check().is_err());
+        assert_eq!(Sampling::default().check(), Ok(()));
+    }
+}
