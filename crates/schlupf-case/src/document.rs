@@ -28,6 +28,8 @@ pub enum Content {
     Integer(i64),
     /// A number with a point or an exponent, infinity or nan.
     Float(f64),
+    /// True or false.
+    Flag(bool),
     /// An array.
     Array(Vec<Value>),
     /// Something that no field takes, by its name.
@@ -51,6 +53,7 @@ impl Content {
             Self::Integer(number) => number.to_string(),
             Self::Float(number) => format!("{number:?}"),
             Self::Array(entries) => format!("an array of {}", entries.len()),
+            Self::Flag(flag) => flag.to_string(),
             Self::Other(name) => (*name).to_owned(),
         }
     }
@@ -171,8 +174,7 @@ fn convert(value: &DeValue<'_>) -> Content {
         DeValue::Float(digits) => {
             digits.as_str().parse().map_or(Content::Other("a number"), Content::Float)
         }
-        DeValue::Boolean(true) => Content::Other("true"),
-        DeValue::Boolean(false) => Content::Other("false"),
+        DeValue::Boolean(flag) => Content::Flag(*flag),
         DeValue::Datetime(_) => Content::Other("a date"),
         DeValue::Table(_) => Content::Other("a table"),
         DeValue::Array(entries) => Content::Array(

@@ -1,5 +1,7 @@
 //! Several cases that differ in one field.
 
+use std::sync::Arc;
+
 use crate::case::Case;
 use crate::document;
 use crate::error::{CaseError, CaseErrors};
@@ -53,13 +55,26 @@ impl Family {
         let mut errors = Vec::new();
         for value in &self.values {
             match case.with(self.option, &format!("{}={value}", self.field)) {
-                Ok(member) => members.push(member),
+                Ok(mut member) => {
+                    if !shapes_the_contact(self.field) {
+                        // The same, and so a solver can tell.
+                        member.problem.normal = Arc::clone(&case.problem.normal);
+                        member.problem.elasticity = Arc::clone(&case.problem.elasticity);
+                    }
+                    members.push(member);
+                }
                 Err(wrong) => errors.extend(wrong.iter().cloned()),
             }
         }
         CaseErrors::check(errors)?;
         Ok(members)
     }
+}
+
+/// Whether normal contact or elasticity may depend on a field.
+fn shapes_the_contact(field: &str) -> bool {
+    let section = field.split_once('.').map_or(field, |(section, _)| section);
+    !matches!(section, "kinematics" | "contact_law" | "friction" | "heat" | "solver")
 }
 
 /// The parts of a text between its commas; `None` where quotes or brackets are not closed.

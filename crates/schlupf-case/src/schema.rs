@@ -79,6 +79,7 @@ fn literal(content: &Content) -> Value {
         Content::Text(text) => text.as_str().into(),
         Content::Integer(number) => (*number).into(),
         Content::Float(number) => (*number).into(),
+        Content::Flag(flag) => json!(flag),
         Content::Array(_) | Content::Other(_) => Value::Null,
     }
 }
@@ -92,6 +93,7 @@ fn kind_schema(kind: Kind, requirement: Requirement) -> Value {
         }),
         Kind::Number => bounded("number", requirement),
         Kind::Count => bounded("integer", requirement),
+        Kind::Flag => json!({ "type": "boolean" }),
         Kind::Choice(_) => json!({ "oneOf": constants(kind) }),
         Kind::NumberOr(_) => {
             let mut options = constants(kind);

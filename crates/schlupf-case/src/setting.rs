@@ -11,6 +11,8 @@ pub enum Setting {
     Number(f64),
     /// Text or a path.
     Text(String),
+    /// Whether or not.
+    Flag(bool),
     /// One of several names.
     Choice(&'static str),
     /// An array of numbers.

@@ -87,6 +87,14 @@ impl Settings {
         }
     }
 
+    /// Whether or not.
+    pub fn flag(&self, path: &str) -> Result<bool, CaseError> {
+        match self.setting(path)? {
+            Setting::Flag(flag) => Ok(flag),
+            _ => Err(self.missing(path)),
+        }
+    }
+
     /// Text or a path.
     pub fn text(&self, path: &str) -> Result<String, CaseError> {
         match self.setting(path)? {

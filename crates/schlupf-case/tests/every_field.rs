@@ -82,6 +82,7 @@ fn bad_numbers(field: &Field) -> Vec<String> {
 fn bad_values(field: &Field) -> Vec<String> {
     match field.kind {
         Kind::Text | Kind::Path => ["3", "true", "[]", "nan"].map(str::to_owned).to_vec(),
+        Kind::Flag => ["1", "\"true\"", "\"yes\"", "[true]"].map(str::to_owned).to_vec(),
         Kind::Choice(_) => ["3", "true", "\"nothing of the kind\""].map(str::to_owned).to_vec(),
         Kind::Quantities(_) | Kind::Numbers => {
             let mut values: Vec<String> =

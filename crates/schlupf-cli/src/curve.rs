@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use schlupf::Options;
 use schlupf::creep_curve::{self, CreepCurve, Creepages, Sampling, Spacing};
 use schlupf::rolling;
+use schlupf::rolling::steady::SteadySolver;
 use schlupf_case::{Case, CaseErrors, Family, direction, range};
 use schlupf_output::creep_curve::{CurveFamily, Member, csv, json, summary};
 use schlupf_output::figures;
@@ -37,8 +39,12 @@ pub fn run(arguments: &CurveArguments) -> Result<ExitCode, Failure> {
     check_outputs(arguments, &tasks)?;
     let progress = Progress::start();
     let mut members = Vec::new();
+    let mut solver = SteadySolver::new(&case.options);
     for (k, task) in tasks.iter().enumerate() {
-        let curve = task.trace(&sampling, &mut |done| {
+        if *solver.options() != task.options() {
+            solver = SteadySolver::new(&task.options());
+        }
+        let curve = task.trace(&mut solver, &sampling, &mut |done| {
             let step = k * sampling.points + done;
             let steps = Some(tasks.len() * sampling.points);
             progress.step(rolling::Progress { step, steps, change: 0.0 });
@@ -196,14 +202,20 @@ impl Task {
             .map_err(|error| varied.failure(&self.case, &error))
     }
 
+    /// The options of its case; derivatives at every point have no place in a curve.
+    fn options(&self) -> Options {
+        Options { sensitivity: false, ..self.case.options.clone() }
+    }
+
     fn trace(
         &self,
+        solver: &mut SteadySolver,
         sampling: &Sampling,
         report: &mut dyn FnMut(usize),
     ) -> Result<CreepCurve, Failure> {
-        let Case { problem, options, .. } = &self.case;
         let mut report = |progress: creep_curve::Progress| report(progress.done);
-        creep_curve::trace(problem, options, &self.path, sampling, &mut report)
+        let problem = &self.case.problem;
+        creep_curve::trace_with(solver, problem, &self.path, sampling, &mut report)
             .map_err(|error| Failure::Case(self.case.explain(&error).into()))
     }
 }

@@ -93,11 +93,11 @@ fn what_did_not_converge_is_written_and_marked() {
     let run = curve(&bench, &[&files[..], &one_step].concat());
     assert_eq!(run.code, Some(3), "{}", run.stderr);
     let expected =
-        "warning: not converged: 8 of 9 points, at creepage_x = 8.98199e-5, 0.000215883, ";
+        "warning: not converged: 9 of 9 points, at creepage_x = 0, 8.98199e-5, 0.000215883, ";
     assert!(run.stderr.starts_with(expected), "{}", run.stderr);
     assert!(run.stdout.contains("NOT CONVERGED"), "{}", run.stdout);
     let result: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
-    assert_eq!(result["curves"][0]["points"]["status"][0], "converged");
+    assert_eq!(result["curves"][0]["points"]["status"][0], "not-converged");
     assert_eq!(result["curves"][0]["points"]["status"][1], "not-converged");
     assert!(result["curves"][0]["maximum"].is_null());
     assert!(bench.read("f/creep_curve.svg").contains("not converged at some points"));

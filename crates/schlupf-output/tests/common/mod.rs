@@ -7,7 +7,7 @@ use schlupf::grid::{Extent, Grid};
 use schlupf::kinematics::Kinematics;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{
-    Area, Fields, Instant, Power, Resultant, Solution, TGamma, Temperature, Work,
+    Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, TGamma, Temperature, Work,
 };
 use schlupf::state::State;
 
@@ -70,10 +70,17 @@ pub fn solution(recipe: Recipe) -> Solution {
         },
         area: Area { contact: 194.7e-6, stick: 60e-6, slip: 134.7e-6 },
         history: history(recipe, force, hottest),
+        sensitivity: Some(Sensitivity {
+            creepage_x: Resultant { x: -2.5e6, y: 1e3, moment_z: -3.0 },
+            load: None,
+            friction_coefficient: Resultant { x: -1.2e4, y: 0.0, moment_z: 0.0 },
+            ..Sensitivity::default()
+        }),
         warnings: vec!["a warning & its <details>".to_owned()],
         work: Work {
             newton_iterations: 97,
             operator_products: 512.5,
+            sensitivity_products: 96,
             outer_iterations: 40,
             steps: 40,
             cells: fields.len(),

@@ -63,7 +63,8 @@ pub(super) fn of_sides(
         }
         let (points, failed) =
             points.into_iter().partition(|point| point.status == Status::Converged);
-        let noise = NOISE * solver.options.tolerance * solver.problem.friction.cold_coefficient();
+        let noise =
+            NOISE * solver.steady.options().tolerance * solver.problem.friction.cold_coefficient();
         maxima.extend(Side { solver, points, failed, noise }.maximum()?);
     }
     Ok(maxima)

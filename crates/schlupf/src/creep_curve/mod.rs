@@ -135,12 +135,26 @@ pub fn trace(
     sampling: &Sampling,
     report: &mut dyn FnMut(Progress),
 ) -> Result<CreepCurve, Error> {
-    check(problem, options, path, sampling)?;
+    let options = Options { sensitivity: false, ..options.clone() };
+    trace_with(&mut SteadySolver::new(&options), problem, path, sampling, report)
+}
+
+/// The same with a solver that goes from curve to curve, and whose set-up they share where they have
+/// the normal contact and the elasticity in common.
+pub fn trace_with(
+    steady: &mut SteadySolver,
+    problem: &Problem,
+    path: &Path,
+    sampling: &Sampling,
+    report: &mut dyn FnMut(Progress),
+) -> Result<CreepCurve, Error> {
+    let options = steady.options().clone();
+    check(problem, &options, path, sampling)?;
     let normal = problem.normal.normal_contact(None)?.summary;
     let mut abscissae = sampling.abscissae(path.range());
     let is_downwards = abscissae.first() > abscissae.last();
     abscissae.sort_by(f64::total_cmp);
-    let mut solver = Solver::new(problem, options, path);
+    let mut solver = Solver::new(problem, steady, path);
     let mut warnings = Warnings::default();
     let mut done = 0;
     let mut solve_side = |side: &[f64]| -> Result<Vec<Point>, Error> {
@@ -159,7 +173,7 @@ pub fn trace(
     let outwards: Vec<f64> = below.iter().rev().copied().collect();
     let sides = [solve_side(above)?, solve_side(&outwards)?];
     let mut maxima = maximum::of_sides(&mut solver, &sides)?;
-    let slope = initial_slope::find(problem, options, path, &normal)?;
+    let slope = initial_slope::find(problem, &options, path, &normal)?;
     warnings.extend(slope.warning);
     solver.add(&slope.work);
     let [above, below] = sides;
@@ -221,29 +235,22 @@ pub fn check(
 /// Solves one point after the other, each from those before.
 struct Solver<'a> {
     problem: Problem,
-    options: &'a Options,
     path: &'a Path,
-    steady: SteadySolver,
+    steady: &'a mut SteadySolver,
     /// All work so far.
     work: Work,
 }
 
 impl<'a> Solver<'a> {
-    fn new(problem: &Problem, options: &'a Options, path: &'a Path) -> Self {
-        Self {
-            problem: problem.clone(),
-            options,
-            path,
-            steady: SteadySolver::new(options),
-            work: Work::default(),
-        }
+    fn new(problem: &Problem, steady: &'a mut SteadySolver, path: &'a Path) -> Self {
+        Self { problem: problem.clone(), path, steady, work: Work::default() }
     }
 
     fn solve(&mut self, abscissa: f64) -> Result<Solution, Error> {
         let speed = self.problem.kinematics.speed;
         self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
-        let solution = if self.options.driver == Some(Driver::Marching) {
-            rolling::solve(&self.problem, self.options, &mut |_| ())?
+        let solution = if self.steady.options().driver == Some(Driver::Marching) {
+            rolling::solve(&self.problem, self.steady.options(), &mut |_| ())?
         } else {
             self.steady.solve(&self.problem, &mut |_| ())?
         };

@@ -4,8 +4,10 @@ use super::{Equilibrium, add_scaled, dot, norm};
 
 /// Workspace of the Krylov method: kept between solutions, so that only a larger Krylov space than
 /// ever before allocates.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Gmres {
+    /// Largest dimension of the Krylov space.
+    max_dimension: usize,
     basis: Vec<Vec<f64>>,
     /// L M⁻¹ v of each vector of the basis.
     responses: Vec<Vec<f64>>,
@@ -22,10 +24,21 @@ fn start_of_column(k: usize) -> usize {
     k * (k + 1) / 2
 }
 
-/// Largest dimension of the Krylov space.
-const MAX_DIMENSION: usize = 120;
-
 impl Gmres {
+    /// A workspace without vectors yet.
+    pub fn new(max_dimension: usize) -> Self {
+        Self {
+            max_dimension,
+            basis: Vec::new(),
+            responses: Vec::new(),
+            direction: Vec::new(),
+            triangle: Vec::new(),
+            rotations: Vec::new(),
+            projected: Vec::new(),
+            weights: Vec::new(),
+        }
+    }
+
     /// Solves J d = −`residual` until the linear residual falls below `forcing` times its start.
     /// Writes d and L d (which costs no product: it is combined from those of the Krylov space),
     /// and returns the number of products.
@@ -42,7 +55,7 @@ impl Gmres {
             *v = -r / start;
         }
         self.projected.push(start);
-        while self.rotations.len() < MAX_DIMENSION.min(residual.len()) {
+        while self.rotations.len() < self.max_dimension.min(residual.len()) {
             if self.projected[self.rotations.len()].abs() <= forcing * start {
                 break;
             }

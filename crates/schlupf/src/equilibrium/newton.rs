@@ -24,7 +24,7 @@ const MAX_HALVINGS: usize = 10;
 const SAFE_STEPS: usize = 20;
 
 /// Newton's method and its workspace, kept between solutions.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Newton {
     u: Vec<f64>,
     residual: Vec<f64>,
@@ -32,6 +32,22 @@ pub struct Newton {
     response_step: Vec<f64>,
     trial: [Vec<f64>; 3],
     krylov: Gmres,
+}
+
+/// Largest dimension of a Krylov space: where that does not do, the step is inexact.
+const MAX_DIMENSION: usize = 120;
+
+impl Default for Newton {
+    fn default() -> Self {
+        Self {
+            u: Vec::new(),
+            residual: Vec::new(),
+            step: Vec::new(),
+            response_step: Vec::new(),
+            trial: [Vec::new(), Vec::new(), Vec::new()],
+            krylov: Gmres::new(MAX_DIMENSION),
+        }
+    }
 }
 
 impl Newton {
@@ -78,7 +94,7 @@ impl Newton {
         }
     }
 
-    /// L p of the p that was returned last.
+    /// L p of the p that was returned last, in m.
     pub fn response(&self) -> &[f64] {
         &self.u
     }

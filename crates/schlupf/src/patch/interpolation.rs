@@ -13,6 +13,9 @@ use super::{Cell, Patch};
 #[derive(Debug, Clone)]
 pub struct Interpolation {
     index: Vec<usize>,
+    /// By how much the displacement of each partly covered cell exceeds that under its mean
+    /// traction, which acts on the covered part only; where cells do not move each other.
+    concentrated: Vec<(usize, f64)>,
     partial: Vec<(usize, Stencil<4>)>,
     /// Where the material of each cell entered, by number in `entries`.
     entry_of: Vec<usize>,
@@ -34,6 +37,10 @@ impl<const N: usize> Stencil<N> {
         [of(&field.x), of(&field.y)]
     }
 }
+
+/// Covered part from which on down a cell moves no more: next to nothing would be too soft to solve
+/// for, and bears next to nothing.
+const LEAST_COVERED: f64 = 0.1;
 
 /// Offsets below this part of the spacing are rounding.
 const CENTRED: f64 = 1e-9;
@@ -60,25 +67,41 @@ impl Interpolation {
         let partial = patch.cells.iter().enumerate();
         Self {
             index: patch.cells.iter().map(|c| c.index).collect(),
+            concentrated: Vec::new(),
             partial: partial.filter_map(|(k, cell)| Some((k, centroid(grid, cell)?))).collect(),
             entry_of,
             entries,
         }
     }
 
-    /// Plain values of each cell, and zero at the edges: for bodies whose cells do not move each
-    /// other.
+    /// Values of each cell over its covered part, and zero at the edges: for bodies whose cells do
+    /// not move each other.
     pub fn uncoupled(patch: &Patch) -> Self {
+        let cells = patch.cells.iter().enumerate();
+        let partly = cells.filter(|(_, cell)| cell.covered < 1.0 - CENTRED);
         Self {
             index: patch.cells.iter().map(|c| c.index).collect(),
+            concentrated: partly
+                .map(|(k, cell)| (k, cell.covered.max(LEAST_COVERED).recip()))
+                .collect(),
             partial: Vec::new(),
             entry_of: Vec::new(),
             entries: Vec::new(),
         }
     }
 
-    /// Values (x then y component of each cell) at the cells' points.
+    /// Displacements (x then y component of each cell) at the cells' points.
     pub fn gather(&self, field: &VectorField, values: &mut [f64]) {
+        self.gather_means(field, values);
+        for (k, factor) in &self.concentrated {
+            values[2 * k] *= factor;
+            values[2 * k + 1] *= factor;
+        }
+    }
+
+    /// The same without regard to where in a partly covered cell the traction acts: the transpose
+    /// of [`Self::spread`].
+    pub fn gather_means(&self, field: &VectorField, values: &mut [f64]) {
         for (k, &index) in self.index.iter().enumerate() {
             values[2 * k] = field.x[index];
             values[2 * k + 1] = field.y[index];
@@ -88,7 +111,7 @@ impl Interpolation {
         }
     }
 
-    /// The transpose of [`Self::gather`]; overwrites the field.
+    /// The transpose of [`Self::gather_means`]; overwrites the field.
     pub fn spread(&self, values: &[f64], field: &mut VectorField) {
         field.x.fill(0.0);
         field.y.fill(0.0);

@@ -147,7 +147,7 @@ impl DiscreteContact {
         };
         differences(&self.displacement.x, &mut self.passing.x);
         differences(&self.displacement.y, &mut self.passing.y);
-        self.interpolation.gather(&self.passing, change);
+        self.interpolation.gather_means(&self.passing, change);
     }
 
     /// Displacement at the outer edge of the modelled surface over the largest one, dimensionless.

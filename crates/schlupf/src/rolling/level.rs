@@ -19,7 +19,7 @@ pub(super) struct Level {
     pub transfer: Option<Transfer>,
     /// Traction on the rail p of this level's solution, in Pa.
     pub traction: Vec<f64>,
-    /// The same of the points before, the latest first.
+    /// The same of the points before, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
     /// What of the solution goes beyond the first guess, in Pa.
     pub news: Vec<f64>,
@@ -29,10 +29,15 @@ pub(super) struct Level {
 /// Room for a level's part in products and preconditioning, to be overwritten.
 #[derive(Default)]
 pub(super) struct Room {
+    /// Displacements where the material entered, in m.
     pub at_entry: Vec<f64>,
+    /// Changes of heat fluxes, in W/m².
     pub flux: Vec<f64>,
+    /// Changes of μ pₙ, in Pa.
     pub bound: Vec<f64>,
+    /// What is preconditioned, in Pa.
     pub right: Vec<f64>,
+    /// What the finer level has of it already, in Pa.
     pub left: Vec<f64>,
 }
 

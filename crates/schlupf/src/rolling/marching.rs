@@ -311,12 +311,13 @@ impl<'a> March<'a> {
 
     fn into_solution(mut self) -> Solution {
         let transient = self.problem.history.is_some();
-        let residual = if transient {
-            self.worst_residual
-        } else {
-            self.outcome.residual.max(self.passage_change)
+        let passed = self.passage_change.is_finite();
+        let residual = match (transient, passed) {
+            (true, _) => self.worst_residual,
+            (false, true) => self.outcome.residual.max(self.passage_change),
+            (false, false) => self.outcome.residual.max(self.change),
         };
-        let status = if residual <= self.options.tolerance {
+        let status = if residual <= self.options.tolerance && (transient || passed) {
             Status::Converged
         } else {
             Status::NotConverged
@@ -341,7 +342,13 @@ impl<'a> March<'a> {
 
     fn why_not_converged(&self) -> String {
         let tolerance = self.options.tolerance;
-        if self.worst_residual > tolerance {
+        if self.passage_change.is_infinite() && self.problem.history.is_none() {
+            format!(
+                "not converged: the march ends after {} time steps, before the material has \
+                 passed the patch twice",
+                self.work.steps
+            )
+        } else if self.worst_residual > tolerance {
             format!(
                 "not converged: the worst equilibrium of a time step has a residual of {:.1e}, \
                  above the tolerance {tolerance:.1e}",

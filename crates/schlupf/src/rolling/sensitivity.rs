@@ -22,22 +22,24 @@ const ACCURACY: f64 = 1e-9;
 /// Linear residual that is not accepted any more.
 const WORST: f64 = 1e-6;
 
+/// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds.
+const MAX_DIMENSION: usize = 500;
+
 /// Times the Krylov method is begun anew for one derivative.
-const RESTARTS: usize = 12;
+const RESTARTS: usize = 4;
 
 /// The derivatives at the solution of the first of `levels`, if all linear systems could be solved;
 /// and the number of products. `response` is L p of the solution.
 pub(super) fn sensitivity(
     problem: &Problem,
     levels: &mut [Level],
-    krylov: &mut Gmres,
     response: &[f64],
 ) -> (Option<Sensitivity>, usize) {
     let size = levels[0].size();
     let mut derivatives = Derivatives {
         problem,
         levels,
-        krylov,
+        krylov: Gmres::new(MAX_DIMENSION),
         products: 0,
         step: vec![0.0; size],
         response_step: vec![0.0; response.len()],
@@ -50,7 +52,7 @@ pub(super) fn sensitivity(
 struct Derivatives<'a> {
     problem: &'a Problem,
     levels: &'a mut [Level],
-    krylov: &'a mut Gmres,
+    krylov: Gmres,
     products: usize,
     step: Vec<f64>,
     response_step: Vec<f64>,

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::equilibrium::{Gmres, Limits, Newton, Outcome};
+use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::problem::{Options, Problem};
@@ -57,18 +57,17 @@ pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
     newton: Newton,
-    krylov: Gmres,
 }
 
 impl SteadySolver {
     /// A solver without a past.
     pub fn new(options: &Options) -> Self {
-        Self {
-            options: options.clone(),
-            setup: None,
-            newton: Newton::default(),
-            krylov: Gmres::default(),
-        }
+        Self { options: options.clone(), setup: None, newton: Newton::default() }
+    }
+
+    /// How it solves.
+    pub fn options(&self) -> &Options {
+        &self.options
     }
 
     /// Solves a problem for its steady state; see [`solve`].
@@ -111,7 +110,7 @@ impl SteadySolver {
     fn differentiate(&mut self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
         let response = self.newton.response();
         let levels = &mut setup.levels;
-        let (found, products) = sensitivity(problem, levels, &mut self.krylov, response);
+        let (found, products) = sensitivity(problem, levels, response);
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {

@@ -35,6 +35,7 @@ pub(super) struct SteadyFriction {
     pressure: Vec<f64>,
     /// Traction of the last evaluation, in Pa.
     traction: Vec<f64>,
+    /// Slip velocity, in m/s.
     pub slip: Vec<[f64; 2]>,
     /// Friction power over area, in W/m².
     pub power: Vec<f64>,
