@@ -26,6 +26,7 @@ pub mod state;
 pub mod problem;
 pub mod solution;
 pub mod rolling;
+pub mod temperature_field;
 pub mod creep_curve;
 pub mod reference;
 pub mod kalker_coefficients;

@@ -28,6 +28,8 @@ pub struct Conduction {
     wheel_weight: f64,
     /// Whether the partition follows from the speeds.
     follows_speed: bool,
+    share: f64,
+    slowness: f64,
 }
 
 impl Conduction {
@@ -52,7 +54,19 @@ impl Conduction {
             factor: [share * slowness.sqrt() / effusivity[0], (1.0 - share) / effusivity[1]],
             wheel_weight,
             follows_speed: partition == Partition::Velocity,
+            share,
+            slowness,
         }
+    }
+
+    /// Parts of wheel and rail in the frictional heat, dimensionless.
+    pub fn shares(&self) -> [f64; 2] {
+        [self.share, 1.0 - self.share]
+    }
+
+    /// Time in contact of the wheel's material over that of the rail's, dimensionless.
+    pub fn slowness(&self) -> f64 {
+        self.slowness
     }
 
     /// Surface temperatures of wheel and rail (in degC) for a rise times effusivity, in W √s/m².
