@@ -27,6 +27,7 @@ pub mod problem;
 pub mod solution;
 pub mod rolling;
 pub mod temperature_field;
+pub mod bulk_temperature;
 pub mod creep_curve;
 pub mod reference;
 pub mod kalker_coefficients;

@@ -64,6 +64,11 @@ impl Conduction {
         [self.share, 1.0 - self.share]
     }
 
+    /// Weight of the wheel's bulk temperature in that of material that enters, dimensionless.
+    pub fn wheel_weight(&self) -> f64 {
+        self.wheel_weight
+    }
+
     /// Time in contact of the wheel's material over that of the rail's, dimensionless.
     pub fn slowness(&self) -> f64 {
         self.slowness

@@ -1,0 +1,216 @@
+//! The bulk temperature that a wheel takes on in the long run.
+//!
+//! A wheel point passes the contact once in a revolution, far too short to warm more than a skin; over
+//! minutes the whole wheel warms until it loses what it receives. In the steady state (Ertz and Knothe,
+//! *A comparison of analytical and numerical methods for the calculation of temperatures in wheel/rail
+//! contact*, Wear 253, 2002)
+//!
+//! α_w ∫ q dA = h A (T_w − T_air) + ∫ β_w √(v_w L/π) 2 (T_w − T_entry) dy:
+//!
+//! the wheel's part of the frictional heat leaves by convection from its surface and through the contact
+//! into the cold rail, L being the length of the contact and v_w the speed of the wheel's material in it.
+
+use crate::error::{Error, require_finite, require_positive};
+use crate::grid::Grid;
+use crate::patch::{Patch, Strip};
+use crate::problem::{Options, Problem};
+use crate::rolling::{Progress, steady::SteadySolver};
+use crate::solution::{Solution, Status};
+
+/// How a wheel is cooled by the air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cooling {
+    /// Heat transfer coefficient h, in W/(m² K).
+    pub film_coefficient: f64,
+    /// Surface of the wheel that the air cools A, in m².
+    pub area: f64,
+    /// Temperature of the air, in degC.
+    pub air_temperature: f64,
+}
+
+impl Cooling {
+    fn check(&self) -> Result<(), Error> {
+        require_positive("cooling.film_coefficient", self.film_coefficient, "W/(m^2 K)")?;
+        require_positive("cooling.area", self.area, "m^2")?;
+        require_finite("cooling.air_temperature", self.air_temperature, "degC")
+    }
+}
+
+/// The heat balance of a wheel.
+#[derive(Debug, Clone)]
+pub struct BulkTemperature {
+    /// Bulk temperature of the wheel, in degC.
+    pub temperature: f64,
+    /// Frictional heat that the wheel takes, in W.
+    pub frictional_heat: f64,
+    /// Heat that it gives to the air, in W.
+    pub convection: f64,
+    /// Heat that it gives to the rail through the contact, in W.
+    pub conduction: f64,
+    /// The steady rolling at that temperature.
+    pub solution: Solution,
+    /// Steady states that were solved.
+    pub iterations: usize,
+}
+
+impl BulkTemperature {
+    /// Heat received less heat given, in W.
+    fn surplus(&self) -> f64 {
+        self.frictional_heat - self.convection - self.conduction
+    }
+}
+
+/// Largest surplus over the frictional heat, dimensionless.
+const BALANCED: f64 = 1e-6;
+
+/// Most steady states until the balance must be found.
+const ITERATIONS: usize = 60;
+
+/// The bulk temperature of the wheel in steady rolling, in place of the one that the problem gives. The
+/// rail keeps its own: every piece of it meets the wheel once.
+///
+/// # Errors
+/// What [`Problem::check`] and [`Options::check`] refuse, and a model without heat.
+pub fn bulk_temperature(
+    problem: &Problem,
+    options: &Options,
+    cooling: &Cooling,
+    report: &mut dyn FnMut(Progress),
+) -> Result<BulkTemperature, Error> {
+    cooling.check()?;
+    if problem.heat.model.is_none() {
+        return Err(Error::Contradiction {
+            quantity: "heat.model",
+            reason: "the wheel warms by frictional heat only, but the heat model is \"none\""
+                .to_owned(),
+        });
+    }
+    let mut balance = Balance {
+        problem: problem.clone(),
+        cooling: *cooling,
+        solver: SteadySolver::new(options),
+        iterations: 0,
+    };
+    let coldest = cooling.air_temperature.min(problem.rail.bulk_temperature);
+    let low = balance.at(coldest, report)?;
+    let hottest = balance.hottest(&low)?;
+    if low.surplus() <= BALANCED * low.frictional_heat || hottest <= coldest {
+        return Ok(low);
+    }
+    let high = balance.at(hottest, report)?;
+    balance.between(low, high, report)
+}
+
+struct Balance {
+    problem: Problem,
+    cooling: Cooling,
+    solver: SteadySolver,
+    iterations: usize,
+}
+
+impl Balance {
+    /// The balance at a bulk temperature of the wheel.
+    fn at(
+        &mut self,
+        temperature: f64,
+        report: &mut dyn FnMut(Progress),
+    ) -> Result<BulkTemperature, Error> {
+        self.problem.wheel.bulk_temperature = temperature;
+        let solution = self.solver.solve(&self.problem, &mut |_| ())?;
+        self.iterations += 1;
+        report(Progress { step: self.iterations, steps: None, change: solution.residual });
+        let conduction = self.problem.conduction(&solution.kinematics);
+        let heat = solution.power.friction + solution.power.returned;
+        let step = temperature - conduction.entry_temperature;
+        Ok(BulkTemperature {
+            temperature,
+            frictional_heat: conduction.shares()[0] * heat,
+            convection: self.convection(temperature),
+            conduction: step * self.chill()?,
+            solution,
+            iterations: self.iterations,
+        })
+    }
+
+    fn convection(&self, temperature: f64) -> f64 {
+        let Cooling { film_coefficient, area, air_temperature } = self.cooling;
+        film_coefficient * area * (temperature - air_temperature)
+    }
+
+    /// Heat flow through the contact over the step from the wheel's bulk to its temperature in
+    /// the contact, in W/K.
+    fn chill(&self) -> Result<f64, Error> {
+        let conduction = self.problem.conduction(&self.problem.kinematics);
+        let wheel_speed = self.problem.kinematics.speed / conduction.slowness();
+        let normal = self.problem.normal.normal_contact(None)?;
+        let options = self.solver.options();
+        let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
+        let patch = Patch::new(&normal, grid);
+        let of_strip = |strip: &Strip| {
+            let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
+            let length = covered * grid.spacing_x;
+            (wheel_speed * length / std::f64::consts::PI).sqrt()
+        };
+        let sum: f64 = patch.strips.iter().map(of_strip).sum();
+        Ok(2.0 * self.problem.wheel.material.effusivity() * grid.spacing_y * sum)
+    }
+
+    /// A temperature at which the wheel gives more than it receives: with the friction of a cold
+    /// wheel, as friction does not rise with the temperature; short of that at which it vanishes.
+    fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
+        let weight = self.problem.conduction(&self.problem.kinematics).wheel_weight();
+        let through = (1.0 - weight) * self.chill()?;
+        let air = self.cooling.film_coefficient * self.cooling.area;
+        let rail = self.problem.rail.bulk_temperature;
+        let given = cold.frictional_heat + air * self.cooling.air_temperature + through * rail;
+        let limit = self.problem.friction.reference_temperature
+            + self.problem.friction.law.temperature_limit();
+        // Material enters the contact at the mean of both bodies.
+        let vanishing = (limit - (1.0 - weight) * rail) / weight;
+        Ok((given / (air + through)).min(vanishing - 1e-6 * (vanishing - rail).abs()))
+    }
+
+    /// Regula falsi between a temperature with a surplus and one without (Illinois).
+    fn between(
+        &mut self,
+        mut low: BulkTemperature,
+        mut high: BulkTemperature,
+        report: &mut dyn FnMut(Progress),
+    ) -> Result<BulkTemperature, Error> {
+        let (mut surplus, mut deficit) = (low.surplus(), high.surplus());
+        let scale = low.frictional_heat;
+        while self.iterations < ITERATIONS {
+            for end in [&low, &high] {
+                if end.surplus().abs() <= BALANCED * scale {
+                    return Ok(end.clone());
+                }
+            }
+            let share = surplus / (surplus - deficit);
+            let temperature = low.temperature + share * (high.temperature - low.temperature);
+            let middle = self.at(temperature, report)?;
+            if middle.solution.status == Status::NotConverged {
+                return Ok(middle);
+            }
+            if middle.surplus() > 0.0 {
+                surplus = middle.surplus();
+                deficit *= 0.5;
+                low = middle;
+            } else {
+                deficit = middle.surplus();
+                surplus *= 0.5;
+                high = middle;
+            }
+        }
+        low.solution.status = Status::NotConverged;
+        low.solution.warnings.insert(
+            0,
+            format!(
+                "not converged: after {} steady states the wheel still receives {:.1e} W more than \
+                 it gives",
+                self.iterations,
+                low.surplus()
+            ),
+        );
+        Ok(low)
+    }
+}

@@ -1,0 +1,84 @@
+//! The long-term bulk temperature of a wheel.
+
+mod common;
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::{cells, half_space, problem, rolling};
+use schlupf::bulk_temperature::{BulkTemperature, Cooling, bulk_temperature};
+use schlupf::heat::Heat;
+use schlupf::heat::duhamel::Duhamel;
+use schlupf::heat::partition::Partition;
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::material::Material;
+use schlupf::{Error, Problem, Status};
+
+const COOLING: Cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 10.0 };
+
+fn braking(creepage: f64) -> Problem {
+    let mut braking = problem(rolling(creepage, 0.0, 0.0));
+    braking.elasticity = half_space();
+    braking.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    braking.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    braking
+}
+
+fn warmed(problem: &Problem, cooling: &Cooling) -> BulkTemperature {
+    let warmed = bulk_temperature(problem, &cells(20), cooling, &mut |_| ()).unwrap();
+    assert_eq!(warmed.solution.status, Status::Converged, "{:?}", warmed.solution.warnings);
+    warmed
+}
+
+/// What the wheel receives it gives; the friction is that of the warm wheel.
+#[test]
+fn the_balance_closes() {
+    for creepage in [0.001, 0.01, 0.05] {
+        let warmed = warmed(&braking(creepage), &COOLING);
+        let given = warmed.convection + warmed.conduction;
+        assert_relative_eq!(warmed.frictional_heat, given, max_relative = 2e-6);
+        assert!(warmed.temperature > 10.0 && warmed.iterations < 20, "{}", warmed.iterations);
+        let mut there = braking(creepage);
+        there.wheel.bulk_temperature = warmed.temperature;
+        let again = schlupf::rolling::solve(&there, &cells(20), &mut |_| ()).unwrap();
+        assert_relative_eq!(again.power.friction, warmed.solution.power.friction, max_relative = 1e-5);
+    }
+}
+
+/// Ertz and Knothe 2002: without air the rail alone cools the wheel. With equal bodies, half of the
+/// heat goes into each, the contact has the mean temperature, and
+/// ½ P = 2 β ½ (T_w − T_r) ∫ √(v L/π) dy, for an ellipse ∫ √L dy = √(2a) b B(½, 5/4).
+#[test]
+fn ertz_knothe_2002_cooled_by_the_rail_alone() {
+    let mut slow = braking(0.002);
+    slow.heat.partition = Partition::Given(0.5);
+    let cooling = Cooling { film_coefficient: 1e-9, ..COOLING };
+    let warmed = warmed(&slow, &cooling);
+    // B(½, 5/4) = Γ(½) Γ(5/4)/Γ(7/4)
+    let beta = 1.772_453_850_905_516 * 0.906_402_477_055_477 / 0.919_062_526_848_883;
+    let width = (2.0 * 6e-3_f64).sqrt() * 5e-3 * beta;
+    let through = Material::STEEL.effusivity() * (30.0 / std::f64::consts::PI).sqrt() * width;
+    let expected = 20.0 + 0.5 * warmed.solution.power.friction / through;
+    assert_relative_eq!(warmed.temperature, expected, max_relative = 2e-3);
+}
+
+/// A stronger wind, a colder wheel; and never hotter than friction allows.
+#[test]
+fn more_air_less_heat() {
+    let calm = warmed(&braking(0.01), &COOLING).temperature;
+    let windy = warmed(&braking(0.01), &Cooling { film_coefficient: 200.0, ..COOLING }).temperature;
+    assert!(windy < calm);
+    let glowing = warmed(&braking(0.5), &Cooling { film_coefficient: 0.1, ..COOLING });
+    assert!(glowing.solution.temperature.max_wheel < 20.0 + 700.0);
+}
+
+#[test]
+fn what_cannot_warm_is_refused() {
+    let mut cold = braking(0.01);
+    cold.heat.model = None;
+    let error = bulk_temperature(&cold, &cells(8), &COOLING, &mut |_| ()).unwrap_err();
+    assert!(matches!(error, Error::Contradiction { quantity: "heat.model", .. }));
+    let still = Cooling { area: 0.0, ..COOLING };
+    let error = bulk_temperature(&braking(0.01), &cells(8), &still, &mut |_| ()).unwrap_err();
+    assert!(error.to_string().starts_with("cooling.area"), "{error}");
+}
