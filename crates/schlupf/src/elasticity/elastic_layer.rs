@@ -181,6 +181,9 @@ struct Component {
     /// What lies beyond the first and the last row, for each wave number, in N/m³; and how it grows
     /// with the logarithm of the grid's size.
     outside_by_size: Vec<f64>,
+    /// Displacement of the outermost row over that of the first or the last row of the grid, for
+    /// each wave number, dimensionless.
+    to_edge: Vec<f64>,
     /// Bedding c alone, in N/m³.
     plain_bedding: f64,
 }
@@ -196,10 +199,16 @@ impl Component {
         let chain = |b: &f64| {
             condensed(stiffness.bedding, b - stiffness.bedding, coupling, surroundings.rows_beyond)
         };
-        let (outside, outside_by_size): (Vec<f64>, Vec<f64>) = bedding.iter().map(chain).unzip();
-        let condensed = Tridiagonal::new(&bedding, coupling, grid.rows, &outside);
-        let plain_bedding = stiffness.bedding;
-        Self { bedding, coupling, condensed, outside_by_size, plain_bedding }
+        let chains: Vec<Chain> = bedding.iter().map(chain).collect();
+        let outside: Vec<f64> = chains.iter().map(|chain| chain.stiffness).collect();
+        Self {
+            condensed: Tridiagonal::new(&bedding, coupling, grid.rows, &outside),
+            outside_by_size: chains.iter().map(|chain| chain.stiffness_by_size).collect(),
+            to_edge: chains.iter().map(|chain| chain.to_edge).collect(),
+            plain_bedding: stiffness.bedding,
+            bedding,
+            coupling,
+        }
     }
 
     /// Minus the change of the stiffness with the logarithm of the grid's size, times the
@@ -218,20 +227,30 @@ impl Component {
     }
 }
 
-/// Stiffness that a chain of `rows` elements beyond a row adds to it, and its change with the
-/// logarithm of the grid's size: each element on its bedding c + `along` and coupled by g to the
-/// next, from the free end inwards s ← e g/(g + e), e = c + `along` + s. Both couplings go with the
-/// inverse square of the size.
-fn condensed(bedding: f64, along: f64, coupling: f64, rows: usize) -> (f64, f64) {
-    (0..rows).fold((0.0, 0.0), |(beyond, beyond_by_size), _| {
-        let element = bedding + along + beyond;
-        let element_by_size = beyond_by_size - 2.0 * along;
-        if coupling + element == 0.0 {
-            return (0.0, 0.0);
-        }
+/// A chain of elements beyond a row.
+#[derive(Debug, Clone, Copy)]
+struct Chain {
+    /// Stiffness that it adds to the row, in N/m³, and its change with the logarithm of the grid's size.
+    stiffness: f64,
+    stiffness_by_size: f64,
+    /// Displacement of its end over that of the row, dimensionless.
+    to_edge: f64,
+}
+
+/// The chain of `rows` elements, each on its bedding c + `along` and coupled by g to the next: from
+/// the free end inwards s ← e g/(g + s), e = c + `along` + s. Both couplings go with the inverse square
+/// of the size.
+fn condensed(bedding: f64, along: f64, coupling: f64, rows: usize) -> Chain {
+    let end = Chain { stiffness: 0.0, stiffness_by_size: 0.0, to_edge: 1.0 };
+    (0..rows).fold(end, |beyond, _| {
+        let element = bedding + along + beyond.stiffness;
+        let element_by_size = beyond.stiffness_by_size - 2.0 * along;
         let (share, rest) = (coupling / (coupling + element), element / (coupling + element));
-        let by_size = share * share * element_by_size - 2.0 * rest * rest * coupling;
-        (coupling * rest, by_size)
+        Chain {
+            stiffness: coupling * rest,
+            stiffness_by_size: share * share * element_by_size - 2.0 * rest * rest * coupling,
+            to_edge: beyond.to_edge * share,
+        }
     })
 }
 
@@ -356,6 +375,29 @@ impl LayerCompliance {
         self.transform_back(displacement);
     }
 
+    /// One component of the displacement in the grid's rows, on all columns of the total area, and
+    /// after them the two outermost rows of that.
+    fn rows_and_edges(&mut self, c: usize, traction: &[f64]) -> Vec<f64> {
+        let columns = self.surroundings.columns;
+        self.transform_rows(traction);
+        let component = &self.components[c];
+        component.condensed.solve(&mut self.spectrum, columns);
+        let mut values = self.spectrum.clone();
+        let last = self.spectrum.len() - columns;
+        for row in [0, last] {
+            let row = &self.spectrum[row..row + columns];
+            values.extend(row.iter().zip(&component.to_edge).map(|(u, share)| u * share));
+        }
+        let inverse = 2.0 / columns as f64;
+        for row in values.chunks_exact_mut(columns) {
+            self.transform.process_dct3_with_scratch(row, &mut self.scratch);
+            for u in row {
+                *u *= inverse;
+            }
+        }
+        values
+    }
+
     /// One component of the displacement on the total area, row after row, in m; without
     /// condensation.
     pub fn total_displacement(&mut self, component: usize, traction: &[f64]) -> Vec<f64> {
@@ -412,18 +454,15 @@ impl Compliance for LayerCompliance {
             return 0.0;
         }
         let columns = self.surroundings.columns;
-        let total =
-            [self.total_displacement(0, &traction.x), self.total_displacement(1, &traction.y)];
-        let magnitude = |k: usize| total[0][k].hypot(total[1][k]);
-        let count = total[0].len();
+        let x = self.rows_and_edges(0, &traction.x);
+        let y = self.rows_and_edges(1, &traction.y);
+        let magnitude = |k: usize| x[k].hypot(y[k]);
+        let inside = self.grid.rows * columns;
         let is_edge = |k: usize| {
-            k < columns
-                || k >= count - columns
-                || k.is_multiple_of(columns)
-                || (k + 1).is_multiple_of(columns)
+            k >= inside || k.is_multiple_of(columns) || (k + 1).is_multiple_of(columns)
         };
-        let largest = (0..count).map(magnitude).fold(0.0, f64::max);
-        let at_edge = (0..count).filter(|k| is_edge(*k)).map(magnitude).fold(0.0, f64::max);
+        let largest = (0..inside).map(magnitude).fold(0.0, f64::max);
+        let at_edge = (0..x.len()).filter(|k| is_edge(*k)).map(magnitude).fold(0.0, f64::max);
         if largest > 0.0 { at_edge / largest } else { 0.0 }
     }
 }
