@@ -36,6 +36,11 @@ impl Kinematics {
         }
     }
 
+    /// Whether there is neither creepage nor spin.
+    pub fn is_pure_rolling(&self) -> bool {
+        [self.creepage_x, self.creepage_y, self.spin] == [0.0; 3]
+    }
+
     /// Circumferential speed of the wheel ω R = (cos α − ξ) v0, in m/s.
     pub fn circumferential_speed(&self) -> f64 {
         ((1.0 - self.creepage_y.powi(2)).sqrt() - self.creepage_x) * self.speed

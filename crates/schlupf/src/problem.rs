@@ -101,8 +101,7 @@ pub struct Options {
     /// through the whole patch also changes the traction by less, and the temperature by less than
     /// this part of its largest rise.
     pub tolerance: f64,
-    /// Most Newton steps for one equilibrium, and most iterations between traction and temperature
-    /// in the steady driver.
+    /// Most Newton steps for one equilibrium.
     pub max_iterations: usize,
     /// Most time steps on the way to the steady state.
     pub max_steps: usize,

@@ -217,7 +217,8 @@ pub struct Work {
     pub operator_products: f64,
     /// Products more for the derivatives.
     pub sensitivity_products: usize,
-    /// Iterations between traction and temperature.
+    /// Iterations between traction and temperature: the time steps of a march; one in the steady
+    /// driver, which finds both together.
     pub outer_iterations: usize,
     /// Time steps.
     pub steps: usize,

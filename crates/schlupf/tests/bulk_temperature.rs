@@ -41,7 +41,11 @@ fn the_balance_closes() {
         let mut there = braking(creepage);
         there.wheel.bulk_temperature = warmed.temperature;
         let again = schlupf::rolling::solve(&there, &cells(20), &mut |_| ()).unwrap();
-        assert_relative_eq!(again.power.friction, warmed.solution.power.friction, max_relative = 1e-5);
+        assert_relative_eq!(
+            again.power.friction,
+            warmed.solution.power.friction,
+            max_relative = 1e-5
+        );
     }
 }
 

@@ -188,3 +188,18 @@ fn stiff_contact_laws_converge() {
         assert!(per_step < 12.0, "k_c {stiffness}: {:?}", solution.work);
     }
 }
+
+/// Friction of the last step's temperature can swing from step to step at very high slip, the same after
+/// every passage: that is no steady state.
+#[test]
+fn what_swings_to_and_fro_is_not_called_converged() {
+    let mut swinging = problem(rolling(0.5, 0.0, 0.0));
+    swinging.kinematics.speed = 50.0;
+    swinging.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    swinging.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    for across in [24, 25] {
+        let short = Options { max_steps: 300, ..cells(across) };
+        let solution = march(&swinging, &short, &mut |_| ()).unwrap();
+        assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.normalised);
+    }
+}

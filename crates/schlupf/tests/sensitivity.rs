@@ -58,8 +58,13 @@ fn difference(base: &Problem, with: Setter, value: f64, scale: f64) -> [f64; 3] 
     [over(plus.x, minus.x), over(plus.y, minus.y), over(plus.moment_z, minus.moment_z)]
 }
 
-/// Compares all derivatives of a problem; `law` sets μ0 and k_c.
+/// Compares all derivatives of a problem with k_c = 5e6/m.
 fn check(name: &str, base: &Problem, friction: Setter, stiffness: Setter) {
+    check_at(name, base, friction, (stiffness, 5e6));
+}
+
+/// The same with another k_c, in 1/m.
+fn check_at(name: &str, base: &Problem, friction: Setter, (stiffness, k_c): (Setter, f64)) {
     let solution = at(base);
     let Sensitivity { creepage_x, creepage_y, spin, load, friction_coefficient, contact_stiffness } =
         solution.sensitivity.unwrap();
@@ -71,7 +76,7 @@ fn check(name: &str, base: &Problem, friction: Setter, stiffness: Setter) {
         ("φ", spin, &|p, v| moved(p, |k| k.spin = v), k.spin, 0.2),
         ("N", load.unwrap(), &|p, v| Problem { normal: hertz(v), ..p.clone() }, LOAD, LOAD),
         ("μ0", friction_coefficient, friction, 0.4, 0.4),
-        ("k_c", contact_stiffness, stiffness, 5e6, 5e6),
+        ("k_c", contact_stiffness, stiffness, k_c, k_c),
     ];
     for (parameter, exact, with, value, scale) in parameters {
         let approximate = difference(base, with, value, scale);
@@ -130,6 +135,32 @@ fn on_the_layer_and_the_half_space() {
     );
     let uncoupled = Problem { elasticity: Arc::new(Winkler::new(2e13, 1e13).unwrap()), ..base() };
     check("Winkler", &uncoupled, &constant, &incremental);
+}
+
+/// Where the interpolation at the leading edge is between cubic and linear, it depends on the stiffness
+/// of the bristles, and so do the forces.
+#[test]
+fn with_stiff_bristles() {
+    let half = Problem { elasticity: half_space(), ..base() };
+    check_at("half-space", &incremental(&half, 1e8), &constant, (&incremental, 1e8));
+    check_at("layer", &incremental(&base(), 1e8), &constant, (&incremental, 1e8));
+}
+
+/// Driving, with a floor of friction in part of the patch.
+#[test]
+fn with_a_floor_in_part_of_the_patch() {
+    let floored = |problem: &Problem, coefficient: f64| {
+        let mut problem = problem.clone();
+        problem.friction.law = Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.35).unwrap());
+        problem
+    };
+    let mut hot = floored(&Problem { elasticity: half_space(), ..base() }, 0.4);
+    hot.kinematics.creepage_x = -0.012;
+    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    let coefficients = at(&hot).fields.friction_coefficient;
+    let at_floor = coefficients.iter().filter(|mu| **mu == 0.35).count();
+    assert!(at_floor > 5 && at_floor < coefficients.len() - 5, "{at_floor}");
+    check("floor", &hot, &floored, &incremental);
 }
 
 #[test]

@@ -36,9 +36,7 @@ fn stored(field: &TemperatureField, side: Side, body: &Body, [x, y]: [f64; 2]) -
     const DEPTH: f64 = 3e-3;
     const LAYERS: u32 = 30_000;
     let layer = DEPTH / f64::from(LAYERS);
-    let rise = |k: u32| {
-        field.at(side, x, y, (f64::from(k) + 0.5) * layer) - body.bulk_temperature
-    };
+    let rise = |k: u32| field.at(side, x, y, (f64::from(k) + 0.5) * layer) - body.bulk_temperature;
     let capacity = body.material.density * body.material.specific_heat;
     capacity * layer * (0..LAYERS).map(rise).sum::<f64>()
 }
@@ -106,7 +104,8 @@ fn a_hot_wheel_on_a_cold_rail() {
     assert_relative_eq!(wheel, -rail, max_relative = 1e-9);
     // ∫ ΔT β/√(πt) dt = 2 ΔT β √(t_c/π) in the contact of 12 mm at 30 m/s.
     let time: f64 = 12e-3 / 30.0;
-    let exchanged = 2.0 * 75.0 * Material::STEEL.effusivity() * (time / std::f64::consts::PI).sqrt();
+    let exchanged =
+        2.0 * 75.0 * Material::STEEL.effusivity() * (time / std::f64::consts::PI).sqrt();
     assert_relative_eq!(rail, exchanged, max_relative = 3e-3);
     let behind = field.at(Side::Rail, -18e-3, y, 0.0);
     assert_relative_eq!(behind, 75.0 * FRAC_2_PI * 0.5_f64.sqrt().asin(), max_relative = 2e-3);

@@ -2,11 +2,10 @@
 
 use crate::error::Error;
 use crate::normal::NormalSummary;
-use crate::problem::{Options, Problem};
-use crate::rolling::steady;
-use crate::solution::{Resultant, Sensitivity, Work};
+use crate::problem::Problem;
+use crate::solution::{Resultant, Sensitivity};
 
-use super::{Abscissa, Creepages, Path};
+use super::{Abscissa, Creepages, Path, Solver};
 
 /// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where everything
 /// that varies is zero; what does not vary keeps its value.
@@ -29,39 +28,24 @@ pub struct InitialSlope {
 pub(super) struct Finding {
     pub value: Option<InitialSlope>,
     pub warning: Option<String>,
-    pub work: Work,
 }
-
-/// Tolerance of the solution at the origin.
-const TOLERANCE: f64 = 1e-9;
 
 /// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian of
 /// the equilibrium there.
-pub(super) fn find(
-    problem: &Problem,
-    options: &Options,
-    path: &Path,
-    normal: &NormalSummary,
-) -> Result<Finding, Error> {
+pub(super) fn find(solver: &mut Solver, normal: &NormalSummary) -> Result<Finding, Error> {
+    let path = solver.path;
     if !path.has_origin() {
         return Ok(Finding::default());
     }
-    let options = Options {
-        tolerance: options.tolerance.min(TOLERANCE),
-        sensitivity: true,
-        ..options.clone()
-    };
     let origin = path.at(0.0);
-    let mut there = problem.clone();
-    there.kinematics = origin.at_speed(problem.kinematics.speed);
-    let solution = steady::solve(&there, &options, &mut |_| ())?;
-    let work = solution.work;
-    let Some(sensitivity) = solution.sensitivity else {
+    let solution = solver.differentiate(0.0)?;
+    let problem = &solver.problem;
+    let Some(sensitivity) = solution.and_then(|solution| solution.sensitivity) else {
         let warning = format!(
             "no initial slope: the derivatives at {} were not found",
             path.abscissa().equation(0.0)
         );
-        return Ok(Finding { value: None, warning: Some(warning), work });
+        return Ok(Finding { value: None, warning: Some(warning) });
     };
     let scale = Scale {
         limit: problem.friction.cold_coefficient() * normal.load,
@@ -70,7 +54,7 @@ pub(super) fn find(
     let force = along(path, &sensitivity);
     let normalised = scale.normalised(&force);
     let kalker = (origin == Creepages::default()).then(|| scale.kalker(&force, problem, path));
-    Ok(Finding { value: Some(InitialSlope { force, normalised, kalker }), warning: None, work })
+    Ok(Finding { value: Some(InitialSlope { force, normalised, kalker }), warning: None })
 }
 
 /// The derivative of the forces along a path.

@@ -154,6 +154,7 @@ pub fn trace_with(
     let mut abscissae = sampling.abscissae(path.range());
     let is_downwards = abscissae.first() > abscissae.last();
     abscissae.sort_by(f64::total_cmp);
+    steady.forget();
     let mut solver = Solver::new(problem, steady, path);
     let mut warnings = Warnings::default();
     let mut done = 0;
@@ -173,9 +174,8 @@ pub fn trace_with(
     let outwards: Vec<f64> = below.iter().rev().copied().collect();
     let sides = [solve_side(above)?, solve_side(&outwards)?];
     let mut maxima = maximum::of_sides(&mut solver, &sides)?;
-    let slope = initial_slope::find(problem, &options, path, &normal)?;
+    let slope = initial_slope::find(&mut solver, &normal)?;
     warnings.extend(slope.warning);
-    solver.add(&slope.work);
     let [above, below] = sides;
     let mut points: Vec<Point> = below.into_iter().rev().chain(above).collect();
     if is_downwards {
@@ -255,6 +255,17 @@ impl<'a> Solver<'a> {
             self.steady.solve(&self.problem, &mut |_| ())?
         };
         self.add(&solution.work);
+        Ok(solution)
+    }
+
+    /// The solution with its derivatives, if it is found at once.
+    fn differentiate(&mut self, abscissa: f64) -> Result<Option<Solution>, Error> {
+        let speed = self.problem.kinematics.speed;
+        self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
+        let solution = self.steady.solve_with_derivatives(&self.problem)?;
+        if let Some(solution) = &solution {
+            self.add(&solution.work);
+        }
         Ok(solution)
     }
 

@@ -458,9 +458,8 @@ impl Compliance for LayerCompliance {
         let y = self.rows_and_edges(1, &traction.y);
         let magnitude = |k: usize| x[k].hypot(y[k]);
         let inside = self.grid.rows * columns;
-        let is_edge = |k: usize| {
-            k >= inside || k.is_multiple_of(columns) || (k + 1).is_multiple_of(columns)
-        };
+        let is_edge =
+            |k: usize| k >= inside || k.is_multiple_of(columns) || (k + 1).is_multiple_of(columns);
         let largest = (0..inside).map(magnitude).fold(0.0, f64::max);
         let at_edge = (0..x.len()).filter(|k| is_edge(*k)).map(magnitude).fold(0.0, f64::max);
         if largest > 0.0 { at_edge / largest } else { 0.0 }

@@ -20,6 +20,8 @@ pub struct Interpolation {
     /// Where the material of each cell entered, by number in `entries`.
     entry_of: Vec<usize>,
     entries: Vec<Stencil<8>>,
+    /// What the weights of the entries gain with the cubic share.
+    entries_by_share: Vec<Stencil<8>>,
 }
 
 /// A weighted sum of values on the grid.
@@ -30,6 +32,12 @@ struct Stencil<const N: usize> {
 }
 
 impl<const N: usize> Stencil<N> {
+    /// A sum of multiples of two with the same places.
+    fn mixed(&self, other: &Self, [one, two]: [f64; 2]) -> Self {
+        let weight = std::array::from_fn(|k| one * self.weight[k] + two * other.weight[k]);
+        Self { index: self.index, weight }
+    }
+
     fn sum(&self, field: &VectorField) -> [f64; 2] {
         let of = |values: &[f64]| {
             self.index.iter().zip(self.weight).map(|(i, w)| w * values[*i]).sum::<f64>()
@@ -51,6 +59,7 @@ impl Interpolation {
     pub fn new(patch: &Patch, cubic: f64) -> Self {
         let grid = &patch.grid;
         let mut entries = Vec::new();
+        let mut entries_by_share = Vec::new();
         let mut entry_of = Vec::with_capacity(patch.len());
         for strip in &patch.strips {
             let mut last = f64::NAN;
@@ -58,7 +67,9 @@ impl Interpolation {
                 let x = cell.entry_x();
                 let is_new = (x - last).abs() > CENTRED * grid.spacing_x || last.is_nan();
                 if is_new {
-                    entries.push(at_edge(grid, strip.row, [x, cell.y], cubic));
+                    let [cubic_part, linear_part] = at_edge(grid, strip.row, [x, cell.y]);
+                    entries.push(cubic_part.mixed(&linear_part, [cubic, 1.0 - cubic]));
+                    entries_by_share.push(cubic_part.mixed(&linear_part, [1.0, -1.0]));
                     last = x;
                 }
                 entry_of.push(entries.len() - 1);
@@ -71,6 +82,7 @@ impl Interpolation {
             partial: partial.filter_map(|(k, cell)| Some((k, centroid(grid, cell)?))).collect(),
             entry_of,
             entries,
+            entries_by_share,
         }
     }
 
@@ -87,6 +99,7 @@ impl Interpolation {
             partial: Vec::new(),
             entry_of: Vec::new(),
             entries: Vec::new(),
+            entries_by_share: Vec::new(),
         }
     }
 
@@ -133,13 +146,25 @@ impl Interpolation {
 
     /// Values where the material of each cell entered the contact (x then y component).
     pub fn gather_at_entries(&self, field: &VectorField, values: &mut [f64]) {
-        if self.entries.is_empty() {
-            values.fill(0.0);
-            return;
-        }
-        let at: Vec<[f64; 2]> = self.entries.iter().map(|stencil| stencil.sum(field)).collect();
+        self.gather_entries(&self.entries, field, values);
+    }
+
+    /// What those gain with the share to which the interpolation is cubic.
+    pub fn gather_at_entries_by_share(&self, field: &VectorField, values: &mut [f64]) {
+        self.gather_entries(&self.entries_by_share, field, values);
+    }
+
+    fn gather_entries(&self, entries: &[Stencil<8>], field: &VectorField, values: &mut [f64]) {
+        values.fill(0.0);
+        let mut last = None;
         for (value, &entry) in values.chunks_exact_mut(2).zip(&self.entry_of) {
-            value.copy_from_slice(&at[entry]);
+            // Neighbours mostly share their entry.
+            let at = match last {
+                Some((number, at)) if number == entry => at,
+                _ => entries[entry].sum(field),
+            };
+            last = Some((entry, at));
+            value.copy_from_slice(&at);
         }
     }
 }
@@ -166,8 +191,8 @@ fn centroid(grid: &Grid, cell: &Cell) -> Option<Stencil<4>> {
     })
 }
 
-/// Cubic (Lagrange) and linear along x, linear along y.
-fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2], cubic: f64) -> Stencil<8> {
+/// Cubic (Lagrange) along x, and linear; both linear along y.
+fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2]) -> [Stencil<8>; 2] {
     let position = (x - grid.x(0)) / grid.spacing_x;
     let first = (position.floor() - 1.0).clamp(0.0, (grid.columns - 4) as f64);
     let s = position - first;
@@ -178,13 +203,12 @@ fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2], cubic: f64) -> Stencil<8> 
         s * (s - 1.0) * (s - 2.0) / 6.0,
     ];
     let straight: [f64; 4] = std::array::from_fn(|k| (1.0 - (s - k as f64).abs()).max(0.0));
-    let along: [f64; 4] = std::array::from_fn(|k| cubic * smooth[k] + (1.0 - cubic) * straight[k]);
     let (other, weight) = beside(row, (y - grid.y(row)) / grid.spacing_y, grid.rows);
     let first = first as usize;
-    Stencil {
+    [smooth, straight].map(|along| Stencil {
         index: std::array::from_fn(|k| grid.index(first + k % 4, if k < 4 { row } else { other })),
         weight: std::array::from_fn(|k| along[k % 4] * if k < 4 { 1.0 - weight } else { weight }),
-    }
+    })
 }
 
 #[cfg(test)]

@@ -105,6 +105,35 @@ impl DiscreteContact {
         ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
     }
 
+    /// Change of that share with the logarithm of the stiffness of the bristles over a cell's.
+    pub fn cubic_share_by_stiffness(&self) -> f64 {
+        let [all, none] = CUBIC_RANGE;
+        let share = self.cubic_share();
+        if share > 0.0 && share < 1.0 && self.compliance.couples_cells() {
+            -(none / all).ln().recip()
+        } else {
+            0.0
+        }
+    }
+
+    /// Change of the logarithm of a cell's stiffness with that of the size of the patch,
+    /// dimensionless; if the elasticity knows it.
+    pub fn cell_stiffness_by_size(&mut self) -> Option<f64> {
+        let (p, middle) = self.lone_cell();
+        let mut u = vec![0.0; p.len()];
+        let is_known = self.product_by_size(&p, &mut u);
+        let grown = 0.5 * (u[2 * middle] + u[2 * middle + 1]);
+        is_known.then_some(-grown * self.cell_stiffness)
+    }
+
+    /// Traction of 1 Pa in both directions on the cell in the middle, and its number.
+    fn lone_cell(&self) -> (Vec<f64>, usize) {
+        let middle = self.patch.len() / 2;
+        let mut p = vec![0.0; 2 * self.patch.len()];
+        (p[2 * middle], p[2 * middle + 1]) = (1.0, 1.0);
+        (p, middle)
+    }
+
     /// u = A p at the cells' points; the displacement of the whole grid is left in the field.
     pub fn product(&mut self, p: &[f64], u: &mut [f64]) {
         self.interpolation.spread(p, &mut self.traction);
@@ -129,6 +158,11 @@ impl DiscreteContact {
     /// The displacement field of the last product where the material of each cell entered.
     pub fn displacement_at_entries(&self, u: &mut [f64]) {
         self.interpolation.gather_at_entries(&self.displacement, u);
+    }
+
+    /// What those gain with the share to which the interpolation at the leading edge is cubic.
+    pub fn displacement_at_entries_by_share(&self, u: &mut [f64]) {
+        self.interpolation.gather_at_entries_by_share(&self.displacement, u);
     }
 
     /// By how much the displacement of the last product changes while a material point passes a
@@ -181,10 +215,8 @@ impl DiscreteContact {
     }
 
     fn measure_cell_stiffness(&mut self) -> f64 {
-        let middle = self.patch.len() / 2;
-        let mut p = vec![0.0; 2 * self.patch.len()];
-        let mut u = p.clone();
-        (p[2 * middle], p[2 * middle + 1]) = (1.0, 1.0);
+        let (p, middle) = self.lone_cell();
+        let mut u = vec![0.0; p.len()];
         self.product(&p, &mut u);
         let own = 0.5 * (u[2 * middle] + u[2 * middle + 1]);
         if own > 0.0 { own.recip() } else { RIGID_STIFFNESS }

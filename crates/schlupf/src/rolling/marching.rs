@@ -61,6 +61,8 @@ struct March<'a> {
     change: f64,
     /// The same over the last passage of the material through the whole patch.
     passage_change: f64,
+    /// The largest change in one step of the present passage.
+    largest_step: f64,
     /// Traction and temperature rises a passage ago.
     passage_start: [Vec<f64>; 2],
     worst_residual: f64,
@@ -92,6 +94,7 @@ impl<'a> March<'a> {
             outcome: Outcome::default(),
             change: f64::INFINITY,
             passage_change: f64::INFINITY,
+            largest_step: 0.0,
             passage_start: [Vec::new(), Vec::new()],
             worst_residual: 0.0,
             work: Work { cells: contact.patch.len(), ..Work::default() },
@@ -138,6 +141,7 @@ impl<'a> March<'a> {
     /// At the end of a passage, compares with its start. What is left to come is about as much as
     /// a passage changes, but many times what a step does.
     fn compare_passages(&mut self) {
+        self.largest_step = self.largest_step.max(self.change);
         let longest = self.contact.patch.strips.iter().map(|s| s.cells.len()).max().unwrap_or(1);
         if !self.work.steps.is_multiple_of(longest) {
             return;
@@ -322,7 +326,8 @@ impl<'a> March<'a> {
         } else {
             Status::NotConverged
         };
-        let mut warnings = summary::warnings(self.problem, &mut self.contact, &self.now);
+        let mut warnings =
+            summary::warnings(self.problem, self.options, &mut self.contact, &self.now);
         if status == Status::NotConverged {
             warnings.insert(0, self.why_not_converged());
         }
@@ -342,22 +347,22 @@ impl<'a> March<'a> {
 
     fn why_not_converged(&self) -> String {
         let tolerance = self.options.tolerance;
-        if self.passage_change.is_infinite() && self.problem.history.is_none() {
-            format!(
-                "not converged: the march ends after {} time steps, before the material has \
-                 passed the patch twice",
-                self.work.steps
-            )
-        } else if self.worst_residual > tolerance {
+        if self.worst_residual > tolerance {
             format!(
                 "not converged: the worst equilibrium of a time step has a residual of {:.1e}, \
                  above the tolerance {tolerance:.1e}",
                 self.worst_residual
             )
+        } else if self.passage_change.is_infinite() && self.problem.history.is_none() {
+            format!(
+                "not converged: the march ends after {} time steps, before the material has \
+                 passed the patch twice",
+                self.work.steps
+            )
         } else {
             format!(
-                "not converged: after {} time steps traction or temperature still change by {:.1e} in \
-                 a passage of the patch, above the tolerance {tolerance:.1e}",
+                "not converged: after {} time steps traction or temperature still change by {:.1e} \
+                 within a passage of the patch, above the tolerance {tolerance:.1e}",
                 self.work.steps, self.passage_change
             )
         }

@@ -24,7 +24,7 @@ use crate::solution::Solution;
 
 /// Solves a problem with the driver of the options.
 ///
-/// `report` is called after every time step, or iteration between traction and temperature.
+/// `report` is called after every time step, or after the steady equilibrium.
 pub fn solve(
     problem: &Problem,
     options: &Options,
@@ -41,7 +41,7 @@ pub fn solve(
 /// How far a driver has got.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Time steps or iterations done.
+    /// Time steps done, or steady states found.
     pub step: usize,
     /// All of them, where known beforehand.
     pub steps: Option<usize>,

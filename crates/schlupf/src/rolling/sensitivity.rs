@@ -16,14 +16,16 @@ use super::level::Level;
 use super::steady_state::{Direct, SteadyState};
 use super::summary;
 
-/// Linear residual of the derivatives, relative to ∂F/∂θ.
-const ACCURACY: f64 = 1e-9;
+/// Linear residual of the derivatives relative to ∂F/∂θ, over the tolerance of the solution, within
+/// these limits; and over that, what is not accepted any more.
+const ACCURACY: f64 = 0.1;
+const ACCURACY_RANGE: [f64; 2] = [1e-10, 1e-5];
+const WORST: f64 = 100.0;
 
-/// Linear residual that is not accepted any more.
-const WORST: f64 = 1e-6;
-
-/// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds.
+/// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds; and
+/// its largest size, in numbers.
 const MAX_DIMENSION: usize = 500;
+const MAX_SIZE: usize = 50_000_000;
 
 /// Times the Krylov method is begun anew for one derivative.
 const RESTARTS: usize = 4;
@@ -34,12 +36,17 @@ pub(super) fn sensitivity(
     problem: &Problem,
     levels: &mut [Level],
     response: &[f64],
+    tolerance: f64,
 ) -> (Option<Sensitivity>, usize) {
     let size = levels[0].size();
+    let [least, largest] = ACCURACY_RANGE;
+    let dimension = (MAX_SIZE / (size + response.len())).clamp(60, MAX_DIMENSION);
     let mut derivatives = Derivatives {
+        accuracy: (ACCURACY * tolerance).clamp(least, largest),
+        by_bristles: None,
         problem,
         levels,
-        krylov: Gmres::new(MAX_DIMENSION),
+        krylov: Gmres::new(dimension),
         products: 0,
         step: vec![0.0; size],
         response_step: vec![0.0; response.len()],
@@ -54,6 +61,9 @@ struct Derivatives<'a> {
     levels: &'a mut [Level],
     krylov: Gmres,
     products: usize,
+    accuracy: f64,
+    /// Change of the linear response with the logarithm of the stiffness of the bristles.
+    by_bristles: Option<Vec<f64>>,
     step: Vec<f64>,
     response_step: Vec<f64>,
     change: Vec<f64>,
@@ -61,6 +71,8 @@ struct Derivatives<'a> {
 
 impl Derivatives<'_> {
     fn all(&mut self, response: &[f64]) -> Option<Sensitivity> {
+        self.by_bristles = SteadyState::new(self.problem, self.levels).response_by_stiffness();
+        self.products += usize::from(self.by_bristles.is_some());
         let [slowness_x, slowness_y] = self.problem.kinematics.slowness_by_creepage();
         let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
         let along_y = Kinematics { creepage_y: 1.0, ..standing(self.problem) };
@@ -95,13 +107,24 @@ impl Derivatives<'_> {
         for (bound, (cell, response)) in direct.bound.iter_mut().zip(cells) {
             *bound = cell.pressure * response.by_cold_coefficient;
         }
+        self.stiffen(&mut direct, self.problem.friction.cold_coefficient().recip());
         direct
+    }
+
+    /// Adds what follows from a change of ln(μ0 k_c p0 / cell stiffness) for the interpolation at the
+    /// leading edge.
+    fn stiffen(&self, direct: &mut Direct, change: f64) {
+        if let Some(by_bristles) = &self.by_bristles {
+            direct.response.resize(by_bristles.len(), 0.0);
+            add_scaled(&mut direct.response, change, by_bristles);
+        }
     }
 
     fn by_stiffness(&mut self) -> Option<Resultant> {
         let stiffness = self.problem.contact_law.respond(&Slide::default()).by_increment[0][0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.cause.stiffness = 1.0;
+        self.stiffen(&mut direct, 1.0);
         Some(scaled(&self.by(&direct)?, stiffness.recip()))
     }
 
@@ -115,7 +138,7 @@ impl Derivatives<'_> {
             return Some(None);
         }
         self.products += usize::from(growth != 0.0);
-        let Level { contact, strips, friction, traction, .. } = &self.levels[0];
+        let Level { contact, strips, friction, .. } = &self.levels[0];
         for u in &mut direct.response {
             *u *= growth;
         }
@@ -141,6 +164,9 @@ impl Derivatives<'_> {
             let size = strips.len() * 2;
             add_scaled(&mut direct.response[size..], -growth, &response[size..]);
         }
+        let softening = if growth == 0.0 { Some(0.0) } else { self.stiffness_by_size() };
+        self.stiffen(&mut direct, 1.0 - 2.0 * growth - growth * softening.unwrap_or(0.0));
+        let Level { contact, traction, .. } = &self.levels[0];
         let whole = summary::resultant(&contact.patch, traction);
         let load = contact.normal.load;
         let moved = self.by(&direct)?;
@@ -150,6 +176,13 @@ impl Derivatives<'_> {
             moment_z: moved.moment_z + 3.0 * growth * whole.moment_z,
         };
         Some(Some(scaled(&grown, load.recip())))
+    }
+
+    /// Change of ln(cell stiffness) with that of the size of the patch, where it matters.
+    fn stiffness_by_size(&mut self) -> Option<f64> {
+        self.by_bristles.as_ref()?;
+        self.products += 1;
+        self.levels[0].contact.cell_stiffness_by_size()
     }
 
     /// Change of the forces with what changes directly.
@@ -163,18 +196,18 @@ impl Derivatives<'_> {
         let mut left = start;
         let mut product = vec![0.0; size];
         for _ in 0..RESTARTS {
-            if left <= ACCURACY * start {
+            if left <= self.accuracy * start {
                 break;
             }
             let targets = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
-            let forcing = (0.5 * ACCURACY * start / left).min(0.5);
+            let forcing = (0.5 * self.accuracy * start / left).min(0.5);
             self.products += self.krylov.solve(&mut system, &residual, forcing, targets);
             system.tangent_product(&self.step, &self.response_step, &mut product);
             add_scaled(&mut residual, 1.0, &product);
             add_scaled(&mut self.change, 1.0, &self.step);
             left = norm(&residual);
         }
-        let is_good = left <= WORST * start && start.is_finite();
+        let is_good = left <= WORST * self.accuracy * start && start.is_finite();
         is_good.then(|| summary::resultant(&self.levels[0].contact.patch, &self.change))
     }
 }

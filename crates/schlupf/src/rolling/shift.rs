@@ -102,7 +102,7 @@ fn account(
     (contact, now): (&mut DiscreteContact, &Snapshot),
     (outcome, elements): (Outcome, Vec<Element>),
 ) -> summary::Account {
-    let mut warnings = summary::warnings(problem, contact, now);
+    let mut warnings = summary::warnings(problem, options, contact, now);
     let has_converged = outcome.residual <= options.tolerance;
     if !has_converged {
         warnings.insert(

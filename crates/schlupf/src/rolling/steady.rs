@@ -50,9 +50,10 @@ fn refuse_transient(problem: &Problem) -> Result<(), Error> {
 /// A solver for steady states that are near each other: points of a creep curve, or families of
 /// them.
 ///
-/// Problems that share the normal contact and the elasticity (the same `Arc`s) share grids, kernels
-/// and transforms, and each starts from the solutions before. The result does not depend on them
-/// but within the tolerance.
+/// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a problem
+/// do) share grids, kernels and transforms, and each starts from the solutions before; where that
+/// fails, from none. The result depends on them within the tolerance only. It is a steady solver
+/// whatever the driver of the options.
 pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
@@ -76,6 +77,41 @@ impl SteadySolver {
         problem: &Problem,
         report: &mut dyn FnMut(Progress),
     ) -> Result<Solution, Error> {
+        let outcome = match self.solve_at_once(problem, self.options.sensitivity)? {
+            Ok(solution) => {
+                report(Progress { step: 1, steps: Some(1), change: solution.residual });
+                return Ok(solution);
+            }
+            Err(outcome) => outcome,
+        };
+        let mut marched = marching::march(problem, &self.options, report)?;
+        marched.warnings.push(format!(
+            "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
+             this is the end of a march, without derivatives",
+            outcome.residual, outcome.iterations
+        ));
+        Ok(marched)
+    }
+
+    /// The steady state with its derivatives. Nothing where Newton's method fails: this never
+    /// marches.
+    pub fn solve_with_derivatives(&mut self, problem: &Problem) -> Result<Option<Solution>, Error> {
+        self.solve_at_once(problem, true).map(Result::ok)
+    }
+
+    /// Forgets all solutions, but not the set-up.
+    pub fn forget(&mut self) {
+        if let Some(setup) = &mut self.setup {
+            setup.earlier.clear();
+        }
+    }
+
+    /// The steady state, or how far Newton's method got from a cold start.
+    fn solve_at_once(
+        &mut self,
+        problem: &Problem,
+        with_derivatives: bool,
+    ) -> Result<Result<Solution, Outcome>, Error> {
         problem.check()?;
         self.options.check()?;
         refuse_transient(problem)?;
@@ -84,33 +120,38 @@ impl SteadySolver {
             Some(setup) => setup,
             None => Setup::new(problem, &self.options)?,
         };
-        let (outcome, work) = setup.find_equilibrium(problem, &self.options, &mut self.newton);
-        report(Progress { step: 1, steps: Some(1), change: outcome.residual });
-        if outcome.converged {
+        if problem.kinematics.is_pure_rolling() {
+            // Nothing slides: no earlier solution is as near as none.
+            setup.earlier.clear();
+        }
+        let is_warm = !setup.earlier.is_empty();
+        let mut found = setup.find_equilibrium(problem, &self.options, &mut self.newton);
+        if !found.0.converged && is_warm {
+            let spent = found.1;
+            found = setup.find_equilibrium(problem, &self.options, &mut self.newton);
+            found.1.newton_iterations += spent.newton_iterations;
+            found.1.operator_products += spent.operator_products;
+        }
+        let (outcome, work) = found;
+        let result = if outcome.converged {
             let response = self.newton.response();
             let mut solution = setup.solution(problem, &self.options, response, (outcome, work));
-            if self.options.sensitivity {
+            if with_derivatives {
                 self.differentiate(problem, &mut setup, &mut solution);
             }
-            self.setup = Some(setup);
-            return Ok(solution);
-        }
-        let mut marched = marching::march(problem, &self.options, report)?;
-        marched.warnings.push(format!(
-            "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
-             this is the end of a march",
-            outcome.residual, outcome.iterations
-        ));
-        Ok(marched)
+            Ok(solution)
+        } else {
+            Err(outcome)
+        };
+        self.setup = Some(setup);
+        Ok(result)
     }
-}
 
-impl SteadySolver {
     /// Adds the derivatives to a solution that was just found.
     fn differentiate(&mut self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
         let response = self.newton.response();
         let levels = &mut setup.levels;
-        let (found, products) = sensitivity(problem, levels, response);
+        let (found, products) = sensitivity(problem, levels, response, self.options.tolerance);
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {
@@ -292,7 +333,7 @@ impl Setup {
             status: Status::Converged,
             residual: outcome.residual,
             history: vec![instant],
-            warnings: summary::warnings(problem, contact, &now),
+            warnings: summary::warnings(problem, options, contact, &now),
             sensitivity: None,
             work,
             state: State { grid: contact.patch.grid, time: 0.0, elements },

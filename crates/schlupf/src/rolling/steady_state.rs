@@ -173,6 +173,26 @@ impl SteadyState<'_> {
         strips.tangent(&nothing, b, Some(&room.bound), Some(&direct.cause), change);
     }
 
+    /// Change of the linear response at the solution with the logarithm of the stiffness of the
+    /// bristles over a cell's, on which the interpolation at the leading edge depends; nothing where
+    /// it does not.
+    pub fn response_by_stiffness(&mut self) -> Option<Vec<f64>> {
+        let mut response = vec![0.0; self.response_size()];
+        let Level { contact, strips, traction, room, .. } = &mut self.levels[0];
+        let by_stiffness = contact.cubic_share_by_stiffness();
+        if by_stiffness == 0.0 {
+            return None;
+        }
+        let b = &mut response[..traction.len()];
+        contact.product(traction, b);
+        contact.displacement_at_entries_by_share(&mut room.at_entry);
+        for (b, entry) in b.iter_mut().zip(&room.at_entry) {
+            *b = -by_stiffness * entry;
+        }
+        strips.differences(b);
+        Some(response)
+    }
+
     /// Change of the linear response at the solution with the logarithm of the size of the patch;
     /// whether the elasticity knows it.
     pub fn response_by_size(&mut self, response: &mut [f64]) -> bool {

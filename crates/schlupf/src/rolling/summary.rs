@@ -176,6 +176,7 @@ const LARGEST_RETURNED_POWER: f64 = 0.01;
 /// What the reader of the numbers must know.
 pub(super) fn warnings(
     problem: &Problem,
+    options: &Options,
     contact: &mut DiscreteContact,
     now: &Snapshot,
 ) -> Vec<String> {
@@ -189,7 +190,9 @@ pub(super) fn warnings(
         ));
     }
     let power = power(&contact.patch, now, &force(&contact.patch, now));
-    if power.returned > LARGEST_RETURNED_POWER * power.friction.abs() {
+    let limit = problem.friction.cold_coefficient() * contact.normal.load;
+    let noise = options.tolerance * limit * now.kinematics.speed;
+    if power.returned > (LARGEST_RETURNED_POWER * power.friction.abs()).max(noise) {
         warnings.push(format!(
             "contact_law: the bristles return {:.3e} W of {:.3e} W friction power; that part is cut \
              off and does not cool. Where it is large in steady rolling, the grid is too coarse for \
