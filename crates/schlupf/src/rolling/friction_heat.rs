@@ -7,6 +7,7 @@
 
 use crate::heat::{Heat, HeatStep};
 use crate::patch::{Patch, Strip};
+use crate::problem::Problem;
 
 use super::snapshot::Snapshot;
 
@@ -37,6 +38,76 @@ pub(super) fn set_temperatures(
             pass_cell(now, patch, heat, (strip, k), &mut records[k]);
         }
         now.exit_rise.push(heat.rise_times_effusivity(&records[strip.cells.end - 1]));
+    }
+}
+
+/// What was rubbed in a place last.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Rubbing {
+    /// Coefficient of friction, dimensionless.
+    pub friction: f64,
+    /// Friction power over area, in W/m².
+    pub power: f64,
+    /// Pressure times slip speed, in W/m²: the power where friction was one and all slid.
+    pub bound_power: f64,
+    /// Slip speed, in m/s.
+    pub slip_speed: f64,
+}
+
+impl Rubbing {
+    /// The coefficient of friction (dimensionless) in a cell to which an element with a heat record
+    /// has come: the root of μ = law(T(μ)), the friction power going with μ. From the leading edge
+    /// on there is one where μ falls with T.
+    pub fn coefficient(
+        &self,
+        problem: &Problem,
+        now: &Snapshot,
+        (patch, strip, k): (&Patch, &Strip, usize),
+        arrived: &[HeatStep],
+    ) -> f64 {
+        let y = patch.cells[k].y;
+        let at = |rise: f64| {
+            problem.friction_response(&now.conduction, rise, self.slip_speed, y).coefficient
+        };
+        if problem.heat.model.is_none() || problem.friction.law.is_constant() {
+            return at(0.0);
+        }
+        let per_friction =
+            if self.friction > 0.0 { self.power / self.friction } else { self.bound_power };
+        let [before, after] = ways_through(patch, strip, k);
+        let per_power = patch.grid.spacing_x / (before + after);
+        let mut record = Vec::with_capacity(arrived.len() + 1);
+        record.push(HeatStep { flux: 0.0, duration: before / now.kinematics.speed });
+        record.extend_from_slice(arrived);
+        common_coefficient(self.friction, |tried| {
+            record[0].flux = (tried * per_friction * per_power).max(0.0);
+            at(problem.heat.rise_times_effusivity(&record))
+        })
+    }
+}
+
+/// Halvings of the interval around a root.
+const HALVINGS: usize = 60;
+
+/// The coefficient of friction μ with answer(μ) = μ: by fixed-point steps as long as they contract
+/// well, else by bisection between it and what it asks for.
+fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
+    let (mut tried, mut last) = (start, f64::INFINITY);
+    loop {
+        let asked = answer(tried);
+        let distance = (asked - tried).abs();
+        if distance <= 1e-15 * start.max(asked) {
+            return asked;
+        }
+        if distance > 0.3 * last {
+            let (mut low, mut high) = (tried.min(asked), tried.max(asked));
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if answer(middle) > middle { low = middle } else { high = middle }
+            }
+            return 0.5 * (low + high);
+        }
+        (tried, last) = (asked, distance);
     }
 }
 

@@ -15,7 +15,7 @@ use crate::state::{Element, State};
 use super::Progress;
 use super::arrival::{Arrival, carry_over, positions};
 use super::contact::DiscreteContact;
-use super::friction_heat::{set_friction_power, set_temperatures};
+use super::friction_heat::{Rubbing, set_friction_power, set_temperatures};
 use super::snapshot::Snapshot;
 use super::summary;
 use super::time_step::TimeStep;
@@ -150,8 +150,11 @@ impl<'a> March<'a> {
         if traction.len() == self.now.traction.len() {
             let scale = norm(&self.now.bound(&self.contact.patch));
             let warmed = largest_change(rise, &self.now.rise);
-            self.passage_change = relative_change(traction, &self.now.traction, scale).max(warmed);
+            let changed = relative_change(traction, &self.now.traction, scale);
+            // What swings to and fro may be the same after a passage.
+            self.passage_change = changed.max(warmed).max(self.largest_step);
         }
+        self.largest_step = 0.0;
         self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
     }
 
@@ -164,7 +167,7 @@ impl<'a> March<'a> {
         self.now.conduction = self.problem.conduction(&self.now.kinematics);
         self.follow_load()?;
         let arrivals = carry_over(&self.contact, &self.elements);
-        self.stay_in_place();
+        self.stay_in_place(&arrivals);
         Ok(arrivals)
     }
 
@@ -181,22 +184,31 @@ impl<'a> March<'a> {
     }
 
     /// What stays in its place while the material moves: the last step's traction is the first
-    /// guess, its temperature determines the friction, Eq. (23).
-    fn stay_in_place(&mut self) {
+    /// guess. Friction, Eq. (23), follows the temperature of the element that has come, which
+    /// contains the heat that friction itself makes here now: both are found together.
+    fn stay_in_place(&mut self, arrivals: &[Arrival]) {
         let patch = &self.contact.patch;
         let at = positions(patch, &self.elements);
         let blank = Snapshot::blank(self.now.kinematics, self.now.conduction, patch.len());
         let old = std::mem::replace(&mut self.now, blank);
-        for (k, cell) in patch.cells.iter().enumerate() {
-            let mut slip_speed = 0.0;
-            if let Some(e) = at[cell.index] {
-                self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
-                self.now.rise[k] = old.rise[e];
-                slip_speed = self.elements[e].slip_speed;
+        for strip in &patch.strips {
+            for k in strip.cells.clone() {
+                let cell = &patch.cells[k];
+                let mut rubbing = Rubbing::default();
+                if let Some(e) = at[cell.index] {
+                    self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
+                    self.now.rise[k] = old.rise[e];
+                    rubbing = Rubbing {
+                        friction: old.friction.get(e).copied().unwrap_or(0.0),
+                        power: old.friction_power.get(e).copied().unwrap_or(0.0),
+                        bound_power: cell.pressure * self.elements[e].slip_speed,
+                        slip_speed: self.elements[e].slip_speed,
+                    };
+                }
+                let place = (patch, strip, k);
+                self.now.friction[k] =
+                    rubbing.coefficient(self.problem, &self.now, place, &arrivals[k].heat);
             }
-            let (rise, conduction) = (self.now.rise[k], &self.now.conduction);
-            self.now.friction[k] =
-                self.problem.friction_response(conduction, rise, slip_speed, cell.y).coefficient;
         }
     }
 
