@@ -43,6 +43,9 @@ pub fn march(
     Ok(march.into_solution())
 }
 
+/// Time steps in succession without an equilibrium after which a march to the steady state ends.
+const HOPELESS: usize = 10;
+
 /// Most time steps of a history.
 const MAX_HISTORY_STEPS: f64 = 1e6;
 
@@ -66,6 +69,8 @@ struct March<'a> {
     /// Traction and temperature rises a passage ago.
     passage_start: [Vec<f64>; 2],
     worst_residual: f64,
+    /// Time steps in succession whose equilibrium was not found.
+    failures: usize,
     work: Work,
     history: Vec<Instant>,
 }
@@ -97,6 +102,7 @@ impl<'a> March<'a> {
             largest_step: 0.0,
             passage_start: [Vec::new(), Vec::new()],
             worst_residual: 0.0,
+            failures: 0,
             work: Work { cells: contact.patch.len(), ..Work::default() },
             history: Vec::new(),
             contact,
@@ -135,7 +141,7 @@ impl<'a> March<'a> {
             return self.time >= end - 1e-9 * (end - start);
         }
         let is_steady = self.passage_change <= self.options.tolerance;
-        is_steady || self.work.steps >= self.options.max_steps
+        is_steady || self.failures >= HOPELESS || self.work.steps >= self.options.max_steps
     }
 
     /// At the end of a passage, compares with its start. What is left to come is about as much as
@@ -305,6 +311,8 @@ impl<'a> March<'a> {
         self.work.outer_iterations += 1;
         self.compare_passages();
         self.worst_residual = self.worst_residual.max(self.outcome.residual);
+        let has_failed = self.outcome.residual > self.options.tolerance;
+        self.failures = if has_failed { self.failures + 1 } else { 0 };
         self.history.push(Instant {
             time: self.time,
             kinematics: self.now.kinematics,
