@@ -134,7 +134,8 @@ impl Derivatives<'_> {
             }
             // T β is a flux times the root of a time.
             direct.rise[k] = 0.5 * growth * friction.rise[k];
-            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k];
+            let along_y = cell.pressure * friction.response[k].by_y * cell.y;
+            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k] + growth * along_y;
         }
         // The slip is the change of A p in passing over the size of a cell, which grows.
         if friction.is_coupled {
