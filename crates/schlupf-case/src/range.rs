@@ -52,7 +52,7 @@ pub fn direction(option: &'static str, text: &str) -> Result<f64, CaseError> {
         requirement: Requirement::Magnitude(TAU),
         default: Default::Nothing,
         example: None,
-        used_with: None,
+        used_with: [None; 2],
         doc: "",
     };
     number(&DIRECTION, text).map_err(|refusal| {

@@ -61,8 +61,10 @@ fn exclusions(section: &Section) -> Vec<Value> {
 fn field_schema(field: &Field) -> Value {
     let mut schema = kind_schema(field.kind, field.requirement);
     let mut description = vec![field.doc.to_owned()];
-    if let Some((model, names)) = field.used_with {
-        description.push(format!("used with {model} {}", names.join(" or ")));
+    let uses: Vec<String> =
+        field.uses().map(|(model, names)| format!("{model} {}", names.join(" or "))).collect();
+    if !uses.is_empty() {
+        description.push(format!("used with {}", uses.join(", or with ")));
     }
     if let Default::Same(text) | Default::Computed(text) = field.default {
         description.push(format!("default: {text}"));

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::document::{Entry, Origin, Value};
 use crate::error::CaseError;
-use crate::fields::{self, ALTERNATIVES, Default, Field};
+use crate::fields::{self, ALTERNATIVES, Default, Field, UsedWith};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
 
@@ -198,17 +198,30 @@ impl Settings {
     }
 
     fn missing(&self, path: &str) -> CaseError {
+        if let Some(companion) = fields::companion(path).filter(|other| self.is_given(other)) {
+            return self.missing_beside(path, companion);
+        }
         let field = fields::find(path);
-        let because =
-            field.and_then(|field| field.used_with).map_or_else(String::new, |(model, _)| {
-                format!(", which {model} = {} needs", self.shown(model))
-            });
+        let model = field.and_then(|field| field.uses().find(|used| self.is_chosen(*used)));
+        let because = model.map_or_else(String::new, |(model, _)| {
+            format!(", which {model} = {} needs", self.shown(model))
+        });
         let doc = field.map_or("", |field| field.doc);
         let message = format!("{path} is missing{because}: {doc}");
         let example = field.and_then(Field::assignment);
-        let model = field.and_then(|field| field.used_with).map(|(model, _)| self.place(model));
-        let place = model.filter(|place| *place != Place::Default);
+        let place =
+            model.map(|(model, _)| self.place(model)).filter(|place| *place != Place::Default);
         CaseError::new(path, message, place.unwrap_or_else(|| self.file.clone()))
+            .help(example.map(|example| format!("such as {example}")))
+    }
+
+    /// A field is missing that another one, which was given, needs.
+    pub fn missing_beside(&self, path: &str, other: &str) -> CaseError {
+        let field = fields::find(path);
+        let doc = field.map_or("", |field| field.doc);
+        let message = format!("{path} is missing, which {other} needs: {doc}");
+        let example = field.and_then(Field::assignment);
+        CaseError::new(path, message, self.place(other))
             .help(example.map(|example| format!("such as {example}")))
     }
 
@@ -218,9 +231,16 @@ impl Settings {
         if fields::companion(field.path).is_some_and(is_alone) {
             return false;
         }
-        field.used_with.is_none_or(|(model, names)| {
-            self.choice(model).is_ok_and(|choice| names.contains(&choice))
-        })
+        field.uses().count() == 0 || field.uses().any(|used| self.is_chosen(used))
+    }
+
+    /// Whether a choice is made with one of these names, and counts itself.
+    fn is_chosen(&self, (model, names): UsedWith) -> bool {
+        self.choice(model).is_ok_and(|choice| names.contains(&choice)) && self.counts(model)
+    }
+
+    fn counts(&self, path: &str) -> bool {
+        fields::find(path).is_some_and(|field| self.is_used(field))
     }
 
     /// Fields that were given and have no effect. A model that was chosen by an override makes the
@@ -232,15 +252,21 @@ impl Settings {
                 continue;
             };
             let (place, path) = (&given.place, field.path);
-            if let Some(companion) = fields::companion(path) {
-                notices.push(format!("{place}: {path} has no effect without {companion}"));
+            let models: Vec<_> =
+                field.uses().map(|(model, _)| model).filter(|model| self.counts(model)).collect();
+            if models.is_empty() || field.uses().any(|used| self.is_chosen(used)) {
+                if let Some(companion) = fields::companion(path) {
+                    notices.push(format!("{place}: {path} has no effect without {companion}"));
+                }
+                continue;
             }
-            let Some((model, _)) = field.used_with else { continue };
-            let overridden = |path| matches!(self.place(path), Place::Override { .. });
-            let on_purpose = overridden(model) && matches!(given.origin, Origin::File(_));
-            if !on_purpose {
-                let choice = self.shown(model);
-                notices.push(format!("{place}: {path} has no effect with {model} = {choice}"));
+            let overridden = |path: &str| matches!(self.place(path), Place::Override { .. });
+            let on_purpose = models.iter().any(|model| overridden(model));
+            if !(on_purpose && matches!(given.origin, Origin::File(_))) {
+                let chosen: Vec<String> =
+                    models.iter().map(|model| format!("{model} = {}", self.shown(model))).collect();
+                let chosen = chosen.join(" and ");
+                notices.push(format!("{place}: {path} has no effect with {chosen}"));
             }
         }
         notices

@@ -1,6 +1,6 @@
 //! The commented case file of `schlupf init`, which is also the default case.
 
-use crate::fields::{Default, Field, Kind, SECTIONS, Section, find};
+use crate::fields::{Default, Field, Kind, SECTIONS, Section, UsedWith, find};
 
 const HEAD: &str = "\
 # Case file of schlupf: rolling contact of wheel and rail.
@@ -51,10 +51,11 @@ fn line(field: &Field) -> String {
 /// Whether the default case spells the field out: it has a fixed default, and the default models use
 /// it.
 fn is_active(field: &Field) -> bool {
-    let is_used = field.used_with.is_none_or(|(model, names)| {
+    let is_default = |(model, names): UsedWith| {
         let default = find(model).and_then(|model| model.default.text());
         default.is_some_and(|default| names.contains(&default))
-    });
+    };
+    let is_used = field.uses().count() == 0 || field.uses().any(is_default);
     let is_array = matches!(field.kind, Kind::Quantities(_) | Kind::Numbers);
     field.default.text().is_some() && is_used && !is_array
 }

@@ -294,6 +294,155 @@ fn what_the_physics_refuses_is_named_at_its_place() {
     ]);
 }
 
+/// Negative without a floor, a floor above μ0, contradictory temperatures.
+#[test]
+fn impossible_friction_is_named() {
+    assert_errors(&[
+        (
+            "[friction]\nmodel = \"linear-in-speed\"\nhalf_speed = \"1 m/s\"",
+            "friction.kinetic_coefficient",
+            &[
+                "case.toml:2:9",
+                "is missing",
+                "\"linear-in-speed\" needs",
+                "limit at large slip speeds",
+            ],
+        ),
+        (
+            "[friction]\nmodel = \"exponential\"\nkinetic_coefficient = -0.1\nhalf_speed = \"1 m/s\"",
+            "friction.kinetic_coefficient",
+            &["case.toml:3:23", "between 0 and 100", "-0.1"],
+        ),
+        (
+            "[friction]\nmodel = \"temperature-piecewise-linear\"\nhot_coefficient = -0.1\n\
+             temperature_range = \"800 K\"",
+            "friction.hot_coefficient",
+            &["case.toml:3:19", "between 0 and 100", "-0.1"],
+        ),
+        (
+            "[friction]\nmodel = \"polach\"\nlimit_ratio = -0.2\ndecay = \"0.6 s/m\"",
+            "friction.limit_ratio",
+            &["case.toml:3:15", "between 0 and 1", "-0.2"],
+        ),
+        (
+            "[friction]\ncoefficient = 0.3\nminimum_coefficient = 0.35",
+            "friction.minimum_coefficient",
+            &["case.toml:3:23", "between 0 and friction.coefficient = 0.3", "0.35"],
+        ),
+        (
+            "[friction]\nmodel = \"temperature-piecewise-linear\"\nhot_coefficient = 0.5\n\
+             temperature_range = \"800 K\"",
+            "friction.hot_coefficient",
+            &["case.toml:3:19", "between 0 and friction.coefficient = 0.4", "0.5"],
+        ),
+        (
+            "[friction]\nspeed_model = \"rational\"\nkinetic_coefficient = 0.5\nhalf_speed = \"1 m/s\"",
+            "friction.kinetic_coefficient",
+            &["case.toml:3:23", "between 0 and friction.coefficient = 0.4", "0.5"],
+        ),
+        (
+            "[friction]\nreference_temperature = \"-800 degC\"",
+            "friction.reference_temperature",
+            &["between -273.15 and 1e5 degC"],
+        ),
+        (
+            "[friction]\nreference_temperature = \"-100 degC\"\ntemperature_at_zero_friction = \"90 K\"",
+            "friction.reference_temperature",
+            &["case.toml:2:25", "enters the contact at 20 degC", "at -100 + 90 = -10 degC"],
+        ),
+        (
+            "[friction]\nmodel = \"temperature-piecewise-linear\"\nhot_coefficient = 0.0\n\
+             temperature_range = \"50 K\"\n[wheel]\nbulk_temperature = \"200 degC\"",
+            "friction.temperature_range",
+            &["case.toml:4:21", "enters the contact at 110 degC", "vanishes 50 K above"],
+        ),
+        (
+            "[friction]\nmodel = \"temperature-piecewise-linear\"\nhot_coefficient = 0.1\n\
+             temperature_range = \"0 K\"",
+            "friction.temperature_range",
+            &["between 1e-3 and 1e6 K"],
+        ),
+    ]);
+}
+
+#[test]
+fn impossible_friction_over_slip_speed_is_named() {
+    assert_errors(&[
+        (
+            "[friction]\nmodel = \"rational\"\nkinetic_coefficient = 0.3\nhalf_speed = \"1 m/s\"\n\
+             second_coefficient = 0.2\nsecond_half_speed = \"1 m/s\"",
+            "friction.second_coefficient",
+            &["case.toml:5:22", "0.4 - 0.3", "0.2"],
+        ),
+        (
+            "[friction]\nmodel = \"rational\"\nkinetic_coefficient = 0.3\nhalf_speed = \"1 m/s\"\n\
+             second_coefficient = 0.1",
+            "friction.second_half_speed",
+            &["case.toml:5:22", "is missing", "which friction.second_coefficient needs"],
+        ),
+        (
+            "[friction]\nspeed_model = \"polach\"\nlimit_ratio = 0.4",
+            "friction.decay",
+            &[
+                "case.toml:2:15",
+                "friction.speed_model = \"polach\" needs",
+                "such as decay = \"0.60 s/m\"",
+            ],
+        ),
+        (
+            "[friction]\nmodel = \"polach\"\nlimit_ratio = 0.4\ndecay = \"0.6 m/s\"",
+            "friction.decay",
+            &["an inverse speed", "`m/s` is m s^-1"],
+        ),
+    ]);
+}
+
+#[test]
+fn impossible_friction_over_y_is_named() {
+    assert_errors(&[
+        (
+            "[friction]\nvariation_y = [\"0 mm\", \"1 mm\"]",
+            "friction.variation_factor",
+            &["case.toml:2:15", "is missing, which friction.variation_y needs: factors"],
+        ),
+        (
+            "[friction]\nvariation_factor = [1, 1]",
+            "friction.variation_y",
+            &["case.toml:2:20", "is missing, which friction.variation_factor needs"],
+        ),
+        (
+            "[friction]\nvariation_y = [\"0 mm\", \"1 mm\"]\nvariation_factor = [1]",
+            "friction.variation_factor",
+            &["case.toml:3:20", "as many factors", "2 and 1"],
+        ),
+        (
+            "[friction]\nvariation_y = [\"1 mm\", \"0 mm\"]\nvariation_factor = [1, 1]",
+            "friction.variation_y",
+            &["case.toml:2:15", "must ascend strictly"],
+        ),
+        (
+            "[friction]\nvariation_y = [\"0 mm\", \"1 mm\"]\nvariation_factor = [1, -0.5]",
+            "friction.variation_factor",
+            &["case.toml:3:24", "between 0 and 100", "-0.5"],
+        ),
+        (
+            "[friction]\nvariation_y = [\"-1 mm\", \"1 mm\"]\nvariation_factor = [0.5, 1]",
+            "friction.variation_factor",
+            &["case.toml:3:20", "must be 1 at y = 0", "is 0.75 there"],
+        ),
+        (
+            "[friction]\nvariation_file = \"f.csv\"\nvariation_factor = [0.5, 1]",
+            "friction.variation_factor",
+            &["together with friction.variation_file"],
+        ),
+        (
+            "[friction]\nvariation_file = \"none.csv\"",
+            "friction.variation_file",
+            &["case.toml:2:18", "readable file"],
+        ),
+    ]);
+}
+
 #[test]
 fn what_is_no_toml_is_refused_with_its_line() {
     assert_errors(&[

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use schlupf::heat::partition::Partition;
+use schlupf::interface::friction::FrictionState;
 use schlupf_case::{Case, Place};
 
 fn read(text: &str, overrides: &[&str]) -> Case {
@@ -168,4 +169,87 @@ fn pressure_tables_come_as_csv_and_npy() {
     let npy = load("file = \"p.npy\"\nspacing_x = \"1 mm\"\nspacing_y = \"2 mm\"");
     assert_relative_eq!(csv, npy, max_relative = 1e-12);
     assert_relative_eq!(load("file = \"p.csv\"\nload = \"1 kN\""), 1e3, max_relative = 1e-12);
+}
+
+/// μ of a `[friction]` section at a temperature over the reference, a slip speed and y, in SI units.
+fn friction(section: &str, [temperature, slip_speed, y]: [f64; 3]) -> f64 {
+    let case = read(&format!("[friction]\n{section}"), &[]);
+    assert_eq!(case.notices, [""; 0], "{section}");
+    let state = FrictionState { temperature, slip_speed, y };
+    case.problem.friction.law.respond(&state).coefficient
+}
+
+/// Values by hand: each law at its half speed, or half way down.
+#[test]
+fn every_friction_law_is_read() {
+    let terms = "coefficient = 0.3\nkinetic_coefficient = 0.1\nhalf_speed = \"3.6 km/h\"\n\
+                 second_coefficient = 0.04\nsecond_half_speed = \"0.5 m/s\"\n";
+    let polach = "coefficient = 0.55\nlimit_ratio = 0.4\ndecay = \"0.60 s/m\"\n";
+    let piecewise = "coefficient = 0.3\nhot_coefficient = 0.2\ntemperature_range = \"800 K\"";
+    let table = "variation_y = [\"-5 mm\", \"0 mm\"]\nvariation_factor = [0.5, 1]\n";
+    for (name, fields, state, expected) in [
+        ("constant", "coefficient = 0.3", [500.0, 9.0, 1.0], 0.3),
+        ("temperature-linear", "", [350.0, 9.0, 1.0], 0.2),
+        ("temperature-piecewise-linear", piecewise, [400.0, 9.0, 1.0], 0.25),
+        ("exponential", terms, [500.0, 1.0, 1.0], 0.1 + 0.16 / 2.0 + 0.04 / 4.0),
+        ("rational", terms, [500.0, 1.0, 1.0], 0.1 + 0.16 / 2.0 + 0.04 / 5.0),
+        ("linear-in-speed", terms, [500.0, 1.0, 1.0], 0.1 + 0.16 / 2.0),
+        ("polach", polach, [500.0, 1e3, 1.0], 0.22),
+        ("constant", table, [500.0, 9.0, -2.5e-3], 0.3),
+    ] {
+        let found = friction(&format!("model = \"{name}\"\n{fields}"), state);
+        assert_relative_eq!(found, expected, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn a_law_of_temperature_is_multiplied_by_the_fall_of_one_of_speed() {
+    let text =
+        "coefficient = 0.55\nspeed_model = \"polach\"\nlimit_ratio = 0.4\ndecay = \"0.6 s/m\"";
+    assert_relative_eq!(friction(text, [350.0, 1e3, 0.0]), 0.11, max_relative = 1e-12);
+    let varying =
+        format!("{text}\nvariation_y = [\"0 mm\", \"1 mm\"]\nvariation_factor = [1, 0.5]");
+    assert_relative_eq!(friction(&varying, [350.0, 1e3, 1.0]), 0.055, max_relative = 1e-12);
+}
+
+#[test]
+fn friction_over_y_comes_from_a_file_too() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("f.csv"), "y [mm],factor\n-5,0.5\n0,1\n").unwrap();
+    let text = "[friction]\nmodel = \"constant\"\nvariation_file = \"f.csv\"";
+    let case = Case::from_str(text, "case.toml", folder.path(), &[]).unwrap();
+    let state = FrictionState { y: -2.5e-3, ..FrictionState::default() };
+    let response = case.problem.friction.law.respond(&state);
+    assert_relative_eq!(response.coefficient, 0.3, max_relative = 1e-12);
+    assert_eq!(case.files(), [("friction.variation_file", folder.path().join("f.csv"))]);
+}
+
+#[test]
+fn fields_of_another_friction_law_are_noticed() {
+    let notices = |text: &str, overrides: &[&str]| {
+        let notices = read(&format!("[friction]\n{text}"), overrides).notices;
+        notices.iter().map(|notice| notice.replace("case.toml:", "")).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        notices("half_speed = \"1 m/s\"", &[]),
+        [
+            "2:14: friction.half_speed has no effect with friction.model = \"temperature-linear\" and \
+             friction.speed_model = \"none\""
+        ]
+    );
+    let polach = "model = \"polach\"\nlimit_ratio = 0.4\ndecay = \"0.6 s/m\"\n";
+    assert_eq!(
+        notices(&format!("{polach}speed_model = \"rational\"\nkinetic_coefficient = 0.1"), &[]),
+        [
+            "5:15: friction.speed_model has no effect with friction.model = \"polach\"",
+            "6:23: friction.kinetic_coefficient has no effect with friction.model = \"polach\"",
+        ]
+    );
+    assert_eq!(notices(polach, &["friction.model=constant"]), [""; 0]);
+    let second = "model = \"rational\"\nkinetic_coefficient = 0.1\nhalf_speed = \"1 m/s\"\n\
+                  second_half_speed = \"1 m/s\"";
+    assert_eq!(
+        notices(second, &[]),
+        ["5:21: friction.second_half_speed has no effect without friction.second_coefficient"]
+    );
 }

@@ -55,6 +55,11 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         ],
         reason: "a history comes from a file or stands in the case",
     },
+    Alternatives {
+        first: &["friction.variation_file"],
+        second: &["friction.variation_y", "friction.variation_factor"],
+        reason: "friction over y comes from a file or stands in the case",
+    },
 ];
 
 impl Alternatives {
@@ -71,7 +76,10 @@ impl Alternatives {
 }
 
 /// Fields that count only beside another one that has no default.
-const COMPANIONS: &[(&str, &str)] = &[("kinematics.wheel_radius", "kinematics.angular_velocity")];
+const COMPANIONS: &[(&str, &str)] = &[
+    ("kinematics.wheel_radius", "kinematics.angular_velocity"),
+    ("friction.second_half_speed", "friction.second_coefficient"),
+];
 
 /// The field without which this one does not count.
 pub fn companion(path: &str) -> Option<&'static str> {
@@ -80,8 +88,13 @@ pub fn companion(path: &str) -> Option<&'static str> {
 
 /// Fields that decide together with another one whether a case is possible.
 const RELATED: &[(&str, &[&str])] = &[(
-    "friction.temperature_at_zero_friction",
-    &["wheel.bulk_temperature", "rail.bulk_temperature", "friction.reference_temperature"],
+    "friction.reference_temperature",
+    &[
+        "friction.temperature_at_zero_friction",
+        "friction.temperature_range",
+        "wheel.bulk_temperature",
+        "rail.bulk_temperature",
+    ],
 )];
 
 /// Fields to look at when another one is refused but has its default: its alternatives, and those

@@ -30,11 +30,14 @@ pub struct Field {
     pub default: Default,
     /// A value to show; the default where there is none.
     pub example: Option<&'static str>,
-    /// The choice it belongs to: the path of the choice and the names it is used with.
-    pub used_with: Option<(&'static str, &'static [&'static str])>,
+    /// The choices it belongs to, of which any will do.
+    pub used_with: [Option<UsedWith>; 2],
     /// Its meaning, with the symbol.
     pub doc: &'static str,
 }
+
+/// A choice that a field belongs to: the path of the choice and the names that the field is used with.
+pub type UsedWith = (&'static str, &'static [&'static str]);
 
 /// What may stand in a field.
 #[derive(Debug, Clone, Copy)]
@@ -150,6 +153,11 @@ impl Field {
     /// Last part of its path.
     pub fn name(&self) -> &'static str {
         self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
+    }
+
+    /// The choices it belongs to, of which any will do; none where it is always used.
+    pub fn uses(&self) -> impl Iterator<Item = UsedWith> + use<> {
+        self.used_with.into_iter().flatten()
     }
 
     /// The value of the field, in SI units, or why it cannot stand there.

@@ -8,7 +8,7 @@ mod suggestion;
 mod table;
 
 pub use alternatives::{ALTERNATIVES, Alternatives, companion, related};
-pub use field::{Choice, Default, Field, Kind, Section};
+pub use field::{Choice, Default, Field, Kind, Section, UsedWith};
 pub use requirement::{Requirement, readable};
 pub use suggestion::{closest, closest_path};
 pub use table::SECTIONS;
@@ -48,7 +48,7 @@ mod tests {
             if let Default::Same(path) = field.default {
                 assert!(find(path).is_some(), "{path}");
             }
-            if let Some((path, names)) = field.used_with {
+            for (path, names) in field.uses() {
                 let choices = find(path).unwrap().kind.choices();
                 for name in names {
                     assert!(choices.iter().any(|choice| choice.name == *name), "{path} = {name}");

@@ -1,5 +1,7 @@
 //! The table.
 
+mod friction;
+
 use super::field::Default::{self, Computed, Nothing, Same, Text};
 use super::field::{Choice, Field, Kind, Section};
 use super::requirement::Requirement::{
@@ -16,7 +18,7 @@ const fn field(
     default: Default,
     doc: &'static str,
 ) -> Field {
-    Field { path, kind, requirement, default, example: None, used_with: None, doc }
+    Field { path, kind, requirement, default, example: None, used_with: [None; 2], doc }
 }
 
 impl Field {
@@ -24,8 +26,9 @@ impl Field {
         Self { example: Some(text), ..self }
     }
 
+    /// The same with a choice that it belongs to, besides the one it may have.
     const fn with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
-        Self { used_with: Some((choice, names)), ..self }
+        Self { used_with: [Some((choice, names)), self.used_with[0]], ..self }
     }
 }
 
@@ -56,8 +59,6 @@ const COUPLING: Requirement = Between(0.0, 1e18);
 const SPRING: Requirement = Between(1e-9, 1e18);
 const MARGIN: Requirement = Between(0.0, 1e3);
 const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
-const FRICTION_COEFFICIENT: Requirement = Between(1e-9, 1e2);
-const DIFFERENCE: Requirement = Between(1e-3, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
 
 macro_rules! body {
@@ -165,8 +166,8 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "friction",
-        doc: "Coefficient of friction. T is counted from the reference temperature.",
-        fields: FRICTION,
+        doc: "Coefficient of friction. T is counted from the reference temperature, s is the slip speed.",
+        fields: friction::FIELDS,
     },
     Section { name: "heat", doc: "Frictional heating of both surfaces.", fields: HEAT },
     Section { name: "grid", doc: "Cells across the contact patch.", fields: GRID },
@@ -421,47 +422,6 @@ const CONTACT_LAW: &[Field] = &[
         Text("5e6 1/m"),
         "k_c, rate at which traction approaches the friction limit",
     ),
-];
-
-const FALLING: &[&str] = &["temperature-linear"];
-
-const FRICTION: &[Field] = &[
-    field(
-        "friction.model",
-        Kind::Choice(&[
-            choice("temperature-linear", "μ = μ0 (1 − T/T_E), at least minimum_coefficient"),
-            choice("constant", "μ = μ0"),
-        ]),
-        Finite,
-        Text("temperature-linear"),
-        "law of friction",
-    ),
-    field("friction.coefficient", Kind::Number, FRICTION_COEFFICIENT, Text("0.4"), "μ0"),
-    field(
-        "friction.temperature_at_zero_friction",
-        quantity(&Measure::TEMPERATURE_DIFFERENCE),
-        DIFFERENCE,
-        Text("700 K"),
-        "T_E, a difference",
-    )
-    .with("friction.model", FALLING),
-    field(
-        "friction.reference_temperature",
-        quantity(&Measure::TEMPERATURE),
-        TEMPERATURE,
-        Same("rail.bulk_temperature"),
-        "T is counted from it",
-    )
-    .example("20 degC")
-    .with("friction.model", FALLING),
-    field(
-        "friction.minimum_coefficient",
-        Kind::Number,
-        Between(0.0, 1e2),
-        Text("0.0"),
-        "floor of μ",
-    )
-    .with("friction.model", FALLING),
 ];
 
 const HEAT: &[Field] = &[

@@ -26,7 +26,7 @@ pub fn problem(settings: &Settings, folder: &Path) -> Result<Problem, CaseError>
         normal: normal::source(settings, folder, &wheel.material, &rail.material)?,
         elasticity: elasticity::model(settings, [&wheel.material, &rail.material])?,
         contact_law: interface::contact_law(settings)?,
-        friction: friction::friction(settings)?,
+        friction: friction::friction(settings, folder)?,
         heat: heat::heat(settings)?,
         history: history::history(settings, folder)?,
         initial_state: None,

@@ -52,6 +52,9 @@ impl Measure {
     /// Inverse length, in 1/m.
     pub const PER_LENGTH: Self =
         ratio("an inverse length", "1/m", "1/m or 1/mm", Dimension::LENGTH.power(-1));
+    /// Inverse speed, in s/m.
+    pub const PER_SPEED: Self =
+        ratio("an inverse speed", "s/m", "s/m or h/km", Dimension::mechanical(-1, 0, 1));
     /// Force, in N.
     pub const FORCE: Self = ratio("a force", "N", "N or kN", Dimension::FORCE);
     /// Pressure or modulus, in Pa.

@@ -325,10 +325,10 @@ mod tests {
     /// sliding.
     #[test]
     fn seen_turn_is_smooth_and_saturates() {
-        let seen_turn = |half: f64| super::seen_turn(half, -(-2.0 * half).exp_m1());
-        let (below, above) = (seen_turn(0.999_999e-2), seen_turn(1.000_001e-2));
+        let seen = |half: f64| seen_turn(half, saturation_of(2.0 * half));
+        let (below, above) = (seen(0.999_999e-2), seen(1.000_001e-2));
         assert_relative_eq!(below.0, above.0, max_relative = 1e-4);
         assert_relative_eq!(below.1, above.1, max_relative = 1e-4);
-        assert_relative_eq!(seen_turn(1e6).0, 1.0, max_relative = 1e-5);
+        assert_relative_eq!(seen(1e6).0, 1.0, max_relative = 1e-5);
     }
 }

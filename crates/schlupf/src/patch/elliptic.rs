@@ -26,13 +26,11 @@ pub(super) fn patch(contact: &NormalSummary, grid: Grid) -> Patch {
     let half: Vec<Vec<Integrals>> =
         (0..apart).map(|row| integrate_row(contact, &grid, row)).collect();
     for row in 0..grid.rows {
-        match half.get(row) {
-            Some(columns) => append_strips(&mut patch, row, columns),
-            None => {
-                let columns = &half[grid.rows - 1 - row];
-                let columns: Vec<Integrals> = columns.iter().map(Integrals::mirrored).collect();
-                append_strips(&mut patch, row, &columns);
-            }
+        if let Some(columns) = half.get(row) {
+            append_strips(&mut patch, row, columns);
+        } else {
+            let columns = half[grid.rows - 1 - row].iter().map(Integrals::mirrored);
+            append_strips(&mut patch, row, &columns.collect::<Vec<_>>());
         }
     }
     patch

@@ -81,7 +81,10 @@ impl Derivatives<'_> {
             creepage_x: self.by(&self.by_motion(&along_x, slowness_x))?,
             creepage_y: self.by(&self.by_motion(&along_y, slowness_y))?,
             spin: self.by(&self.by_motion(&turning, 0.0))?,
-            load: self.by_load(response)?,
+            load: match self.direct_by_load(response) {
+                Some(direct) => Some(self.by_load(&direct)?),
+                None => None,
+            },
             friction_coefficient: self.by(&self.by_friction())?,
             contact_stiffness: self.by_stiffness()?,
         })
@@ -128,14 +131,14 @@ impl Derivatives<'_> {
         Some(scaled(&self.by(&direct)?, stiffness.recip()))
     }
 
-    /// Nothing in the inner option where the elasticity does not know how it grows.
-    fn by_load(&mut self, response: &[f64]) -> Option<Option<Resultant>> {
+    /// What changes with the logarithm of the load, if the elasticity knows how it grows.
+    fn direct_by_load(&mut self, response: &[f64]) -> Option<Direct> {
         let growth = self.problem.normal.growth();
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         let mut system = SteadyState::new(self.problem, self.levels);
         direct.response = vec![0.0; response.len()];
         if growth != 0.0 && !system.response_by_size(&mut direct.response) {
-            return Some(None);
+            return None;
         }
         self.products += usize::from(growth != 0.0);
         let Level { contact, strips, friction, .. } = &self.levels[0];
@@ -157,7 +160,8 @@ impl Derivatives<'_> {
             }
             // T β is a flux times the root of a time.
             direct.rise[k] = 0.5 * growth * friction.rise[k];
-            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k];
+            let along_y = cell.pressure * friction.response[k].by_y * cell.y;
+            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k] + growth * along_y;
         }
         // The slip is the change of A p in passing over the size of a cell, which grows.
         if friction.is_coupled {
@@ -166,16 +170,21 @@ impl Derivatives<'_> {
         }
         let softening = if growth == 0.0 { Some(0.0) } else { self.stiffness_by_size() };
         self.stiffen(&mut direct, 1.0 - 2.0 * growth - growth * softening.unwrap_or(0.0));
+        Some(direct)
+    }
+
+    fn by_load(&mut self, direct: &Direct) -> Option<Resultant> {
+        let growth = self.problem.normal.growth();
+        let moved = self.by(direct)?;
         let Level { contact, traction, .. } = &self.levels[0];
         let whole = summary::resultant(&contact.patch, traction);
-        let load = contact.normal.load;
-        let moved = self.by(&direct)?;
+        // The area of the cells grows as well, and the levers.
         let grown = Resultant {
             x: moved.x + 2.0 * growth * whole.x,
             y: moved.y + 2.0 * growth * whole.y,
             moment_z: moved.moment_z + 3.0 * growth * whole.moment_z,
         };
-        Some(Some(scaled(&grown, load.recip())))
+        Some(scaled(&grown, contact.normal.load.recip()))
     }
 
     /// Change of ln(cell stiffness) with that of the size of the patch, where it matters.

@@ -1,12 +1,25 @@
 //! Coefficient of friction.
+//!
+//! Laws of the temperature: [`temperature_linear`], Eq. (23), and [`temperature_piecewise_linear`]. Laws
+//! of the slip speed: [`exponential`], [`rational`] and [`linear`], which share the parameters of
+//! [`slip_terms`], and [`polach`]. One of each may be combined, [`product`], and any law may vary
+//! [`across`] the patch.
 
+pub mod across;
 pub mod constant;
+pub mod exponential;
+pub mod linear;
+pub mod polach;
+pub mod product;
+pub mod rational;
+pub mod slip_terms;
 pub mod temperature_linear;
+pub mod temperature_piecewise_linear;
 
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::error::{Error, require_finite};
+use crate::error::{Error, require, require_finite};
 
 /// What a coefficient of friction may depend on.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -28,7 +41,10 @@ pub struct FrictionResponse {
     pub by_temperature: f64,
     /// Derivative with respect to the slip speed, in s/m.
     pub by_slip_speed: f64,
-    /// ∂μ/∂μ0, dimensionless.
+    /// ∂μ/∂y, in 1/m.
+    pub by_y: f64,
+    /// ∂μ/∂μ0 while the other constants of the law stay, dimensionless. A law that has no μ0 among its
+    /// constants is scaled as a whole: μ/μ0.
     pub by_cold_coefficient: f64,
 }
 
@@ -73,11 +89,10 @@ impl Friction {
             return Ok(());
         }
         Err(Error::Contradiction {
-            quantity: "friction.temperature_at_zero_friction",
+            quantity: "friction.reference_temperature",
             reason: format!(
                 "the material enters the contact at {entry_temperature} degC, but friction \
-                 vanishes at reference_temperature + temperature_at_zero_friction = {} + {limit} = \
-                 {} degC",
+                 vanishes {limit} K above the reference temperature, at {} + {limit} = {} degC",
                 self.reference_temperature,
                 self.reference_temperature + limit
             ),
@@ -88,4 +103,135 @@ impl Friction {
 /// A cold coefficient of friction must be positive and finite.
 fn require_coefficient(value: f64) -> Result<(), Error> {
     crate::error::require_positive("friction.coefficient", value, "")
+}
+
+/// A coefficient that friction falls to must neither be negative nor above μ0.
+fn require_below(quantity: &'static str, value: f64, coefficient: f64) -> Result<(), Error> {
+    require(
+        (0.0..=coefficient).contains(&value),
+        quantity,
+        &format!("between 0 and friction.coefficient = {coefficient}"),
+        value,
+        "",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::across::Across;
+    use super::constant::Constant;
+    use super::exponential::Exponential;
+    use super::linear::Linear;
+    use super::polach::Polach;
+    use super::product::Product;
+    use super::rational::Rational;
+    use super::slip_terms::SecondTerm;
+    use super::temperature_linear::TemperatureLinear;
+    use super::temperature_piecewise_linear::TemperaturePiecewiseLinear;
+    use super::*;
+
+    type Law = Arc<dyn FrictionLaw>;
+
+    /// One law of each kind, all with this μ0.
+    fn laws(coefficient: f64) -> Vec<Law> {
+        let second = Some(SecondTerm { coefficient: 0.05, half_speed: 0.4 });
+        let mut laws: Vec<Law> = vec![
+            Arc::new(Constant::new(coefficient).unwrap()),
+            Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.1).unwrap()),
+            Arc::new(TemperaturePiecewiseLinear::new(coefficient, 0.2, 500.0).unwrap()),
+            Arc::new(Exponential::new(coefficient, 0.1, 2.0, second).unwrap()),
+            Arc::new(Rational::new(coefficient, 0.1, 2.0, second).unwrap()),
+            Arc::new(Linear::new(coefficient, 0.1, 2.0, second).unwrap()),
+            Arc::new(Polach::new(coefficient, 0.4, 0.6).unwrap()),
+        ];
+        for k in [1, 2] {
+            let product = Product::new(Arc::clone(&laws[k]), Arc::clone(&laws[k + 2]));
+            laws.push(Arc::new(product.unwrap()));
+        }
+        let table = || (vec![-4e-3, -1e-3, 3e-3], vec![0.5, 1.1, 0.7]);
+        for k in 0..laws.len() {
+            let (y, factor) = table();
+            laws.push(Arc::new(Across::new(Arc::clone(&laws[k]), y, factor).unwrap()));
+        }
+        laws
+    }
+
+    /// States away from the kinks of the laws: cold, warm, hot; sticking nearly, sliding; all over y.
+    fn states() -> Vec<FrictionState> {
+        let mut states = Vec::new();
+        for temperature in [-30.0, 20.0, 300.0, 480.0, 650.0, 2000.0] {
+            for slip_speed in [0.01, 0.3, 1.7, 3.0, 30.0] {
+                for y in [-5e-3, -2e-3, 1e-3, 4e-3] {
+                    states.push(FrictionState { temperature, slip_speed, y });
+                }
+            }
+        }
+        states
+    }
+
+    fn assert_close(exact: f64, difference: f64, law: &Law, state: &FrictionState) {
+        let error = (exact - difference).abs();
+        assert!(error <= 1e-6 * (1e-3 + exact.abs()), "{exact} {difference} {law:?} {state:?}");
+    }
+
+    #[test]
+    fn derivatives_are_those_of_central_differences() {
+        let mu0 = 0.4;
+        let [more, less] = [1.0 + 1e-5, 1.0 - 1e-5].map(|part| laws(part * mu0));
+        for (k, law) in laws(mu0).iter().enumerate() {
+            for state in states() {
+                let response = law.respond(&state);
+                let difference = |step: f64, change: &dyn Fn(&mut FrictionState, f64)| {
+                    let [plus, minus] = [step, -step].map(|step| {
+                        let mut state = state;
+                        change(&mut state, step);
+                        law.respond(&state).coefficient
+                    });
+                    (plus - minus) / (2.0 * step)
+                };
+                let by_temperature = difference(1e-2, &|state, step| state.temperature += step);
+                assert_close(response.by_temperature, by_temperature, law, &state);
+                let by_slip_speed = difference(1e-5, &|state, step| state.slip_speed += step);
+                assert_close(response.by_slip_speed, by_slip_speed, law, &state);
+                let by_y = difference(1e-7, &|state, step| state.y += step);
+                assert_close(response.by_y, by_y, law, &state);
+                let [plus, minus] = [&more, &less].map(|laws| laws[k].respond(&state).coefficient);
+                let by_cold = (plus - minus) / (2e-5 * mu0);
+                assert_close(response.by_cold_coefficient, by_cold, law, &state);
+            }
+        }
+    }
+
+    #[test]
+    fn friction_is_cold_at_the_default_state_and_never_negative() {
+        for law in laws(0.4) {
+            let cold = law.respond(&FrictionState::default()).coefficient;
+            assert!((cold - 0.4).abs() < 1e-15, "{law:?}: {cold}");
+            for state in states() {
+                let coefficient = law.respond(&state).coefficient;
+                assert!(coefficient > 0.0 && coefficient.is_finite(), "{law:?}: {coefficient}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_law_is_constant_if_it_depends_on_y_at_most() {
+        let laws = laws(0.4);
+        let is_constant: Vec<bool> = laws.iter().map(|law| law.is_constant()).collect();
+        let expected: Vec<bool> = (0..laws.len()).map(|k| k % (laws.len() / 2) == 0).collect();
+        assert_eq!(is_constant, expected);
+    }
+
+    #[test]
+    fn material_enters_colder_than_where_friction_vanishes() {
+        let check = |floor, entry| {
+            let law = Arc::new(TemperatureLinear::new(0.4, 700.0, floor).unwrap());
+            Friction { law, reference_temperature: 20.0 }.check(entry)
+        };
+        check(0.0, 719.0).unwrap();
+        check(0.1, 800.0).unwrap();
+        let message = check(0.0, 720.0).unwrap_err().to_string();
+        assert!(message.contains("enters the contact at 720 degC"), "{message}");
+        assert!(message.contains("at 20 + 700 = 720 degC"), "{message}");
+    }
 }

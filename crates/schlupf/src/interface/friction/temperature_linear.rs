@@ -1,7 +1,7 @@
 //! Friction that falls linearly with the contact temperature; Eq. (23).
 
-use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
-use crate::error::{Error, require, require_positive};
+use super::{FrictionLaw, FrictionResponse, FrictionState, require_below, require_coefficient};
+use crate::error::{Error, require_positive};
 
 /// μ = μ0 (1 − T/T_E), at least a floor (Neuhaus and Sextro 2014, Eq. 23; the floor is zero there).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,13 +21,7 @@ impl TemperatureLinear {
         require_coefficient(coefficient)?;
         let quantity = "friction.temperature_at_zero_friction";
         require_positive(quantity, temperature_at_zero_friction, "K")?;
-        require(
-            (0.0..=coefficient).contains(&minimum_coefficient),
-            "friction.minimum_coefficient",
-            &format!("between 0 and friction.coefficient = {coefficient}"),
-            minimum_coefficient,
-            "",
-        )?;
+        require_below("friction.minimum_coefficient", minimum_coefficient, coefficient)?;
         Ok(Self { coefficient, temperature_at_zero_friction, minimum_coefficient })
     }
 }
@@ -43,13 +37,14 @@ impl FrictionLaw for TemperatureLinear {
         FrictionResponse {
             coefficient,
             by_temperature: -self.coefficient / self.temperature_at_zero_friction,
-            by_slip_speed: 0.0,
             by_cold_coefficient: falling,
+            ..FrictionResponse::default()
         }
     }
 
     fn temperature_limit(&self) -> f64 {
-        self.temperature_at_zero_friction
+        let vanishes = self.minimum_coefficient == 0.0;
+        if vanishes { self.temperature_at_zero_friction } else { f64::INFINITY }
     }
 }
 

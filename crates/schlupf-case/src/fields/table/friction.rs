@@ -1,0 +1,196 @@
+//! `[friction]`.
+
+use super::{TEMPERATURE, choice, field, quantity};
+use crate::fields::field::Default::{Nothing, Same, Text};
+use crate::fields::field::{Choice, Field, Kind};
+use crate::fields::requirement::Requirement::{self, Between, Finite, Magnitude};
+use crate::units::Measure;
+
+const COEFFICIENT: Requirement = Between(1e-9, 1e2);
+const PART: Requirement = Between(0.0, 1e2);
+const DIFFERENCE: Requirement = Between(1e-3, 1e6);
+const SLIP_SPEED: Requirement = Between(1e-9, 1e6);
+const DECAY: Requirement = Between(1e-9, 1e9);
+const POSITION: Requirement = Magnitude(1e2);
+
+const MODEL: &str = "friction.model";
+const SPEED_MODEL: &str = "friction.speed_model";
+
+const LINEAR: &[&str] = &["temperature-linear"];
+const PIECEWISE: &[&str] = &["temperature-piecewise-linear"];
+const OF_TEMPERATURE: &[&str] = &["temperature-linear", "temperature-piecewise-linear"];
+const COMBINED: &[&str] = &["temperature-linear", "constant", "temperature-piecewise-linear"];
+const TERMS: &[&str] = &["exponential", "rational", "linear-in-speed"];
+const POLACH: &[&str] = &["polach"];
+
+const EXPONENTIAL: Choice =
+    choice("exponential", "μ = μ_kin + μ1 2^(−s/s1) + μ2 2^(−s/s2), μ1 = μ0 − μ_kin − μ2");
+const RATIONAL: Choice =
+    choice("rational", "μ = μ_kin + μ1/(1 + s/s1) + μ2/(1 + (s/s2)²), μ1 = μ0 − μ_kin − μ2");
+const LINEAR_IN_SPEED: Choice = choice(
+    "linear-in-speed",
+    "μ = μ_kin + μ1 max(0, 1 − s/2s1) + μ2 max(0, 1 − s/2s2), μ1 = μ0 − μ_kin − μ2",
+);
+const OF_POLACH: Choice = choice("polach", "μ = μ0 ((1 − A) e^(−B s) + A), Polach 2005");
+
+/// A field of the laws with two terms, by themselves or combined with another law.
+const fn term(field: Field) -> Field {
+    field.with(SPEED_MODEL, TERMS).with(MODEL, TERMS)
+}
+
+pub(super) const FIELDS: &[Field] = &[
+    field(
+        MODEL,
+        Kind::Choice(&[
+            choice("temperature-linear", "μ = μ0 (1 − T/T_E), at least minimum_coefficient"),
+            choice("constant", "μ = μ0"),
+            choice(
+                "temperature-piecewise-linear",
+                "μ = μ0 up to T = 0, linear to μ_hot at T = ΔT, μ_hot beyond",
+            ),
+            EXPONENTIAL,
+            RATIONAL,
+            LINEAR_IN_SPEED,
+            OF_POLACH,
+        ]),
+        Finite,
+        Text("temperature-linear"),
+        "law of friction",
+    ),
+    field(
+        "friction.coefficient",
+        Kind::Number,
+        COEFFICIENT,
+        Text("0.4"),
+        "μ0, without slip, at the reference temperature, at y = 0",
+    ),
+    field(
+        "friction.temperature_at_zero_friction",
+        quantity(&Measure::TEMPERATURE_DIFFERENCE),
+        DIFFERENCE,
+        Text("700 K"),
+        "T_E, a difference",
+    )
+    .with(MODEL, LINEAR),
+    field(
+        "friction.reference_temperature",
+        quantity(&Measure::TEMPERATURE),
+        TEMPERATURE,
+        Same("rail.bulk_temperature"),
+        "T is counted from it",
+    )
+    .example("20 degC")
+    .with(MODEL, OF_TEMPERATURE),
+    field(
+        "friction.minimum_coefficient",
+        Kind::Number,
+        PART,
+        Text("0.0"),
+        "floor of μ, before speed_model and the variation over y act",
+    )
+    .with(MODEL, LINEAR),
+    field("friction.hot_coefficient", Kind::Number, PART, Nothing, "μ_hot, at most μ0")
+        .example("0.2")
+        .with(MODEL, PIECEWISE),
+    field(
+        "friction.temperature_range",
+        quantity(&Measure::TEMPERATURE_DIFFERENCE),
+        DIFFERENCE,
+        Nothing,
+        "ΔT over which μ falls from μ0 to μ_hot, a difference",
+    )
+    .example("800 K")
+    .with(MODEL, PIECEWISE),
+    field(
+        SPEED_MODEL,
+        Kind::Choice(&[
+            choice("none", "friction does not depend on the slip speed"),
+            EXPONENTIAL,
+            RATIONAL,
+            LINEAR_IN_SPEED,
+            OF_POLACH,
+        ]),
+        Finite,
+        Text("none"),
+        "law of the slip speed: μ is that of model times the fall μ/μ0 of this one",
+    )
+    .with(MODEL, COMBINED),
+    term(
+        field(
+            "friction.kinetic_coefficient",
+            Kind::Number,
+            PART,
+            Nothing,
+            "μ_kin, limit at large slip speeds, at most μ0",
+        )
+        .example("0.2"),
+    ),
+    term(
+        field(
+            "friction.half_speed",
+            quantity(&Measure::SPEED),
+            SLIP_SPEED,
+            Nothing,
+            "s1, slip speed at which the term with μ1 has halved",
+        )
+        .example("1 m/s"),
+    ),
+    term(
+        field(
+            "friction.second_coefficient",
+            Kind::Number,
+            PART,
+            Nothing,
+            "μ2, size of a second term, which needs second_half_speed",
+        )
+        .example("0.05"),
+    ),
+    term(
+        field(
+            "friction.second_half_speed",
+            quantity(&Measure::SPEED),
+            SLIP_SPEED,
+            Nothing,
+            "s2, slip speed at which the second term has halved",
+        )
+        .example("0.1 m/s"),
+    ),
+    field("friction.limit_ratio", Kind::Number, Between(0.0, 1.0), Nothing, "A, μ(∞)/μ0")
+        .example("0.40")
+        .with(SPEED_MODEL, POLACH)
+        .with(MODEL, POLACH),
+    field(
+        "friction.decay",
+        quantity(&Measure::PER_SPEED),
+        DECAY,
+        Nothing,
+        "B, rate of the fall with the slip speed",
+    )
+    .example("0.60 s/m")
+    .with(SPEED_MODEL, POLACH)
+    .with(MODEL, POLACH),
+    field(
+        "friction.variation_y",
+        Kind::Quantities(&Measure::LENGTH),
+        POSITION,
+        Nothing,
+        "positions across the patch, ascending, at which variation_factor is given",
+    )
+    .example("[\"-5 mm\", \"0 mm\", \"5 mm\"]"),
+    field(
+        "friction.variation_factor",
+        Kind::Numbers,
+        PART,
+        Nothing,
+        "factors on μ, 1 at y = 0; linear in between, constant outside",
+    )
+    .example("[0.5, 1.0, 1.0]"),
+    field(
+        "friction.variation_file",
+        Kind::Path,
+        Finite,
+        Nothing,
+        "CSV with the header `y [mm],factor`, in place of the arrays",
+    )
+    .example("friction.csv"),
+];

@@ -1,0 +1,162 @@
+//! Friction that varies across the patch.
+
+use std::sync::Arc;
+
+use super::{FrictionLaw, FrictionResponse, FrictionState};
+use crate::error::Error;
+
+/// The factor may differ from one at y = 0 by this much: tables have few digits.
+const ROUNDING: f64 = 1e-6;
+
+const POSITION: &str = "friction.variation_y";
+const FACTOR: &str = "friction.variation_factor";
+
+/// μ = f(y) μ(T, s): any law times a factor over y, linear between the points of a table and constant
+/// outside of it. The factor is 1 at y = 0, where friction is that of the law.
+///
+/// Source: Vollebregt, User guide for CONTACT, "Friction variation", with one factor in place of all
+/// constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
+#[derive(Debug, Clone)]
+pub struct Across {
+    law: Arc<dyn FrictionLaw>,
+    y: Vec<f64>,
+    factor: Vec<f64>,
+}
+
+impl Across {
+    /// A law, positions y (in m, ascending) and the factors there (dimensionless).
+    pub fn new(law: Arc<dyn FrictionLaw>, y: Vec<f64>, factor: Vec<f64>) -> Result<Self, Error> {
+        let contradiction = |quantity, reason| Err(Error::Contradiction { quantity, reason });
+        if y.len() < 2 || y.len() != factor.len() {
+            let reason = format!(
+                "at least two positions and as many factors are required, but there are {} and {}",
+                y.len(),
+                factor.len()
+            );
+            return contradiction(FACTOR, reason);
+        }
+        if let Some(k) = y.iter().position(|y| !y.is_finite()) {
+            let reason = format!("position {} is {} m, not finite", k + 1, y[k]);
+            return contradiction(POSITION, reason);
+        }
+        if let Some(k) = y.windows(2).position(|pair| pair[1] <= pair[0]) {
+            let reason = format!(
+                "positions must ascend strictly, but {} m comes after {} m",
+                y[k + 1],
+                y[k]
+            );
+            return contradiction(POSITION, reason);
+        }
+        if let Some(k) = factor.iter().position(|f| !(*f >= 0.0 && f.is_finite())) {
+            let reason = format!(
+                "factors must be finite and not negative, but that at {} m is {}",
+                y[k], factor[k]
+            );
+            return contradiction(FACTOR, reason);
+        }
+        let mut across = Self { law, y, factor };
+        let [centre, _] = across.factor_at(0.0);
+        if (centre - 1.0).abs() > ROUNDING {
+            let reason = format!(
+                "the factor must be 1 at y = 0, where friction is friction.coefficient, but is \
+                 {centre} there: divide all factors by it, and multiply friction.coefficient"
+            );
+            return contradiction(FACTOR, reason);
+        }
+        for factor in &mut across.factor {
+            *factor /= centre;
+        }
+        Ok(across)
+    }
+
+    /// The factor at a position (in m), and its derivative (in 1/m).
+    fn factor_at(&self, y: f64) -> [f64; 2] {
+        let last = self.y.len() - 1;
+        let after = self.y.partition_point(|position| *position <= y);
+        if after == 0 {
+            return [self.factor[0], 0.0];
+        }
+        if after > last {
+            return [self.factor[last], 0.0];
+        }
+        let (left, right) = (self.factor[after - 1], self.factor[after]);
+        let slope = (right - left) / (self.y[after] - self.y[after - 1]);
+        [left + slope * (y - self.y[after - 1]), slope]
+    }
+}
+
+impl FrictionLaw for Across {
+    fn respond(&self, state: &FrictionState) -> FrictionResponse {
+        let [factor, slope] = self.factor_at(state.y);
+        let law = self.law.respond(state);
+        FrictionResponse {
+            coefficient: factor * law.coefficient,
+            by_temperature: factor * law.by_temperature,
+            by_slip_speed: factor * law.by_slip_speed,
+            by_y: slope * law.coefficient + factor * law.by_y,
+            by_cold_coefficient: factor * law.by_cold_coefficient,
+        }
+    }
+
+    fn is_constant(&self) -> bool {
+        self.law.is_constant()
+    }
+
+    fn temperature_limit(&self) -> f64 {
+        self.law.temperature_limit()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::constant::Constant;
+    use super::super::temperature_linear::TemperatureLinear;
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn across(y: &[f64], factor: &[f64]) -> Result<Across, Error> {
+        Across::new(Arc::new(Constant::new(0.4).unwrap()), y.to_vec(), factor.to_vec())
+    }
+
+    /// Linear interpolation by hand, constant beyond the ends.
+    #[test]
+    fn the_table_is_piecewise_linear() {
+        let law = across(&[-4e-3, 0.0, 2e-3], &[0.5, 1.0, 0.8]).unwrap();
+        let at = |y| law.respond(&FrictionState { y, ..FrictionState::default() });
+        for (y, factor, slope) in [
+            (-1.0, 0.5, 0.0),
+            (-4e-3, 0.5, 125.0),
+            (-2e-3, 0.75, 125.0),
+            (0.0, 1.0, -100.0),
+            (1e-3, 0.9, -100.0),
+            (2e-3, 0.8, 0.0),
+            (1.0, 0.8, 0.0),
+        ] {
+            assert_relative_eq!(at(y).coefficient, 0.4 * factor, max_relative = 1e-14);
+            assert_relative_eq!(at(y).by_y, 0.4 * slope, max_relative = 1e-12);
+            assert_relative_eq!(at(y).by_cold_coefficient, factor, max_relative = 1e-14);
+        }
+    }
+
+    #[test]
+    fn the_law_decides_whether_friction_changes_with_temperature() {
+        assert!(across(&[-1e-3, 1e-3], &[1.2, 0.8]).unwrap().is_constant());
+        let falling = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+        let law = Across::new(falling, vec![-1e-3, 1e-3], vec![1.2, 0.8]).unwrap();
+        assert!(!law.is_constant());
+        assert_eq!(law.temperature_limit(), 700.0);
+    }
+
+    #[test]
+    fn impossible_tables_are_named() {
+        let message = |y: &[f64], factor: &[f64]| across(y, factor).unwrap_err().to_string();
+        assert!(message(&[0.0], &[1.0]).starts_with("friction.variation_factor: at least two"));
+        assert!(message(&[0.0, 1.0], &[1.0]).contains("there are 2 and 1"));
+        assert!(message(&[0.0, f64::NAN], &[1.0; 2]).contains("position 2 is NaN m"));
+        assert!(message(&[0.0, 1e-3, 1e-3], &[1.0; 3]).contains("0.001 m comes after 0.001 m"));
+        assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("that at 0.001 m is -0.1"));
+        assert!(message(&[0.0, 1e-3], &[1.0, f64::INFINITY]).contains("is inf"));
+        let centre = message(&[-1e-3, 1e-3], &[0.5, 1.0]);
+        assert!(centre.contains("must be 1 at y = 0") && centre.contains("is 0.75 there"));
+    }
+}

@@ -1,0 +1,101 @@
+//! Friction that falls both with the temperature and with the slip speed.
+
+use std::sync::Arc;
+
+use super::{FrictionLaw, FrictionResponse, FrictionState};
+use crate::error::Error;
+
+/// Both laws must have the same μ0 to this part of it.
+const ROUNDING: f64 = 1e-12;
+
+/// μ = μ_T(T) μ_s(s)/μ0: a law of the temperature times the relative fall of a law of the slip speed, both
+/// with the same μ0.
+///
+/// Limits: a floor of one law is not one of the product, as the other falls on; it stays positive where
+/// both are.
+#[derive(Debug, Clone)]
+pub struct Product {
+    coefficient: f64,
+    temperature: Arc<dyn FrictionLaw>,
+    slip_speed: Arc<dyn FrictionLaw>,
+}
+
+impl Product {
+    /// A law of the temperature and one of the slip speed.
+    pub fn new(
+        temperature: Arc<dyn FrictionLaw>,
+        slip_speed: Arc<dyn FrictionLaw>,
+    ) -> Result<Self, Error> {
+        let cold = |law: &dyn FrictionLaw| law.respond(&FrictionState::default()).coefficient;
+        let (coefficient, other) = (cold(&*temperature), cold(&*slip_speed));
+        if (coefficient - other).abs() <= ROUNDING * coefficient {
+            return Ok(Self { coefficient, temperature, slip_speed });
+        }
+        Err(Error::Contradiction {
+            quantity: "friction.coefficient",
+            reason: format!(
+                "both laws of a product must have the same μ0, but it is {coefficient} of one and \
+                 {other} of the other"
+            ),
+        })
+    }
+}
+
+impl FrictionLaw for Product {
+    fn respond(&self, state: &FrictionState) -> FrictionResponse {
+        let (a, b) = (self.temperature.respond(state), self.slip_speed.respond(state));
+        let coefficient = a.coefficient * b.coefficient / self.coefficient;
+        let rule =
+            |by_a: f64, by_b: f64| (by_a * b.coefficient + a.coefficient * by_b) / self.coefficient;
+        FrictionResponse {
+            coefficient,
+            by_temperature: rule(a.by_temperature, b.by_temperature),
+            by_slip_speed: rule(a.by_slip_speed, b.by_slip_speed),
+            by_y: rule(a.by_y, b.by_y),
+            by_cold_coefficient: rule(a.by_cold_coefficient, b.by_cold_coefficient)
+                - coefficient / self.coefficient,
+        }
+    }
+
+    fn is_constant(&self) -> bool {
+        self.temperature.is_constant() && self.slip_speed.is_constant()
+    }
+
+    fn temperature_limit(&self) -> f64 {
+        self.temperature.temperature_limit().min(self.slip_speed.temperature_limit())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::constant::Constant;
+    use super::super::polach::Polach;
+    use super::super::temperature_linear::TemperatureLinear;
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// At half T_E and far beyond 1/B both factors of Eq. (23) and of Polach 2005 are known: ½ and A.
+    #[test]
+    fn relative_falls_are_multiplied() {
+        let falling: Arc<dyn FrictionLaw> =
+            Arc::new(TemperatureLinear::new(0.55, 700.0, 0.0).unwrap());
+        let law = Product::new(falling, Arc::new(Polach::new(0.55, 0.4, 0.6).unwrap())).unwrap();
+        let at = |temperature, slip_speed| {
+            law.respond(&FrictionState { temperature, slip_speed, y: 0.0 }).coefficient
+        };
+        assert_relative_eq!(at(0.0, 0.0), 0.55, max_relative = 1e-14);
+        assert_relative_eq!(at(350.0, 0.0), 0.275, max_relative = 1e-14);
+        assert_relative_eq!(at(0.0, 1e3), 0.22, max_relative = 1e-14);
+        assert_relative_eq!(at(350.0, 1e3), 0.11, max_relative = 1e-14);
+        assert!(!law.is_constant());
+        assert_eq!(law.temperature_limit(), 700.0);
+    }
+
+    #[test]
+    fn both_laws_have_the_same_cold_coefficient() {
+        let constant = |m0| -> Arc<dyn FrictionLaw> { Arc::new(Constant::new(m0).unwrap()) };
+        assert!(Product::new(constant(0.4), constant(0.4)).unwrap().is_constant());
+        let message = Product::new(constant(0.4), constant(0.3)).unwrap_err().to_string();
+        assert!(message.contains("it is 0.4 of one and 0.3 of the other"), "{message}");
+    }
+}

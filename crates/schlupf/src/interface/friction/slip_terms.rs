@@ -1,0 +1,105 @@
+//! Two terms that fall with the slip speed, as three laws of friction have them.
+
+use super::{FrictionResponse, require_below, require_coefficient};
+use crate::error::{Error, require, require_positive};
+
+/// Sums of coefficients may exceed μ0 by this part of it: decimal numbers add up to rounding only.
+const ROUNDING: f64 = 1e-12;
+
+/// The second term of a law μ_kin + μ1 f1(s/s1) + μ2 f2(s/s2) of the slip speed s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SecondTerm {
+    /// μ2, its size without slip, dimensionless.
+    pub coefficient: f64,
+    /// s2, the slip speed at which it has halved, in m/s.
+    pub half_speed: f64,
+}
+
+/// A function of s/s_half with f(0) = 1 and f(1) = ½, and its derivative.
+pub(super) type Shape = fn(f64) -> [f64; 2];
+
+/// μ = μ_kin + μ1 f1(s/s1) + μ2 f2(s/s2), where μ1 = μ0 − μ_kin − μ2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SlipTerms {
+    coefficient: f64,
+    kinetic_coefficient: f64,
+    half_speed: f64,
+    second: SecondTerm,
+}
+
+impl SlipTerms {
+    /// μ0 and μ_kin, dimensionless; s1, in m/s. Friction cannot become negative: μ_kin ≥ 0, and both
+    /// terms are at least zero.
+    pub fn new(
+        coefficient: f64,
+        kinetic_coefficient: f64,
+        half_speed: f64,
+        second: Option<SecondTerm>,
+    ) -> Result<Self, Error> {
+        require_coefficient(coefficient)?;
+        require_below("friction.kinetic_coefficient", kinetic_coefficient, coefficient)?;
+        require_positive("friction.half_speed", half_speed, "m/s")?;
+        let second = second.unwrap_or(SecondTerm { coefficient: 0.0, half_speed });
+        let left = coefficient - kinetic_coefficient;
+        require(
+            (0.0..=left + ROUNDING * coefficient).contains(&second.coefficient),
+            "friction.second_coefficient",
+            &format!(
+                "between 0 and friction.coefficient - friction.kinetic_coefficient = \
+                 {coefficient} - {kinetic_coefficient}"
+            ),
+            second.coefficient,
+            "",
+        )?;
+        require_positive("friction.second_half_speed", second.half_speed, "m/s")?;
+        Ok(Self { coefficient, kinetic_coefficient, half_speed, second })
+    }
+
+    /// The law at a slip speed, in m/s, with the shapes of both terms.
+    pub fn respond(&self, slip_speed: f64, shapes: [Shape; 2]) -> FrictionResponse {
+        let second = self.second.coefficient;
+        let first = (self.coefficient - self.kinetic_coefficient - second).max(0.0);
+        let [shape, slope] = shapes[0](slip_speed / self.half_speed);
+        let [second_shape, second_slope] = shapes[1](slip_speed / self.second.half_speed);
+        FrictionResponse {
+            coefficient: self.kinetic_coefficient + first * shape + second * second_shape,
+            by_slip_speed: first * slope / self.half_speed
+                + second * second_slope / self.second.half_speed,
+            by_cold_coefficient: shape,
+            ..FrictionResponse::default()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 0.5 − 0.4 is less than 0.1 in double precision.
+    #[test]
+    fn terms_may_add_up_to_the_whole() {
+        let second = Some(SecondTerm { coefficient: 0.1, half_speed: 1.0 });
+        let terms = SlipTerms::new(0.5, 0.4, 1.0, second).unwrap();
+        let gone: Shape = |_| [0.0, 0.0];
+        assert_eq!(terms.respond(1.0, [gone; 2]).coefficient, 0.4);
+    }
+
+    #[test]
+    fn impossible_constants_are_named() {
+        let message = |m0, kinetic, speed, second: Option<[f64; 2]>| {
+            let second =
+                second.map(|[coefficient, half_speed]| SecondTerm { coefficient, half_speed });
+            SlipTerms::new(m0, kinetic, speed, second).unwrap_err().to_string()
+        };
+        assert!(message(0.0, 0.0, 1.0, None).starts_with("friction.coefficient"));
+        assert!(message(0.4, -0.1, 1.0, None).contains("between 0 and friction.coefficient = 0.4"));
+        assert!(message(0.4, 0.5, 1.0, None).starts_with("friction.kinetic_coefficient"));
+        assert!(message(0.4, 0.2, 0.0, None).starts_with("friction.half_speed"));
+        assert!(message(0.4, 0.2, f64::NAN, None).contains("NaN m/s"));
+        let second = message(0.4, 0.3, 1.0, Some([0.2, 1.0]));
+        assert!(second.starts_with("friction.second_coefficient") && second.contains("0.4 - 0.3"));
+        assert!(message(0.4, 0.3, 1.0, Some([-0.1, 1.0])).contains("but is -0.1"));
+        let message = message(0.4, 0.3, 1.0, Some([0.1, -1.0]));
+        assert!(message.starts_with("friction.second_half_speed"));
+    }
+}

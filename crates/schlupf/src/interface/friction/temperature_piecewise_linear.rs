@@ -1,0 +1,84 @@
+//! Friction that falls linearly between two temperatures.
+
+use super::{FrictionLaw, FrictionResponse, FrictionState, require_below, require_coefficient};
+use crate::error::{Error, require_positive};
+
+/// μ = μ0 up to the reference temperature, linear from there to μ_hot at ΔT above it, and μ_hot beyond.
+///
+/// Source: Vollebregt, User guide for CONTACT, "Temperature dependent friction", L = 6, with T_ref the
+/// reference temperature. Limits: friction does not rise with the temperature here.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TemperaturePiecewiseLinear {
+    coefficient: f64,
+    hot_coefficient: f64,
+    temperature_range: f64,
+}
+
+impl TemperaturePiecewiseLinear {
+    /// μ0 and μ_hot (dimensionless), the latter at most the former; ΔT (in K).
+    pub fn new(
+        coefficient: f64,
+        hot_coefficient: f64,
+        temperature_range: f64,
+    ) -> Result<Self, Error> {
+        require_coefficient(coefficient)?;
+        require_below("friction.hot_coefficient", hot_coefficient, coefficient)?;
+        require_positive("friction.temperature_range", temperature_range, "K")?;
+        Ok(Self { coefficient, hot_coefficient, temperature_range })
+    }
+}
+
+impl FrictionLaw for TemperaturePiecewiseLinear {
+    fn respond(&self, state: &FrictionState) -> FrictionResponse {
+        let share = (state.temperature / self.temperature_range).clamp(0.0, 1.0);
+        let fall = self.coefficient - self.hot_coefficient;
+        let is_falling = (0.0..self.temperature_range).contains(&state.temperature);
+        FrictionResponse {
+            coefficient: (1.0 - share) * self.coefficient + share * self.hot_coefficient,
+            by_temperature: if is_falling { -fall / self.temperature_range } else { 0.0 },
+            by_cold_coefficient: 1.0 - share,
+            ..FrictionResponse::default()
+        }
+    }
+
+    fn temperature_limit(&self) -> f64 {
+        if self.hot_coefficient > 0.0 { f64::INFINITY } else { self.temperature_range }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Vollebregt, CONTACT, default constants: from 0.3 by 0.1 over 800 K.
+    #[test]
+    fn vollebregt_temperature_range() {
+        let law = TemperaturePiecewiseLinear::new(0.3, 0.2, 800.0).unwrap();
+        for (temperature, expected) in
+            [(-50.0, 0.3), (0.0, 0.3), (400.0, 0.25), (600.0, 0.225), (800.0, 0.2), (2e3, 0.2)]
+        {
+            let state = FrictionState { temperature, ..FrictionState::default() };
+            assert_relative_eq!(law.respond(&state).coefficient, expected, max_relative = 1e-14);
+        }
+    }
+
+    #[test]
+    fn it_has_a_limit_only_where_friction_vanishes() {
+        let limit =
+            |hot| TemperaturePiecewiseLinear::new(0.3, hot, 800.0).unwrap().temperature_limit();
+        assert_eq!([limit(0.0), limit(0.1)], [800.0, f64::INFINITY]);
+    }
+
+    #[test]
+    fn impossible_constants_are_named() {
+        let message = |m0, hot, range| {
+            TemperaturePiecewiseLinear::new(m0, hot, range).unwrap_err().to_string()
+        };
+        assert!(message(0.0, 0.0, 800.0).starts_with("friction.coefficient"));
+        assert!(message(0.3, -0.1, 800.0).starts_with("friction.hot_coefficient"));
+        assert!(message(0.3, 0.4, 800.0).contains("friction.coefficient = 0.3, but is 0.4"));
+        assert!(message(0.3, 0.2, -5.0).starts_with("friction.temperature_range"));
+        assert!(message(0.3, 0.2, 0.0).contains("0 K"));
+    }
+}
