@@ -105,7 +105,8 @@ impl DiscreteContact {
         ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
     }
 
-    /// Change of that share with the logarithm of the stiffness of the bristles over a cell's.
+    /// Change of that share with the logarithm of the stiffness of the bristles over a cell's,
+    /// dimensionless.
     pub fn cubic_share_by_stiffness(&self) -> f64 {
         let [all, none] = CUBIC_RANGE;
         let share = self.cubic_share();

@@ -173,7 +173,7 @@ impl SteadyState<'_> {
         strips.tangent(&nothing, b, Some(&room.bound), Some(&direct.cause), change);
     }
 
-    /// Change of the linear response at the solution with the logarithm of the stiffness of the
+    /// Change of the linear response (in m) at the solution with the logarithm of the stiffness of the
     /// bristles over a cell's, on which the interpolation at the leading edge depends; nothing where
     /// it does not.
     pub fn response_by_stiffness(&mut self) -> Option<Vec<f64>> {
