@@ -330,10 +330,10 @@ fn impossible_friction_is_named() {
             &["case.toml:3:23", "between 0 and friction.coefficient = 0.3", "0.35"],
         ),
         (
-            "[friction]\nmodel = \"temperature-piecewise-linear\"\nhot_coefficient = 0.5\n\
-             temperature_range = \"800 K\"",
-            "friction.hot_coefficient",
-            &["case.toml:3:19", "between 0 and friction.coefficient = 0.4", "0.5"],
+            "[friction]\nmodel = \"temperature-piecewise-linear\"\nhot_coefficient = 0.3\n\
+             temperature_range = \"0 K\"",
+            "friction.temperature_range",
+            &["case.toml:4:21", "0 K"],
         ),
         (
             "[friction]\nspeed_model = \"rational\"\nkinetic_coefficient = 0.5\nhalf_speed = \"1 m/s\"",

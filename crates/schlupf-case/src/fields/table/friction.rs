@@ -89,9 +89,15 @@ pub(super) const FIELDS: &[Field] = &[
         "floor of μ, before speed_model and the variation over y act",
     )
     .with(MODEL, LINEAR),
-    field("friction.hot_coefficient", Kind::Number, PART, Nothing, "μ_hot, at most μ0")
-        .example("0.2")
-        .with(MODEL, PIECEWISE),
+    field(
+        "friction.hot_coefficient",
+        Kind::Number,
+        PART,
+        Nothing,
+        "μ_hot; above μ0 where friction rises",
+    )
+    .example("0.2")
+    .with(MODEL, PIECEWISE),
     field(
         "friction.temperature_range",
         quantity(&Measure::TEMPERATURE_DIFFERENCE),
