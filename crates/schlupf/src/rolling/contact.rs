@@ -130,7 +130,7 @@ impl DiscreteContact {
     /// Traction of 1 Pa in both directions on the cell in the middle, and its number.
     fn lone_cell(&self) -> (Vec<f64>, usize) {
         let strip = &self.patch.strips[self.patch.strips.len() / 2].cells;
-        let middle = (strip.start + strip.end) / 2;
+        let middle = usize::midpoint(strip.start, strip.end);
         let mut p = vec![0.0; 2 * self.patch.len()];
         (p[2 * middle], p[2 * middle + 1]) = (1.0, 1.0);
         (p, middle)
