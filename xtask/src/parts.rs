@@ -1,4 +1,4 @@
-//! What `cargo xtask ci` consists of.
+//! The tasks, and what `cargo xtask ci` consists of.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::sources;
 
-/// One part of the checks, a command of its own.
+/// A part of the checks, or what takes too long to be one; a command of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// The formatting.
@@ -19,11 +19,18 @@ pub enum Part {
     Doc,
     /// The rules that the sources keep.
     Sources,
+    /// The tests that take long.
+    Long,
+    /// The table of work and times.
+    Bench,
 }
 
 impl Part {
-    /// All parts, in the order in which they run.
-    pub const ALL: [Self; 5] = [Self::Fmt, Self::Clippy, Self::Test, Self::Doc, Self::Sources];
+    /// The parts of the checks, in the order in which they run.
+    pub const CI: [Self; 5] = [Self::Fmt, Self::Clippy, Self::Test, Self::Doc, Self::Sources];
+
+    /// What runs only when it is asked for.
+    pub const ASIDE: [Self; 2] = [Self::Long, Self::Bench];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -33,6 +40,8 @@ impl Part {
             Self::Test => "test",
             Self::Doc => "doc",
             Self::Sources => "sources",
+            Self::Long => "long",
+            Self::Bench => "bench",
         }
     }
 
@@ -44,6 +53,8 @@ impl Part {
             Self::Test => "tests of the workspace",
             Self::Doc => "documentation of the workspace, warnings denied",
             Self::Sources => "the rules of the sources (they are tests of xtask too)",
+            Self::Long => "the tests that take long, with optimisation",
+            Self::Bench => "prints the table of work and times of docs/performance.md",
         }
     }
 
@@ -57,6 +68,8 @@ impl Part {
             Self::Test => (&["test", "--workspace"], None),
             Self::Doc => (&["doc", "--workspace", "--no-deps"], Some("-D warnings")),
             Self::Sources => (&[], None),
+            Self::Long => (&["test", "--workspace", "--release", "--", "--ignored"], None),
+            Self::Bench => (&["bench", "--package", "schlupf", "--bench", "table"], None),
         }
     }
 

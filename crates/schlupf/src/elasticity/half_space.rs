@@ -249,6 +249,11 @@ impl Convolution {
         convolution
     }
 
+    /// Columns and rows of the padded grid: the lengths of the transforms.
+    pub fn padded_size(&self) -> [usize; 2] {
+        self.size
+    }
+
     /// Transforms the influence. A_xx and A_yy are even in x and in y, A_xy is odd in both, so all
     /// three transforms are real, and two fit into one complex field.
     fn set_influence(&mut self, influence: impl Fn(isize, isize) -> [f64; 3]) {

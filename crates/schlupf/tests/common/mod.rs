@@ -23,9 +23,14 @@ pub fn rolling(creepage_x: f64, creepage_y: f64, spin: f64) -> Kinematics {
 
 /// The isotropic layer c = 1e13 N/m³, g = 3.24e7 N/m.
 pub fn layer() -> Arc<dyn Elasticity> {
+    Arc::new(elastic_layer())
+}
+
+/// The same by its own type.
+pub fn elastic_layer() -> ElasticLayer {
     let stiffness =
         LayerStiffness { bedding: 1e13, coupling_along_x: 3.24e7, coupling_along_y: 3.24e7 };
-    Arc::new(ElasticLayer::new(stiffness, stiffness, Some(15e-3)).unwrap())
+    ElasticLayer::new(stiffness, stiffness, Some(15e-3)).unwrap()
 }
 
 /// The half-space of two steel bodies.

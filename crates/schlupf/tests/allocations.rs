@@ -1,0 +1,165 @@
+//! Work that is repeated within a solution allocates nothing.
+
+mod common;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::sync::Arc;
+
+use common::{cells, half_space, layer, problem, rolling};
+use schlupf::elasticity::{Elasticity, rigid::Rigid, winkler::Winkler};
+use schlupf::grid::{Grid, VectorField};
+use schlupf::heat::constant_source::ConstantSource;
+use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
+use schlupf::interface::contact_law::TotalDisplacement;
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::kinematics::Kinematics;
+use schlupf::rolling::marching::march;
+use schlupf::rolling::steady::SteadySolver;
+use schlupf::{Options, Problem};
+
+/// The system's allocator, counting what each thread asks of it: tests run side by side.
+struct Counting;
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+fn count() {
+    COUNT.with(|count| count.set(count.get() + 1));
+}
+
+// SAFETY: whatever is asked for goes to the system's allocator unchanged. The counter has neither an
+// initialiser nor a destructor that could allocate.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Allocations so far, in this thread.
+fn allocations() -> usize {
+    COUNT.with(Cell::get)
+}
+
+/// Sticking in front and sliding behind, with spin.
+fn rolling_at(creepage_x: f64) -> Kinematics {
+    rolling(creepage_x, 0.001, 0.2)
+}
+
+/// Both elasticities of which products take long, with and without heat, and both contact laws.
+fn problems() -> Vec<Problem> {
+    let layer = problem(rolling_at(0.002));
+    let half_space = Problem { elasticity: half_space(), ..layer.clone() };
+    let mut hot = half_space.clone();
+    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    // The paper's models.
+    let mut paper = Problem { elasticity: Arc::clone(&layer.elasticity), ..hot.clone() };
+    paper.heat.model = Some(Arc::new(ConstantSource));
+    paper.contact_law = Arc::new(TotalDisplacement::new(5e6).unwrap());
+    vec![layer, half_space, hot, paper]
+}
+
+/// A product is the innermost work of all.
+#[test]
+fn a_product_allocates_nothing() {
+    let elasticities: [Arc<dyn Elasticity>; 4] =
+        [layer(), half_space(), Arc::new(Winkler::new(2e13, 2e13).unwrap()), Arc::new(Rigid)];
+    let normal = problem(rolling_at(0.0)).normal.normal_contact(None).unwrap();
+    for elasticity in elasticities {
+        for cells_across in [7, 20, 24, 53] {
+            let grid = Grid::across(&normal.extent(), cells_across, cells_across);
+            let mut compliance = elasticity.compliance(&grid).unwrap();
+            let traction = VectorField { x: vec![1.0; grid.len()], y: vec![2.0; grid.len()] };
+            let mut displacement = VectorField::zeros(grid.len());
+            let before = allocations();
+            compliance.displacement(&traction, &mut displacement);
+            assert_eq!(allocations(), before, "{elasticity:?} {cells_across}");
+        }
+    }
+}
+
+/// Least allocations of a solution among neighbouring ones, and the mean number of products.
+///
+/// Solutions before have made room. A larger Krylov space than ever before still allocates, so the
+/// least of several counts.
+fn in_a_warm_solution(base: &Problem, options: &Options) -> (usize, f64) {
+    const POINTS: [f64; 3] = [0.002, 0.0025, 0.0022];
+    let mut solver = SteadySolver::new(options);
+    let mut solve = |creepage_x: f64| {
+        let problem = Problem { kinematics: rolling_at(creepage_x), ..base.clone() };
+        let before = allocations();
+        let solution = solver.solve(&problem, &mut |_| ()).unwrap();
+        assert_eq!(solution.work.steps, 0, "marched");
+        (allocations() - before, solution.work.operator_products)
+    };
+    for creepage_x in POINTS {
+        solve(creepage_x);
+    }
+    let counts: Vec<_> = POINTS.into_iter().cycle().take(6).map(solve).collect();
+    let products: f64 = counts.iter().map(|(_, products)| products).sum();
+    (counts.iter().map(|(count, _)| *count).min().unwrap(), products / counts.len() as f64)
+}
+
+/// The steady driver: Newton steps, line searches, Krylov vectors, products and preconditioning on
+/// all grids allocate nothing, so that a tolerance that asks for more of them does not either.
+#[test]
+fn more_steady_iterations_allocate_no_more() {
+    for base in problems() {
+        for cells_across in [20, 36] {
+            let at = |tolerance| {
+                in_a_warm_solution(&base, &Options { tolerance, ..cells(cells_across) })
+            };
+            let ((coarse, few), (fine, many)) = (at(1e-4), at(1e-9));
+            assert!(many > 1.5 * few, "{many} {few}");
+            assert_eq!(coarse, fine, "{:?}, {few:.0} and {many:.0} products", base.elasticity);
+        }
+    }
+}
+
+/// Least allocations of a time step in the second passage of the material, when the first has made
+/// room, and the Newton steps of all of those.
+fn in_a_time_step(problem: &Problem, options: &Options) -> (usize, usize) {
+    let passage = options.cells_x..2 * options.cells_x;
+    let mut counts = Vec::with_capacity(options.max_steps);
+    let mut before = allocations();
+    let solution = march(problem, options, &mut |_| {
+        let now = allocations();
+        counts.push(now - before);
+        before = now;
+    });
+    let history = solution.unwrap().history;
+    let steps = history[passage.clone()].iter().map(|instant| instant.newton_iterations);
+    (*counts[passage].iter().min().unwrap(), steps.sum())
+}
+
+/// Marching: a time step allocates for what it carries over, but nothing in its iterations.
+#[test]
+fn more_iterations_of_a_time_step_allocate_no_more() {
+    for base in problems() {
+        let at =
+            |tolerance| in_a_time_step(&base, &Options { tolerance, max_steps: 40, ..cells(16) });
+        let ((coarse, few), (fine, many)) = (at(1e-4), at(1e-9));
+        assert!(many > few + few / 4, "{many} {few}");
+        assert_eq!(coarse, fine, "{:?}, {few} and {many} Newton steps", base.elasticity);
+    }
+}
