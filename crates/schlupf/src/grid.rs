@@ -112,6 +112,12 @@ impl VectorField {
     pub fn zeros(len: usize) -> Self {
         Self { x: vec![0.0; len], y: vec![0.0; len] }
     }
+
+    /// Makes every vector zero.
+    pub fn clear(&mut self) {
+        self.x.fill(0.0);
+        self.y.fill(0.0);
+    }
 }
 
 #[cfg(test)]

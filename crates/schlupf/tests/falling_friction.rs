@@ -18,7 +18,7 @@ use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::slip_terms::SecondTerm;
+use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::hertz::{Hertz, Radii};
@@ -57,7 +57,7 @@ fn sliding_rigid_bodies_have_the_friction_of_their_slip_speed() {
     let mut sliding = problem(rolling(0.02, 0.0, 0.0));
     sliding.elasticity = Arc::new(Rigid);
     sliding.contact_law = Arc::new(Incremental::new(1e9).unwrap());
-    sliding.friction.law = Arc::new(Exponential::new(0.4, 0.2, 0.3, second).unwrap());
+    sliding.friction.law = Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.3, second).unwrap()));
     let solution = at_once(&sliding, &cells(16));
     assert_relative_eq!(solution.traction_coefficient, 0.2 + 0.03 + 0.04, max_relative = 1e-9);
 }
@@ -81,7 +81,7 @@ fn hertz_1882_moment_of_friction_that_varies_across() {
 /// Steady and marched solve the same discrete equations.
 #[test]
 fn the_steady_state_is_the_end_of_marching() {
-    let exponential = Exponential::new(0.4, 0.2, 0.5, None).unwrap();
+    let exponential = Exponential(SlipTerms::new(0.4, 0.2, 0.5, None).unwrap());
     for law in [Arc::new(exponential) as Law, all_at_once(0.4)] {
         for creepage in [0.002, 0.02] {
             let warm = warm(Arc::clone(&law), creepage);

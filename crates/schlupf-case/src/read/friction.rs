@@ -10,7 +10,7 @@ use schlupf::interface::friction::linear::Linear;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::rational::Rational;
-use schlupf::interface::friction::slip_terms::SecondTerm;
+use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
@@ -79,15 +79,12 @@ fn terms(settings: &Settings, name: &str, coefficient: f64) -> Result<Law, CaseE
         }
         None => None,
     };
-    let explain = |error| settings.explain(&error);
+    let terms = SlipTerms::new(coefficient, kinetic, half_speed, second)
+        .map_err(|error| settings.explain(&error))?;
     Ok(match name {
-        "rational" => {
-            Arc::new(Rational::new(coefficient, kinetic, half_speed, second).map_err(explain)?)
-        }
-        "linear-in-speed" => {
-            Arc::new(Linear::new(coefficient, kinetic, half_speed, second).map_err(explain)?)
-        }
-        _ => Arc::new(Exponential::new(coefficient, kinetic, half_speed, second).map_err(explain)?),
+        "rational" => Arc::new(Rational(terms)),
+        "linear-in-speed" => Arc::new(Linear(terms)),
+        _ => Arc::new(Exponential(terms)),
     })
 }
 

@@ -16,8 +16,7 @@ impl Elasticity for Rigid {
 
 impl Compliance for Rigid {
     fn displacement(&mut self, _traction: &VectorField, displacement: &mut VectorField) {
-        displacement.x.fill(0.0);
-        displacement.y.fill(0.0);
+        displacement.clear();
     }
 
     fn displacement_by_size(
@@ -25,8 +24,7 @@ impl Compliance for Rigid {
         _traction: &VectorField,
         displacement: &mut VectorField,
     ) -> bool {
-        displacement.x.fill(0.0);
-        displacement.y.fill(0.0);
+        displacement.clear();
         true
     }
 

@@ -42,8 +42,7 @@ impl Compliance for Winkler {
         _traction: &VectorField,
         displacement: &mut VectorField,
     ) -> bool {
-        displacement.x.fill(0.0);
-        displacement.y.fill(0.0);
+        displacement.clear();
         true
     }
 

@@ -126,8 +126,7 @@ impl Interpolation {
 
     /// The transpose of [`Self::gather_means`]; overwrites the field.
     pub fn spread(&self, values: &[f64], field: &mut VectorField) {
-        field.x.fill(0.0);
-        field.y.fill(0.0);
+        field.clear();
         for (k, &index) in self.index.iter().enumerate() {
             field.x[index] = values[2 * k];
             field.y[index] = values[2 * k + 1];

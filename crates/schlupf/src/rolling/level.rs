@@ -21,8 +21,8 @@ pub(super) struct Level {
     pub traction: Vec<f64>,
     /// The same of the points before, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
-    /// What of the solution goes beyond the first guess, in Pa.
-    pub news: Vec<f64>,
+    /// Its first guess from those before alone, in Pa.
+    pub foreseen: Vec<f64>,
     pub room: Room,
 }
 
@@ -78,7 +78,7 @@ impl Level {
             transfer: None,
             traction: zeros(),
             earlier: [zeros(), zeros()],
-            news: zeros(),
+            foreseen: zeros(),
             room: Room {
                 at_entry: zeros(),
                 flux: vec![0.0; contact.patch.len()],

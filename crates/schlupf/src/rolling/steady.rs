@@ -246,12 +246,15 @@ impl Setup {
             }
         }
         level.clip();
-        level.news.copy_from_slice(&level.traction);
+        level.foreseen.copy_from_slice(&level.traction);
         if let (Some(transfer), Some(next)) = (&level.transfer, coarser.first_mut()) {
-            for (news, found) in next.news.iter_mut().zip(&next.traction) {
-                *news = found - *news;
+            let news = &mut next.room.right;
+            for (news, (found, foreseen)) in
+                news.iter_mut().zip(next.traction.iter().zip(&next.foreseen))
+            {
+                *news = found - foreseen;
             }
-            transfer.add_prolonged(&next.news, &mut level.traction);
+            transfer.add_prolonged(news, &mut level.traction);
             level.clip();
         }
     }

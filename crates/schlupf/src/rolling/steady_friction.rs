@@ -205,20 +205,10 @@ impl SteadyFriction {
         raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))
     }
 
-    /// Change of μ pₙ in every cell (in Pa) with that of the traction and of the slip (in m/s).
-    /// `flux` is room for the changes of the heat flux.
+    /// Change of μ pₙ in every cell (in Pa) with that of the traction and of the slip (in m/s), and
+    /// of the rise times effusivity (in W √s/m²) besides. `flux` is room for the changes of the heat
+    /// flux.
     pub fn bound_changes(
-        &self,
-        traction: &[f64],
-        slip: impl Fn(usize) -> [f64; 2],
-        flux: &mut [f64],
-        bound: &mut [f64],
-    ) {
-        self.bound_changes_at(traction, slip, |_| 0.0, flux, bound);
-    }
-
-    /// The same, where the rise times effusivity (in W √s/m²) of each cell changes besides.
-    pub fn bound_changes_at(
         &self,
         traction: &[f64],
         slip: impl Fn(usize) -> [f64; 2],

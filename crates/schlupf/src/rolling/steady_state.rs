@@ -84,7 +84,7 @@ impl Equilibrium for SteadyState<'_> {
         }
         let passing = &response[v.len()..];
         let slip = |k: usize| friction.slip_change(passing, k);
-        friction.bound_changes(v, slip, &mut room.flux, &mut room.bound);
+        friction.bound_changes(v, slip, |_| 0.0, &mut room.flux, &mut room.bound);
         strips.tangent(v, response, Some(&room.bound), None, product);
     }
 
@@ -151,23 +151,23 @@ impl SteadyState<'_> {
         response.resize(self.response_size(), 0.0);
         let Level { strips, friction, room, .. } = &mut self.levels[0];
         let nothing = vec![0.0; size];
-        room.bound.copy_from_slice(&direct.bound);
+        room.bound.fill(0.0);
         if is_coupled {
             let passing = &response[size..];
             let slip = |k: usize| {
                 let elastic = friction.slip_change(passing, k);
                 [0, 1].map(|c| direct.slip[k][c] + elastic[c])
             };
-            friction.bound_changes_at(
+            friction.bound_changes(
                 &nothing,
                 slip,
                 |k| direct.rise[k],
                 &mut room.flux,
                 &mut room.bound,
             );
-            for (bound, direct) in room.bound.iter_mut().zip(&direct.bound) {
-                *bound += direct;
-            }
+        }
+        for (bound, direct) in room.bound.iter_mut().zip(&direct.bound) {
+            *bound += direct;
         }
         let b = &response[..size];
         strips.tangent(&nothing, b, Some(&room.bound), Some(&direct.cause), change);

@@ -1,8 +1,7 @@
 //! Friction that falls exponentially with the slip speed.
 
-use super::slip_terms::{SecondTerm, SlipTerms};
+use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
 
 /// μ = μ_kin + μ1 2^(−s/s1) + μ2 2^(−s/s2), s the slip speed, μ1 = μ0 − μ_kin − μ2; each term halves
 /// with every further s1 or s2.
@@ -11,26 +10,11 @@ use crate::error::Error;
 /// it is the law of [`super::polach`]. Limits: μ follows the slip speed at once, so that it jumps
 /// where sliding begins; of the two terms each falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Exponential {
-    terms: SlipTerms,
-}
-
-impl Exponential {
-    /// μ0 and μ_kin, dimensionless, at most μ0; s1, in m/s; the second term, if any.
-    pub fn new(
-        coefficient: f64,
-        kinetic_coefficient: f64,
-        half_speed: f64,
-        second: Option<SecondTerm>,
-    ) -> Result<Self, Error> {
-        let terms = SlipTerms::new(coefficient, kinetic_coefficient, half_speed, second)?;
-        Ok(Self { terms })
-    }
-}
+pub struct Exponential(pub SlipTerms);
 
 impl FrictionLaw for Exponential {
     fn respond(&self, state: &FrictionState) -> FrictionResponse {
-        self.terms.respond(state.slip_speed, [halving; 2])
+        self.0.respond(state.slip_speed, [halving; 2])
     }
 }
 
@@ -43,6 +27,7 @@ fn halving(x: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interface::friction::slip_terms::SecondTerm;
     use approx::assert_relative_eq;
 
     fn at(law: &Exponential, slip_speed: f64) -> f64 {
@@ -52,12 +37,12 @@ mod tests {
     /// Vollebregt, User guide for CONTACT, figure of the laws: μ_kin = μ1 = 0.15, half at 3 m/s.
     #[test]
     fn vollebregt_half_speeds() {
-        let law = Exponential::new(0.3, 0.15, 3.0, None).unwrap();
+        let law = Exponential(SlipTerms::new(0.3, 0.15, 3.0, None).unwrap());
         for (speed, expected) in [(0.0, 0.3), (3.0, 0.225), (6.0, 0.1875), (1e4, 0.15)] {
             assert_relative_eq!(at(&law, speed), expected, max_relative = 1e-14);
         }
         let second = Some(SecondTerm { coefficient: 0.05, half_speed: 0.5 });
-        let law = Exponential::new(0.3, 0.15, 3.0, second).unwrap();
+        let law = Exponential(SlipTerms::new(0.3, 0.15, 3.0, second).unwrap());
         assert_relative_eq!(at(&law, 0.0), 0.3, max_relative = 1e-14);
         assert_relative_eq!(at(&law, 3.0), 0.15 + 0.1 / 2.0 + 0.05 / 64.0, max_relative = 1e-14);
     }

@@ -1,8 +1,7 @@
 //! Friction that falls linearly with the slip speed, to a floor.
 
-use super::slip_terms::{SecondTerm, SlipTerms};
+use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
 
 /// μ = μ_kin + μ1 max(0, 1 − s/2s1) + μ2 max(0, 1 − s/2s2), s the slip speed, μ1 = μ0 − μ_kin − μ2; the
 /// terms have halved at s1 and s2 and vanish at twice these speeds, where μ_kin is left.
@@ -10,26 +9,11 @@ use crate::error::Error;
 /// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 2. Limits: μ follows
 /// the slip speed at once, so that it jumps where sliding begins; of the two terms each falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Linear {
-    terms: SlipTerms,
-}
-
-impl Linear {
-    /// μ0 and μ_kin, dimensionless, at most μ0; s1, in m/s; the second term, if any.
-    pub fn new(
-        coefficient: f64,
-        kinetic_coefficient: f64,
-        half_speed: f64,
-        second: Option<SecondTerm>,
-    ) -> Result<Self, Error> {
-        let terms = SlipTerms::new(coefficient, kinetic_coefficient, half_speed, second)?;
-        Ok(Self { terms })
-    }
-}
+pub struct Linear(pub SlipTerms);
 
 impl FrictionLaw for Linear {
     fn respond(&self, state: &FrictionState) -> FrictionResponse {
-        self.terms.respond(state.slip_speed, [ramp; 2])
+        self.0.respond(state.slip_speed, [ramp; 2])
     }
 }
 
@@ -41,6 +25,7 @@ fn ramp(x: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interface::friction::slip_terms::SecondTerm;
     use approx::assert_relative_eq;
 
     fn at(law: &Linear, slip_speed: f64) -> f64 {
@@ -50,14 +35,14 @@ mod tests {
     /// Vollebregt, User guide for CONTACT, figure of the laws: μ_kin = μ1 = 0.15, half at 3 m/s.
     #[test]
     fn vollebregt_half_speeds() {
-        let law = Linear::new(0.3, 0.15, 3.0, None).unwrap();
+        let law = Linear(SlipTerms::new(0.3, 0.15, 3.0, None).unwrap());
         for (speed, expected) in
             [(0.0, 0.3), (1.5, 0.2625), (3.0, 0.225), (6.0, 0.15), (99.0, 0.15)]
         {
             assert_relative_eq!(at(&law, speed), expected, max_relative = 1e-14);
         }
         let second = Some(SecondTerm { coefficient: 0.1, half_speed: 0.5 });
-        let law = Linear::new(0.3, 0.15, 3.0, second).unwrap();
+        let law = Linear(SlipTerms::new(0.3, 0.15, 3.0, second).unwrap());
         assert_relative_eq!(at(&law, 0.5), 0.15 + 0.05 * 11.0 / 12.0 + 0.05, max_relative = 1e-14);
         assert_relative_eq!(at(&law, 3.0), 0.175, max_relative = 1e-14);
     }
@@ -65,7 +50,7 @@ mod tests {
     /// Without a floor of its own the law ends at zero, not below.
     #[test]
     fn friction_without_a_floor_vanishes_and_is_never_negative() {
-        let law = Linear::new(0.3, 0.0, 1.0, None).unwrap();
+        let law = Linear(SlipTerms::new(0.3, 0.0, 1.0, None).unwrap());
         assert_eq!([at(&law, 2.0), at(&law, 50.0)], [0.0, 0.0]);
     }
 }

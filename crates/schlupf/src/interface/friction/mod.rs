@@ -125,7 +125,7 @@ mod tests {
     use super::polach::Polach;
     use super::product::Product;
     use super::rational::Rational;
-    use super::slip_terms::SecondTerm;
+    use super::slip_terms::{SecondTerm, SlipTerms};
     use super::temperature_linear::TemperatureLinear;
     use super::temperature_piecewise_linear::TemperaturePiecewiseLinear;
     use super::*;
@@ -135,13 +135,14 @@ mod tests {
     /// One law of each kind, all with this μ0.
     fn laws(coefficient: f64) -> Vec<Law> {
         let second = Some(SecondTerm { coefficient: 0.05, half_speed: 0.4 });
+        let terms = SlipTerms::new(coefficient, 0.1, 2.0, second).unwrap();
         let mut laws: Vec<Law> = vec![
             Arc::new(Constant::new(coefficient).unwrap()),
             Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.1).unwrap()),
             Arc::new(TemperaturePiecewiseLinear::new(coefficient, 0.2, 500.0).unwrap()),
-            Arc::new(Exponential::new(coefficient, 0.1, 2.0, second).unwrap()),
-            Arc::new(Rational::new(coefficient, 0.1, 2.0, second).unwrap()),
-            Arc::new(Linear::new(coefficient, 0.1, 2.0, second).unwrap()),
+            Arc::new(Exponential(terms)),
+            Arc::new(Rational(terms)),
+            Arc::new(Linear(terms)),
             Arc::new(Polach::new(coefficient, 0.4, 0.6).unwrap()),
         ];
         for k in [1, 2] {

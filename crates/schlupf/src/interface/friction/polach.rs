@@ -50,6 +50,7 @@ impl FrictionLaw for Polach {
 mod tests {
     use super::super::exponential::Exponential;
     use super::*;
+    use crate::interface::friction::slip_terms::SlipTerms;
     use approx::assert_relative_eq;
 
     fn at(law: &dyn FrictionLaw, slip_speed: f64) -> f64 {
@@ -74,7 +75,7 @@ mod tests {
     #[test]
     fn vollebregt_polach_is_exponential() {
         let (polach, half_speed) = (Polach::new(0.55, 0.4, 0.6).unwrap(), 2.0_f64.ln() / 0.6);
-        let exponential = Exponential::new(0.55, 0.22, half_speed, None).unwrap();
+        let exponential = Exponential(SlipTerms::new(0.55, 0.22, half_speed, None).unwrap());
         for speed in [0.0, 0.1, 1.0, 10.0] {
             assert_relative_eq!(at(&polach, speed), at(&exponential, speed), max_relative = 1e-14);
         }

@@ -1,8 +1,7 @@
 //! Friction that falls as a rational function of the slip speed.
 
-use super::slip_terms::{SecondTerm, SlipTerms};
+use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
 
 /// μ = μ_kin + μ1/(1 + s/s1) + μ2/(1 + (s/s2)²), s the slip speed, μ1 = μ0 − μ_kin − μ2; the terms have
 /// halved at s1 and s2.
@@ -11,26 +10,11 @@ use crate::error::Error;
 /// falls from the start on and slowly at large speeds, the second begins level. Limits: μ follows the
 /// slip speed at once, so that it jumps where sliding begins; of the two terms each falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rational {
-    terms: SlipTerms,
-}
-
-impl Rational {
-    /// μ0 and μ_kin, dimensionless, at most μ0; s1, in m/s; the second term, if any.
-    pub fn new(
-        coefficient: f64,
-        kinetic_coefficient: f64,
-        half_speed: f64,
-        second: Option<SecondTerm>,
-    ) -> Result<Self, Error> {
-        let terms = SlipTerms::new(coefficient, kinetic_coefficient, half_speed, second)?;
-        Ok(Self { terms })
-    }
-}
+pub struct Rational(pub SlipTerms);
 
 impl FrictionLaw for Rational {
     fn respond(&self, state: &FrictionState) -> FrictionResponse {
-        self.terms.respond(state.slip_speed, [hyperbola, bell])
+        self.0.respond(state.slip_speed, [hyperbola, bell])
     }
 }
 
@@ -49,6 +33,7 @@ fn bell(x: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interface::friction::slip_terms::SecondTerm;
     use approx::assert_relative_eq;
 
     fn at(law: &Rational, slip_speed: f64) -> f64 {
@@ -59,12 +44,12 @@ mod tests {
     /// 3 m/s; three times as fast it is a quarter, and a tenth of the second kind.
     #[test]
     fn vollebregt_half_speeds() {
-        let law = Rational::new(0.3, 0.15, 3.0, None).unwrap();
+        let law = Rational(SlipTerms::new(0.3, 0.15, 3.0, None).unwrap());
         for (speed, expected) in [(0.0, 0.3), (3.0, 0.225), (9.0, 0.1875), (1e15, 0.15)] {
             assert_relative_eq!(at(&law, speed), expected, max_relative = 1e-14);
         }
         let second = Some(SecondTerm { coefficient: 0.15, half_speed: 3.0 });
-        let law = Rational::new(0.3, 0.15, 1.0, second).unwrap();
+        let law = Rational(SlipTerms::new(0.3, 0.15, 1.0, second).unwrap());
         for (speed, expected) in [(0.0, 0.3), (3.0, 0.225), (9.0, 0.165), (1e15, 0.15)] {
             assert_relative_eq!(at(&law, speed), expected, max_relative = 1e-14);
         }

@@ -18,9 +18,9 @@ pub struct SecondTerm {
 /// A function of s/s_half with f(0) = 1 and f(1) = ½, and its derivative.
 pub(super) type Shape = fn(f64) -> [f64; 2];
 
-/// μ = μ_kin + μ1 f1(s/s1) + μ2 f2(s/s2), where μ1 = μ0 − μ_kin − μ2.
+/// The constants of a law μ = μ_kin + μ1 f1(s/s1) + μ2 f2(s/s2), where μ1 = μ0 − μ_kin − μ2.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct SlipTerms {
+pub struct SlipTerms {
     coefficient: f64,
     kinetic_coefficient: f64,
     half_speed: f64,
@@ -28,7 +28,7 @@ pub(super) struct SlipTerms {
 }
 
 impl SlipTerms {
-    /// μ0 and μ_kin, dimensionless; s1, in m/s. Friction cannot become negative: μ_kin ≥ 0, and both
+    /// μ0 and μ_kin, dimensionless; s1, in m/s; the second term, if any. Friction cannot become negative: μ_kin ≥ 0, and both
     /// terms are at least zero.
     pub fn new(
         coefficient: f64,
@@ -56,7 +56,7 @@ impl SlipTerms {
     }
 
     /// The law at a slip speed, in m/s, with the shapes of both terms.
-    pub fn respond(&self, slip_speed: f64, shapes: [Shape; 2]) -> FrictionResponse {
+    pub(super) fn respond(&self, slip_speed: f64, shapes: [Shape; 2]) -> FrictionResponse {
         let second = self.second.coefficient;
         let first = (self.coefficient - self.kinetic_coefficient - second).max(0.0);
         let [shape, slope] = shapes[0](slip_speed / self.half_speed);
