@@ -41,6 +41,12 @@ pub trait Compliance: Debug + Send {
     /// Whether a loaded cell moves its neighbours. If not, nothing moves ahead of the leading edge.
     fn couples_cells(&self) -> bool;
 
+    /// Whether the displacement falls exponentially with the distance from a loaded cell. Then a
+    /// grid of a few cells still tells how the whole patch gives way.
+    fn is_short_ranged(&self) -> bool {
+        false
+    }
+
     /// Largest displacement at the outer edge of the modelled surface over the largest one
     /// anywhere, dimensionless; zero where the model has no outer edge.
     fn edge_displacement(&mut self, _traction: &VectorField) -> f64 {

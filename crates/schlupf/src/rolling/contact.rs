@@ -211,6 +211,11 @@ impl DiscreteContact {
         estimates
     }
 
+    /// Whether displacements fade within the patch.
+    pub fn is_short_ranged(&self) -> bool {
+        self.compliance.is_short_ranged()
+    }
+
     /// Traction over displacement of a cell in the middle under its own traction, in Pa/m.
     pub fn cell_stiffness(&self) -> f64 {
         self.cell_stiffness
