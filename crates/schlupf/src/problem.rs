@@ -8,6 +8,7 @@ use crate::heat::Heat;
 use crate::heat::partition::Conduction;
 use crate::history::History;
 use crate::interface::contact_law::ContactLaw;
+use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
 use crate::material::Body;
@@ -57,6 +58,16 @@ impl Problem {
         let temperature = conduction.contact_temperature(rise_times_effusivity)
             - self.friction.reference_temperature;
         self.friction.law.respond(&FrictionState { temperature, slip_speed, y })
+    }
+
+    /// Friction of material at y (in m) when it enters the contact.
+    pub fn entry_friction(&self, conduction: &Conduction, y: f64) -> FrictionResponse {
+        self.friction_response(conduction, 0.0, 0.0, y)
+    }
+
+    /// How friction lags behind its law, if it depends on anything that changes on the way.
+    pub fn friction_memory(&self) -> Option<FrictionMemory> {
+        self.friction.memory.filter(|_| !self.friction.law.is_constant())
     }
 
     /// Checks whatever can be checked before the patch is known.

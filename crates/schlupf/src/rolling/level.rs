@@ -107,9 +107,9 @@ impl Level {
 
     /// μ pₙ with the friction of the last evaluation.
     pub fn take_bound(&mut self) {
-        let cells = self.contact.patch.cells.iter().zip(&self.friction.response);
-        for (bound, (cell, response)) in self.strips.bound.iter_mut().zip(cells) {
-            *bound = response.coefficient * cell.pressure;
+        let cells = self.contact.patch.cells.iter().zip(&self.friction.lag.coefficient);
+        for (bound, (cell, coefficient)) in self.strips.bound.iter_mut().zip(cells) {
+            *bound = coefficient * cell.pressure;
         }
     }
 

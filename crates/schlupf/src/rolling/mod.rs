@@ -4,6 +4,7 @@ mod arrival;
 mod cell;
 mod contact;
 mod friction_heat;
+mod lag;
 mod level;
 pub mod marching;
 mod sensitivity;

@@ -91,7 +91,7 @@ fn pressed_together(problem: &Problem, patch: &Patch) -> Snapshot {
     let at_rest = Kinematics { speed: 0.0, ..problem.kinematics };
     let mut now = Snapshot::blank(at_rest, conduction, patch.len());
     for (friction, cell) in now.friction.iter_mut().zip(&patch.cells) {
-        *friction = problem.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
+        *friction = problem.entry_friction(&conduction, cell.y).coefficient;
     }
     now
 }

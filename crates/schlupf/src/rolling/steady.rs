@@ -311,11 +311,12 @@ impl Setup {
         now.slip.copy_from_slice(&friction.slip);
         now.friction_power.copy_from_slice(&friction.power);
         now.rise.copy_from_slice(&friction.rise);
-        now.friction = friction.response.iter().map(|response| response.coefficient).collect();
+        now.friction.copy_from_slice(&friction.lag.coefficient);
         let mut elements = strips.elements(&contact.patch, traction, response);
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = friction.slip[k][0].hypot(friction.slip[k][1]);
             element.rise = friction.rise[k];
+            element.friction_on_leaving = friction.lag.on_leaving(k);
             if problem.heat.model.is_some() {
                 element.heat = friction.record_on_leaving(k);
             }
