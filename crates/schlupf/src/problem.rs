@@ -98,11 +98,22 @@ pub enum Driver {
     Marching,
 }
 
+/// Which of several steady states is looked for, where falling friction makes several.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branch {
+    /// The one that is reached when the creepages grow from zero.
+    LowSlip,
+    /// The one that is reached when larger creepages fall.
+    HighSlip,
+}
+
 /// How a problem is solved. No choice here changes the physics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Which driver; `None` is steady, or marching where there is a history or an initial state.
     pub driver: Option<Driver>,
+    /// Which steady state, where there are several; in the steady driver only.
+    pub branch: Branch,
     /// Cells along rolling across the patch.
     pub cells_x: usize,
     /// Cells across rolling over the patch.
@@ -126,6 +137,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             driver: None,
+            branch: Branch::LowSlip,
             cells_x: 24,
             cells_y: 24,
             tolerance: 1e-6,

@@ -79,6 +79,7 @@ impl Alternatives {
 const COMPANIONS: &[(&str, &str)] = &[
     ("kinematics.wheel_radius", "kinematics.angular_velocity"),
     ("friction.second_half_speed", "friction.second_coefficient"),
+    ("friction.memory_speed", "friction.memory_distance"),
 ];
 
 /// The field without which this one does not count.

@@ -476,6 +476,16 @@ const SOLVER: &[Field] = &[
     )
     .example("steady"),
     field(
+        "solver.branch",
+        Kind::Choice(&[
+            choice("low-slip", "the state that is reached when the creepages grow from zero"),
+            choice("high-slip", "the state that is reached when larger creepages fall"),
+        ]),
+        Finite,
+        Text("low-slip"),
+        "which steady state where friction falls so fast that there are several",
+    ),
+    field(
         "solver.method",
         Kind::Choice(&[choice("full", "the coupled equations")]),
         Finite,

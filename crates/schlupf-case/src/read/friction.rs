@@ -42,7 +42,7 @@ pub fn friction(settings: &Settings, folder: &Path) -> Result<Friction, CaseErro
     let reference_temperature = settings.number("friction.reference_temperature")?;
     let memory = match settings.optional_number("friction.memory_distance")? {
         Some(distance) => {
-            let least_speed = settings.number("friction.memory_speed")?;
+            let least_speed = settings.optional_number("friction.memory_speed")?.unwrap_or(0.0);
             let memory = FrictionMemory::new(distance, least_speed);
             Some(memory.map_err(|error| settings.explain(&error))?)
         }

@@ -1,7 +1,7 @@
 //! `[grid]` and `[solver]`.
 
 use schlupf::Options;
-use schlupf::problem::Driver;
+use schlupf::problem::{Branch, Driver};
 
 use crate::error::CaseError;
 use crate::settings::Settings;
@@ -18,6 +18,10 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
         driver,
         cells_x: settings.count("grid.cells_x")?,
         cells_y: settings.count("grid.cells_y")?,
+        branch: match settings.choice("solver.branch")? {
+            "high-slip" => Branch::HighSlip,
+            _ => Branch::LowSlip,
+        },
         tolerance: settings.number("solver.tolerance")?,
         max_iterations: settings.count("solver.max_iterations")?,
         max_steps: settings.count("solver.max_steps")?,

@@ -1,6 +1,7 @@
 //! Rolling: the material moves through the contact, and every step is an equilibrium.
 
 mod arrival;
+mod branches;
 mod cell;
 mod contact;
 mod friction_heat;

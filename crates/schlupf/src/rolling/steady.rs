@@ -6,11 +6,12 @@ use std::sync::Arc;
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
-use crate::problem::{Options, Problem};
+use crate::problem::{Branch, Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::State;
 
 use super::Progress;
+use super::branches;
 use super::level::{self, Level};
 use super::marching;
 use super::sensitivity::sensitivity;
@@ -124,18 +125,17 @@ impl SteadySolver {
             // Nothing slides: no earlier solution is as near as none.
             setup.earlier.clear();
         }
-        let is_warm = !setup.earlier.is_empty();
-        let mut found = setup.find_equilibrium(problem, &self.options, &mut self.newton);
-        if !found.0.converged && is_warm {
-            let spent = found.1;
-            found = setup.find_equilibrium(problem, &self.options, &mut self.newton);
-            found.1.newton_iterations += spent.newton_iterations;
-            found.1.operator_products += spent.operator_products;
+        let mut work = Work::default();
+        let mut outcome = setup.find(problem, &self.options, &mut self.newton, &mut work);
+        let mut warning = None;
+        if branches::may_be_several(problem, &setup.levels[0], &outcome) {
+            (outcome, warning) =
+                setup.follow_branches(problem, &self.options, &mut self.newton, &mut work);
         }
-        let (outcome, work) = found;
         let result = if outcome.converged {
             let response = self.newton.response();
             let mut solution = setup.solution(problem, &self.options, response, (outcome, work));
+            solution.warnings.extend(warning);
             if with_derivatives {
                 self.differentiate(problem, &mut setup, &mut solution);
             }
@@ -192,15 +192,32 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
     }
 
+    /// The steady state, from the solutions before; where that fails, from none.
+    fn find(
+        &mut self,
+        problem: &Problem,
+        options: &Options,
+        newton: &mut Newton,
+        work: &mut Work,
+    ) -> Outcome {
+        let is_warm = !self.earlier.is_empty();
+        let outcome = self.find_equilibrium(problem, options, newton, work);
+        if outcome.converged || !is_warm {
+            return outcome;
+        }
+        self.find_equilibrium(problem, options, newton, work)
+    }
+
     /// Newton's method for the whole patch, from the coarsest grid to the finest.
     fn find_equilibrium(
         &mut self,
         problem: &Problem,
         options: &Options,
         newton: &mut Newton,
-    ) -> (Outcome, Work) {
+        work: &mut Work,
+    ) -> Outcome {
         let cells = self.levels[0].contact.patch.len();
-        let mut work = Work { cells, outer_iterations: 1, ..Work::default() };
+        (work.cells, work.outer_iterations) = (cells, 1);
         let ahead = self.extrapolation(problem);
         self.problem = problem.clone();
         let mut outcome = Outcome::default();
@@ -226,7 +243,49 @@ impl Setup {
         } else {
             self.earlier.clear();
         }
-        (outcome, work)
+        outcome
+    }
+
+    /// Follows the creepage to a problem from high slip and from low slip, the branch that is asked
+    /// for last. The state on it, with a warning if the other one is another; where a branch is lost,
+    /// whichever state is found, with a warning that says so.
+    fn follow_branches(
+        &mut self,
+        problem: &Problem,
+        options: &Options,
+        newton: &mut Newton,
+        work: &mut Work,
+    ) -> (Outcome, Option<String>) {
+        let (other, [here, there]) = match options.branch {
+            Branch::LowSlip => (Branch::HighSlip, ["low", "high"]),
+            Branch::HighSlip => (Branch::LowSlip, ["high", "low"]),
+        };
+        let mut follow = |branch| {
+            self.earlier.clear();
+            let mut outcome = Outcome::default();
+            for kinematics in branches::way_to(&problem.kinematics, branch) {
+                let on_the_way = Problem { kinematics, ..problem.clone() };
+                outcome = self.find(&on_the_way, options, newton, work);
+            }
+            let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
+            outcome.converged.then_some((outcome, force))
+        };
+        let elsewhere = follow(other);
+        let (Some((outcome, force)), Some((_, other))) = (follow(options.branch), elsewhere) else {
+            self.earlier.clear();
+            return (self.find(problem, options, newton, work), Some(branches::LOST.to_owned()));
+        };
+        let limit = problem.friction.cold_coefficient() * self.levels[0].contact.normal.load;
+        let apart = (force.x - other.x).hypot(force.y - other.y);
+        let warning = (apart > branches::DISTINCT * limit).then(|| {
+            format!(
+                "friction falls so fast that there are several steady states: this one is reached \
+                 from {here} slip, with Fx = {:.4e} N and Fy = {:.4e} N; from {there} slip they \
+                 are {:.4e} N and {:.4e} N",
+                force.x, force.y, other.x, other.y
+            )
+        });
+        (outcome, warning)
     }
 
     /// The first guess on a level: what extrapolation along the earlier solutions gives, and the

@@ -189,9 +189,10 @@ pub(super) const FIELDS: &[Field] = &[
         "friction.memory_speed",
         quantity(&Measure::SPEED),
         MEMORY_SPEED,
-        Text("0 m/s"),
-        "s0, slip speed below which friction follows as fast as at it",
-    ),
+        Nothing,
+        "s0, slip speed below which friction follows as fast as at it; 0 if left out",
+    )
+    .example("1 mm/s"),
     field(
         "friction.variation_y",
         Kind::Quantities(&Measure::LENGTH),
