@@ -127,6 +127,8 @@ struct Power {
     friction: f64,
     creep: f64,
     returned: f64,
+    into_wheel: f64,
+    into_rail: f64,
 }
 
 #[derive(Serialize)]
@@ -193,7 +195,13 @@ impl<'a> Document<'a> {
             force: solution.force.into(),
             normalised: solution.normalised.into(),
             traction_coefficient: solution.traction_coefficient,
-            power: Power { friction: power.friction, creep: power.creep, returned: power.returned },
+            power: Power {
+                friction: power.friction,
+                creep: power.creep,
+                returned: power.returned,
+                into_wheel: power.into_wheel,
+                into_rail: power.into_rail,
+            },
             t_gamma: TGamma { without_spin: t_gamma.without_spin, with_spin: t_gamma.with_spin },
             temperature: Temperature {
                 max_rise: temperature.max_rise,

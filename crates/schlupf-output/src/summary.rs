@@ -66,6 +66,8 @@ fn forces(text: &mut String, solution: &Solution) {
     );
     let creep = format!("creep power {} kW", number(power.creep / 1e3));
     entry(text, "friction power", power.friction / 1e3, "kW", &creep);
+    let rail = format!("into the wheel, {} kW into the rail", number(power.into_rail / 1e3));
+    entry(text, "  heat", power.into_wheel / 1e3, "kW", &rail);
     text.push('\n');
 }
 

@@ -27,7 +27,8 @@ pub enum Side {
 /// The temperatures that belong to a solution.
 ///
 /// They are exact for the heat that is released, whatever the heat model: with the constant source of
-/// the paper the surface is not as hot here as its cells say.
+/// the paper the surface is not as hot here as its cells say. Without a heat model the bodies still
+/// exchange heat where their bulk temperatures differ.
 #[derive(Debug, Clone)]
 pub struct TemperatureField {
     tracks: Vec<Track>,
@@ -65,13 +66,23 @@ impl TemperatureField {
     /// The temperatures of a solution of a problem.
     ///
     /// # Errors
-    /// Whatever [`crate::normal::PressureSource::normal_contact`] refuses.
+    /// A history, whose material has left the contact with another past than the one that leaves it now; and
+    /// whatever [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
+        if problem.history.is_some() {
+            return Err(Error::Contradiction {
+                quantity: "history.time",
+                reason: "temperatures below the surface and in the wake are those of steady rolling, but \
+                         there is a history"
+                    .to_owned(),
+            });
+        }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;
         let patch = Patch::new(&normal, grid);
         let mut records = vec![None; grid.len()];
-        for element in &solution.state.elements {
+        let elements = solution.state.elements.iter();
+        for element in elements.filter(|_| problem.heat.model.is_some()) {
             records[element.index] = Some(&element.heat);
         }
         let speed = solution.kinematics.speed;
@@ -79,7 +90,9 @@ impl TemperatureField {
             let last = &patch.cells[strip.cells.end - 1];
             // Cells that the edge cuts have edges of their own; those in the middle share one.
             let middle = &patch.cells[(strip.cells.start + strip.cells.end - 1) / 2];
-            let length = last.since_entry.distance + strip.exit.distance;
+            // The mean over the strip, as the cells at its ends are covered in a part of it only.
+            let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
+            let length = covered * grid.spacing_x;
             Track {
                 y: [grid.edge_y(strip.row), grid.edge_y(strip.row + 1)],
                 entry_x: middle.entry_x(),
@@ -105,6 +118,21 @@ impl TemperatureField {
         })
     }
 
+    /// Where the material on the line y (in m) enters the contact, and where it leaves it (x in m), for each
+    /// piece of contact that it passes, the first one first. None beside the patch.
+    pub fn passages(&self, y: f64) -> Vec<[f64; 2]> {
+        let on_line = self.tracks.iter().filter(|track| track.holds(y));
+        let mut passages: Vec<_> = on_line.map(|track| [track.entry_x, track.exit_x]).collect();
+        passages.sort_by(|p, q| q[0].total_cmp(&p[0]));
+        passages
+    }
+
+    /// Lower and upper y of the contact, in m.
+    pub fn width(&self) -> [f64; 2] {
+        let ends = |k: usize| self.tracks.iter().map(move |track| track.y[k]);
+        [ends(0).fold(f64::INFINITY, f64::min), ends(1).fold(f64::NEG_INFINITY, f64::max)]
+    }
+
     /// Temperature (in degC) of a body at (x, y) and below its surface by `depth` (in m): in the
     /// contact, behind it, and ahead of it, where the body has its bulk temperature.
     pub fn at(&self, side: Side, x: f64, y: f64, depth: f64) -> f64 {
@@ -112,13 +140,16 @@ impl TemperatureField {
             Side::Wheel => &self.wheel,
             Side::Rail => &self.rail,
         };
-        let passed = |track: &&Track| {
-            let [low, high] = track.y;
-            y >= low && y < high && x < track.entry_x
-        };
+        let passed = |track: &&Track| track.holds(y) && x < track.entry_x;
         // Of several pieces of contact in a line, the last one counts, as in the solution.
         let last = self.tracks.iter().filter(passed).min_by(|p, q| p.entry_x.total_cmp(&q.entry_x));
         last.map_or(conductor.bulk, |track| conductor.temperature(track, x, depth))
+    }
+}
+
+impl Track {
+    fn holds(&self, y: f64) -> bool {
+        y >= self.y[0] && y < self.y[1]
     }
 }
 
