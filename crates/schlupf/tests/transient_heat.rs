@@ -81,13 +81,13 @@ fn uniform_pressure() -> (Arc<dyn PressureSource>, f64, f64) {
 fn after_switching(
     (normal, step): (&Arc<dyn PressureSource>, f64),
     creepage: [f64; 2],
-    steps: u32,
+    (steps, along): (u32, usize),
 ) -> (Solution, f64) {
     const BEFORE: f64 = 49.0;
     let instant = (BEFORE + 0.49) * step;
     let end = (BEFORE + f64::from(steps)) * step;
     let problem = switched(Arc::clone(normal), creepage, [instant, end]);
-    (solve(&problem, &cells(ALONG)), (f64::from(steps) - 0.5) * step)
+    (solve(&problem, &cells(along)), (f64::from(steps) - 0.5) * step)
 }
 
 /// Carslaw and Jaeger 1959, §2.9 (7): a constant source q switched on at t = 0 heats a surface to 2q√(t/π)/β.
@@ -98,7 +98,8 @@ fn carslaw_jaeger_1959_constant_source_switched_on() {
     let (normal, length, step) = uniform_pressure();
     let scale = 2.0 * 0.5 * FRICTION * PRESSURE / (PI.sqrt() * Material::STEEL.effusivity());
     for steps in [1, 5, 15, 30] {
-        let (solution, since_switch) = after_switching((&normal, step), [0.0, CREEPAGE], steps);
+        let (solution, since_switch) =
+            after_switching((&normal, step), [0.0, CREEPAGE], (steps, ALONG));
         let rises = &solution.fields.temperature_rise_wheel;
         let mut earlier = 0;
         for k in middle_row(&solution) {
@@ -121,7 +122,8 @@ fn carslaw_jaeger_1959_constant_source_switched_off() {
     let (normal, length, step) = uniform_pressure();
     let scale = 2.0 * 0.5 * FRICTION * PRESSURE / (PI.sqrt() * Material::STEEL.effusivity());
     for steps in [1, 10, 25] {
-        let (solution, since_switch) = after_switching((&normal, step), [CREEPAGE, 0.0], steps);
+        let (solution, since_switch) =
+            after_switching((&normal, step), [CREEPAGE, 0.0], (steps, ALONG));
         for k in middle_row(&solution) {
             let since_entry = (0.5 * length - solution.fields.x[k]) / SPEED;
             let exact = scale * (since_entry.max(since_switch).sqrt() - since_switch.sqrt());
@@ -133,16 +135,19 @@ fn carslaw_jaeger_1959_constant_source_switched_off() {
 
 /// Knothe and Liebelt 1995, transient: under Hertz's pressure an element at x has received μ p₀ w √(1 − x'²/a²) on
 /// its way from x' = min(x_e, x + v t) on, t since the switch. Duhamel's integral over that way, by a midpoint rule
-/// in √(x' − x), to 0.5 % of the largest rise in the whole cells of a grid of 40.
+/// in √(x' − x), to 0.5 % of the largest rise in the whole cells of a grid of 40, and half of that on 80.
 #[test]
 fn knothe_liebelt_1995_transient_under_hertz() {
     const NODES: u32 = 20_000;
     let (a, b, peak) = (5.88e-3, 10.54e-3, 770.4e6);
     let normal: Arc<dyn PressureSource> =
         Arc::new(Ellipse::from_peak_pressure(a, b, peak).unwrap());
-    let step = 2.0 * a / ALONG as f64 / SPEED;
-    for steps in [4, 12, 24] {
-        let (solution, since_switch) = after_switching((&normal, step), [0.0, CREEPAGE], steps);
+    for (steps, along, allowed) in
+        [(8, 40, 5e-3), (24, 40, 5e-3), (16, 80, 2.5e-3), (48, 80, 2.5e-3)]
+    {
+        let step = 2.0 * a / along as f64 / SPEED;
+        let (solution, since_switch) =
+            after_switching((&normal, step), [0.0, CREEPAGE], (steps, along));
         let fields = &solution.fields;
         let exact = |k: usize| {
             let (x, chord) = (fields.x[k], 1.0 - (fields.y[k] / b).powi(2));
@@ -160,7 +165,7 @@ fn knothe_liebelt_1995_transient_under_hertz() {
         let largest = row.iter().map(|k| exact(*k)).fold(0.0, f64::max);
         let error = |k: &usize| (fields.temperature_rise_wheel[*k] - exact(*k)).abs();
         let worst = row.iter().map(error).fold(0.0, f64::max) / largest;
-        println!("{steps}: {worst}");
-        assert!(worst < 5e-3, "{steps}: {worst}");
+        println!("{steps} steps on {along} cells: {worst}");
+        assert!(worst < allowed, "{steps} steps on {along} cells: {worst}");
     }
 }
