@@ -63,20 +63,39 @@ struct Conductor {
 }
 
 impl TemperatureField {
+    /// Checks whether a problem has such temperatures, before it is solved.
+    ///
+    /// # Errors
+    /// A history: its material has left the contact with another past than the one that leaves it now.
+    pub fn check(problem: &Problem) -> Result<(), Error> {
+        if problem.history.is_none() {
+            return Ok(());
+        }
+        Err(Error::Contradiction {
+            quantity: "history.time",
+            reason:
+                "temperatures below the surface and in the wake are those of steady rolling, but \
+                     there is a history"
+                    .to_owned(),
+        })
+    }
+
+    /// What the reader of the temperatures must know, if anything.
+    pub fn caveat(problem: &Problem) -> Option<String> {
+        let model = problem.heat.model.as_ref()?;
+        (!model.is_linear()).then(|| {
+            "heat.model: below the surface and in the wake temperatures follow from the heat that is \
+             released, by Duhamel's theorem; the heat model of the case holds for the cells only"
+                .to_owned()
+        })
+    }
+
     /// The temperatures of a solution of a problem.
     ///
     /// # Errors
-    /// A history, whose material has left the contact with another past than the one that leaves it now; and
-    /// whatever [`crate::normal::PressureSource::normal_contact`] refuses.
+    /// What [`Self::check`] refuses, and whatever [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
-        if problem.history.is_some() {
-            return Err(Error::Contradiction {
-                quantity: "history.time",
-                reason: "temperatures below the surface and in the wake are those of steady rolling, but \
-                         there is a history"
-                    .to_owned(),
-            });
-        }
+        Self::check(problem)?;
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;
         let patch = Patch::new(&normal, grid);
