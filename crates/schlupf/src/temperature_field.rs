@@ -43,7 +43,7 @@ struct Track {
     y: [f64; 2],
     entry_x: f64,
     exit_x: f64,
-    /// Heat received, the latest step first, at the speed of the rail.
+    /// Heat received, the latest step first, in times of the rail.
     record: Vec<HeatStep>,
     speed: f64,
 }
@@ -116,7 +116,7 @@ impl TemperatureField {
                 y: [grid.edge_y(strip.row), grid.edge_y(strip.row + 1)],
                 entry_x: middle.entry_x(),
                 exit_x: middle.entry_x() - length,
-                record: records[last.index].cloned().unwrap_or_default(),
+                record: records[last.index].map(|record| smooth(record)).unwrap_or_default(),
                 speed,
             }
         };
@@ -204,6 +204,36 @@ impl Conductor {
     }
 }
 
+/// Parts into which a step of a record is divided.
+const PARTS: usize = 4;
+
+/// A record in finer steps: each step's flux runs linearly through that of its neighbours, and its mean stays.
+/// With one flux for a whole cell the surface temperature would bend at the edge of every cell.
+fn smooth(record: &[HeatStep]) -> Vec<HeatStep> {
+    let rise = |k: usize| {
+        let [one, other] = [record[k], record[k + 1]];
+        (other.flux - one.flux) / (0.5 * (one.duration + other.duration))
+    };
+    let slope = |k: usize| {
+        let before = k.checked_sub(1).map(rise);
+        let after = (k + 1 < record.len()).then(|| rise(k));
+        let steepest = 2.0 * record[k].flux / record[k].duration;
+        match (before, after) {
+            (Some(p), Some(q)) if p * q <= 0.0 => 0.0,
+            (Some(p), Some(q)) => p.abs().min(q.abs()).copysign(p),
+            (one, other) => one.or(other).unwrap_or(0.0).clamp(-steepest, steepest),
+        }
+    };
+    let finer = |k: usize| {
+        let (HeatStep { flux, duration }, slope) = (record[k], slope(k));
+        (0..PARTS).map(move |part| {
+            let from_middle = ((part as f64 + 0.5) / PARTS as f64 - 0.5) * duration;
+            HeatStep { flux: flux + slope * from_middle, duration: duration / PARTS as f64 }
+        })
+    };
+    (0..record.len()).flat_map(finer).collect()
+}
+
 /// Integral of the complementary error function, ierfc(x) = exp(−x²)/√π − x erfc(x).
 fn ierfc(x: f64) -> f64 {
     (-x * x).exp() / PI.sqrt() - x * libm::erfc(x)
@@ -229,3 +259,31 @@ fn mixing(depth: f64, diffusivity: f64, time: f64, in_contact: f64) -> f64 {
 
 /// Nodes of the midpoint rule over the angle.
 const NODES: usize = 400;
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Heat stays, step by step; a linear course is met exactly, a jump and an end stay positive.
+    #[test]
+    fn finer_steps_keep_the_heat() {
+        let step = |flux| HeatStep { flux, duration: 2.0 };
+        for fluxes in [[1.0, 2.0, 3.0, 4.0], [5.0, 5.0, 0.0, 0.0], [0.1, 3.0, 1.0, 0.0]] {
+            let record = fluxes.map(step);
+            let finer = smooth(&record);
+            for (k, coarse) in record.iter().enumerate() {
+                let heat = |step: &HeatStep| step.flux * step.duration;
+                let sum: f64 = finer[k * PARTS..(k + 1) * PARTS].iter().map(heat).sum();
+                assert_relative_eq!(sum, heat(coarse), max_relative = 1e-14);
+            }
+            assert!(finer.iter().all(|step| step.flux >= 0.0), "{finer:?}");
+        }
+        let linear = smooth(&[1.0, 2.0, 3.0].map(step));
+        assert_relative_eq!(linear[0].flux, 0.625);
+        assert_relative_eq!(linear[11].flux, 3.375);
+        assert!(smooth(&[]).is_empty());
+        assert_eq!(smooth(&[step(7.0)]), [HeatStep { flux: 7.0, duration: 0.5 }; PARTS]);
+    }
+}

@@ -35,7 +35,7 @@ fn solve(problem: &Problem) -> (Solution, TemperatureField) {
 /// ∫ ρc (T − T_bulk) dz below a point, in J/m².
 fn stored(field: &TemperatureField, side: Side, body: &Body, [x, y]: [f64; 2]) -> f64 {
     const DEPTH: f64 = 3e-3;
-    const LAYERS: u32 = 30_000;
+    const LAYERS: u32 = 6_000;
     let layer = DEPTH / f64::from(LAYERS);
     let rise = |k: u32| field.at(side, x, y, (f64::from(k) + 0.5) * layer) - body.bulk_temperature;
     let capacity = body.material.density * body.material.specific_heat;
