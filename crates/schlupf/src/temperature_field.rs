@@ -205,33 +205,57 @@ impl Conductor {
 }
 
 /// Parts into which a step of a record is divided.
-const PARTS: usize = 4;
+const PARTS: usize = 8;
 
-/// A record in finer steps: each step's flux runs linearly through that of its neighbours, and its mean stays.
-/// With one flux for a whole cell the surface temperature would bend at the edge of every cell.
+/// A record in finer steps, each step keeping its mean: with one flux for a whole cell the surface temperature
+/// would bend at the edge of every cell. Inside, the flux runs linearly through that of the neighbours; in the
+/// first and the last step as A√s + B, s counting from the edge, as under Hertz's pressure.
 fn smooth(record: &[HeatStep]) -> Vec<HeatStep> {
-    let rise = |k: usize| {
-        let [one, other] = [record[k], record[k + 1]];
-        (other.flux - one.flux) / (0.5 * (one.duration + other.duration))
-    };
-    let slope = |k: usize| {
-        let before = k.checked_sub(1).map(rise);
-        let after = (k + 1 < record.len()).then(|| rise(k));
-        let steepest = 2.0 * record[k].flux / record[k].duration;
-        match (before, after) {
-            (Some(p), Some(q)) if p * q <= 0.0 => 0.0,
-            (Some(p), Some(q)) => p.abs().min(q.abs()).copysign(p),
-            (one, other) => one.or(other).unwrap_or(0.0).clamp(-steepest, steepest),
-        }
-    };
     let finer = |k: usize| {
-        let (HeatStep { flux, duration }, slope) = (record[k], slope(k));
-        (0..PARTS).map(move |part| {
-            let from_middle = ((part as f64 + 0.5) / PARTS as f64 - 0.5) * duration;
-            HeatStep { flux: flux + slope * from_middle, duration: duration / PARTS as f64 }
-        })
+        let means = match (k, record.len() - 1) {
+            (0, last) if last > 0 => at_edge(&record[0], &record[1]),
+            (k, last) if k == last && last > 0 => {
+                let mut from_edge = at_edge(&record[k], &record[k - 1]);
+                from_edge.reverse();
+                from_edge
+            }
+            _ => inside(record, k),
+        };
+        let duration = record[k].duration / PARTS as f64;
+        means.map(|flux| HeatStep { flux, duration })
     };
     (0..record.len()).flat_map(finer).collect()
+}
+
+/// Mean fluxes (in W/m²) in the parts of a step, from the edge inwards: A√s + B with the means of the step and of its
+/// neighbour. Where B would be negative it is zero.
+fn at_edge(step: &HeatStep, neighbour: &HeatStep) -> [f64; PARTS] {
+    // ∫ √s ds is two thirds of this.
+    let power = |s: f64| s * s.sqrt();
+    let end = step.duration + neighbour.duration;
+    let own = 2.0 / 3.0 * step.duration.sqrt();
+    let next = 2.0 / 3.0 * (power(end) - power(step.duration)) / neighbour.duration;
+    let fitted = (neighbour.flux - step.flux) / (next - own);
+    // So that the flux neither falls below zero at the edge nor within the step.
+    let root = fitted.min(step.flux / own).max(-2.0 * step.flux / own);
+    let constant = step.flux - root * own;
+    std::array::from_fn(|part| {
+        let [from, to] = [part, part + 1].map(|k| step.duration * k as f64 / PARTS as f64);
+        constant + root * 2.0 / 3.0 * (power(to) - power(from)) / (to - from)
+    })
+}
+
+/// Mean fluxes (in W/m²) in the parts of a step between two others, with the smaller of the slopes to both.
+fn inside(record: &[HeatStep], k: usize) -> [f64; PARTS] {
+    let HeatStep { flux, duration } = record[k];
+    let slope_to = |other: Option<&HeatStep>| {
+        other.map_or(0.0, |other| (other.flux - flux) / (0.5 * (duration + other.duration)))
+    };
+    let before = -slope_to(k.checked_sub(1).and_then(|k| record.get(k)));
+    let after = slope_to(record.get(k + 1));
+    let is_peak = before * after <= 0.0;
+    let slope = if is_peak { 0.0 } else { before.abs().min(after.abs()).copysign(after) };
+    std::array::from_fn(|part| flux + slope * ((part as f64 + 0.5) / PARTS as f64 - 0.5) * duration)
 }
 
 /// Integral of the complementary error function, ierfc(x) = exp(−x²)/√π − x erfc(x).
@@ -266,24 +290,34 @@ mod tests {
 
     use super::*;
 
-    /// Heat stays, step by step; a linear course is met exactly, a jump and an end stay positive.
+    /// Heat stays, step by step, and no part is negative; a linear course inside is met exactly, and A√s + B at an edge.
     #[test]
     fn finer_steps_keep_the_heat() {
         let step = |flux| HeatStep { flux, duration: 2.0 };
-        for fluxes in [[1.0, 2.0, 3.0, 4.0], [5.0, 5.0, 0.0, 0.0], [0.1, 3.0, 1.0, 0.0]] {
+        for fluxes in
+            [[1.0, 2.0, 3.0, 4.0], [5.0, 5.0, 0.0, 0.0], [0.1, 3.0, 1.0, 0.0], [3.0, 0.0, 0.0, 9.0]]
+        {
             let record = fluxes.map(step);
             let finer = smooth(&record);
             for (k, coarse) in record.iter().enumerate() {
                 let heat = |step: &HeatStep| step.flux * step.duration;
                 let sum: f64 = finer[k * PARTS..(k + 1) * PARTS].iter().map(heat).sum();
-                assert_relative_eq!(sum, heat(coarse), max_relative = 1e-14);
+                assert_relative_eq!(sum, heat(coarse), max_relative = 1e-14, epsilon = 1e-14);
             }
-            assert!(finer.iter().all(|step| step.flux >= 0.0), "{finer:?}");
+            assert!(finer.iter().all(|step| step.flux >= -1e-14), "{finer:?}");
         }
-        let linear = smooth(&[1.0, 2.0, 3.0].map(step));
-        assert_relative_eq!(linear[0].flux, 0.625);
-        assert_relative_eq!(linear[11].flux, 3.375);
+        let linear = smooth(&[0.0, 1.0, 2.0, 3.0].map(step));
+        assert_relative_eq!(linear[PARTS].flux, 1.0 - 0.5 * 7.0 / 8.0);
+        // √s from 0 to 2 has the mean 2√2/3, from 2 to 4 (8 − 2√2)/3.
+        let root = |s: f64| 2.0 / 3.0 * s * s.sqrt();
+        let [edge, next] = [root(2.0) / 2.0, (root(4.0) - root(2.0)) / 2.0].map(|f| 3.0 + f);
+        let parts = smooth(&[edge, next, next].map(step));
+        assert_relative_eq!(
+            parts[1].flux,
+            3.0 + (root(0.5) - root(0.25)) / 0.25,
+            max_relative = 1e-12
+        );
         assert!(smooth(&[]).is_empty());
-        assert_eq!(smooth(&[step(7.0)]), [HeatStep { flux: 7.0, duration: 0.5 }; PARTS]);
+        assert_eq!(smooth(&[step(7.0)]), [HeatStep { flux: 7.0, duration: 0.25 }; PARTS]);
     }
 }
