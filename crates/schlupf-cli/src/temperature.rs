@@ -97,8 +97,8 @@ impl Wanted {
         solution: &Solution,
         field: &TemperatureField,
     ) -> Result<Request, Failure> {
-        let hottest = &solution.temperature;
-        let y = self.y.unwrap_or(hottest.y);
+        let hottest = hottest_point(solution);
+        let y = self.y.or(hottest.map(|point| point[1])).unwrap_or_else(|| middle(field));
         let passages = field.passages(y);
         let (Some(first), Some(last)) = (passages.first(), passages.last()) else {
             let [low, high] = field.width().map(millimetres);
@@ -108,8 +108,10 @@ impl Wanted {
             )));
         };
         let [entry, exit] = [first[0], last[1]];
-        let x = self.x.unwrap_or_else(|| {
-            if self.y.is_none() { hottest.x } else { hottest_place(field, [entry, exit], y) }
+        let x = self.x.unwrap_or_else(|| match hottest {
+            // The edge of a row is a mean: the point of a cell that it cuts may lie ahead of it.
+            Some(point) if self.y.is_none() => point[0].min(entry),
+            _ => hottest_place(field, [entry, exit], y),
         });
         if x > entry {
             return Err(Failure::Arguments(format!(
@@ -130,6 +132,22 @@ impl Wanted {
         let (point, passage, points) = ([x, y], [entry, exit], self.points);
         Ok(Request { point, passage, depth, wake, row_depths, points })
     }
+}
+
+/// The hottest point (x, y) of the contact, in m; `None` where all of it has one temperature.
+fn hottest_point(solution: &Solution) -> Option<[f64; 2]> {
+    const ALIKE: f64 = 1e-9;
+    let rises = &solution.fields.temperature_rise_rail;
+    let least = rises.iter().copied().fold(f64::INFINITY, f64::min);
+    let temperature = &solution.temperature;
+    let spread = temperature.max_rise_rail - least;
+    (spread > ALIKE * temperature.max_rise.abs()).then_some([temperature.x, temperature.y])
+}
+
+/// The middle of the contact, y in m.
+fn middle(field: &TemperatureField) -> f64 {
+    let [low, high] = field.width();
+    0.5 * (low + high)
 }
 
 /// Where a row is hottest on the surface, x in m.

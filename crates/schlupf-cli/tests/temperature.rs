@@ -71,6 +71,20 @@ fn the_hottest_point_is_the_one_of_the_result() {
     }
 }
 
+/// Where nothing is hotter than the rest the profile is in the middle row: without a heat model, and without sliding.
+#[test]
+fn a_contact_of_one_temperature_has_a_profile_too() {
+    for set in ["heat.model=none", "kinematics.creepage_x=0"] {
+        let document = document(&bench(), &["--set", set]);
+        assert!(document["point"]["y"].as_f64().unwrap().abs() < 1e-9, "{set}");
+        let wheel = column(&document["profile"]["wheel"]);
+        assert!((wheel[0] - 50.0).abs() < 1e-6, "{set}: {wheel:?}");
+    }
+    let cold = ["--set", "heat.model=none", "--set", "wheel.bulk_temperature=0 degC"];
+    let document = document(&bench(), &cold);
+    assert!(column(&document["rows"][0]["wheel"]).iter().all(|t| *t == 0.0));
+}
+
 #[test]
 fn places_depths_and_wakes_are_taken() {
     let bench = bench();

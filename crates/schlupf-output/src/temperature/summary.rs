@@ -49,8 +49,8 @@ pub fn text(temperatures: &Temperatures) -> String {
 fn table(text: &mut String, position: &str, values: &Line) {
     line(text, &format!("{position:>12}{:>12}{:>12}", "wheel (°C)", "rail (°C)"));
     let last = values.position.len().saturating_sub(1);
-    let rows = last.min(MOST_ROWS - 1).max(1);
-    for k in (0..=rows).map(|row| row * last / rows) {
+    let rows = last.clamp(1, MOST_ROWS - 1);
+    for k in (0..=rows.min(last)).map(|row| row * last / rows) {
         let entries = [values.position[k] / 1e-3, values.wheel[k], values.rail[k]].map(number);
         let [position, wheel, rail] = entries;
         line(text, &format!("{position:>12}{wheel:>12}{rail:>12}"));
