@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod bulk;
 mod commands;
 mod curve;
 mod failure;
@@ -11,6 +12,7 @@ mod progress;
 mod report;
 mod solve;
 mod stdout;
+mod temperature;
 
 use std::process::ExitCode;
 
@@ -23,6 +25,8 @@ fn main() -> ExitCode {
     let result = match arguments.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
+        Command::Temperature(arguments) => temperature::run(&arguments),
+        Command::Bulk(arguments) => bulk::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

@@ -74,17 +74,14 @@ fn check_outputs(arguments: &SolveArguments, case: &Case) -> Result<(), Failure>
 
 /// Whatever is read.
 fn inputs(arguments: &SolveArguments, case: &Case) -> Vec<Input> {
-    let input = |what: &str, path: &Path, except| Input {
-        what: what.to_owned(),
-        path: path.to_owned(),
-        except,
-    };
-    let mut inputs = Vec::new();
-    inputs.extend(arguments.case.case.iter().map(|path| input("the case file", path, None)));
-    inputs.extend(case.files().iter().map(|(field, path)| input(field, path, None)));
+    let mut inputs = Input::of_case(&arguments.case, case);
     // A state may be carried on in place.
-    let state = arguments.initial_state.iter();
-    inputs.extend(state.map(|path| input("--initial-state", path, Some(FINAL_STATE))));
+    let state = arguments.initial_state.iter().map(|path| Input {
+        what: "--initial-state".to_owned(),
+        path: path.clone(),
+        except: Some(FINAL_STATE),
+    });
+    inputs.extend(state);
     inputs
 }
 

@@ -21,7 +21,7 @@ pub fn text(title: &str, solution: &Solution) -> String {
 }
 
 /// Why a solution did not converge, where a warning says that: it stands beside the status.
-fn reason(warning: &str) -> Option<&str> {
+pub(crate) fn reason(warning: &str) -> Option<&str> {
     warning.strip_prefix("not converged: ")
 }
 
@@ -66,6 +66,8 @@ fn forces(text: &mut String, solution: &Solution) {
     );
     let creep = format!("creep power {} kW", number(power.creep / 1e3));
     entry(text, "friction power", power.friction / 1e3, "kW", &creep);
+    let rail = format!("into the wheel, {} kW into the rail", number(power.into_rail / 1e3));
+    entry(text, "  heat", power.into_wheel / 1e3, "kW", &rail);
     text.push('\n');
 }
 
@@ -116,11 +118,11 @@ fn work(text: &mut String, solution: &Solution) {
 }
 
 /// One quantity: its name, value and unit in columns, and a remark.
-fn entry(text: &mut String, name: &str, value: f64, unit: &str, remark: &str) {
+pub(crate) fn entry(text: &mut String, name: &str, value: f64, unit: &str, remark: &str) {
     line(text, &format!("{name:<22}{:>11} {unit:<4} {remark}", number(value)));
 }
 
-fn line(text: &mut String, line: &str) {
+pub(crate) fn line(text: &mut String, line: &str) {
     // Writing to a String cannot fail.
     let _ = writeln!(text, "{}", line.trim_end());
 }

@@ -36,7 +36,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
             force,
             normalised: normalised(&force),
             traction_coefficient: size.abs(),
-            power: Power { friction: 1.0, creep: 1.0, returned: 0.0 },
+            power: Power { friction: 1.0, creep: 1.0, ..Power::default() },
             max_rise: 2e3 * abscissa.abs(),
             area: Area { contact: 1e-4, stick: 4e-5, slip: 6e-5 },
             status: Status::Converged,

@@ -97,6 +97,11 @@ pub struct Power {
     /// Friction power that the bristles of the contact law return, in W: the negative part of q,
     /// which does not heat.
     pub returned: f64,
+    /// Part of the heat that goes into the wheel, in W.
+    pub into_wheel: f64,
+    /// Part of the heat that goes into the rail, in W; both together are the friction power and what is
+    /// returned.
+    pub into_rail: f64,
 }
 
 /// T-gamma, the wear number of the railways.

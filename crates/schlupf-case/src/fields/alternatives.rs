@@ -80,6 +80,8 @@ const COMPANIONS: &[(&str, &str)] = &[
     ("kinematics.wheel_radius", "kinematics.angular_velocity"),
     ("friction.second_half_speed", "friction.second_coefficient"),
     ("friction.memory_speed", "friction.memory_distance"),
+    ("cooling.area", "cooling.film_coefficient"),
+    ("cooling.air_temperature", "cooling.film_coefficient"),
 ];
 
 /// The field without which this one does not count.

@@ -59,6 +59,7 @@ const COUPLING: Requirement = Between(0.0, 1e18);
 const SPRING: Requirement = Between(1e-9, 1e18);
 const MARGIN: Requirement = Between(0.0, 1e3);
 const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
+const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
 
 macro_rules! body {
@@ -170,6 +171,11 @@ pub const SECTIONS: &[Section] = &[
         fields: friction::FIELDS,
     },
     Section { name: "heat", doc: "Frictional heating of both surfaces.", fields: HEAT },
+    Section {
+        name: "cooling",
+        doc: "What cools the wheel in the long run, for `schlupf bulk`.",
+        fields: COOLING,
+    },
     Section { name: "grid", doc: "Cells across the contact patch.", fields: GRID },
     Section { name: "solver", doc: "How the equations are solved.", fields: SOLVER },
     Section {
@@ -444,6 +450,33 @@ const HEAT: &[Field] = &[
         "share of the wheel, or \"velocity\"",
     )
     .with("heat.model", &["duhamel", "constant-source"]),
+];
+
+const COOLING: &[Field] = &[
+    field(
+        "cooling.film_coefficient",
+        quantity(&Measure::HEAT_TRANSFER),
+        THERMAL,
+        Nothing,
+        "h, heat transfer coefficient between the wheel and the air",
+    )
+    .example("40 W/(m^2 K)"),
+    field(
+        "cooling.area",
+        quantity(&Measure::AREA),
+        COOLED_AREA,
+        Nothing,
+        "A, surface of the wheel that the air cools",
+    )
+    .example("1.5 m^2"),
+    field(
+        "cooling.air_temperature",
+        quantity(&Measure::TEMPERATURE),
+        TEMPERATURE,
+        Same("rail.bulk_temperature"),
+        "temperature of the air",
+    )
+    .example("20 degC"),
 ];
 
 const GRID: &[Field] = &[

@@ -6,9 +6,8 @@ use schlupf::creep_curve::{
     Abscissa, CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Spacing,
 };
 
-use super::csv::status;
 use super::{CurveFamily, Member};
-use crate::json::{Kinematics, Normal, PROGRAM, Vector, Work, text};
+use crate::json::{Kinematics, Normal, PROGRAM, Vector, Work, status, text};
 
 /// The curves as a JSON document: SI units, forces on the wheel. A number that is not finite becomes
 /// `null`.

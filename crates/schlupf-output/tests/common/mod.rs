@@ -57,7 +57,13 @@ pub fn solution(recipe: Recipe) -> Solution {
         force,
         normalised: Resultant { x: force.x / scale, y: force.y / scale, moment_z: 0.01 },
         traction_coefficient: force.x.hypot(force.y) / load,
-        power: Power { friction: sum(&fields.friction_power), creep: 6.1e3, returned: 1.2 },
+        power: Power {
+            friction: sum(&fields.friction_power),
+            creep: 6.1e3,
+            returned: 1.2,
+            into_wheel: 3e3,
+            into_rail: 3.1e3,
+        },
         t_gamma: TGamma { without_spin: 210.0, with_spin: 210.0 },
         temperature: Temperature {
             max_rise: hottest,

@@ -86,7 +86,9 @@ fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
         * (motion.creepage_x * force.x
             + motion.creepage_y * force.y
             + motion.spin * force.moment_z);
-    Power { friction, creep, returned }
+    let [into_wheel, into_rail] =
+        now.conduction.shares().map(|share| share * (friction + returned));
+    Power { friction, creep, returned, into_wheel, into_rail }
 }
 
 fn t_gamma(now: &Snapshot, force: &Resultant) -> TGamma {
