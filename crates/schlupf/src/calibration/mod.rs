@@ -7,7 +7,10 @@
 //! law. In units of the patch's size √(ab) and the shear modulus G the result depends on a/b and ν
 //! alone. The coupling along rolling and that across rolling are two constants for each component.
 
+pub mod comparison;
 pub mod displacements;
+mod kalker_bed;
+mod rolling_contact;
 mod rolling_fit;
 
 use std::sync::Arc;
@@ -19,7 +22,10 @@ use crate::elasticity::winkler::Winkler;
 use crate::error::Error;
 use crate::least_squares::{Limits, Residuals, minimise};
 
-use rolling_fit::{Motions, SIZE};
+pub use kalker_bed::kalker_bed;
+
+use rolling_contact::SIZE;
+use rolling_fit::Motions;
 
 /// What a calibration found.
 #[derive(Debug, Clone, Copy, PartialEq)]

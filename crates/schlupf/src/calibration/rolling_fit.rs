@@ -4,33 +4,16 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use crate::elasticity::Elasticity;
-use crate::elasticity::half_space::HalfSpace;
 use crate::error::Error;
-use crate::heat::Heat;
-use crate::heat::partition::Partition;
-use crate::interface::contact_law::Incremental;
-use crate::interface::friction::Friction;
-use crate::interface::friction::constant::Constant;
-use crate::kalker_coefficients::creep_coefficients;
 use crate::kinematics::Kinematics;
-use crate::material::{Body, Material};
-use crate::normal::ellipse::Ellipse;
 use crate::problem::{Options, Problem};
-use crate::reference::kalker_linear::CreepCoefficients;
 use crate::rolling::steady::SteadySolver;
 use crate::solution::Solution;
 
 use super::Deviation;
 use super::displacements::{Sample, fit};
-
-/// √(ab), in m: any would do.
-pub(super) const SIZE: f64 = 6e-3;
-
-const PEAK_PRESSURE: f64 = 1e9;
-const FRICTION: f64 = 0.3;
-
-/// k_c, in 1/m: near to Coulomb's law.
-const STIFFNESS: f64 = 1e8;
+use super::kalker_bed::bedding;
+use super::rolling_contact::{RollingContact, SIZE};
 
 /// Creepages as parts of those that Kalker's linear theory needs for the force μN: along, across, spin.
 const MOTIONS: [[f64; 3]; 24] = [
@@ -67,10 +50,7 @@ const FIELD: f64 = 0.06;
 
 /// The motions of one ellipse, and the answers of the half-space.
 pub(super) struct Motions {
-    bodies: HalfSpace,
-    coefficients: CreepCoefficients,
-    semi_axis_x: f64,
-    problem: Problem,
+    contact: RollingContact,
     motions: Vec<Kinematics>,
     exact: Vec<Solution>,
     options: Options,
@@ -79,49 +59,13 @@ pub(super) struct Motions {
 
 impl Motions {
     pub fn new(axis_ratio: f64, poisson_ratio: f64, cells: usize) -> Result<Self, Error> {
-        let coefficients = creep_coefficients(axis_ratio, poisson_ratio)?;
-        let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
-        let material = Material { poisson_ratio, ..Material::STEEL };
-        let bodies = HalfSpace::new(&material, &material)?;
-        let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
-        let at_rest = Kinematics { speed: 1.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
-        let problem = Problem {
-            kinematics: at_rest,
-            wheel: Body { material, ..Body::STEEL },
-            rail: Body { material, ..Body::STEEL },
-            normal: Arc::new(ellipse),
-            elasticity: Arc::new(bodies),
-            contact_law: Arc::new(Incremental::new(STIFFNESS)?),
-            friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
-            heat: Heat { model: None, partition: Partition::Given(0.5) },
-            history: None,
-            initial_state: None,
-        };
+        let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
         let options =
             Options { cells_x: cells, cells_y: cells, tolerance: 1e-7, ..Options::default() };
-        // μN over C G s² and C G s³, N = (2/3) π s² p0.
-        let strain =
-            FRICTION * 2.0 / 3.0 * std::f64::consts::PI * PEAK_PRESSURE / bodies.shear_modulus();
-        let CreepCoefficients { c11, c22, c23, .. } = coefficients;
-        let motion = |[along, across, spin]: [f64; 3]| Kinematics {
-            speed: 1.0,
-            creepage_x: along * strain / c11,
-            creepage_y: across * strain / c22,
-            spin: spin * strain / (c23 * SIZE),
-        };
-        let motions: Vec<Kinematics> = MOTIONS.into_iter().map(motion).collect();
+        let motions = MOTIONS.into_iter().map(|parts| contact.motion(parts)).collect();
         let solver = RefCell::new(SteadySolver::new(&options));
-        let mut this = Self {
-            bodies,
-            coefficients,
-            semi_axis_x: semi_axes[0],
-            problem,
-            motions,
-            exact: Vec::new(),
-            options,
-            solver,
-        };
-        let elasticity = Arc::clone(&this.problem.elasticity);
+        let mut this = Self { contact, motions, exact: Vec::new(), options, solver };
+        let elasticity = Arc::clone(&this.contact.problem.elasticity);
         this.exact = this.answers(&elasticity).ok_or_else(|| Error::Contradiction {
             quantity: "calibration",
             reason: format!("the half-space of a/b = {axis_ratio} could not be solved"),
@@ -130,13 +74,12 @@ impl Motions {
     }
 
     pub fn shear_modulus(&self) -> f64 {
-        self.bodies.shear_modulus()
+        self.contact.bodies.shear_modulus()
     }
 
-    /// Beddings c s/G of a bed of springs with Kalker's C11 and C22: c = 3 C G/(8 a) (Kalker 1982).
+    /// Beddings c s/G of the bed of springs with Kalker's flexibilities.
     pub fn slope_bedding(&self) -> [f64; 2] {
-        let CreepCoefficients { c11, c22, .. } = self.coefficients;
-        [c11, c22].map(|c| 3.0 * c * SIZE / (8.0 * self.semi_axis_x))
+        bedding(&self.contact.coefficients, SIZE, self.contact.semi_axes[0])
     }
 
     /// Logarithms of the stiffnesses that fit the half-space's displacements under the tractions of
@@ -165,7 +108,7 @@ impl Motions {
     fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Option<Vec<Solution>> {
         let mut solver = self.solver.borrow_mut();
         *solver = SteadySolver::new(&self.options);
-        let base = Problem { elasticity: Arc::clone(elasticity), ..self.problem.clone() };
+        let base = Problem { elasticity: Arc::clone(elasticity), ..self.contact.problem.clone() };
         let solve = |kinematics: &Kinematics| {
             let problem = Problem { kinematics: *kinematics, ..base.clone() };
             let solution = solver.solve(&problem, &mut |_| ()).ok()?;

@@ -103,13 +103,18 @@ impl CalibratedLayer {
         Ok(Self { half_space, margin })
     }
 
-    /// The layer for a patch with these semi-axes along and across rolling, in m.
-    pub fn layer(&self, semi_axes: [f64; 2]) -> Result<ElasticLayer, Error> {
+    /// Stiffnesses for displacements along and across rolling, for a patch with these semi-axes along and
+    /// across rolling (in m).
+    pub fn stiffness(&self, semi_axes: [f64; 2]) -> Result<[LayerStiffness; 2], Error> {
         let [a, b] = semi_axes;
         let size = (a * b).sqrt();
         let relative = tabulated_stiffness(a / b, self.half_space.poisson_ratio())?;
-        let [x, y] =
-            relative.map(|stiffness| stiffness.absolute(self.half_space.shear_modulus(), size));
+        Ok(relative.map(|stiffness| stiffness.absolute(self.half_space.shear_modulus(), size)))
+    }
+
+    /// The layer for a patch with these semi-axes along and across rolling, in m.
+    pub fn layer(&self, semi_axes: [f64; 2]) -> Result<ElasticLayer, Error> {
+        let [x, y] = self.stiffness(semi_axes)?;
         ElasticLayer::new(x, y, self.margin)
     }
 }

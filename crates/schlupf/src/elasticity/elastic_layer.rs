@@ -28,6 +28,13 @@ pub struct LayerStiffness {
     pub coupling_along_y: f64,
 }
 
+impl LayerStiffness {
+    /// Decay lengths √(g/c) along and across rolling, in m.
+    pub fn decay_lengths(&self) -> [f64; 2] {
+        [self.coupling_along_x, self.coupling_along_y].map(|g| (g / self.bedding).sqrt())
+    }
+}
+
 /// The paper's discrete springs for one displacement component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Springs {
@@ -60,13 +67,13 @@ impl ElasticLayer {
     /// A layer with stiffnesses per area for the displacements along and across rolling, with at
     /// least `margin` (in m) of surroundings on each side; eight decay lengths √(g/c) if none.
     pub fn new(x: LayerStiffness, y: LayerStiffness, margin: Option<f64>) -> Result<Self, Error> {
-        for (names, s) in [
-            (["elasticity.bedding_x", "elasticity.coupling_x"], x),
-            (["elasticity.bedding_y", "elasticity.coupling_y"], y),
+        for ([bedding, along, across], s) in [
+            (["elasticity.bedding_x", "elasticity.coupling_x", "elasticity.coupling_x_across"], x),
+            (["elasticity.bedding_y", "elasticity.coupling_y", "elasticity.coupling_y_across"], y),
         ] {
-            require_positive(names[0], s.bedding, "N/m^3")?;
-            require_coupling(names[1], s.coupling_along_x)?;
-            require_coupling(names[1], s.coupling_along_y)?;
+            require_positive(bedding, s.bedding, "N/m^3")?;
+            require_coupling(along, s.coupling_along_x)?;
+            require_coupling(across, s.coupling_along_y)?;
         }
         Self::checked(Stiffness::PerArea([x, y]), margin)
     }
@@ -107,12 +114,11 @@ impl ElasticLayer {
     /// columns is rounded up to one that the transform likes.
     pub fn surroundings(&self, grid: &Grid) -> Result<Surroundings, Error> {
         let stiffness = self.per_area(grid);
-        let decay = |g: fn(&LayerStiffness) -> f64| {
-            stiffness.iter().map(|s| (g(s) / s.bedding).sqrt()).fold(0.0, f64::max)
+        let margin = |direction: usize| {
+            let decay = stiffness.iter().map(|s| s.decay_lengths()[direction]).fold(0.0, f64::max);
+            self.margin.unwrap_or(DEFAULT_MARGIN * decay)
         };
-        let margin = |decay: f64| self.margin.unwrap_or(DEFAULT_MARGIN * decay);
-        let margin_x = margin(decay(|s| s.coupling_along_x));
-        let margin_y = margin(decay(|s| s.coupling_along_y));
+        let [margin_x, margin_y] = [0, 1].map(margin);
         let cells_x = (margin_x / grid.spacing_x).ceil();
         let cells_y = (margin_y / grid.spacing_y).ceil();
         let largest = 2.0 * cells_x.max(cells_y) + grid.columns.max(grid.rows) as f64;
