@@ -4,6 +4,7 @@
 
 mod arguments;
 mod bulk;
+mod calibrate;
 mod commands;
 mod curve;
 mod failure;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Temperature(arguments) => temperature::run(&arguments),
         Command::Bulk(arguments) => bulk::run(&arguments),
+        Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

@@ -1,8 +1,9 @@
-//! Figures of a solution, of creep curves or of temperatures below the surface, each as SVG and as PNG of the same drawing.
+//! Figures of a solution, of creep curves, of temperatures below the surface or of a calibration, each as SVG and as PNG of the same drawing.
 //!
 //! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
 
+mod calibration;
 mod color;
 mod contour;
 mod creep_curve;
@@ -28,6 +29,7 @@ mod ticks;
 mod units;
 
 use schlupf::Solution;
+use schlupf::calibration::comparison::Comparison;
 
 use crate::creep_curve::CurveFamily;
 use crate::temperature::Temperatures;
@@ -59,6 +61,9 @@ pub enum FigureError {
     /// There are no temperatures to draw.
     #[error("there are no temperatures over a range of places to draw")]
     NoTemperature,
+    /// There are no forces and tractions to draw.
+    #[error("there are no forces and tractions to compare")]
+    NoComparison,
     /// The drawing could not be turned into a picture.
     #[error("the figure could not be rendered: {0}")]
     Render(String),
@@ -105,6 +110,21 @@ pub fn temperature(temperatures: &Temperatures) -> Result<Figure, FigureError> {
 /// The SVG document of temperatures along lines.
 pub fn temperature_drawing(temperatures: &Temperatures) -> Result<String, FigureError> {
     temperature::draw(temperatures).ok_or(FigureError::NoTemperature)
+}
+
+/// Name of the figure of layer and half-space.
+pub const CALIBRATION: &str = "calibration";
+
+/// The figure of forces and tractions of the calibrated layer and of uncoupled springs against the half-space.
+pub fn calibration(title: &str, comparison: &Comparison) -> Result<Figure, FigureError> {
+    let svg = calibration_drawing(title, comparison)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: CALIBRATION.to_owned(), svg, png })
+}
+
+/// The SVG document of layer and half-space.
+pub fn calibration_drawing(title: &str, comparison: &Comparison) -> Result<String, FigureError> {
+    calibration::draw(title, comparison).ok_or(FigureError::NoComparison)
 }
 
 /// Names of all figures of a solution that there can be.

@@ -149,3 +149,11 @@ fn middle_row(solution: &Solution, component: usize) -> Vec<[f64; 2]> {
     let point = |k: usize| [fields.x[k] / length, -traction[k] / bound];
     (0..fields.cell.len()).filter(in_row).map(point).collect()
 }
+
+impl Comparison {
+    /// Whether all solutions converged.
+    pub fn is_converged(&self) -> bool {
+        let answers = self.longitudinal.answers.iter().chain(&self.spin.answers);
+        answers.into_iter().all(|answer| answer.converged)
+    }
+}
