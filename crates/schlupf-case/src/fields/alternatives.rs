@@ -44,6 +44,20 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "stiffnesses are given per area (bedding, coupling) or for each cell (spring)",
     },
     Alternatives {
+        first: &["elasticity.calibration"],
+        second: &[
+            "elasticity.bedding_x",
+            "elasticity.bedding_y",
+            "elasticity.coupling_x",
+            "elasticity.coupling_y",
+            "elasticity.spring_x",
+            "elasticity.spring_y",
+            "elasticity.spring_coupling_x",
+            "elasticity.spring_coupling_y",
+        ],
+        reason: "the calibration gives all stiffnesses",
+    },
+    Alternatives {
         first: &["history.file"],
         second: &[
             "history.time",

@@ -330,12 +330,25 @@ const ELASTICITY: &[Field] = &[
         "model of the deformation",
     ),
     field(
+        "elasticity.calibration",
+        Kind::Choice(&[choice(
+            "half-space",
+            "stiffnesses with which the springs answer like the half-space on the same patch",
+        )]),
+        Finite,
+        Computed("\"half-space\", where no stiffness is given"),
+        "where the stiffnesses come from",
+    )
+    .example("half-space")
+    .with(MODEL, &["elastic-layer", "winkler"]),
+    field(
         "elasticity.bedding_x",
         quantity(&Measure::BEDDING),
         BEDDING,
-        Text("1.0e13 N/m^3"),
+        Nothing,
         "c, bedding stiffness for displacements along x",
     )
+    .example("1.0e13 N/m^3")
     .with(MODEL, &["elastic-layer", "winkler"]),
     field(
         "elasticity.bedding_y",
@@ -350,9 +363,10 @@ const ELASTICITY: &[Field] = &[
         "elasticity.coupling_x",
         quantity(&Measure::STIFFNESS),
         COUPLING,
-        Text("3.24e7 N/m"),
+        Nothing,
         "g, coupling stiffness for displacements along x",
     )
+    .example("3.24e7 N/m")
     .with(MODEL, LAYER),
     field(
         "elasticity.coupling_y",
