@@ -8,8 +8,7 @@
 use crate::heat::{Heat, HeatStep};
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
-
-use super::snapshot::Snapshot;
+use crate::summary::snapshot::Snapshot;
 
 /// Slip velocity and friction power of every cell. `change` is by how much the displacement A p
 /// changes while a material point passes each cell, in m.

@@ -1,0 +1,54 @@
+//! What the reader of a fast method's numbers must know.
+
+use crate::interface::friction::FrictionState;
+use crate::method::Method;
+use crate::normal::Pressure;
+use crate::problem::Problem;
+use crate::solution::Resultant;
+
+/// A force above the friction limit by less than this part of it is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Whatever the reader must know; `limit` is μN, in N.
+pub(super) fn of(problem: &Problem, method: Method, force: &Resultant, limit: f64) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let name = method.name();
+    let is_table = problem
+        .normal
+        .normal_contact(None)
+        .is_ok_and(|normal| matches!(normal.pressure, Pressure::Tabulated(..)));
+    if is_table {
+        warnings.push(format!(
+            "solver.method: {name:?} takes Kalker's coefficients of the ellipse with the length and \
+             width of the pressure table"
+        ));
+    }
+    if method.has_fields() {
+        return warnings;
+    }
+    let what = if force.moment_z.is_nan() { "forces only" } else { "forces and moment only" };
+    warnings.push(format!("solver.method: {name:?} gives {what}, no fields and no temperatures"));
+    if depends_on_temperature(problem) {
+        warnings.push(format!(
+            "friction.model: {name:?} knows no temperatures, so friction is that of material as warm \
+             as it enters"
+        ));
+    }
+    let total = force.x.hypot(force.y);
+    if total > limit * (1.0 + ROUNDING) {
+        warnings.push(format!(
+            "solver.method: the force of {name:?} is {:.3} times the friction limit μN, and not to be \
+             trusted: the method does not cut it off",
+            total / limit
+        ));
+    }
+    warnings
+}
+
+fn depends_on_temperature(problem: &Problem) -> bool {
+    let at = |temperature: f64| {
+        let state = FrictionState { temperature, ..FrictionState::default() };
+        problem.friction.law.respond(&state).coefficient
+    };
+    problem.heat.model.is_some() && [30.0, 300.0, 3000.0].into_iter().any(|t| at(t) != at(0.0))
+}
