@@ -70,6 +70,7 @@ impl Formatter for Numbers {
 struct Document<'a> {
     program: &'static str,
     title: &'a str,
+    method: &'static str,
     status: &'static str,
     normal: Normal,
     kinematics: Kinematics,
@@ -184,6 +185,7 @@ impl<'a> Document<'a> {
         Self {
             program: PROGRAM,
             title,
+            method: solution.method.name(),
             status: match solution.status {
                 Status::Converged => "converged",
                 Status::NotConverged => "not-converged",

@@ -84,7 +84,7 @@ impl Brush {
 
 impl SlopeReduction {
     /// k0 = 1, α = 0.025, β = 0.85: with these and the parabolic bound longitudinal forces are those of
-    /// Polach's formula with k_A = 1, k_S = 0.4, within 3 % of μN (root mean square 1.6 %).
+    /// Polach's formula with k_A = 1, k_S = 0.4, within 4 % of μN (root mean square 2 %).
     pub const DRY: Self = Self { initial: 1.0, limit_ratio: 0.025, decay: 0.85 };
 }
 

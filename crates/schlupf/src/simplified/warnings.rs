@@ -28,7 +28,7 @@ pub(super) fn of(problem: &Problem, method: Method, force: &Resultant, limit: f6
     }
     let what = if force.moment_z.is_nan() { "forces only" } else { "forces and moment only" };
     warnings.push(format!("solver.method: {name:?} gives {what}, no fields and no temperatures"));
-    if depends_on_temperature(problem) {
+    if method != Method::KalkerLinear && depends_on_temperature(problem) {
         warnings.push(format!(
             "friction.model: {name:?} knows no temperatures, so friction is that of material as warm \
              as it enters"

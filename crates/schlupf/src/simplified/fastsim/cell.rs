@@ -35,6 +35,16 @@ impl Carried {
     }
 }
 
+/// A traction (in Pa) cut to a bound, in Pa.
+pub(super) fn cut(traction: [f64; 2], bound: f64) -> [f64; 2] {
+    let square = traction[0] * traction[0] + traction[1] * traction[1];
+    if square <= bound * bound {
+        return traction;
+    }
+    let share = bound / square.sqrt();
+    traction.map(|t| share * t)
+}
+
 /// A direction that has turned towards a pull (in Pa) under a bound (in Pa).
 fn turned(direction: [f64; 2], pull: [f64; 2], bound: f64) -> [f64; 2] {
     let length = (pull[0] * pull[0] + pull[1] * pull[1]).sqrt();

@@ -26,13 +26,13 @@ use crate::grid::Grid;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
 use crate::normal::{NormalSummary, Pressure};
-use crate::patch::{Cell, Patch, Travel};
+use crate::patch::{Cell, Patch};
 use crate::problem::{Options, Problem};
 use crate::solution::Resultant;
 use crate::summary::snapshot::Snapshot;
 
 use super::elliptic_contact::{EllipticContact, friction_limit};
-use cell::Carried;
+use cell::{Carried, cut};
 use common_coefficient::common_coefficient;
 use flexibility::{Flexibility, slope_reduction};
 use passage::Passage;
@@ -132,6 +132,9 @@ impl Fastsim {
     }
 
     /// The same where friction follows from slip and heat.
+    ///
+    /// A point that comes with more traction than its coefficient here would have let it have there
+    /// drops that part without slip and heat: see [`Self::way_in`].
     fn pass_with_friction(&mut self, problem: &Problem) {
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
         let motion = &problem.kinematics;
@@ -140,13 +143,14 @@ impl Fastsim {
         let mut start = problem.friction.cold_coefficient();
         for strip in &patch.strips {
             let mut carried = Carried::default();
+            let mut pressure_before = 0.0;
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
                 let inherited = heat.inherited(k);
+                let growth = flexibility.growth(motion, &cell.way_in);
                 let arrive = |mu: f64| {
-                    let rigid = flexibility.growth(motion, &cell.way_in);
-                    let next = carried.next(rigid, mu * pressure(cell));
-                    let ends = [carried.traction, next.traction];
+                    let next = carried.next(growth, mu * pressure(cell));
+                    let ends = [cut(carried.traction, mu * pressure_before), next.traction];
                     (next, Passage::new(flexibility, motion, &cell.way_in, ends))
                 };
                 let mu = common_coefficient(start, |mu| {
@@ -159,6 +163,7 @@ impl Fastsim {
                 heat.release(k, passage.heat());
                 (start, friction[k], traction[k]) = (mu, mu, next.traction);
                 carried = next;
+                pressure_before = pressure(cell);
             }
         }
     }
@@ -197,20 +202,18 @@ impl Fastsim {
     /// Slip, friction power and temperatures of a strip.
     fn warm(&mut self, now: &mut Snapshot, strip: usize) {
         let strip = self.patch.strips[strip].clone();
-        let mut before = [0.0; 2];
         let mut way_in = Passage::default();
         for k in strip.cells.clone() {
             let cell = self.patch.cells[k];
             if k == strip.cells.start {
-                way_in = self.passage(now, &cell.way_in, [before, self.traction[k]]);
+                way_in = self.way_in(&now.kinematics, k, None);
             }
-            before = self.traction[k];
             let is_last = k + 1 == strip.cells.end;
             let way_out = if is_last {
-                self.passage(now, &strip.exit, [before, [0.0; 2]])
+                let ends = [self.traction[k], [0.0; 2]];
+                Passage::new(&self.flexibility, &now.kinematics, &strip.exit, ends)
             } else {
-                let next = self.patch.cells[k + 1].way_in;
-                self.passage(now, &next, [before, self.traction[k + 1]])
+                self.way_in(&now.kinematics, k + 1, Some(k))
             };
             let heat = way_in.heat();
             let inherited = self.heat.inherited(k);
@@ -231,8 +234,16 @@ impl Fastsim {
         now.exit_rise.push(self.heat.exit_rise(&strip, way_in.heat()));
     }
 
-    fn passage(&self, now: &Snapshot, way: &Travel, ends: [[f64; 2]; 2]) -> Passage {
-        Passage::new(&self.flexibility, &now.kinematics, way, ends)
+    /// The way into a cell, from the cell before if there is one.
+    ///
+    /// Where friction falls along the strip, a part of the traction is not held any more and springs back. How
+    /// much slip and heat that makes in a cell depends on the size of the cell, and so would friction that depends on
+    /// them; so that part does not count.
+    fn way_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
+        let held =
+            |j: usize| cut(self.traction[j], self.friction[k] * pressure(&self.patch.cells[j]));
+        let ends = [before.map_or([0.0; 2], held), self.traction[k]];
+        Passage::new(&self.flexibility, motion, &self.patch.cells[k].way_in, ends)
     }
 }
 
