@@ -4,6 +4,7 @@
 
 mod arguments;
 mod commands;
+mod compare;
 mod curve;
 mod failure;
 mod outputs;
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
     let result = match arguments.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

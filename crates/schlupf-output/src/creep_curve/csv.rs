@@ -68,7 +68,7 @@ pub fn table(family: &CurveFamily) -> String {
 }
 
 /// A status as results name it.
-pub(super) fn status(status: Status) -> &'static str {
+pub(crate) fn status(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",
         Status::NotConverged => "not-converged",

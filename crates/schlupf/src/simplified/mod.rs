@@ -154,12 +154,10 @@ impl FastContact {
             instant.max_rise = summary::temperature(&fastsim.patch, &now).max_rise;
             account.history = vec![instant];
             account.work.cells = fastsim.patch.len();
-            return summary::solution(
-                problem,
-                &self.options,
-                (normal, &fastsim.patch, &now),
-                account,
-            );
+            let patch = (normal, &fastsim.patch, &now);
+            let mut solution = summary::solution(problem, &self.options, patch, account);
+            solution.warnings.extend(warnings::of_power(&solution.power));
+            return solution;
         }
         account.history = vec![instant];
         self.without_fields(force, account)

@@ -4,7 +4,7 @@ use crate::interface::friction::FrictionState;
 use crate::method::Method;
 use crate::normal::Pressure;
 use crate::problem::Problem;
-use crate::solution::Resultant;
+use crate::solution::{Power, Resultant};
 
 /// A force above the friction limit by less than this part of it is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -43,6 +43,23 @@ pub(super) fn of(problem: &Problem, method: Method, force: &Resultant, limit: f6
         ));
     }
     warnings
+}
+
+/// Part of the creep power by which the friction power may differ unmentioned.
+const LARGEST_GAP: f64 = 0.05;
+
+/// FASTSIM with three flexibilities cannot close the balance of power where spin takes part.
+pub(super) fn of_power(power: &Power) -> Option<String> {
+    let gap = (power.friction - power.creep).abs();
+    (gap > LARGEST_GAP * power.creep.abs()).then(|| {
+        format!(
+            "solver.method: the friction power of FASTSIM, {:.4e} W, differs from the creep power, \
+             {:.4e} W, by more than {} %: temperatures are uncertain by as much",
+            power.friction,
+            power.creep,
+            100.0 * LARGEST_GAP
+        )
+    })
 }
 
 fn depends_on_temperature(problem: &Problem) -> bool {
