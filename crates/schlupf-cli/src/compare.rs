@@ -40,6 +40,7 @@ const STIFFNESSES: [&str; 9] = [
 /// Compares all methods on a case and writes the results.
 pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
     let case = read_case(&arguments.case)?;
+    refuse_history(&case)?;
     check_outputs(arguments, &case)?;
     for notice in &case.notices {
         report::warn(notice);
@@ -62,6 +63,21 @@ pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
     }
     let code = if comparison.is_converged() { 0 } else { NOT_CONVERGED };
     Ok(ExitCode::from(code))
+}
+
+/// Only the full method could follow one.
+fn refuse_history(case: &Case) -> Result<(), Failure> {
+    if case.problem.history.is_none() {
+        return Ok(());
+    }
+    let reason = "a comparison is of steady rolling, but there is a history".to_owned();
+    let field = if case.files().iter().any(|(field, _)| *field == "history.file") {
+        "history.file"
+    } else {
+        "history.time"
+    };
+    let error = Error::Contradiction { quantity: field, reason };
+    Err(Failure::Case(case.explain(&error).into()))
 }
 
 /// A method and the case that asks for it.

@@ -30,6 +30,9 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
     let progress = Progress::start();
     let mut solution = solve(&case, arguments.initial_state.as_deref(), &progress)?;
     solution.warnings.splice(0..0, case.notices.iter().cloned());
+    if !has_fields(&solution) {
+        warn_of_empty_files(arguments, solution.method);
+    }
     let files = files(arguments, &case.title, &solution, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
@@ -43,6 +46,19 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
             ));
             Ok(ExitCode::from(NOT_CONVERGED))
         }
+    }
+}
+
+/// Says which of the outputs that were asked for have nothing in them.
+fn warn_of_empty_files(arguments: &SolveArguments, method: Method) {
+    let given = [
+        ("--csv", "no rows", &arguments.csv),
+        ("--vtk", "no cells", &arguments.vtk),
+        ("--figures", "nothing to draw", &arguments.figures),
+    ];
+    for (option, what, _) in given.into_iter().filter(|(_, _, path)| path.is_some()) {
+        let name = method.name();
+        report::warn(&format!("{option} has {what}: solver.method = {name:?} gives no fields"));
     }
 }
 

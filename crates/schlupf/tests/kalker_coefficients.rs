@@ -137,6 +137,7 @@ fn the_table_is_that_of_the_computation() {
          use super::interpolated::{POISSON_RATIOS, RATIOS};\n\n\
          /// Chebyshev coefficients of ln C11, ln C22, ln C23, ln C33 (dimensionless) in log10(a/b) and 4ν − 1.\n\
          #[rustfmt::skip]\n\
+         #[allow(clippy::unreadable_literal, reason = \"numbers of a program for a program\")]\n\
          pub(super) const CHEBYSHEV: [[[f64; POISSON_RATIOS]; RATIOS]; 4] = [\n",
     );
     for values in &logarithms {

@@ -14,7 +14,7 @@ pub fn document(comparison: &Comparison) -> String {
         title: &comparison.title,
         normal: first.map(|entry| (&entry.solution.normal).into()),
         kinematics: first.map(|entry| (&entry.solution.kinematics).into()),
-        methods: comparison.entries.iter().map(Method::new).collect(),
+        methods: comparison.entries.iter().map(Row::new).collect(),
         warnings: comparison.entries.iter().flat_map(Entry::warnings).collect(),
     })
 }
@@ -25,12 +25,12 @@ struct Document<'a> {
     title: &'a str,
     normal: Option<Normal>,
     kinematics: Option<Kinematics>,
-    methods: Vec<Method>,
+    methods: Vec<Row>,
     warnings: Vec<String>,
 }
 
 #[derive(Serialize)]
-struct Method {
+struct Row {
     name: &'static str,
     method: &'static str,
     elasticity: Option<&'static str>,
@@ -44,7 +44,7 @@ struct Method {
     time_again: f64,
 }
 
-impl Method {
+impl Row {
     fn new(entry: &Entry) -> Self {
         let solution = &entry.solution;
         Self {

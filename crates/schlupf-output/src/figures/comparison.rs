@@ -15,6 +15,8 @@ const COLUMN: f64 = 200.0;
 const GAP: f64 = 22.0;
 const ROW: f64 = 34.0;
 const BAR: f64 = 18.0;
+/// What a number beside a bar takes.
+const LABEL_ROOM: f64 = 64.0;
 
 /// A quantity with a bar for every method.
 struct Column {
@@ -157,12 +159,12 @@ impl Column {
         if is_cut {
             let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
             drawing.plain_text([0.5 * (zero + end), baseline], &style, &text);
-        } else if value < 0.0 {
+        } else if value < 0.0 && end - left > LABEL_ROOM {
             let style = TextStyle::new(TICK_SIZE, Anchor::End);
             drawing.plain_text([end - 5.0, baseline], &style, &text);
         } else {
             let style = TextStyle::new(TICK_SIZE, Anchor::Start);
-            drawing.plain_text([end + 5.0, baseline], &style, &text);
+            drawing.plain_text([end.max(zero) + 5.0, baseline], &style, &text);
         }
     }
 }

@@ -4,6 +4,7 @@ use super::interpolated::{POISSON_RATIOS, RATIOS};
 
 /// Chebyshev coefficients of ln C11, ln C22, ln C23, ln C33 (dimensionless) in log10(a/b) and 4ν − 1.
 #[rustfmt::skip]
+#[allow(clippy::unreadable_literal, reason = "numbers of a program for a program")]
 pub(super) const CHEBYSHEV: [[[f64; POISSON_RATIOS]; RATIOS]; 4] = [
     [
         [1.6445889, 0.2118720, 0.0129163, 0.0011655, 0.0001238],

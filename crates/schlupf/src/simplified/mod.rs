@@ -3,9 +3,9 @@
 //!
 //! | method | gives | cost |
 //! |---|---|---|
-//! | Kalker's linear theory | forces, moment | ten nanoseconds |
+//! | Kalker's linear theory | forces, moment | a tenth of a microsecond |
 //! | [`shen_hedrick_elkins`] | forces, moment | the same |
-//! | [`polach`] | forces | a tenth of a microsecond |
+//! | [`polach`] | forces | the same |
 //! | FASTSIM, modified FASTSIM | forces, moment, fields, temperatures | microseconds |
 //!
 //! All rest on Kalker's coefficients for the ellipse of the contact, which come from a table. A
@@ -35,6 +35,9 @@ pub use elliptic_contact::EllipticContact;
 
 use elliptic_contact::friction_limit;
 use fastsim::Fastsim;
+
+/// What a method does not give.
+const UNKNOWN: f64 = f64::NAN;
 
 /// A contact that is set up for one of the fast methods.
 #[derive(Debug)]
@@ -156,7 +159,9 @@ impl FastContact {
             account.work.cells = fastsim.patch.len();
             let patch = (normal, &fastsim.patch, &now);
             let mut solution = summary::solution(problem, &self.options, patch, account);
-            solution.warnings.extend(warnings::of_power(&solution.power));
+            if problem.heat.model.is_some() {
+                solution.warnings.extend(warnings::of_power(&solution.power));
+            }
             return solution;
         }
         account.history = vec![instant];
@@ -169,7 +174,6 @@ impl FastContact {
         let contact_area = PI * normal.semi_axis_x * normal.semi_axis_y;
         // What is dissipated in steady rolling is what the creep forces put in.
         let creep = summary::creep_power(&motion, &force);
-        const UNKNOWN: f64 = f64::NAN;
         Solution {
             method: account.method,
             status: account.status,

@@ -20,9 +20,9 @@ pub(super) fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64)
             return asked;
         }
         if excess > 0.0 {
-            low = tried
+            low = tried;
         } else {
-            high = tried
+            high = tried;
         }
         let next = match last {
             // Every fourth step halves, lest one end of the interval stand still.
