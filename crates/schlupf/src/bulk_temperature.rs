@@ -70,7 +70,7 @@ const ITERATIONS: usize = 60;
 /// rail keeps its own: every piece of it meets the wheel once.
 ///
 /// # Errors
-/// What [`Problem::check`] and [`Options::check`] refuse, and a model without heat.
+/// What [`Problem::check`] and [`Options::check`] refuse, and a model or a method without heat.
 pub fn bulk_temperature(
     problem: &Problem,
     options: &Options,
@@ -83,6 +83,13 @@ pub fn bulk_temperature(
             quantity: "heat.model",
             reason: "the wheel warms by frictional heat only, but the heat model is \"none\""
                 .to_owned(),
+        });
+    }
+    if !options.method.has_fields() {
+        let name = options.method.name();
+        return Err(Error::Contradiction {
+            quantity: "solver.method",
+            reason: format!("the wheel warms by frictional heat, but {name:?} gives forces only"),
         });
     }
     let mut balance = Balance {

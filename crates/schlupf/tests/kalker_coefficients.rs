@@ -1,6 +1,7 @@
 //! Kalker's creep coefficients against tables.
 
 use std::f64::consts::PI;
+use std::fmt::Write;
 use std::path::Path;
 
 use schlupf::Error;
@@ -152,7 +153,7 @@ fn the_table_is_that_of_the_computation() {
             };
             let row: Vec<String> =
                 (0..POISSON_RATIOS).map(|n| format!("{:.7}", coefficient(n))).collect();
-            text.push_str(&format!("        [{}],\n", row.join(", ")));
+            writeln!(text, "        [{}],", row.join(", ")).unwrap();
         }
         text.push_str("    ],\n");
     }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
+use schlupf::bulk_temperature::{Cooling, bulk_temperature};
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::interface::contact_law::Incremental;
@@ -22,6 +23,7 @@ use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::simplified::FastContact;
 use schlupf::solution::Resultant;
+use schlupf::temperature_field::TemperatureField;
 use schlupf::{Method, Options, Problem, Solution};
 
 const PLAIN: AreaReduction = AreaReduction { area_adhesion: 1.0, area_slip: 1.0 };
@@ -418,4 +420,18 @@ fn transients_are_refused() {
     let mut contact = FastContact::new(&case, &options(parabolic(), 8)).unwrap();
     let locked = contact.force(&rolling(1.5, 0.0, 0.0)).unwrap_err();
     assert!(locked.to_string().contains("a reversed wheel"), "{locked}");
+}
+
+/// What needs the heat of the cells refuses methods that do not keep it.
+#[test]
+fn heat_that_is_not_kept_is_not_made_up() {
+    let mut case = slender(motions()[2]);
+    case.heat.model = Some(Arc::new(Duhamel));
+    let solution = solve(&case, &options(parabolic(), 8));
+    let error = TemperatureField::new(&case, &solution).unwrap_err().to_string();
+    assert!(error.starts_with("solver.method: temperatures below the surface"), "{error}");
+    let cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 10.0 };
+    let polach = options(Method::Polach(PLAIN), 8);
+    let error = bulk_temperature(&case, &polach, &cooling, &mut |_| ()).unwrap_err().to_string();
+    assert!(error.starts_with("solver.method: the wheel warms"), "{error}");
 }

@@ -172,7 +172,7 @@ pub const SECTIONS: &[Section] = &[
     Section { name: "solver", doc: "What is solved, and how.", fields: solver::FIELDS },
     Section {
         name: "fastsim",
-        doc: "The bristles of FASTSIM, for method = \"fastsim\" and \"modified-fastsim\".",
+        doc: "The bristles of FASTSIM, plain and modified.",
         fields: solver::FASTSIM,
     },
     Section {

@@ -25,8 +25,8 @@ pub(super) fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64)
             high = tried;
         }
         let next = match last {
-            // Every fourth step halves, lest one end of the interval stand still.
-            Some([before, excess_before]) if excess != excess_before && evaluation % 4 != 3 => {
+            // Every eighth step halves, lest one end of the interval stand still.
+            Some([before, excess_before]) if excess != excess_before && evaluation % 8 != 7 => {
                 tried - excess * (tried - before) / (excess - excess_before)
             }
             None => asked,
@@ -49,7 +49,7 @@ mod tests {
     use super::common_coefficient;
     use approx::assert_relative_eq;
 
-    /// Mild and steep falls, a rise, a jump, and a root at zero; in few evaluations where it is smooth.
+    /// Mild and steep falls, a rise, a jump, and a root near zero; in few evaluations where it is smooth.
     #[test]
     fn roots_are_found() {
         let count = |answer: &dyn Fn(f64) -> f64, root: f64| {
