@@ -5,6 +5,7 @@
 mod arguments;
 mod bulk;
 mod commands;
+mod compare;
 mod curve;
 mod failure;
 mod outputs;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Temperature(arguments) => temperature::run(&arguments),
         Command::Bulk(arguments) => bulk::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

@@ -4,6 +4,7 @@
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
 
 mod color;
+mod comparison;
 mod contour;
 mod creep_curve;
 mod cut;
@@ -29,6 +30,7 @@ mod units;
 
 use schlupf::Solution;
 
+use crate::comparison::Comparison;
 use crate::creep_curve::CurveFamily;
 use crate::temperature::Temperatures;
 
@@ -59,6 +61,9 @@ pub enum FigureError {
     /// There are no temperatures to draw.
     #[error("there are no temperatures over a range of places to draw")]
     NoTemperature,
+    /// All methods give nothing but zeros.
+    #[error("there is nothing to compare: no method gives a force or a temperature rise")]
+    NothingToCompare,
     /// The drawing could not be turned into a picture.
     #[error("the figure could not be rendered: {0}")]
     Render(String),
@@ -85,6 +90,16 @@ pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
     let svg = creep_curve_drawing(family)?;
     let png = raster::png(&svg, &font::database())?;
     Ok(Figure { name: CREEP_CURVE.to_owned(), svg, png })
+}
+
+/// Name of the figure of a comparison.
+pub const COMPARISON: &str = "comparison";
+
+/// The figure of a comparison: forces, moment and temperature rise of every method.
+pub fn comparison(comparison: &Comparison) -> Result<Figure, FigureError> {
+    let svg = comparison::draw(comparison).ok_or(FigureError::NothingToCompare)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: COMPARISON.to_owned(), svg, png })
 }
 
 /// The SVG document of creep curves.
