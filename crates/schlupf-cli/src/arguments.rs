@@ -33,6 +33,9 @@ pub enum Command {
     /// Compute creep curves: forces over creepage
     #[command(after_help = EXIT_CODES)]
     Curve(Box<CurveArguments>),
+    /// Compare all methods on a case: forces, temperature, time
+    #[command(after_help = EXIT_CODES)]
+    Compare(Box<CompareArguments>),
     /// Temperatures of wheel and rail below a point, and along its row with the wake
     #[command(after_help = EXIT_CODES)]
     Temperature(Box<TemperatureArguments>),
@@ -222,6 +225,26 @@ pub struct CalibrateArguments {
           conflicts_with = "displacements")]
     pub figures: Option<PathBuf>,
     /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// What to compare, and where to write it.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Write the results as JSON; `-` is standard output, then without the table
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Write the table as CSV, one row for each method
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub csv: Option<PathBuf>,
+    /// Draw the figure `comparison` (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+    /// Print no table
     #[arg(short, long)]
     pub quiet: bool,
 }

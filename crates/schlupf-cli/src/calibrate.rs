@@ -3,9 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::calibration::comparison::compare;
 use schlupf::calibration::displacements::{Sample, fit};
-use schlupf::calibration::{Calibration, CalibrationOptions, calibrate, deviation_of_table, kalker_bed};
+use schlupf::calibration::side_by_side::side_by_side;
+use schlupf::calibration::{
+    Calibration, CalibrationOptions, calibrate, deviation_of_table, kalker_bed,
+};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::calibrated_layer::{RelativeStiffness, tabulated_stiffness};
 use schlupf::elasticity::half_space::HalfSpace;
@@ -99,7 +101,8 @@ impl Patch {
             .filter(|_| displacements.is_empty())
             .map(|_| deviation_of_table(ratios.0, ratios.1, &options))
             .transpose()?;
-        let anew = if arguments.anew { Some(calibrate(ratios.0, ratios.1, &options)?) } else { None };
+        let anew =
+            if arguments.anew { Some(calibrate(ratios.0, ratios.1, &options)?) } else { None };
         let fitted = self.fitted(displacements)?;
         let mut converged = anew.is_none_or(|anew| anew.converged)
             && fitted.iter().flat_map(components).all(|component| component.fit.converged);
@@ -107,9 +110,9 @@ impl Patch {
         if arguments.figures.is_some() {
             let stiffness = anew.map(|anew| anew.stiffness).or(tabulated);
             if let Some(stiffness) = stiffness {
-                let comparison = compare(ratios.0, ratios.1, stiffness)?;
-                converged &= comparison.is_converged();
-                figure = Some(figures::calibration(&case.title, &comparison));
+                let sides = side_by_side(ratios.0, ratios.1, stiffness)?;
+                converged &= sides.is_converged();
+                figure = Some(figures::calibration(&case.title, &sides));
             }
         }
         let report = Report {
@@ -141,9 +144,8 @@ impl Patch {
         stiffness: [RelativeStiffness; 2],
         deviation: Option<schlupf::calibration::Deviation>,
     ) -> Layer {
-        let absolute = |relative: RelativeStiffness| {
-            relative.absolute(self.bodies.shear_modulus(), self.size)
-        };
+        let absolute =
+            |relative: RelativeStiffness| relative.absolute(self.bodies.shear_modulus(), self.size);
         Layer { stiffness: stiffness.map(absolute), deviation }
     }
 
@@ -167,7 +169,8 @@ impl Patch {
         let semi_axes = [self.normal.summary.semi_axis_x, self.normal.summary.semi_axis_y];
         let guess = kalker_bed(&self.bodies, semi_axes)?.bedding();
         let component = |k: usize| {
-            let loaded = displacements.iter().filter_map(|file| Some((file, file.samples[k].as_ref()?)));
+            let loaded =
+                displacements.iter().filter_map(|file| Some((file, file.samples[k].as_ref()?)));
             let (files, samples): (Vec<&Displacements>, Vec<&Sample>) = loaded.unzip();
             if samples.is_empty() {
                 return Ok(None);

@@ -6,6 +6,7 @@ mod arguments;
 mod bulk;
 mod calibrate;
 mod commands;
+mod compare;
 mod curve;
 mod failure;
 mod outputs;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Temperature(arguments) => temperature::run(&arguments),
         Command::Bulk(arguments) => bulk::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

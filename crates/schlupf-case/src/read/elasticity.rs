@@ -46,7 +46,8 @@ pub fn model(
             let margin = settings.optional_number("elasticity.margin")?;
             if settings.any_given(&SPRINGS) {
                 Ok(Arc::new(discrete(settings, margin)?))
-            } else if settings.any_given(&BEDDINGS) || settings.any_given(COUPLINGS.as_flattened()) {
+            } else if settings.any_given(&BEDDINGS) || settings.any_given(COUPLINGS.as_flattened())
+            {
                 Ok(Arc::new(per_area(settings, margin)?))
             } else {
                 let layer = CalibratedLayer::new(bodies[0], bodies[1], margin);

@@ -113,7 +113,8 @@ fn check_direction(
         "{displacement} must go with {traction}, but where the traction is large it is the same as elsewhere or \
          opposite"
     );
-    let advice = "give the traction on the wheel and the displacement of the wheel less that of the rail";
+    let advice =
+        "give the traction on the wheel and the displacement of the wheel less that of the rail";
     Err(columns.error(columns.header_line, message).help(advice.to_owned()))
 }
 

@@ -26,7 +26,8 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError
     let lattice = Lattice::of(xs, ys, &columns, "give pressure 0 outside the contact")?;
     if let Some(row) = pressures.iter().position(|pressure| *pressure < 0.0) {
         let at = point(xs[row], ys[row]);
-        let message = format!("pressure must not be negative, but is {} Pa at {at}", pressures[row]);
+        let message =
+            format!("pressure must not be negative, but is {} Pa at {at}", pressures[row]);
         return Err(columns.error(columns.lines[row], message));
     }
     let pressure = lattice.arranged(pressures);

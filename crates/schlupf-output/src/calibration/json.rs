@@ -18,10 +18,7 @@ pub fn document(report: &Report) -> String {
             semi_axis_x: report.normal.semi_axis_x,
             semi_axis_y: report.normal.semi_axis_y,
         },
-        bodies: Bodies {
-            shear_modulus: report.shear_modulus,
-            poisson_ratio: report.poisson_ratio,
-        },
+        bodies: Bodies { shear_modulus: report.shear_modulus, poisson_ratio: report.poisson_ratio },
         table: report.tabulated.map(LayerEntry::new),
         anew: report.anew.map(|anew| LayerEntry::new(anew.layer)),
         uncoupled: report.anew.map(|anew| LayerEntry::new(anew.uncoupled)),

@@ -18,7 +18,9 @@ pub(super) fn snippet(report: &Report) -> String {
     for (component, stiffness) in ["x", "y"].into_iter().zip(components) {
         match stiffness {
             Some(stiffness) => lines.extend(assignments(component, &stiffness)),
-            None => lines.push("# along y as along x, of which alone something is known".to_owned()),
+            None => {
+                lines.push("# along y as along x, of which alone something is known".to_owned())
+            }
         }
     }
     lines.join("\n") + "\n"

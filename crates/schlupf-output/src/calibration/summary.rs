@@ -44,7 +44,7 @@ fn patch(text: &mut String, report: &Report) {
 }
 
 /// Width of the names of quantities, and of a column.
-const NAME: usize = 26;
+const NAME: usize = 27;
 const COLUMN: usize = 12;
 
 fn stiffnesses(text: &mut String, origins: &[Origin]) {
@@ -96,7 +96,10 @@ fn displacements(text: &mut String, fitted: &Fitted) {
         let Some(component) = component else { continue };
         for (file, deviation) in component.files.iter().zip(&component.fit.deviation) {
             let name = format!("displacement_{direction}");
-            line(text, &format!("{name:NAME$}  {:>1$}  %  {file}", percent(*deviation), 2 * COLUMN));
+            line(
+                text,
+                &format!("{name:NAME$}  {:>1$}  %  {file}", percent(*deviation), 2 * COLUMN),
+            );
         }
     }
     text.push('\n');

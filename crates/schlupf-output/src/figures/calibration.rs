@@ -1,12 +1,12 @@
 //! Half-space, calibrated layer and uncoupled springs side by side: forces over creepage, and the traction in the
 //! middle of the patch.
 
-use schlupf::calibration::comparison::{Answer, Comparison, Course, Model};
+use schlupf::calibration::side_by_side::{Answer, Course, Model, SideBySide};
 
 use super::frame::Frame;
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{BLUE, Curve, Panel, VERMILION, ZERO};
+use super::panels::{BLUE, Curve, GREEN, Panel, VERMILION, ZERO};
 use super::svg::{Drawing, INK};
 
 const LEFT: f64 = 84.0;
@@ -18,10 +18,10 @@ const TOP: f64 = HEADING + 64.0;
 const TITLE_SIZE: f64 = 15.0;
 
 /// The figure; `None` where there is nothing to draw.
-pub(super) fn draw(title: &str, comparison: &Comparison) -> Option<String> {
+pub(super) fn draw(title: &str, sides: &SideBySide) -> Option<String> {
     let courses = [
-        (&comparison.longitudinal, ["longitudinal creepage", "$F$_x/$μN$", "$t$_x/($μp$_0)"]),
-        (&comparison.spin, ["spin", "$F$_y/$μN$", "$t$_y/($μp$_0)"]),
+        (&sides.longitudinal, ["longitudinal creepage", "$F$_x/$μN$", "$t$_x/($μp$_0)"]),
+        (&sides.spin, ["spin", "$F$_y/$μN$", "$t$_y/($μp$_0)"]),
     ];
     let first = courses[0].0.answers.first()?;
     if first.force.len() < 2 || first.traction.len() < 2 {
@@ -33,8 +33,8 @@ pub(super) fn draw(title: &str, comparison: &Comparison) -> Option<String> {
     let converged = courses.iter().flat_map(|(course, _)| &course.answers).all(|a| a.converged);
     let ratios = format!(
         "$a$/$b$ = {}, $ν$ = {}; forces and tractions on the rail",
-        short(comparison.axis_ratio),
-        short(comparison.poisson_ratio)
+        short(sides.axis_ratio),
+        short(sides.poisson_ratio)
     );
     let remark = if converged { "" } else { "not converged" };
     marks::title_block(&mut drawing, "The layer against the half-space", [title, &ratios], remark);
@@ -49,10 +49,12 @@ pub(super) fn draw(title: &str, comparison: &Comparison) -> Option<String> {
                 }),
             },
             Plot {
-                title: format!("traction along $y$ = 0 at {}", short(course.traction_at)),
+                title: format!("traction along $y$ = 0, {name} {}", short(course.traction_at)),
                 axes: ["$x$/$a$".to_owned(), traction.to_owned()],
                 x: [-1.0, 1.0],
-                curves: curves(course, |answer| answer.traction.iter().map(|p| (p[0], p[1])).collect()),
+                curves: curves(course, |answer| {
+                    answer.traction.iter().map(|p| (p[0], p[1])).collect()
+                }),
             },
         ];
         for (column, plot) in plots.into_iter().enumerate() {
@@ -82,6 +84,7 @@ fn stroke(model: Model) -> String {
         Model::HalfSpace => ("#b8b8b8", 5.0, ""),
         Model::Layer => (BLUE, 1.8, ""),
         Model::KalkerBed => (VERMILION, 1.8, r#" stroke-dasharray="7 4""#),
+        Model::Fastsim => (GREEN, 1.8, r#" stroke-dasharray="2 3""#),
     };
     format!(r#"stroke="{color}" stroke-width="{width}" stroke-linejoin="round"{dashes}"#)
 }
@@ -91,6 +94,7 @@ fn name(model: Model) -> &'static str {
         Model::HalfSpace => "half-space",
         Model::Layer => "calibrated layer",
         Model::KalkerBed => "Winkler",
+        Model::Fastsim => "FASTSIM",
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod calibration;
 mod color;
+mod comparison;
 mod contour;
 mod creep_curve;
 mod cut;
@@ -29,8 +30,9 @@ mod ticks;
 mod units;
 
 use schlupf::Solution;
-use schlupf::calibration::comparison::Comparison;
+use schlupf::calibration::side_by_side::SideBySide;
 
+use crate::comparison::Comparison;
 use crate::creep_curve::CurveFamily;
 use crate::temperature::Temperatures;
 
@@ -62,8 +64,11 @@ pub enum FigureError {
     #[error("there are no temperatures over a range of places to draw")]
     NoTemperature,
     /// There are no forces and tractions to draw.
-    #[error("there are no forces and tractions to compare")]
-    NoComparison,
+    #[error("there are no forces and tractions of half-space and layer to draw")]
+    NoSides,
+    /// All methods give nothing but zeros.
+    #[error("there is nothing to compare: no method gives a force or a temperature rise")]
+    NothingToCompare,
     /// The drawing could not be turned into a picture.
     #[error("the figure could not be rendered: {0}")]
     Render(String),
@@ -92,6 +97,16 @@ pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
     Ok(Figure { name: CREEP_CURVE.to_owned(), svg, png })
 }
 
+/// Name of the figure of a comparison.
+pub const COMPARISON: &str = "comparison";
+
+/// The figure of a comparison: forces, moment and temperature rise of every method.
+pub fn comparison(comparison: &Comparison) -> Result<Figure, FigureError> {
+    let svg = comparison::draw(comparison).ok_or(FigureError::NothingToCompare)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: COMPARISON.to_owned(), svg, png })
+}
+
 /// The SVG document of creep curves.
 pub fn creep_curve_drawing(family: &CurveFamily) -> Result<String, FigureError> {
     creep_curve::draw(family).ok_or(FigureError::NoCurve)
@@ -116,15 +131,15 @@ pub fn temperature_drawing(temperatures: &Temperatures) -> Result<String, Figure
 pub const CALIBRATION: &str = "calibration";
 
 /// The figure of forces and tractions of the calibrated layer and of uncoupled springs against the half-space.
-pub fn calibration(title: &str, comparison: &Comparison) -> Result<Figure, FigureError> {
-    let svg = calibration_drawing(title, comparison)?;
+pub fn calibration(title: &str, sides: &SideBySide) -> Result<Figure, FigureError> {
+    let svg = calibration_drawing(title, sides)?;
     let png = raster::png(&svg, &font::database())?;
     Ok(Figure { name: CALIBRATION.to_owned(), svg, png })
 }
 
 /// The SVG document of layer and half-space.
-pub fn calibration_drawing(title: &str, comparison: &Comparison) -> Result<String, FigureError> {
-    calibration::draw(title, comparison).ok_or(FigureError::NoComparison)
+pub fn calibration_drawing(title: &str, sides: &SideBySide) -> Result<String, FigureError> {
+    calibration::draw(title, sides).ok_or(FigureError::NoSides)
 }
 
 /// Names of all figures of a solution that there can be.

@@ -3,7 +3,7 @@
 use crate::elasticity::half_space::HalfSpace;
 use crate::elasticity::winkler::Winkler;
 use crate::error::Error;
-use crate::kalker_coefficients::creep_coefficients;
+use crate::kalker_coefficients::interpolated_coefficients;
 use crate::reference::kalker_linear::CreepCoefficients;
 
 /// The bed of springs for an elliptic patch of these semi-axes along and across rolling (in m):
@@ -18,7 +18,7 @@ use crate::reference::kalker_linear::CreepCoefficients;
 /// Semi-axes that are not positive and finite.
 pub fn kalker_bed(bodies: &HalfSpace, semi_axes: [f64; 2]) -> Result<Winkler, Error> {
     let [a, b] = semi_axes;
-    let coefficients = creep_coefficients(a / b, bodies.poisson_ratio())?;
+    let coefficients = interpolated_coefficients(a / b, bodies.poisson_ratio())?;
     let [x, y] = bedding(&coefficients, bodies.shear_modulus(), a);
     Ok(Winkler::new(x, y)?.growing_with_the_patch())
 }

@@ -7,11 +7,11 @@
 //! law. In units of the patch's size √(ab) and the shear modulus G the result depends on a/b and ν
 //! alone. The coupling along rolling and that across rolling are two constants for each component.
 
-pub mod comparison;
 pub mod displacements;
 mod kalker_bed;
 mod rolling_contact;
 mod rolling_fit;
+pub mod side_by_side;
 
 use std::sync::Arc;
 

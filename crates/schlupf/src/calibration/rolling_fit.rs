@@ -73,16 +73,17 @@ impl Motions {
         Ok(this)
     }
 
+    /// Combined shear modulus of the bodies, in Pa.
     pub fn shear_modulus(&self) -> f64 {
         self.contact.bodies.shear_modulus()
     }
 
-    /// Beddings c s/G of the bed of springs with Kalker's flexibilities.
+    /// Beddings c s/G (dimensionless) of the bed of springs with Kalker's flexibilities.
     pub fn slope_bedding(&self) -> [f64; 2] {
         bedding(&self.contact.coefficients, SIZE, self.contact.semi_axes[0])
     }
 
-    /// Logarithms of the stiffnesses that fit the half-space's displacements under the tractions of
+    /// Logarithms of the relative stiffnesses (dimensionless) that fit the half-space's displacements under the tractions of
     /// nearly full stick and of full sliding.
     pub fn start(&self) -> Result<Vec<f64>, Error> {
         let sliding = [(0, 4), (5, 9)];
@@ -117,7 +118,8 @@ impl Motions {
         self.motions.iter().map(solve).collect()
     }
 
-    /// Differences of forces, and of the tractions if they count, each over what weighs one.
+    /// Differences of forces, and of the tractions if they count, each over what weighs one;
+    /// dimensionless.
     pub fn residuals(&self, elasticity: &Arc<dyn Elasticity>, fields: bool) -> Option<Vec<f64>> {
         let answers = self.answers(elasticity)?;
         let mut residuals = Vec::new();

@@ -34,7 +34,7 @@ impl RelativeStiffness {
     }
 }
 
-/// Axes ratios a/b for which the table holds.
+/// Axes ratios a/b for which the table holds, dimensionless.
 pub const AXIS_RATIO_RANGE: [f64; 2] = [0.1, 10.0];
 
 /// Stiffnesses for displacements along and across rolling, for an axes ratio a/b and a combined Poisson's

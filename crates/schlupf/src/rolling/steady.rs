@@ -6,22 +6,26 @@ use std::sync::Arc;
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
+use crate::simplified::FastContact;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::State;
+use crate::summary::{self, snapshot::Snapshot};
 
 use super::Progress;
 use super::branches;
 use super::level::{self, Level};
 use super::marching;
 use super::sensitivity::sensitivity;
-use super::snapshot::Snapshot;
 use super::steady_state::SteadyState;
-use super::summary;
+use super::warnings;
 
 /// Solves a problem for its steady state.
 ///
 /// Where Newton's method fails, the state is marched to instead, and a warning says so.
+///
+/// With a fast method it is that method's state.
 ///
 /// # Errors
 /// A history or an initial state, which only marching can follow, and whatever
@@ -54,17 +58,18 @@ fn refuse_transient(problem: &Problem) -> Result<(), Error> {
 /// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a problem
 /// do) share grids, kernels and transforms, and each starts from the solutions before; where that
 /// fails, from none. The result depends on them within the tolerance only. It is a steady solver
-/// whatever the driver of the options.
+/// whatever the driver of the options. A fast method has its own set-up, which it keeps likewise.
 pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
     newton: Newton,
+    fast: Option<FastContact>,
 }
 
 impl SteadySolver {
     /// A solver without a past.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), setup: None, newton: Newton::default() }
+        Self { options: options.clone(), setup: None, newton: Newton::default(), fast: None }
     }
 
     /// How it solves.
@@ -78,6 +83,11 @@ impl SteadySolver {
         problem: &Problem,
         report: &mut dyn FnMut(Progress),
     ) -> Result<Solution, Error> {
+        if self.options.method != Method::Full {
+            let solution = self.solve_fast(problem)?;
+            report(Progress { step: 1, steps: Some(1), change: 0.0 });
+            return Ok(solution);
+        }
         let outcome = match self.solve_at_once(problem, self.options.sensitivity)? {
             Ok(solution) => {
                 report(Progress { step: 1, steps: Some(1), change: solution.residual });
@@ -94,9 +104,23 @@ impl SteadySolver {
         Ok(marched)
     }
 
+    fn solve_fast(&mut self, problem: &Problem) -> Result<Solution, Error> {
+        let fast = match &mut self.fast {
+            Some(fast) => {
+                fast.set_problem(problem)?;
+                fast
+            }
+            none => none.insert(FastContact::new(problem, &self.options)?),
+        };
+        Ok(fast.solution())
+    }
+
     /// The steady state with its derivatives. Nothing where Newton's method fails: this never
-    /// marches.
+    /// marches. Nothing with a fast method, which has no derivatives.
     pub fn solve_with_derivatives(&mut self, problem: &Problem) -> Result<Option<Solution>, Error> {
+        if self.options.method != Method::Full {
+            return Ok(None);
+        }
         self.solve_at_once(problem, true).map(Result::ok)
     }
 
@@ -393,14 +417,15 @@ impl Setup {
             residual: outcome.residual,
         };
         let account = summary::Account {
+            method: Method::Full,
             status: Status::Converged,
             residual: outcome.residual,
             history: vec![instant],
-            warnings: summary::warnings(problem, options, contact, &now),
+            warnings: warnings::warnings(problem, options, contact, &now),
             sensitivity: None,
             work,
             state: State { grid: contact.patch.grid, time: 0.0, elements },
         };
-        summary::solution(problem, options, (contact, &now), account)
+        summary::solution(problem, options, (&contact.normal, &contact.patch, &now), account)
     }
 }

@@ -1,5 +1,6 @@
 //! `[elasticity]`.
 
+use super::solver::{FULL, METHOD};
 use super::{choice, field, quantity};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};
@@ -29,7 +30,8 @@ pub(super) const FIELDS: &[Field] = &[
         Finite,
         Text("elastic-layer"),
         "model of the deformation",
-    ),
+    )
+    .with(METHOD, FULL),
     field(
         "elasticity.calibration",
         Kind::Choice(&[choice(

@@ -8,7 +8,9 @@ use crate::elasticity::calibrated_layer::RelativeStiffness;
 use crate::elasticity::elastic_layer::ElasticLayer;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::method::{Brush, Method};
 use crate::problem::{Options, Problem};
+use crate::rolling;
 use crate::rolling::steady::SteadySolver;
 use crate::solution::{Solution, Status};
 
@@ -24,10 +26,9 @@ pub enum Model {
     Layer,
     /// The bed of springs with Kalker's flexibilities.
     KalkerBed,
+    /// FASTSIM as Kalker (1982) has it.
+    Fastsim,
 }
-
-/// All of them.
-pub const MODELS: [Model; 3] = [Model::HalfSpace, Model::Layer, Model::KalkerBed];
 
 /// Forces and traction of one model on the way of a creepage.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +56,7 @@ pub struct Course {
 
 /// Half-space and stand-ins on one ellipse.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Comparison {
+pub struct SideBySide {
     /// Axes ratio a/b, dimensionless.
     pub axis_ratio: f64,
     /// Combined Poisson's ratio ν, dimensionless.
@@ -67,11 +68,13 @@ pub struct Comparison {
 }
 
 /// Creepages of the forces.
-const CREEPAGES: [f64; 16] =
-    [0.0, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 1.0, 1.2, 1.4, 1.6, 1.85, 2.1, 2.4, 2.7, 3.0];
+const CREEPAGES: [f64; 24] = [
+    0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.1, 1.2, 1.35, 1.5,
+    1.7, 1.9, 2.1, 2.4, 2.7, 3.0,
+];
 
 /// Creepage of the traction.
-const TRACTION_AT: f64 = 0.8;
+const TRACTION_AT: f64 = 0.6;
 
 /// Cells across the patch: the odd number has a row at y = 0.
 const CELLS: [usize; 2] = [48, 31];
@@ -81,11 +84,11 @@ const CELLS: [usize; 2] = [48, 31];
 ///
 /// # Errors
 /// An axes ratio that is not positive, or a Poisson's ratio outside 0 to 0.5.
-pub fn compare(
+pub fn side_by_side(
     axis_ratio: f64,
     poisson_ratio: f64,
     stiffness: [RelativeStiffness; 2],
-) -> Result<Comparison, Error> {
+) -> Result<SideBySide, Error> {
     let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
     let shear_modulus = contact.bodies.shear_modulus();
     let [x, y] = stiffness.map(|relative| relative.absolute(shear_modulus, SIZE));
@@ -93,8 +96,10 @@ pub fn compare(
         (Model::HalfSpace, Arc::new(contact.bodies)),
         (Model::Layer, Arc::new(ElasticLayer::new(x, y, None)?)),
         (Model::KalkerBed, Arc::new(kalker_bed(&contact.bodies, contact.semi_axes)?)),
+        // It asks for no model of elasticity.
+        (Model::Fastsim, Arc::new(contact.bodies)),
     ];
-    Ok(Comparison {
+    Ok(SideBySide {
         axis_ratio,
         poisson_ratio,
         longitudinal: course(&contact, &models, 0)?,
@@ -114,9 +119,14 @@ fn course(
     let mut answers = Vec::with_capacity(models.len());
     for (model, elasticity) in models {
         let mut solver = SteadySolver::new(&options());
+        let fast = Options { method: Method::Fastsim(Brush::KALKER), ..options() };
         let problem = Problem { elasticity: Arc::clone(elasticity), ..contact.problem.clone() };
         let mut solve = |kinematics: Kinematics| {
-            solver.solve(&Problem { kinematics, ..problem.clone() }, &mut |_| ())
+            let problem = Problem { kinematics, ..problem.clone() };
+            match model {
+                Model::Fastsim => rolling::solve(&problem, &fast, &mut |_| ()),
+                _ => solver.solve(&problem, &mut |_| ()),
+            }
         };
         let mut converged = true;
         let mut force = Vec::with_capacity(CREEPAGES.len());
@@ -150,7 +160,7 @@ fn middle_row(solution: &Solution, component: usize) -> Vec<[f64; 2]> {
     (0..fields.cell.len()).filter(in_row).map(point).collect()
 }
 
-impl Comparison {
+impl SideBySide {
     /// Whether all solutions converged.
     pub fn is_converged(&self) -> bool {
         let answers = self.longitudinal.answers.iter().chain(&self.spin.answers);
