@@ -6,12 +6,12 @@ use faer::linalg::solvers::{DenseSolveCore, Solve};
 
 /// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
 pub trait Residuals {
-    /// The residuals at some parameters; `None` where the model cannot be evaluated, or outside the
+    /// The residuals at some parameters, both dimensionless; `None` where the model cannot be evaluated, or outside the
     /// parameters' range: a step there is shortened.
     fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>>;
 
-    /// Derivatives of the residuals (rows) with respect to the parameters (columns); by default by
-    /// forward differences.
+    /// Derivatives of the residuals (rows) with respect to the parameters (columns), dimensionless; by
+    /// default by forward differences.
     fn jacobian(&mut self, parameters: &[f64], residuals: &[f64]) -> Option<Mat<f64>> {
         let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
         let mut moved = parameters.to_vec();
@@ -47,11 +47,11 @@ pub struct Limits {
 /// Where a fit ended.
 #[derive(Debug, Clone)]
 pub struct Minimum {
-    /// The parameters.
+    /// The parameters, dimensionless.
     pub parameters: Vec<f64>,
-    /// The residuals there.
+    /// The residuals there, dimensionless.
     pub residuals: Vec<f64>,
-    /// Their derivatives (rows) with respect to the parameters (columns).
+    /// Their derivatives (rows) with respect to the parameters (columns), dimensionless.
     pub jacobian: Mat<f64>,
     /// Whether the tolerance was reached.
     pub converged: bool,
@@ -65,8 +65,8 @@ impl Minimum {
         sum_of_squares(&self.residuals)
     }
 
-    /// (JᵀJ)⁻¹: with residuals of unit variance the covariance of the parameters. `None` where it is
-    /// singular to rounding: some combination of the parameters changes no residual.
+    /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters. `None`
+    /// where it is singular to rounding: some combination of the parameters changes no residual.
     pub fn covariance(&self) -> Option<Mat<f64>> {
         let scale = column_norms(&self.jacobian);
         if scale.iter().any(|norm| *norm == 0.0 || !norm.is_finite()) {

@@ -32,6 +32,7 @@ pub mod bulk_temperature;
 pub mod creep_curve;
 pub mod reference;
 pub mod kalker_coefficients;
+pub mod identification;
 
 pub use error::Error;
 pub use problem::{Options, Problem};

@@ -66,12 +66,12 @@ impl FrictionConstant {
     }
 }
 
-/// New values of some constants, in SI units.
+/// New values of some constants, in SI units or dimensionless.
 #[derive(Debug, Clone, Copy)]
 pub struct Changes<'a>(pub &'a [(FrictionConstant, f64)]);
 
 impl Changes<'_> {
-    /// The new value of a constant, or the one it has.
+    /// The new value of a constant (in its SI unit, or dimensionless), or the one it has.
     pub fn of(&self, constant: FrictionConstant, otherwise: f64) -> f64 {
         let change = self.0.iter().find(|(changed, _)| *changed == constant);
         change.map_or(otherwise, |(_, value)| *value)
@@ -80,13 +80,13 @@ impl Changes<'_> {
 
 /// A friction law whose constants can be read and changed.
 pub trait AdjustableFriction {
-    /// Its constants with their values, in SI units.
+    /// Its constants with their values, in SI units or dimensionless.
     fn constants(&self) -> Vec<(FrictionConstant, f64)>;
 
     /// The same law with other values. Constants that it does not have do not count.
     fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error>;
 
-    /// ∂μ/∂constant while the other constants stay, in the reciprocal of its unit; zero for a constant
-    /// that it does not have.
+    /// ∂μ/∂constant while the other constants stay, in the reciprocal of its unit or dimensionless;
+    /// zero for a constant that it does not have.
     fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64;
 }
