@@ -7,6 +7,7 @@ mod bulk;
 mod commands;
 mod curve;
 mod failure;
+mod fit;
 mod outputs;
 mod progress;
 mod report;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Temperature(arguments) => temperature::run(&arguments),
         Command::Bulk(arguments) => bulk::run(&arguments),
+        Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

@@ -250,12 +250,27 @@ fn a_curve_between_the_points_goes_through_the_fit() {
 #[test]
 fn the_linear_range_does_not_determine_friction() {
     let data = computed(&heated(TRUTH), &[1e-5, 2e-5, 4e-5, 6e-5, 8e-5, 1e-4]);
-    let message = refusal(&heated(START), &[COLD, STIFFNESS], &data);
-    assert!(message.contains("friction.coefficient"), "{message}");
-    assert!(message.contains("contact_law.stiffness"), "{message}");
-    let message = refusal(&heated(START), &[COLD, VANISHES], &data);
+    for parameters in [&[COLD, STIFFNESS][..], &[COLD]] {
+        let message = refusal(&heated(START), parameters, &data);
+        assert!(
+            message.starts_with("friction.coefficient: the data do not determine it"),
+            "{message}"
+        );
+        assert!(message.contains("in proportion to the creepage"), "{message}");
+    }
+    let message = refusal(&heated(START), &[VANISHES], &data);
     assert!(message.contains("temperature_at_zero_friction"), "{message}");
     assert!(message.contains("do not determine it"), "{message}");
+}
+
+/// Just above it both count, but in one way only.
+#[test]
+fn friction_and_stiffness_that_act_alike_are_named_together() {
+    let data = computed(&heated(TRUTH), &[2e-4, 4e-4, 6e-4, 8e-4, 1e-3, 1.2e-3]);
+    let data = with_noise(&data, 5e-3, 11);
+    let message = refusal(&heated(TRUTH), &[COLD, STIFFNESS], &data);
+    assert!(message.contains("friction.coefficient"), "{message}");
+    assert!(message.contains("contact_law.stiffness"), "{message}");
 }
 
 /// Full sliding shows neither k_c nor the height of the roughness.

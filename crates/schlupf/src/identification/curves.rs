@@ -33,8 +33,8 @@ pub struct Series {
 /// Most series that are computed: beyond it every point has a condition of its own.
 const MOST_SERIES: usize = 12;
 
-/// The series of the data with curves of the model, at its present values, of so many points each. Where
-/// there are too many series for curves, none has one.
+/// The series of the data with curves of the model, at its present values, of so many points each (none
+/// where that is zero) besides those of the data. Where there are too many series for curves, none has one.
 ///
 /// # Errors
 /// Conditions that cannot be.
@@ -45,7 +45,7 @@ pub fn sample_curves(
 ) -> Result<FittedCurves, Error> {
     let abscissa = abscissa(data);
     let mut series = group(data, abscissa);
-    if series.len() > MOST_SERIES {
+    if series.len() > MOST_SERIES || points == 0 {
         return Ok(FittedCurves { abscissa, series });
     }
     for one in &mut series {

@@ -3,8 +3,10 @@
 use faer::{Mat, Side};
 
 use crate::error::Error;
+use crate::interface::friction::constants::FrictionConstant;
 use crate::least_squares::Minimum;
 
+use super::fit::FittedPoint;
 use super::parameter::Parameter;
 
 /// Forces are never measured better than to this part of the largest one: of data without scatter this
@@ -112,6 +114,42 @@ fn inseparable(combination: &[f64], values: Values) -> Error {
     }
 }
 
+/// Forces up to this part of μ0 N, and in proportion to the creepage within this factor, are in the linear
+/// range.
+const LINEAR_RANGE: (f64, f64) = (0.5, 1.1);
+
+/// Checks that μ0, if it is looked for, is not concluded from the initial slope: there it is a factor of the
+/// stiffness of the bristles μ0 k_c pₙ, and friction itself is not seen.
+pub(super) fn check_range(values: Values, points: &[FittedPoint]) -> Result<(), Error> {
+    let cold = Parameter::Friction(FrictionConstant::ColdCoefficient);
+    let Some((_, coefficient)) = values.iter().find(|(parameter, _)| *parameter == cold) else {
+        return Ok(());
+    };
+    let share = |point: &FittedPoint| point.fitted.abs() / coefficient;
+    let largest = points.iter().map(share).fold(0.0, f64::max);
+    let slope = |point: &FittedPoint| {
+        let motion = &point.data.condition.kinematics;
+        let creepage = [motion.creepage_x, motion.creepage_y][point.data.component.index()];
+        (point.fitted / creepage).abs()
+    };
+    let steepest = points.iter().map(slope).fold(0.0, f64::max);
+    let flattest = points.iter().map(slope).fold(f64::INFINITY, f64::min);
+    let (part, factor) = LINEAR_RANGE;
+    // Without creepage, where spin makes the force, the slope is infinite or not a number.
+    let is_linear = largest < part && steepest < factor * flattest && steepest.is_finite();
+    if !is_linear {
+        return Ok(());
+    }
+    Err(Error::Contradiction {
+        quantity: cold.name(),
+        reason: format!(
+            "the data do not determine it: all forces are in proportion to the creepage, the largest is \
+             {largest:.2} μ0 N; {}",
+            cold.advice()
+        ),
+    })
+}
+
 /// Checks intervals and correlations. `half_widths` are those of the parameters' 95 % intervals, in
 /// their SI units.
 pub(super) fn check(
@@ -176,7 +214,6 @@ fn shown(parameter: Parameter, value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interface::friction::constants::FrictionConstant;
 
     const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
 

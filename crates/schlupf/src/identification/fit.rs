@@ -121,7 +121,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 ///
 /// # Errors
 /// Whatever [`check`] refuses; start values without a solution; and data that leave a parameter open:
-/// no force depends on it, its 95 % interval is wider than itself on each side (for a parameter that may
+/// no force depends on it, μ0 is looked for in forces that are in proportion to the creepage, its 95 % interval is wider than itself on each side (for a parameter that may
 /// be zero, at least 0.1), or it goes with another one at a correlation above 0.999. For this, scatter is taken to
 /// be at least 10⁻³ of the largest force.
 pub fn fit(
@@ -145,6 +145,8 @@ pub fn fit(
     let parameters: Vec<(Parameter, f64)> =
         coordinates.iter().map(|coordinate| coordinate.parameter).zip(values).collect();
     let found = Found { data, minimum, parameters };
+    let points = found.points();
+    determinacy::check_range(&found.parameters, &points)?;
     let unscaled = determinacy::covariance(&found.minimum, &found.parameters)?;
     let slopes = coordinates.iter().zip(&found.parameters);
     let slopes: Vec<f64> = slopes.map(|(c, (_, value))| c.scale.slope(*value)).collect();
@@ -171,7 +173,6 @@ pub fn fit(
         half_width: quantile * standard_errors[k],
     });
     let estimates = estimates.collect();
-    let points = found.points();
     let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
     let measured: Vec<f64> = data.iter().map(|point| point.force_ratio).collect();
     Ok(Fit {
