@@ -30,4 +30,5 @@ pub use place::{Place, Source};
 pub use range::{depths, direction, length, position, range};
 pub use schema::schema;
 pub use setting::{Refusal, Setting};
+pub use tables::{Displacements, read_displacements};
 pub use template::template;

@@ -89,7 +89,8 @@ mod tests {
             let switched = text
                 .replacen(line, &line[2..], 1)
                 .replace("# [history]", "[history]")
-                .replace("# [cooling]", "[cooling]");
+                .replace("# [cooling]", "[cooling]")
+                .replace("# [fastsim]", "[fastsim]");
             if let Err(errors) = read(&switched) {
                 let message = errors.to_string();
                 let allowed =

@@ -1,9 +1,11 @@
 //! Arguments of the command line.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
+use schlupf::calibration::CalibrationOptions;
 use schlupf::creep_curve::{MAX_POINTS, Sampling};
 use schlupf::identification::roughness::DEFAULT_GAMMA;
 
@@ -32,12 +34,18 @@ pub enum Command {
     /// Compute creep curves: forces over creepage
     #[command(after_help = EXIT_CODES)]
     Curve(Box<CurveArguments>),
+    /// Compare all methods on a case: forces, temperature, time
+    #[command(after_help = EXIT_CODES)]
+    Compare(Box<CompareArguments>),
     /// Temperatures of wheel and rail below a point, and along its row with the wake
     #[command(after_help = EXIT_CODES)]
     Temperature(Box<TemperatureArguments>),
     /// Long-term bulk temperature of the wheel, from its heat balance, in place of the case's
     #[command(after_help = EXIT_CODES)]
     Bulk(BulkArguments),
+    /// Stiffnesses of the elastic layer: from the table, calibrated anew, or fitted to displacements
+    #[command(after_help = EXIT_CODES)]
+    Calibrate(Box<CalibrateArguments>),
     /// Find constants of friction and contact law from measured creep forces
     #[command(after_help = EXIT_CODES)]
     Fit(Box<FitArguments>),
@@ -196,6 +204,35 @@ pub struct BulkArguments {
     pub quiet: bool,
 }
 
+/// What to calibrate the layer to, and where to write the stiffnesses.
+#[derive(Debug, Args)]
+pub struct CalibrateArguments {
+    /// Which case; its patch and its bodies count.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Calibrate against the half-space anew, beside the table
+    #[arg(long, conflicts_with = "displacements")]
+    pub anew: bool,
+    /// Fit to displacements of a finite-element model (CSV with columns x, y, traction_x, displacement_x, …); may be
+    /// given several times
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub displacements: Vec<PathBuf>,
+    /// Cells across the patch on which layer and half-space are compared
+    #[arg(long, value_name = "N", default_value_t = CalibrationOptions::default().cells,
+          value_parser = number_of_cells)]
+    pub cells: usize,
+    /// Write the stiffnesses as JSON; `-` is standard output, then without the summary
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Draw the figure `calibration` (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath,
+          conflicts_with = "displacements")]
+    pub figures: Option<PathBuf>,
+    /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
 /// What to fit to which data, and where to write it.
 #[derive(Debug, Args)]
 pub struct FitArguments {
@@ -240,6 +277,34 @@ pub struct FitArguments {
 fn gamma(text: &str) -> Result<f64, String> {
     let gamma = text.parse().ok().filter(|gamma| (0.01..=10.0).contains(gamma));
     gamma.ok_or_else(|| "must be a number between 0.01 and 10".to_owned())
+}
+
+/// What to compare, and where to write it.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Write the results as JSON; `-` is standard output, then without the table
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Write the table as CSV, one row for each method
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub csv: Option<PathBuf>,
+    /// Draw the figure `comparison` (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+    /// Print no table
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// A number of cells on which a calibration means something and ends.
+fn number_of_cells(text: &str) -> Result<usize, String> {
+    const CELLS: RangeInclusive<usize> = 10..=80;
+    let count = text.parse().ok().filter(|count| CELLS.contains(count));
+    let (least, largest) = (CELLS.start(), CELLS.end());
+    count.ok_or_else(|| format!("must be a whole number between {least} and {largest}"))
 }
 
 /// How the points of a curve are spaced.

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::identification::{self, Fit, Parameter, RollingContactModel, sample_curves};
-use schlupf::{Error, Status};
+use schlupf::identification::{
+    self, CreepForceModel, Fit, Parameter, PolachModel, RollingContactModel, sample_curves,
+};
+use schlupf::{Error, Method, Status};
 use schlupf_case::identification::{parameters, read_data};
 use schlupf_case::{Case, CaseErrors};
 use schlupf_output::figures;
@@ -31,19 +33,18 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
     let data =
         read_data(DATA, &arguments.data, &case.problem.kinematics).map_err(CaseErrors::from)?;
     let explain = |error: Error| explain(arguments, &case, &error);
-    let mut model =
-        RollingContactModel::new(&case.problem, &case.options, &parameters, arguments.gamma)
-            .map_err(explain)?;
-    identification::check(&model, &data).map_err(explain)?;
+    let mut model = Model::new(&case, &parameters, arguments.gamma).map_err(explain)?;
+    identification::check(model.creep_forces(), &data).map_err(explain)?;
     let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
     check_outputs(arguments, &case)?;
     let progress = Progress::start();
     progress.stage("fitting");
     let steps = arguments.max_steps as usize;
-    let mut fit = identification::fit(&mut model, &data, steps, &mut |_| ()).map_err(explain)?;
+    let mut fit =
+        identification::fit(model.creep_forces(), &data, steps, &mut |_| ()).map_err(explain)?;
     fit.warnings.extend(case.notices.iter().cloned());
     let points = if arguments.figures.is_some() { CURVE_POINTS } else { 0 };
-    let curves = sample_curves(&mut model, &data, points).map_err(explain)?;
+    let curves = sample_curves(model.creep_forces(), &data, points).map_err(explain)?;
     let contact_stiffness = model.contact_stiffness();
     let roughness = parameters
         .contains(&Parameter::Roughness)
@@ -72,6 +73,39 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
                 .filter(|text| text.starts_with("not converged: "))
                 .for_each(|t| report::warn(t));
             Ok(ExitCode::from(NOT_CONVERGED))
+        }
+    }
+}
+
+/// What is fitted.
+enum Model {
+    Full(Box<RollingContactModel>),
+    Polach(Box<PolachModel>),
+}
+
+impl Model {
+    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Self, Error> {
+        let Case { problem, options, .. } = case;
+        match options.method {
+            Method::Polach(_) => PolachModel::new(problem, options, parameters)
+                .map(|model| Self::Polach(Box::new(model))),
+            _ => RollingContactModel::new(problem, options, parameters, gamma)
+                .map(|model| Self::Full(Box::new(model))),
+        }
+    }
+
+    fn creep_forces(&mut self) -> &mut dyn CreepForceModel {
+        match self {
+            Self::Full(model) => &mut **model,
+            Self::Polach(model) => &mut **model,
+        }
+    }
+
+    /// k_c at the present values (in 1/m), where there is one.
+    fn contact_stiffness(&self) -> f64 {
+        match self {
+            Self::Full(model) => model.contact_stiffness(),
+            Self::Polach(_) => f64::NAN,
         }
     }
 }

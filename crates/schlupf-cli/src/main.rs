@@ -4,7 +4,9 @@
 
 mod arguments;
 mod bulk;
+mod calibrate;
 mod commands;
+mod compare;
 mod curve;
 mod failure;
 mod fit;
@@ -28,6 +30,8 @@ fn main() -> ExitCode {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Temperature(arguments) => temperature::run(&arguments),
         Command::Bulk(arguments) => bulk::run(&arguments),
+        Command::Calibrate(arguments) => calibrate::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),

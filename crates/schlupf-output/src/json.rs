@@ -78,6 +78,7 @@ impl Formatter for Numbers {
 pub(crate) struct Document<'a> {
     program: &'static str,
     title: &'a str,
+    method: &'static str,
     status: &'static str,
     normal: Normal,
     kinematics: Kinematics,
@@ -195,6 +196,7 @@ impl<'a> Document<'a> {
         Self {
             program: PROGRAM,
             title,
+            method: solution.method.name(),
             status: status(solution.status),
             normal: normal.into(),
             kinematics: kinematics.into(),

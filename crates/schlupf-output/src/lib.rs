@@ -1,12 +1,15 @@
 //! What becomes of a solution: JSON, CSV, VTK, a summary for the terminal, and figures.
 //!
 //! Every function takes a [`Solution`](schlupf::Solution), a family of creep curves, temperatures along
-//! lines, the balance of a wheel's heat or a fit, and returns text or bytes; writing files is left to the caller. Tractions and forces act on the wheel in all tables; the
+//! lines, the balance of a wheel's heat, a comparison of methods, calibrated stiffnesses or a fit, and returns text
+//! or bytes; writing files is left to the caller. Tractions and forces act on the wheel in all tables; the
 //! figures show the traction on the rail, −t, as Neuhaus and Sextro (2014) do, and say so on their axes.
 
 #![forbid(unsafe_code)]
 
 pub mod bulk_temperature;
+pub mod calibration;
+pub mod comparison;
 pub mod creep_curve;
 pub mod csv;
 pub mod figures;

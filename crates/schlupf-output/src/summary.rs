@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use schlupf::Method;
 use schlupf::solution::{Solution, Status};
 
 use crate::number::significant as number;
@@ -87,6 +88,11 @@ fn heat(text: &mut String, solution: &Solution) {
     if solution.status == Status::NotConverged {
         place.push_str("  (not settled)");
     }
+    if !solution.method.has_fields() {
+        entry(text, "contact area", area.contact / 1e-6, "mm²", "");
+        text.push('\n');
+        return;
+    }
     entry(text, "largest temp. rise", temperature.max_rise, "K", &place);
     let wheel = format!("to {} °C", number(temperature.max_wheel));
     entry(text, "  wheel", temperature.max_rise_wheel, "K", &wheel);
@@ -99,6 +105,10 @@ fn heat(text: &mut String, solution: &Solution) {
 
 fn work(text: &mut String, solution: &Solution) {
     let work = &solution.work;
+    if solution.method != Method::Full {
+        fast_work(text, solution);
+        return;
+    }
     let done = format!(
         "{} cells, {} time steps, {} Newton iterations, {} products",
         work.cells,
@@ -115,6 +125,17 @@ fn work(text: &mut String, solution: &Solution) {
         line(text, &format!("  {reason}"));
     }
     line(text, &done);
+}
+
+/// A fast method iterates nothing, so there is nothing that might not converge.
+fn fast_work(text: &mut String, solution: &Solution) {
+    let name = solution.method.name();
+    let cells = solution.work.cells;
+    if cells == 0 {
+        line(text, &format!("by the fast method {name:?}"));
+    } else {
+        line(text, &format!("by the fast method {name:?}, {cells} cells"));
+    }
 }
 
 /// One quantity: its name, value and unit in columns, and a remark.

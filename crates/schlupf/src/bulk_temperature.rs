@@ -80,7 +80,7 @@ const ITERATIONS: usize = 60;
 /// rail keeps its own: every piece of it meets the wheel once.
 ///
 /// # Errors
-/// What [`check`] and [`Options::check`] refuse.
+/// What [`check`] and [`Options::check`] refuse, and a method without heat.
 pub fn bulk_temperature(
     problem: &Problem,
     options: &Options,
@@ -88,6 +88,13 @@ pub fn bulk_temperature(
     report: &mut dyn FnMut(Progress),
 ) -> Result<BulkTemperature, Error> {
     check(problem, cooling)?;
+    if !options.method.has_fields() {
+        let name = options.method.name();
+        return Err(Error::Contradiction {
+            quantity: "solver.method",
+            reason: format!("the wheel warms by frictional heat, but {name:?} gives forces only"),
+        });
+    }
     let mut balance = Balance {
         problem: problem.clone(),
         cooling: *cooling,

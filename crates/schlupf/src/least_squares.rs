@@ -6,7 +6,7 @@ use faer::linalg::solvers::{DenseSolveCore, Solve};
 
 /// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
 pub trait Residuals {
-    /// The residuals at some parameters, both dimensionless; `None` where the model cannot be evaluated, or outside the
+    /// The residuals (dimensionless) at some parameters; `None` where the model cannot be evaluated, or outside the
     /// parameters' range: a step there is shortened.
     fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>>;
 
@@ -38,7 +38,9 @@ const DIFFERENCE: f64 = 1e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Largest change of a parameter in a last step, relative to a parameter of at least one;
-    /// dimensionless.
+    /// dimensionless. Or the part of the sum of squares that an undamped step would still take away
+    /// (the relative offset of Bates and Watts 1981, squared): parameters that hardly matter need
+    /// not come to rest.
     pub tolerance: f64,
     /// Most steps.
     pub max_iterations: usize,
@@ -65,8 +67,8 @@ impl Minimum {
         sum_of_squares(&self.residuals)
     }
 
-    /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters. `None`
-    /// where it is singular to rounding: some combination of the parameters changes no residual.
+    /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters. `None` where it is
+    /// singular to rounding: some combination of the parameters changes no residual.
     pub fn covariance(&self) -> Option<Mat<f64>> {
         let scale = column_norms(&self.jacobian);
         if scale.iter().any(|norm| *norm == 0.0 || !norm.is_finite()) {
@@ -101,6 +103,10 @@ pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> O
     let mut damping = FIRST_DAMPING;
     while here.iterations < limits.max_iterations && damping < LARGEST_DAMPING {
         here.iterations += 1;
+        if reducible(&here) <= limits.tolerance {
+            here.converged = true;
+            break;
+        }
         let Some(step) = damped_step(&here, damping) else {
             damping *= 10.0;
             continue;
@@ -125,6 +131,16 @@ pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> O
         }
     }
     Some(here)
+}
+
+/// Part of the sum of squares that an undamped step takes away in a linear model: −rᵀJ step/rᵀr.
+fn reducible(here: &Minimum) -> f64 {
+    let Some(step) = damped_step(here, LEAST_DAMPING) else { return f64::INFINITY };
+    let along = |row: usize| -> f64 {
+        step.iter().enumerate().map(|(column, step)| here.jacobian[(row, column)] * step).sum()
+    };
+    let gain: f64 = here.residuals.iter().enumerate().map(|(row, r)| -r * along(row)).sum();
+    gain / here.sum_of_squares().max(f64::MIN_POSITIVE)
 }
 
 /// (JᵀJ + damping · diag JᵀJ) step = −Jᵀ r.

@@ -116,13 +116,6 @@ pub fn contact_modulus(first: &Material, second: &Material) -> f64 {
     1.0 / (compliance(first) + compliance(second))
 }
 
-/// Poisson's ratio ν of two bodies together, ν/G = ½ (ν₁/G₁ + ν₂/G₂) with 1/G = ½ (1/G₁ + 1/G₂);
-/// dimensionless (Kalker 1990).
-pub fn combined_poisson_ratio(first: &Material, second: &Material) -> f64 {
-    let [one, other] = [first, second].map(|m| 0.5 / m.shear_modulus());
-    (first.poisson_ratio * one + second.poisson_ratio * other) / (one + other)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -141,16 +134,6 @@ mod tests {
         let steel = Material::STEEL;
         let single = steel.young_modulus / (1.0 - 0.28 * 0.28);
         assert_relative_eq!(contact_modulus(&steel, &steel), 0.5 * single, max_relative = 1e-14);
-    }
-
-    #[test]
-    fn of_two_bodies_the_softer_one_counts_for_more() {
-        let steel = Material::STEEL;
-        assert_relative_eq!(combined_poisson_ratio(&steel, &steel), 0.28, max_relative = 1e-14);
-        let soft = Material { young_modulus: 21e9, poisson_ratio: 0.4, ..steel };
-        // G = 82.03 and 7.5 GPa: (0.28/82.03 + 0.4/7.5)/(1/82.03 + 1/7.5).
-        let expected = (0.28 / 82.03125 + 0.4 / 7.5) / (1.0 / 82.03125 + 1.0 / 7.5);
-        assert_relative_eq!(combined_poisson_ratio(&steel, &soft), expected, max_relative = 1e-12);
     }
 
     #[test]

@@ -12,6 +12,7 @@ use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
 use crate::material::Body;
+use crate::method::Method;
 use crate::normal::PressureSource;
 use crate::state::State;
 
@@ -119,10 +120,12 @@ pub enum Branch {
     HighSlip,
 }
 
-/// How a problem is solved. No choice here changes the physics.
+/// How a problem is solved. No choice here but the method changes the physics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Which driver; `None` is steady, or marching where there is a history or an initial state.
+    /// All equations, or a fast method.
+    pub method: Method,
+    /// Which driver of the full method; `None` is steady, or marching where there is a history or an initial state.
     pub driver: Option<Driver>,
     /// Which steady state, where there are several; in the steady driver only.
     pub branch: Branch,
@@ -148,6 +151,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
+            method: Method::Full,
             driver: None,
             branch: Branch::LowSlip,
             cells_x: 24,
@@ -164,6 +168,7 @@ impl Default for Options {
 impl Options {
     /// Checks that the numbers are usable.
     pub fn check(&self) -> Result<(), Error> {
+        self.method.check()?;
         let cells = |quantity, count: usize, least: usize| {
             let range = format!("between {least} and {MAX_CELLS}");
             require((least..=MAX_CELLS).contains(&count), quantity, &range, count as f64, "cells")

@@ -11,6 +11,7 @@ use std::f64::consts::{FRAC_2_PI, PI};
 use crate::error::Error;
 use crate::heat::HeatStep;
 use crate::material::Body;
+use crate::method::Method;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -93,9 +94,20 @@ impl TemperatureField {
     /// The temperatures of a solution of a problem.
     ///
     /// # Errors
-    /// What [`Self::check`] refuses, and whatever [`crate::normal::PressureSource::normal_contact`] refuses.
+    /// What [`Self::check`] refuses, a fast method, which keeps no record of the heat, and whatever
+    /// [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
         Self::check(problem)?;
+        if solution.method != Method::Full {
+            return Err(Error::Contradiction {
+                quantity: "solver.method",
+                reason: format!(
+                    "temperatures below the surface need the heat record of \"full\", but the method is \
+                     {:?}",
+                    solution.method.name()
+                ),
+            });
+        }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;
         let patch = Patch::new(&normal, grid);

@@ -33,7 +33,9 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "elasticity.bedding_x",
             "elasticity.bedding_y",
             "elasticity.coupling_x",
+            "elasticity.coupling_x_across",
             "elasticity.coupling_y",
+            "elasticity.coupling_y_across",
         ],
         second: &[
             "elasticity.spring_x",
@@ -42,6 +44,22 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "elasticity.spring_coupling_y",
         ],
         reason: "stiffnesses are given per area (bedding, coupling) or for each cell (spring)",
+    },
+    Alternatives {
+        first: &["elasticity.calibration"],
+        second: &[
+            "elasticity.bedding_x",
+            "elasticity.bedding_y",
+            "elasticity.coupling_x",
+            "elasticity.coupling_x_across",
+            "elasticity.coupling_y",
+            "elasticity.coupling_y_across",
+            "elasticity.spring_x",
+            "elasticity.spring_y",
+            "elasticity.spring_coupling_x",
+            "elasticity.spring_coupling_y",
+        ],
+        reason: "the calibration gives all stiffnesses",
     },
     Alternatives {
         first: &["history.file"],

@@ -1,14 +1,13 @@
 //! The table.
 
+mod elasticity;
 mod friction;
+mod solver;
 
-use super::field::Default::{self, Computed, Nothing, Same, Text};
+use super::field::Default::{self, Nothing, Same, Text};
 use super::field::{Choice, Field, Kind, Section};
-use super::requirement::Requirement::{
-    self, AboveUpTo, AtLeast, Between, Finite, Inside, Magnitude, Radius,
-};
+use super::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 use crate::units::Measure;
-use schlupf::problem::MAX_CELLS;
 use std::f64::consts::FRAC_PI_2;
 
 const fn field(
@@ -54,10 +53,6 @@ const LOAD: Requirement = Between(1e-3, 1e12);
 const PEAK_PRESSURE: Requirement = Between(1.0, 1e14);
 const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
-const BEDDING: Requirement = Between(1.0, 1e20);
-const COUPLING: Requirement = Between(0.0, 1e18);
-const SPRING: Requirement = Between(1e-9, 1e18);
-const MARGIN: Requirement = Between(0.0, 1e3);
 const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
@@ -158,7 +153,7 @@ pub const SECTIONS: &[Section] = &[
     Section {
         name: "elasticity",
         doc: "How the bodies deform under tangential traction.",
-        fields: ELASTICITY,
+        fields: elasticity::FIELDS,
     },
     Section {
         name: "contact_law",
@@ -176,8 +171,13 @@ pub const SECTIONS: &[Section] = &[
         doc: "What cools the wheel in the long run, for `schlupf bulk`.",
         fields: COOLING,
     },
-    Section { name: "grid", doc: "Cells across the contact patch.", fields: GRID },
-    Section { name: "solver", doc: "How the equations are solved.", fields: SOLVER },
+    Section { name: "grid", doc: "Cells across the contact patch.", fields: solver::GRID },
+    Section { name: "solver", doc: "What is solved, and how.", fields: solver::FIELDS },
+    Section {
+        name: "fastsim",
+        doc: "The bristles of FASTSIM, plain and modified.",
+        fields: solver::FASTSIM,
+    },
     Section {
         name: "history",
         doc: "Transient rolling: values over time, linear in between, from arrays or from a CSV file.",
@@ -310,106 +310,6 @@ const NORMAL: &[Field] = &[
     .with("normal.model", &["tabulated"]),
 ];
 
-const MODEL: &str = "elasticity.model";
-const LAYER: &[&str] = &["elastic-layer"];
-
-const ELASTICITY: &[Field] = &[
-    field(
-        "elasticity.model",
-        Kind::Choice(&[
-            choice("elastic-layer", "a bed of springs, each coupled with its neighbours"),
-            choice(
-                "half-space",
-                "Boussinesq and Cerruti: exact for bodies large against the patch",
-            ),
-            choice("winkler", "a bed of springs without coupling"),
-            choice("rigid", "no deformation: the slip is prescribed"),
-        ]),
-        Finite,
-        Text("elastic-layer"),
-        "model of the deformation",
-    ),
-    field(
-        "elasticity.bedding_x",
-        quantity(&Measure::BEDDING),
-        BEDDING,
-        Text("1.0e13 N/m^3"),
-        "c, bedding stiffness for displacements along x",
-    )
-    .with(MODEL, &["elastic-layer", "winkler"]),
-    field(
-        "elasticity.bedding_y",
-        quantity(&Measure::BEDDING),
-        BEDDING,
-        Same("elasticity.bedding_x"),
-        "the same for displacements along y",
-    )
-    .example("1.0e13 N/m^3")
-    .with(MODEL, &["elastic-layer", "winkler"]),
-    field(
-        "elasticity.coupling_x",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
-        Text("3.24e7 N/m"),
-        "g, coupling stiffness for displacements along x",
-    )
-    .with(MODEL, LAYER),
-    field(
-        "elasticity.coupling_y",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
-        Same("elasticity.coupling_x"),
-        "the same for displacements along y",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    field(
-        "elasticity.spring_x",
-        quantity(&Measure::STIFFNESS),
-        SPRING,
-        Nothing,
-        "Δc, spring of one cell along x, in place of the stiffnesses per area",
-    )
-    .example("2.0e6 N/m")
-    .with(MODEL, LAYER),
-    field(
-        "elasticity.spring_y",
-        quantity(&Measure::STIFFNESS),
-        SPRING,
-        Same("elasticity.spring_x"),
-        "the same along y",
-    )
-    .example("2.0e6 N/m")
-    .with(MODEL, LAYER),
-    field(
-        "elasticity.spring_coupling_x",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
-        Nothing,
-        "Δc_k, spring between neighbouring cells for displacements along x",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    field(
-        "elasticity.spring_coupling_y",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
-        Same("elasticity.spring_coupling_x"),
-        "the same for displacements along y",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    field(
-        "elasticity.margin",
-        quantity(&Measure::LENGTH),
-        MARGIN,
-        Computed("eight decay lengths √(g/c)"),
-        "width of the surroundings of the patch on each side",
-    )
-    .example("12 mm")
-    .with(MODEL, LAYER),
-];
-
 const CONTACT_LAW: &[Field] = &[
     field(
         "contact_law.model",
@@ -420,14 +320,16 @@ const CONTACT_LAW: &[Field] = &[
         Finite,
         Text("incremental"),
         "which sliding counts",
-    ),
+    )
+    .with(solver::METHOD, solver::FULL),
     field(
         "contact_law.stiffness",
         quantity(&Measure::PER_LENGTH),
         CONTACT_STIFFNESS,
         Text("5e6 1/m"),
         "k_c, rate at which traction approaches the friction limit",
-    ),
+    )
+    .with(solver::METHOD, solver::FULL),
 ];
 
 const HEAT: &[Field] = &[
@@ -441,7 +343,8 @@ const HEAT: &[Field] = &[
         Finite,
         Text("duhamel"),
         "model of the surface temperature",
-    ),
+    )
+    .with(solver::METHOD, solver::CELLS),
     field(
         "heat.partition",
         Kind::NumberOr(&[choice("velocity", "from speeds and effusivities of both bodies")]),
@@ -477,89 +380,6 @@ const COOLING: &[Field] = &[
         "temperature of the air",
     )
     .example("20 degC"),
-];
-
-const GRID: &[Field] = &[
-    field(
-        "grid.cells_x",
-        Kind::Count,
-        Between(2.0, MAX_CELLS as f64),
-        Text("24"),
-        "cells along rolling",
-    ),
-    field(
-        "grid.cells_y",
-        Kind::Count,
-        Between(1.0, MAX_CELLS as f64),
-        Text("24"),
-        "cells across rolling",
-    ),
-];
-
-const SOLVER: &[Field] = &[
-    field(
-        "solver.driver",
-        Kind::Choice(&[
-            choice("steady", "the steady state at once"),
-            choice("marching", "step by step in time: to the steady state, or along a history"),
-        ]),
-        Finite,
-        Computed("\"steady\", and \"marching\" with a history"),
-        "way to the solution",
-    )
-    .example("steady"),
-    field(
-        "solver.branch",
-        Kind::Choice(&[
-            choice("low-slip", "the state that is reached when the creepages grow from zero"),
-            choice("high-slip", "the state that is reached when larger creepages fall"),
-        ]),
-        Finite,
-        Text("low-slip"),
-        "which steady state where friction falls so fast that there are several",
-    ),
-    field(
-        "solver.method",
-        Kind::Choice(&[choice("full", "the coupled equations")]),
-        Finite,
-        Text("full"),
-        "what is solved",
-    ),
-    field(
-        "solver.tolerance",
-        Kind::Number,
-        Between(1e-13, 0.1),
-        Text("1e-6"),
-        "largest relative residual",
-    ),
-    field(
-        "solver.max_iterations",
-        Kind::Count,
-        AtLeast(1.0),
-        Text("200"),
-        "most Newton steps for one equilibrium",
-    ),
-    field(
-        "solver.max_steps",
-        Kind::Count,
-        AtLeast(1.0),
-        Text("2000"),
-        "most time steps on the way to the steady state",
-    ),
-    field(
-        "solver.sensitivity",
-        Kind::Flag,
-        Finite,
-        Text("true"),
-        "whether to find the derivatives of the forces too, in the steady driver",
-    ),
-    field(
-        "solver.slip_threshold",
-        Kind::Number,
-        AboveUpTo(0.0, 0.999),
-        Text("0.95"),
-        "a cell slides where |t| ≥ this · μ p_n",
-    ),
 ];
 
 const HISTORY: &[Field] = &[

@@ -2,15 +2,27 @@
 
 use std::sync::Arc;
 
+use schlupf::calibration::kalker_bed;
 use schlupf::elasticity::Elasticity;
+use schlupf::elasticity::calibrated_layer::CalibratedLayer;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
+use schlupf::history::History;
 use schlupf::material::Material;
+use schlupf::normal::PressureSource;
 
 use crate::error::CaseError;
 use crate::settings::Settings;
+
+const BEDDINGS: [&str; 2] = ["elasticity.bedding_x", "elasticity.bedding_y"];
+
+/// Couplings of the displacements along x and along y: along rolling, and across.
+const COUPLINGS: [[&str; 2]; 2] = [
+    ["elasticity.coupling_x", "elasticity.coupling_x_across"],
+    ["elasticity.coupling_y", "elasticity.coupling_y_across"],
+];
 
 const SPRINGS: [&str; 4] = [
     "elasticity.spring_x",
@@ -19,46 +31,64 @@ const SPRINGS: [&str; 4] = [
     "elasticity.spring_coupling_y",
 ];
 
-/// How the bodies deform.
+/// How the bodies deform; `normal` and the loads of `history` tell the patch for which springs are calibrated.
 pub fn model(
     settings: &Settings,
     bodies: [&Material; 2],
+    normal: &dyn PressureSource,
+    history: Option<&History>,
 ) -> Result<Arc<dyn Elasticity>, CaseError> {
     match settings.choice("elasticity.model")? {
         "rigid" => Ok(Arc::new(Rigid)),
-        "half-space" => {
-            let half_space = HalfSpace::new(bodies[0], bodies[1]);
-            Ok(Arc::new(half_space.map_err(|error| settings.explain(&error))?))
-        }
-        "winkler" => {
-            let bedding_x = settings.number("elasticity.bedding_x")?;
-            let bedding_y = settings.number("elasticity.bedding_y")?;
-            let winkler = Winkler::new(bedding_x, bedding_y);
-            Ok(Arc::new(winkler.map_err(|error| settings.explain(&error))?))
-        }
+        "half-space" => Ok(Arc::new(half_space(settings, bodies)?)),
+        "winkler" => Ok(Arc::new(winkler(settings, bodies, normal, history)?)),
         _ => {
             let margin = settings.optional_number("elasticity.margin")?;
-            let layer = if settings.any_given(&SPRINGS) {
-                discrete(settings, margin)
+            if settings.any_given(&SPRINGS) {
+                Ok(Arc::new(discrete(settings, margin)?))
+            } else if settings.any_given(&BEDDINGS) || settings.any_given(COUPLINGS.as_flattened())
+            {
+                Ok(Arc::new(per_area(settings, margin)?))
             } else {
-                per_area(settings, margin)
-            };
-            Ok(Arc::new(layer?))
+                let layer = CalibratedLayer::new(bodies[0], bodies[1], margin);
+                Ok(Arc::new(layer.map_err(|error| settings.explain(&error))?))
+            }
         }
     }
 }
 
+fn half_space(settings: &Settings, bodies: [&Material; 2]) -> Result<HalfSpace, CaseError> {
+    HalfSpace::new(bodies[0], bodies[1]).map_err(|error| settings.explain(&error))
+}
+
+/// A bed with the stiffnesses that are given, or with Kalker's for the largest patch.
+fn winkler(
+    settings: &Settings,
+    bodies: [&Material; 2],
+    normal: &dyn PressureSource,
+    history: Option<&History>,
+) -> Result<Winkler, CaseError> {
+    let explain = |error| settings.explain(&error);
+    if settings.any_given(&BEDDINGS) {
+        let [x, y] = [settings.number(BEDDINGS[0])?, settings.number(BEDDINGS[1])?];
+        return Winkler::new(x, y).map_err(explain);
+    }
+    let load = history.and_then(History::largest_load);
+    let patch = normal.normal_contact(load).map_err(explain)?.summary;
+    let bodies = half_space(settings, bodies)?;
+    kalker_bed(&bodies, [patch.semi_axis_x, patch.semi_axis_y]).map_err(explain)
+}
+
 fn per_area(settings: &Settings, margin: Option<f64>) -> Result<ElasticLayer, CaseError> {
-    let stiffness = |bedding: &str, coupling: &str| -> Result<LayerStiffness, CaseError> {
-        let coupling = settings.number(coupling)?;
+    let stiffness = |component: usize| -> Result<LayerStiffness, CaseError> {
+        let [along, across] = COUPLINGS[component];
         Ok(LayerStiffness {
-            bedding: settings.number(bedding)?,
-            coupling_along_x: coupling,
-            coupling_along_y: coupling,
+            bedding: settings.number(BEDDINGS[component])?,
+            coupling_along_x: settings.number(along)?,
+            coupling_along_y: settings.number(across)?,
         })
     };
-    let x = stiffness("elasticity.bedding_x", "elasticity.coupling_x")?;
-    let y = stiffness("elasticity.bedding_y", "elasticity.coupling_y")?;
+    let (x, y) = (stiffness(0)?, stiffness(1)?);
     ElasticLayer::new(x, y, margin).map_err(|error| settings.explain(&error))
 }
 

@@ -24,14 +24,18 @@ use crate::settings::Settings;
 pub fn problem(settings: &Settings, folder: &Path) -> Result<Problem, CaseError> {
     let wheel = bodies::body(settings, &bodies::WHEEL)?;
     let rail = bodies::body(settings, &bodies::RAIL)?;
+    let kinematics = kinematics::kinematics(settings)?;
+    let normal = normal::source(settings, folder, &wheel.material, &rail.material)?;
+    let history = history::history(settings, folder)?;
+    let materials = [&wheel.material, &rail.material];
     let problem = Problem {
-        kinematics: kinematics::kinematics(settings)?,
-        normal: normal::source(settings, folder, &wheel.material, &rail.material)?,
-        elasticity: elasticity::model(settings, [&wheel.material, &rail.material])?,
+        kinematics,
+        elasticity: elasticity::model(settings, materials, &*normal, history.as_ref())?,
+        normal,
         contact_law: interface::contact_law(settings)?,
         friction: friction::friction(settings, folder)?,
         heat: heat::heat(settings)?,
-        history: history::history(settings, folder)?,
+        history,
         initial_state: None,
         wheel,
         rail,

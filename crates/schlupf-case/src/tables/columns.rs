@@ -63,6 +63,11 @@ impl Columns {
         CaseError::new(self.field, message, Place::line(&self.source, line))
     }
 
+    /// The field or option that names the file.
+    pub fn field(&self) -> &'static str {
+        self.field
+    }
+
     fn fill(&mut self, wanted: &[Column]) -> Result<(), CaseError> {
         let source = Arc::clone(&self.source);
         let mut header: Option<Vec<Assigned>> = None;

@@ -85,6 +85,7 @@ struct Over<'a> {
 #[derive(Serialize)]
 struct Curve<'a> {
     value: Option<&'a str>,
+    method: &'static str,
     normal: Normal,
     initial_slope: Option<Slope>,
     maximum: Option<Top>,
@@ -98,6 +99,7 @@ impl<'a> Curve<'a> {
         let curve = &member.curve;
         Self {
             value: member.value.as_deref(),
+            method: curve.method.name(),
             normal: (&curve.normal).into(),
             initial_slope: curve.initial_slope.as_ref().map(Slope::new),
             maximum: curve.maximum().map(Top::new),

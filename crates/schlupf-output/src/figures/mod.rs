@@ -1,9 +1,12 @@
-//! Figures of a solution, of creep curves, of a fit or of temperatures below the surface, each as SVG and as PNG of the same drawing.
+//! Figures of a solution, of creep curves, of a fit, of temperatures below the surface or of a calibration, each as SVG and
+//! as PNG of the same drawing.
 //!
 //! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
 
+mod calibration;
 mod color;
+mod comparison;
 mod contour;
 mod creep_curve;
 mod cut;
@@ -29,7 +32,9 @@ mod ticks;
 mod units;
 
 use schlupf::Solution;
+use schlupf::calibration::side_by_side::SideBySide;
 
+use crate::comparison::Comparison;
 use crate::creep_curve::CurveFamily;
 use crate::identification::FitReport;
 use crate::temperature::Temperatures;
@@ -64,6 +69,12 @@ pub enum FigureError {
     /// There are no temperatures to draw.
     #[error("there are no temperatures over a range of places to draw")]
     NoTemperature,
+    /// There are no forces and tractions to draw.
+    #[error("there are no forces and tractions of half-space and layer to draw")]
+    NoSides,
+    /// All methods give nothing but zeros.
+    #[error("there is nothing to compare: no method gives a force or a temperature rise")]
+    NothingToCompare,
     /// The drawing could not be turned into a picture.
     #[error("the figure could not be rendered: {0}")]
     Render(String),
@@ -92,6 +103,16 @@ pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
     Ok(Figure { name: CREEP_CURVE.to_owned(), svg, png })
 }
 
+/// Name of the figure of a comparison.
+pub const COMPARISON: &str = "comparison";
+
+/// The figure of a comparison: forces, moment and temperature rise of every method.
+pub fn comparison(comparison: &Comparison) -> Result<Figure, FigureError> {
+    let svg = comparison::draw(comparison).ok_or(FigureError::NothingToCompare)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: COMPARISON.to_owned(), svg, png })
+}
+
 /// The SVG document of creep curves.
 pub fn creep_curve_drawing(family: &CurveFamily) -> Result<String, FigureError> {
     creep_curve::draw(family).ok_or(FigureError::NoCurve)
@@ -110,6 +131,21 @@ pub fn temperature(temperatures: &Temperatures) -> Result<Figure, FigureError> {
 /// The SVG document of temperatures along lines.
 pub fn temperature_drawing(temperatures: &Temperatures) -> Result<String, FigureError> {
     temperature::draw(temperatures).ok_or(FigureError::NoTemperature)
+}
+
+/// Name of the figure of layer and half-space.
+pub const CALIBRATION: &str = "calibration";
+
+/// The figure of forces and tractions of the calibrated layer and of uncoupled springs against the half-space.
+pub fn calibration(title: &str, sides: &SideBySide) -> Result<Figure, FigureError> {
+    let svg = calibration_drawing(title, sides)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: CALIBRATION.to_owned(), svg, png })
+}
+
+/// The SVG document of layer and half-space.
+pub fn calibration_drawing(title: &str, sides: &SideBySide) -> Result<String, FigureError> {
+    calibration::draw(title, sides).ok_or(FigureError::NoSides)
 }
 
 /// Name of the figure of a fit.

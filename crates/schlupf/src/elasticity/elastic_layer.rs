@@ -28,6 +28,13 @@ pub struct LayerStiffness {
     pub coupling_along_y: f64,
 }
 
+impl LayerStiffness {
+    /// Decay lengths √(g/c) along and across rolling, in m.
+    pub fn decay_lengths(&self) -> [f64; 2] {
+        [self.coupling_along_x, self.coupling_along_y].map(|g| (g / self.bedding).sqrt())
+    }
+}
+
 /// The paper's discrete springs for one displacement component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Springs {
@@ -60,13 +67,13 @@ impl ElasticLayer {
     /// A layer with stiffnesses per area for the displacements along and across rolling, with at
     /// least `margin` (in m) of surroundings on each side; eight decay lengths √(g/c) if none.
     pub fn new(x: LayerStiffness, y: LayerStiffness, margin: Option<f64>) -> Result<Self, Error> {
-        for (names, s) in [
-            (["elasticity.bedding_x", "elasticity.coupling_x"], x),
-            (["elasticity.bedding_y", "elasticity.coupling_y"], y),
+        for ([bedding, along, across], s) in [
+            (["elasticity.bedding_x", "elasticity.coupling_x", "elasticity.coupling_x_across"], x),
+            (["elasticity.bedding_y", "elasticity.coupling_y", "elasticity.coupling_y_across"], y),
         ] {
-            require_positive(names[0], s.bedding, "N/m^3")?;
-            require_coupling(names[1], s.coupling_along_x)?;
-            require_coupling(names[1], s.coupling_along_y)?;
+            require_positive(bedding, s.bedding, "N/m^3")?;
+            require_coupling(along, s.coupling_along_x)?;
+            require_coupling(across, s.coupling_along_y)?;
         }
         Self::checked(Stiffness::PerArea([x, y]), margin)
     }
@@ -107,12 +114,11 @@ impl ElasticLayer {
     /// columns is rounded up to one that the transform likes.
     pub fn surroundings(&self, grid: &Grid) -> Result<Surroundings, Error> {
         let stiffness = self.per_area(grid);
-        let decay = |g: fn(&LayerStiffness) -> f64| {
-            stiffness.iter().map(|s| (g(s) / s.bedding).sqrt()).fold(0.0, f64::max)
+        let margin = |direction: usize| {
+            let decay = stiffness.iter().map(|s| s.decay_lengths()[direction]).fold(0.0, f64::max);
+            self.margin.unwrap_or(DEFAULT_MARGIN * decay)
         };
-        let margin = |decay: f64| self.margin.unwrap_or(DEFAULT_MARGIN * decay);
-        let margin_x = margin(decay(|s| s.coupling_along_x));
-        let margin_y = margin(decay(|s| s.coupling_along_y));
+        let [margin_x, margin_y] = [0, 1].map(margin);
         let cells_x = (margin_x / grid.spacing_x).ceil();
         let cells_y = (margin_y / grid.spacing_y).ceil();
         let largest = 2.0 * cells_x.max(cells_y) + grid.columns.max(grid.rows) as f64;
@@ -149,11 +155,23 @@ fn require_coupling(quantity: &'static str, value: f64) -> Result<(), Error> {
 
 impl Elasticity for ElasticLayer {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        match self.stiffness {
+            Stiffness::PerArea(_) => Ok(Box::new(self.on(grid)?)),
+            // All stiffnesses per area go with the inverse square of the size.
+            Stiffness::Discrete(_) => self.growing(grid, 2.0),
+        }
+    }
+}
+
+impl ElasticLayer {
+    fn on(&self, grid: &Grid) -> Result<LayerCompliance, Error> {
         let surroundings = self.surroundings(grid)?;
-        let stiffness = self.per_area(grid);
-        let mut compliance = LayerCompliance::new(&stiffness, surroundings, *grid);
-        compliance.is_discrete = matches!(self.stiffness, Stiffness::Discrete(_));
-        Ok(Box::new(compliance))
+        Ok(LayerCompliance::new(&self.per_area(grid), surroundings, *grid))
+    }
+
+    /// The layer on a grid, where its displacements go with a power of the grid's size.
+    pub(super) fn growing(&self, grid: &Grid, power: f64) -> Result<Box<dyn Compliance>, Error> {
+        Ok(Box::new(LayerCompliance { growth: Some(power), ..self.on(grid)? }))
     }
 }
 
@@ -162,8 +180,9 @@ pub struct LayerCompliance {
     grid: Grid,
     surroundings: Surroundings,
     couples_cells: bool,
-    /// Whether the springs keep their stiffness when the grid grows.
-    is_discrete: bool,
+    /// The power of the grid's size with which displacements go, dimensionless; if it is not that of
+    /// stiffnesses per area that stay.
+    growth: Option<f64>,
     components: [Component; 2],
     transform: Arc<dyn TransformType2And3<f64>>,
     scratch: Vec<f64>,
@@ -316,7 +335,7 @@ impl LayerCompliance {
             couples_cells: stiffness
                 .iter()
                 .any(|s| s.coupling_along_x > 0.0 || s.coupling_along_y > 0.0),
-            is_discrete: false,
+            growth: None,
             components: stiffness.map(|s| Component::new(&s, &grid, &surroundings)),
             scratch: vec![0.0; transform.get_scratch_len()],
             spectrum: vec![0.0; surroundings.columns * grid.rows],
@@ -432,11 +451,10 @@ impl Compliance for LayerCompliance {
         traction: &VectorField,
         displacement: &mut VectorField,
     ) -> bool {
-        if self.is_discrete {
-            // All stiffnesses per area go with the inverse square of the size.
+        if let Some(power) = self.growth {
             self.displacement(traction, displacement);
             for u in displacement.x.iter_mut().chain(&mut displacement.y) {
-                *u *= 2.0;
+                *u *= power;
             }
         } else {
             self.component_by_size(0, &traction.x, &mut displacement.x);

@@ -1,5 +1,7 @@
 //! How the two bodies deform under tangential traction, u = A t.
 
+pub mod calibrated_layer;
+mod calibration_table;
 pub mod elastic_layer;
 pub mod half_space;
 pub mod rigid;

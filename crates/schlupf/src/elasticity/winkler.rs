@@ -9,6 +9,7 @@ use crate::grid::{Grid, VectorField};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Winkler {
     bedding: [f64; 2],
+    growth: f64,
 }
 
 impl Winkler {
@@ -16,7 +17,18 @@ impl Winkler {
     pub fn new(bedding_x: f64, bedding_y: f64) -> Result<Self, Error> {
         require_positive("elasticity.bedding_x", bedding_x, "N/m^3")?;
         require_positive("elasticity.bedding_y", bedding_y, "N/m^3")?;
-        Ok(Self { bedding: [bedding_x, bedding_y] })
+        Ok(Self { bedding: [bedding_x, bedding_y], growth: 0.0 })
+    }
+
+    /// The same where the stiffnesses were found for this size of the patch, so that displacements grow
+    /// with it as those of the half-space do.
+    pub(crate) fn growing_with_the_patch(self) -> Self {
+        Self { growth: 1.0, ..self }
+    }
+
+    /// Bedding stiffnesses c along and across rolling, in N/m³.
+    pub fn bedding(&self) -> [f64; 2] {
+        self.bedding
     }
 }
 
@@ -39,10 +51,13 @@ impl Compliance for Winkler {
 
     fn displacement_by_size(
         &mut self,
-        _traction: &VectorField,
+        traction: &VectorField,
         displacement: &mut VectorField,
     ) -> bool {
-        displacement.clear();
+        self.displacement(traction, displacement);
+        for u in displacement.x.iter_mut().chain(&mut displacement.y) {
+            *u *= self.growth;
+        }
         true
     }
 

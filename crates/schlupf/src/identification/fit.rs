@@ -319,9 +319,22 @@ impl Found<'_> {
                 ));
             }
         }
+        warnings.extend(self.no_reduction());
         warnings.extend(self.misfit());
         warnings.extend(self.excess());
         warnings
+    }
+
+    /// A reduction of the slope that enlarges it.
+    fn no_reduction(&self) -> Option<String> {
+        let is_above = |(parameter, value): &&(Parameter, f64)| {
+            matches!(parameter, Parameter::AreaAdhesion | Parameter::AreaSlip) && *value > 1.0
+        };
+        let (parameter, value) = self.parameters.iter().find(is_above)?;
+        let name = parameter.name();
+        Some(format!(
+            "{name} is {value:.4}, but a reduction is at most 1: hold it there, do not fit it"
+        ))
     }
 
     /// Residuals that are no scatter.

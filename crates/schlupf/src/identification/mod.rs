@@ -2,9 +2,10 @@
 //!
 //! [`fit`] makes the sum of the squared differences between measured and computed forces smallest
 //! (Levenberg–Marquardt). A [`CreepForceModel`] gives forces with their exact derivatives;
-//! [`RollingContactModel`] is that of the steady solver. What is found comes with confidence intervals
+//! [`RollingContactModel`] is that of the steady solver, [`PolachModel`] that of Polach's method. What is found comes with confidence intervals
 //! and correlations, and data that leave a parameter open are refused.
 
+mod adjustment;
 mod confidence;
 mod curves;
 mod data;
@@ -12,6 +13,7 @@ mod determinacy;
 mod fit;
 mod model;
 mod parameter;
+mod polach_method;
 mod residuals;
 mod rolling_contact;
 mod statistics;
@@ -23,4 +25,5 @@ pub use data::{Component, Condition, DataPoint};
 pub use fit::{Estimate, Fit, FittedPoint, Progress, check, fit};
 pub use model::{CreepForceModel, ForceRatio};
 pub use parameter::Parameter;
+pub use polach_method::PolachModel;
 pub use rolling_contact::RollingContactModel;

@@ -11,6 +11,10 @@ pub enum Parameter {
     ContactStiffness,
     /// r.m.s. height of the roughness of both surfaces together, from which k_c follows, in m.
     Roughness,
+    /// k_A of Polach's method, dimensionless.
+    AreaAdhesion,
+    /// k_S of Polach's method, dimensionless.
+    AreaSlip,
 }
 
 /// How a fit moves in a parameter.
@@ -29,7 +33,12 @@ impl Parameter {
     /// All of them.
     pub fn all() -> impl Iterator<Item = Self> {
         let friction = FrictionConstant::ALL.into_iter().map(Self::Friction);
-        friction.chain([Self::ContactStiffness, Self::Roughness])
+        friction.chain([
+            Self::ContactStiffness,
+            Self::Roughness,
+            Self::AreaAdhesion,
+            Self::AreaSlip,
+        ])
     }
 
     /// Its dotted name in a case file; that of the roughness is no field of one.
@@ -38,6 +47,8 @@ impl Parameter {
             Self::Friction(constant) => constant.field(),
             Self::ContactStiffness => "contact_law.stiffness",
             Self::Roughness => "contact_law.roughness",
+            Self::AreaAdhesion => "solver.polach_area_adhesion",
+            Self::AreaSlip => "solver.polach_area_slip",
         }
     }
 
@@ -59,6 +70,8 @@ impl Parameter {
             },
             Self::ContactStiffness => "k_c",
             Self::Roughness => "h_rms",
+            Self::AreaAdhesion => "k_A",
+            Self::AreaSlip => "k_S",
         }
     }
 
@@ -74,6 +87,7 @@ impl Parameter {
             },
             Self::ContactStiffness => "1/m",
             Self::Roughness => "m",
+            Self::AreaAdhesion | Self::AreaSlip => "",
         }
     }
 
@@ -92,6 +106,8 @@ impl Parameter {
             },
             Self::ContactStiffness => [1e3, 1e11],
             Self::Roughness => [1e-10, 1e-2],
+            // Reductions are at most one; scatter may put their estimates above.
+            Self::AreaAdhesion | Self::AreaSlip => [1e-3, 5.0],
         }
     }
 
@@ -122,9 +138,10 @@ impl Parameter {
                 }
                 _ => "it shows at slip speeds over which friction falls",
             },
-            Self::ContactStiffness | Self::Roughness => {
+            Self::ContactStiffness | Self::Roughness | Self::AreaAdhesion => {
                 "it shows at small creepages and where the force bends over"
             }
+            Self::AreaSlip => "it shows at small creepages and on the way to the maximum",
         }
     }
 }

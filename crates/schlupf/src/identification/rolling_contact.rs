@@ -5,13 +5,14 @@ use std::sync::Arc;
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
-use crate::interface::friction::constants::{AdjustableFriction, Changes, FrictionConstant};
+use crate::interface::friction::constants::FrictionConstant;
+use crate::method::Method;
 use crate::normal::PressureSource;
-use crate::normal::at_load::AtLoad;
 use crate::problem::{Options, Problem};
 use crate::rolling::steady::SteadySolver;
 use crate::solution::{Resultant, Work};
 
+use super::adjustment::{adjusted_friction, friction_constant, loaded, refuse, refuse_transient};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -54,7 +55,7 @@ impl RollingContactModel {
     ///
     /// # Errors
     /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it together, a
-    /// history, and whatever [`Problem::check`] and [`Options::check`] refuse.
+    /// fast method, a history, and whatever [`Problem::check`] and [`Options::check`] refuse.
     pub fn new(
         problem: &Problem,
         options: &Options,
@@ -63,10 +64,16 @@ impl RollingContactModel {
     ) -> Result<Self, Error> {
         problem.check()?;
         options.check()?;
-        crate::error::require_positive("gamma", gamma, "")?;
         refuse_transient(problem)?;
+        if options.method != Method::Full {
+            let name = options.method.name();
+            let reason = format!(
+                "what can be fitted is \"full\" and \"polach\", but the method is {name:?}"
+            );
+            return refuse("solver.method", reason);
+        }
         let materials = [&problem.wheel.material, &problem.rail.material];
-        let number = roughness::stiffness_number(materials[0], materials[1], gamma);
+        let number = roughness::stiffness_number(materials[0], materials[1], gamma)?;
         let mut model = Self {
             problem: problem.clone(),
             options: Options { sensitivity: false, ..options.clone() },
@@ -85,13 +92,10 @@ impl RollingContactModel {
             matches!(parameter, Parameter::ContactStiffness | Parameter::Roughness)
         };
         if parameters.iter().filter(of_both).count() > 1 {
-            return Err(Error::Contradiction {
-                quantity: "contact_law.stiffness",
-                reason: "it cannot be fitted together with the roughness that determines it"
-                    .to_owned(),
-            });
+            let reason = "it cannot be fitted together with the roughness that determines it";
+            return refuse("contact_law.stiffness", reason.to_owned());
         }
-        model.constants = parameters.iter().map(|parameter| constant(*parameter)).collect();
+        model.constants = parameters.iter().filter_map(|parameter| constant(*parameter)).collect();
         Ok(model)
     }
 
@@ -107,21 +111,13 @@ impl RollingContactModel {
 
     /// The value of a parameter in the problem, in its SI unit.
     fn present(&self, parameter: Parameter) -> Result<f64, Error> {
-        let refuse = |quantity, reason| Err(Error::Contradiction { quantity, reason });
         match parameter {
-            Parameter::Friction(wanted) => {
-                let law = self.problem.friction.law.adjustable();
-                let constants = law.map_or_else(Vec::new, AdjustableFriction::constants);
-                if let Some((_, value)) = constants.iter().find(|(name, _)| *name == wanted) {
-                    return Ok(*value);
-                }
-                let names: Vec<_> = constants.iter().map(|(name, _)| name.field()).collect();
-                let reason = format!(
-                    "it is no constant of the friction law in use, which has {}",
-                    if names.is_empty() { "none".to_owned() } else { names.join(", ") }
-                );
-                refuse(wanted.field(), reason)
-            }
+            Parameter::Friction(constant) => friction_constant(&self.problem.friction, constant),
+            Parameter::AreaAdhesion | Parameter::AreaSlip => refuse(
+                parameter.name(),
+                "it is a constant of solver.method = \"polach\", but the method is \"full\""
+                    .to_owned(),
+            ),
             _ if self.problem.contact_law.with_stiffness(self.stiffness)?.is_none() => {
                 let reason = "the contact law in use has no such constant".to_owned();
                 refuse("contact_law.stiffness", reason)
@@ -136,11 +132,7 @@ impl RollingContactModel {
         if let Some(k) = self.contacts.iter().position(|contact| contact.load == load) {
             return Ok(k);
         }
-        let own = Arc::clone(&self.problem.normal);
-        let normal = match load {
-            Some(load) => Arc::new(AtLoad::new(own, load)?),
-            None => own,
-        };
+        let normal = loaded(&self.problem, load)?;
         let value = normal.normal_contact(None)?.summary.load;
         let solver = SteadySolver::new(&self.options);
         self.contacts.push(LoadedContact { load, normal, value, solver });
@@ -169,25 +161,14 @@ impl RollingContactModel {
 }
 
 /// By what the solver differentiates for a parameter.
-fn constant(parameter: Parameter) -> InterfaceConstant {
+fn constant(parameter: Parameter) -> Option<InterfaceConstant> {
     match parameter {
-        Parameter::Friction(constant) => InterfaceConstant::Friction(constant),
-        Parameter::ContactStiffness | Parameter::Roughness => InterfaceConstant::ContactStiffness,
+        Parameter::Friction(constant) => Some(InterfaceConstant::Friction(constant)),
+        Parameter::ContactStiffness | Parameter::Roughness => {
+            Some(InterfaceConstant::ContactStiffness)
+        }
+        Parameter::AreaAdhesion | Parameter::AreaSlip => None,
     }
-}
-
-fn refuse_transient(problem: &Problem) -> Result<(), Error> {
-    let transient = |quantity, what: &str| {
-        let reason = format!("a creep curve is of steady rolling, but there is {what}");
-        Err(Error::Contradiction { quantity, reason })
-    };
-    if problem.history.is_some() {
-        return transient("history.time", "a history");
-    }
-    if problem.initial_state.is_some() {
-        return transient("solver.initial_state", "an initial state");
-    }
-    Ok(())
 }
 
 impl CreepForceModel for RollingContactModel {
@@ -200,19 +181,15 @@ impl CreepForceModel for RollingContactModel {
     }
 
     fn set(&mut self, values: &[f64]) -> Result<(), Error> {
-        let mut changes = Vec::new();
         let (mut stiffness, mut height) = (self.stiffness, None);
         for (parameter, value) in self.parameters.iter().zip(values) {
             match parameter {
-                Parameter::Friction(constant) => changes.push((*constant, *value)),
                 Parameter::ContactStiffness => stiffness = *value,
                 Parameter::Roughness => height = Some(*value),
+                _ => {}
             }
         }
-        let mut friction = self.problem.friction.clone();
-        if let Some(law) = self.problem.friction.law.adjustable() {
-            friction.law = law.with_constants(&Changes(&changes))?;
-        }
+        let friction = adjusted_friction(&self.problem.friction, &self.parameters, values)?;
         let coefficient = friction.cold_coefficient();
         if let Some(height) = height {
             stiffness = self.roughness_number / (coefficient * height);

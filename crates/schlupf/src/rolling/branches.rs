@@ -39,14 +39,13 @@ pub(super) fn may_be_several(problem: &Problem, level: &Level, outcome: &Outcome
     level.friction.is_coupled && (!outcome.converged || feedback(problem, level) > STRONG)
 }
 
-/// Slip speed that follows elastically, over the one that caused it, dimensionless.
+/// Slip speed that follows elastically, over the one that caused it, dimensionless. Heat does not count:
+/// it comes from upstream, where nothing depends on what follows.
 fn feedback(problem: &Problem, level: &Level) -> f64 {
-    let Level { contact, friction, .. } = level;
+    let contact = &level.contact;
     let loosening =
-        problem.kinematics.speed / (contact.patch.grid.spacing_x * contact.cell_stiffness());
-    let collective = friction.fall_with_slip();
-    let sampled = contact.normal.peak_pressure * steepest_fall(problem, level);
-    loosening * collective.max(sampled)
+        contact.cell_looseness() * problem.kinematics.speed / contact.patch.grid.spacing_x;
+    loosening * contact.normal.peak_pressure * steepest_fall(problem, level)
 }
 
 /// Largest fall of the law with the slip speed at any speed that the motion may reach, in s/m.

@@ -221,6 +221,11 @@ impl DiscreteContact {
         self.cell_stiffness
     }
 
+    /// Displacement over traction of that cell, in m/Pa; zero between rigid bodies.
+    pub fn cell_looseness(&self) -> f64 {
+        if self.cell_stiffness == RIGID_STIFFNESS { 0.0 } else { self.cell_stiffness.recip() }
+    }
+
     fn measure_cell_stiffness(&mut self) -> f64 {
         let (p, middle) = self.lone_cell();
         let mut u = vec![0.0; p.len()];

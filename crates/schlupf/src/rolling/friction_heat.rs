@@ -8,9 +8,9 @@
 use crate::heat::{Heat, HeatStep};
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
+use crate::summary::snapshot::Snapshot;
 
 use super::arrival::Arrival;
-use super::snapshot::Snapshot;
 
 /// Slip velocity and friction power of every cell. `change` is by how much the displacement A p
 /// changes while a material point passes each cell, in m.

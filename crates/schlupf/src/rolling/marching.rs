@@ -6,20 +6,21 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
 use crate::kinematics::Kinematics;
+use crate::method::Method;
 use crate::normal::NormalContact;
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
+use crate::summary::{self, snapshot::Snapshot};
 
 use super::Progress;
 use super::arrival::{Arrival, carry_over, positions};
 use super::contact::DiscreteContact;
 use super::friction_heat::{Rubbing, lagging, set_friction_power, set_temperatures, ways_through};
-use super::snapshot::Snapshot;
-use super::summary;
 use super::time_step::TimeStep;
 use super::turn::{Way, with_turn};
+use super::warnings;
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -367,13 +368,14 @@ impl<'a> March<'a> {
             Status::NotConverged
         };
         let mut warnings =
-            summary::warnings(self.problem, self.options, &mut self.contact, &self.now);
+            warnings::warnings(self.problem, self.options, &mut self.contact, &self.now);
         if status == Status::NotConverged {
             warnings.insert(0, self.why_not_converged());
         }
         let state =
             State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
         let account = summary::Account {
+            method: Method::Full,
             status,
             residual,
             history: self.history,
@@ -382,7 +384,8 @@ impl<'a> March<'a> {
             work: self.work,
             state,
         };
-        summary::solution(self.problem, self.options, (&self.contact, &self.now), account)
+        let (normal, patch) = (&self.contact.normal, &self.contact.patch);
+        summary::solution(self.problem, self.options, (normal, patch, &self.now), account)
     }
 
     fn why_not_converged(&self) -> String {

@@ -13,11 +13,11 @@ use crate::kinematics::Kinematics;
 use crate::patch::Cell;
 use crate::problem::Problem;
 use crate::solution::{Resultant, Sensitivity};
+use crate::summary;
 
 use super::level::Level;
 use super::steady_friction::SteadyFriction;
 use super::steady_state::{Direct, SteadyState};
-use super::summary;
 
 /// Linear residual of the derivatives relative to ∂F/∂θ, over the tolerance of the solution, within
 /// these limits; and over that, what is not accepted any more.

@@ -7,22 +7,26 @@ use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::kinematics::Kinematics;
+use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
+use crate::simplified::FastContact;
 use crate::solution::{Instant, Resultant, Solution, Status, Work};
 use crate::state::State;
+use crate::summary::{self, snapshot::Snapshot};
 
 use super::Progress;
 use super::branches;
 use super::level::{self, Level};
 use super::marching;
 use super::sensitivity::{by_constants, sensitivity};
-use super::snapshot::Snapshot;
 use super::steady_state::SteadyState;
-use super::summary;
+use super::warnings;
 
 /// Solves a problem for its steady state.
 ///
 /// Where Newton's method fails, the state is marched to instead, and a warning says so.
+///
+/// With a fast method it is that method's state.
 ///
 /// # Errors
 /// A history or an initial state, which only marching can follow, and whatever
@@ -55,17 +59,18 @@ fn refuse_transient(problem: &Problem) -> Result<(), Error> {
 /// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a problem
 /// do) share grids, kernels and transforms, and each starts from the solutions before; where that
 /// fails, from none. The result depends on them within the tolerance only. It is a steady solver
-/// whatever the driver of the options.
+/// whatever the driver of the options. A fast method has its own set-up, which it keeps likewise.
 pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
     newton: Newton,
+    fast: Option<FastContact>,
 }
 
 impl SteadySolver {
     /// A solver without a past.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), setup: None, newton: Newton::default() }
+        Self { options: options.clone(), setup: None, newton: Newton::default(), fast: None }
     }
 
     /// How it solves.
@@ -79,6 +84,11 @@ impl SteadySolver {
         problem: &Problem,
         report: &mut dyn FnMut(Progress),
     ) -> Result<Solution, Error> {
+        if self.options.method != Method::Full {
+            let solution = self.solve_fast(problem)?;
+            report(Progress { step: 1, steps: Some(1), change: 0.0 });
+            return Ok(solution);
+        }
         let outcome = match self.solve_at_once(problem, self.options.sensitivity)? {
             Ok(solution) => {
                 report(Progress { step: 1, steps: Some(1), change: solution.residual });
@@ -95,20 +105,37 @@ impl SteadySolver {
         Ok(marched)
     }
 
+    fn solve_fast(&mut self, problem: &Problem) -> Result<Solution, Error> {
+        let fast = match &mut self.fast {
+            Some(fast) => {
+                fast.set_problem(problem)?;
+                fast
+            }
+            none => none.insert(FastContact::new(problem, &self.options)?),
+        };
+        Ok(fast.solution())
+    }
+
     /// The steady state with its derivatives. Nothing where Newton's method fails: this never
-    /// marches.
+    /// marches. Nothing with a fast method, which has no derivatives.
     pub fn solve_with_derivatives(&mut self, problem: &Problem) -> Result<Option<Solution>, Error> {
+        if self.options.method != Method::Full {
+            return Ok(None);
+        }
         self.solve_at_once(problem, true).map(Result::ok)
     }
 
     /// The steady state with the derivatives of forces and moment by some constants of contact law and
     /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
-    /// have has no effect. Nothing where Newton's method or a linear system fails.
+    /// have has no effect. Nothing where Newton's method or a linear system fails, and with a fast method.
     pub fn solve_with_derivatives_by(
         &mut self,
         problem: &Problem,
         constants: &[InterfaceConstant],
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        if self.options.method != Method::Full {
+            return Ok(None);
+        }
         let Ok(mut solution) = self.solve_at_once(problem, false)? else { return Ok(None) };
         let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
         let (size, tolerance) = (self.newton.response().len(), self.options.tolerance);
@@ -410,14 +437,15 @@ impl Setup {
             residual: outcome.residual,
         };
         let account = summary::Account {
+            method: Method::Full,
             status: Status::Converged,
             residual: outcome.residual,
             history: vec![instant],
-            warnings: summary::warnings(problem, options, contact, &now),
+            warnings: warnings::warnings(problem, options, contact, &now),
             sensitivity: None,
             work,
             state: State { grid: contact.patch.grid, time: 0.0, elements },
         };
-        summary::solution(problem, options, (contact, &now), account)
+        summary::solution(problem, options, (&contact.normal, &contact.patch, &now), account)
     }
 }

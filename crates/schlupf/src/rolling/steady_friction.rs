@@ -258,20 +258,6 @@ impl SteadyFriction {
         }
     }
 
-    /// Largest fall of μ pₙ of any cell (in Pa s/m) where all cells slide a little faster.
-    pub fn fall_with_slip(&self) -> f64 {
-        let cells = self.rows.len();
-        let mut faster = FrictionCause::nothing(cells);
-        for (change, slip) in faster.slip.iter_mut().zip(&self.slip) {
-            let speed = speed_of(*slip).max(f64::MIN_POSITIVE);
-            *change = slip.map(|component| component / speed);
-        }
-        let (nothing, mut flux, mut bound) =
-            (vec![0.0; 2 * cells], vec![0.0; cells], vec![0.0; cells]);
-        self.bound_changes((&nothing, &nothing), Some(&faster), &mut flux, &mut bound);
-        bound.into_iter().fold(0.0, |largest, change| largest.max(-change))
-    }
-
     /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m).
     fn slip_change(&self, change: &[f64], k: usize) -> [f64; 2] {
         let per_length = self.kinematics.speed / self.spacing;

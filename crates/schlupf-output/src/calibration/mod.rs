@@ -1,0 +1,123 @@
+//! Calibrated stiffnesses of the elastic layer: a summary with a snippet for the case file, and JSON.
+
+pub mod json;
+mod snippet;
+pub mod summary;
+
+use schlupf::calibration::Deviation;
+use schlupf::calibration::displacements::DisplacementFit;
+use schlupf::elasticity::elastic_layer::LayerStiffness;
+use schlupf::normal::NormalSummary;
+use schlupf::solution::Status;
+
+/// Stiffnesses for a patch, and what they were fitted to.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// Title of the case.
+    pub title: String,
+    /// The patch.
+    pub normal: NormalSummary,
+    /// Combined shear modulus G of the bodies, in Pa.
+    pub shear_modulus: f64,
+    /// Combined Poisson's ratio ν of the bodies, dimensionless.
+    pub poisson_ratio: f64,
+    /// From the table; none for a patch that is outside.
+    pub tabulated: Option<Layer>,
+    /// Calibrated for this very patch.
+    pub anew: Option<Anew>,
+    /// Fitted to displacements.
+    pub fitted: Option<Fitted>,
+    /// What the reader must know.
+    pub warnings: Vec<String>,
+    /// Whether all that was computed converged.
+    pub status: Status,
+}
+
+/// Stiffnesses for displacements along and across rolling.
+#[derive(Debug, Clone, Copy)]
+pub struct Layer {
+    /// The stiffnesses.
+    pub stiffness: [LayerStiffness; 2],
+    /// How far the layer is from the half-space, where that was computed.
+    pub deviation: Option<Deviation>,
+}
+
+/// A calibration for one patch.
+#[derive(Debug, Clone, Copy)]
+pub struct Anew {
+    /// The layer.
+    pub layer: Layer,
+    /// A bed of springs without coupling, fitted to the same forces.
+    pub uncoupled: Layer,
+}
+
+/// A fit to displacements.
+#[derive(Debug, Clone)]
+pub struct Fitted {
+    /// The components that were loaded: along and across rolling.
+    pub components: [Option<FittedComponent>; 2],
+}
+
+/// A fitted component.
+#[derive(Debug, Clone)]
+pub struct FittedComponent {
+    /// The fit.
+    pub fit: DisplacementFit,
+    /// Names of the files that load it, in the order of the fit's deviations.
+    pub files: Vec<String>,
+}
+
+impl FittedComponent {
+    fn stiffness(&self) -> LayerStiffness {
+        LayerStiffness {
+            bedding: self.fit.bedding,
+            coupling_along_x: self.fit.coupling_along_x,
+            coupling_along_y: self.fit.coupling_along_y,
+        }
+    }
+}
+
+impl Fitted {
+    fn stiffness(&self) -> [Option<LayerStiffness>; 2] {
+        self.components.each_ref().map(|fitted| fitted.as_ref().map(FittedComponent::stiffness))
+    }
+}
+
+/// Stiffnesses and where they come from.
+struct Origin {
+    name: &'static str,
+    stiffness: [Option<LayerStiffness>; 2],
+    deviation: Option<Deviation>,
+}
+
+impl Report {
+    /// All stiffnesses, the last but the uncoupled ones being those that were asked for.
+    fn origins(&self) -> Vec<Origin> {
+        let layer = |name, layer: &Layer| Origin {
+            name,
+            stiffness: layer.stiffness.map(Some),
+            deviation: layer.deviation,
+        };
+        let mut origins = Vec::new();
+        origins.extend(self.tabulated.iter().map(|tabulated| layer("table", tabulated)));
+        if let Some(anew) = &self.anew {
+            origins.push(layer("anew", &anew.layer));
+            origins.push(layer("uncoupled", &anew.uncoupled));
+        }
+        if let Some(fitted) = &self.fitted {
+            let stiffness = fitted.stiffness();
+            origins.push(Origin { name: "fitted", stiffness, deviation: None });
+        }
+        origins
+    }
+
+    /// The stiffnesses to take over.
+    fn best(&self) -> [Option<LayerStiffness>; 2] {
+        let layer = self.anew.map(|anew| anew.layer).or(self.tabulated);
+        match (&self.fitted, layer) {
+            (Some(fitted), _) => fitted.stiffness(),
+            (None, Some(layer)) => layer.stiffness.map(Some),
+            (None, None) => [None; 2],
+        }
+    }
+}

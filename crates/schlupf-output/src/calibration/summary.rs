@@ -1,0 +1,111 @@
+//! Calibrated stiffnesses on a terminal.
+
+use schlupf::calibration::Deviation;
+use schlupf::elasticity::elastic_layer::LayerStiffness;
+use schlupf::solution::Status;
+
+use super::snippet::snippet;
+use super::{Fitted, Origin, Report};
+use crate::number::significant as number;
+use crate::summary::{entry, line};
+
+/// The patch, the stiffnesses side by side, how far they are from what they were fitted to, and a section of a
+/// case file.
+pub fn text(report: &Report) -> String {
+    let mut text = format!("{}\n\n", report.title);
+    patch(&mut text, report);
+    let origins = report.origins();
+    stiffnesses(&mut text, &origins);
+    deviations(&mut text, &origins);
+    if let Some(fitted) = &report.fitted {
+        displacements(&mut text, fitted);
+    }
+    text.push_str(&snippet(report));
+    text.push('\n');
+    let verdict = match report.status {
+        Status::Converged => "converged",
+        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
+    };
+    line(&mut text, verdict);
+    for warning in &report.warnings {
+        line(&mut text, &format!("warning: {warning}"));
+    }
+    text
+}
+
+fn patch(text: &mut String, report: &Report) {
+    let [a, b] = [report.normal.semi_axis_x, report.normal.semi_axis_y];
+    let across = format!("along rolling, {} mm across, a/b = {}", number(b / 1e-3), number(a / b));
+    entry(text, "semi-axes", a / 1e-3, "mm", &across);
+    entry(text, "load", report.normal.load / 1e3, "kN", "");
+    let poisson = format!("of both bodies, ν = {}", number(report.poisson_ratio));
+    entry(text, "shear modulus", report.shear_modulus / 1e9, "GPa", &poisson);
+    text.push('\n');
+}
+
+/// Width of the names of quantities, and of a column.
+const NAME: usize = 27;
+const COLUMN: usize = 12;
+
+fn stiffnesses(text: &mut String, origins: &[Origin]) {
+    let names = origins.iter().map(|origin| format!("  {:>1$}", origin.name, 2 * COLUMN));
+    line(text, &format!("{:NAME$}{}", "", names.collect::<String>()));
+    let pair = format!("  {:>COLUMN$}{:>COLUMN$}", "along x", "along y");
+    line(text, &format!("{:NAME$}{}", "displacements", pair.repeat(origins.len())));
+    let mut row = |name: &str, value: &dyn Fn(&LayerStiffness) -> f64, unit: &str| {
+        let cell = |stiffness: &Option<LayerStiffness>| match stiffness {
+            Some(stiffness) => format!("{:>COLUMN$}", number(value(stiffness))),
+            None => format!("{:>COLUMN$}", "–"),
+        };
+        let columns = origins.iter().map(|origin| {
+            let [x, y] = origin.stiffness.each_ref().map(cell);
+            format!("  {x}{y}")
+        });
+        line(text, &format!("{name:NAME$}{}  {unit}", columns.collect::<String>()));
+    };
+    row("bedding c", &|s| s.bedding, "N/m³");
+    row("coupling g along rolling", &|s| s.coupling_along_x, "N/m");
+    row("              across", &|s| s.coupling_along_y, "N/m");
+    row("decay length along rolling", &|s| s.decay_lengths()[0] / 1e-3, "mm");
+    row("              across", &|s| s.decay_lengths()[1] / 1e-3, "mm");
+    text.push('\n');
+}
+
+fn deviations(text: &mut String, origins: &[Origin]) {
+    if origins.iter().all(|origin| origin.deviation.is_none()) {
+        return;
+    }
+    line(text, "away from the half-space");
+    let mut row = |name: &str, value: fn(&Deviation) -> f64, unit: &str| {
+        let columns = origins.iter().map(|origin| match &origin.deviation {
+            Some(deviation) => format!("  {:>1$}", percent(value(deviation)), 2 * COLUMN),
+            None => format!("  {:>1$}", "", 2 * COLUMN),
+        });
+        line(text, &format!("{name:NAME$}{}  {unit}", columns.collect::<String>()));
+    };
+    row("forces, largest", |deviation| deviation.force, "% of μN");
+    row("  with spin", |deviation| deviation.force_with_spin, "% of μN");
+    row("tractions, mean", |deviation| deviation.field, "%");
+    row("  with spin", |deviation| deviation.field_with_spin, "%");
+    text.push('\n');
+}
+
+fn displacements(text: &mut String, fitted: &Fitted) {
+    line(text, "away from the displacements");
+    for (direction, component) in ["x", "y"].into_iter().zip(&fitted.components) {
+        let Some(component) = component else { continue };
+        for (file, deviation) in component.files.iter().zip(&component.fit.deviation) {
+            let name = format!("displacement_{direction}");
+            line(
+                text,
+                &format!("{name:NAME$}  {:>1$}  %  {file}", percent(*deviation), 2 * COLUMN),
+            );
+        }
+    }
+    text.push('\n');
+}
+
+/// A part in %, to two digits behind the point.
+fn percent(part: f64) -> String {
+    format!("{:.2}", 100.0 * part)
+}

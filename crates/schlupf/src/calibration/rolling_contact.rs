@@ -1,0 +1,76 @@
+//! The contact on which half-space and stand-ins are compared: an ellipse, a stiff contact law, constant friction.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use crate::elasticity::half_space::HalfSpace;
+use crate::error::Error;
+use crate::heat::Heat;
+use crate::heat::partition::Partition;
+use crate::interface::contact_law::Incremental;
+use crate::interface::friction::Friction;
+use crate::interface::friction::constant::Constant;
+use crate::kalker_coefficients::creep_coefficients;
+use crate::kinematics::Kinematics;
+use crate::material::{Body, Material};
+use crate::normal::ellipse::Ellipse;
+use crate::problem::Problem;
+use crate::reference::kalker_linear::CreepCoefficients;
+
+/// √(ab), in m: any would do.
+pub(super) const SIZE: f64 = 6e-3;
+
+/// p0, in Pa.
+pub(super) const PEAK_PRESSURE: f64 = 1e9;
+
+/// μ, dimensionless.
+pub(super) const FRICTION: f64 = 0.3;
+
+/// k_c, in 1/m: near to Coulomb's law.
+const STIFFNESS: f64 = 1e8;
+
+/// One ellipse between half-spaces.
+pub(super) struct RollingContact {
+    pub bodies: HalfSpace,
+    pub coefficients: CreepCoefficients,
+    /// Along and across rolling, in m.
+    pub semi_axes: [f64; 2],
+    /// Rolling without creepage, with the half-space.
+    pub problem: Problem,
+}
+
+impl RollingContact {
+    pub fn new(axis_ratio: f64, poisson_ratio: f64) -> Result<Self, Error> {
+        let coefficients = creep_coefficients(axis_ratio, poisson_ratio)?;
+        let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
+        let material = Material { poisson_ratio, ..Material::STEEL };
+        let bodies = HalfSpace::new(&material, &material)?;
+        let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
+        let problem = Problem {
+            kinematics: Kinematics { speed: 1.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 },
+            wheel: Body { material, ..Body::STEEL },
+            rail: Body { material, ..Body::STEEL },
+            normal: Arc::new(ellipse),
+            elasticity: Arc::new(bodies),
+            contact_law: Arc::new(Incremental::new(STIFFNESS)?),
+            friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
+            heat: Heat { model: None, partition: Partition::Given(0.5) },
+            history: None,
+            initial_state: None,
+        };
+        Ok(Self { bodies, coefficients, semi_axes, problem })
+    }
+
+    /// Creepages as parts of those that Kalker's linear theory needs for the force μN: along, across, spin.
+    pub fn motion(&self, [along, across, spin]: [f64; 3]) -> Kinematics {
+        // μN over C G s² and C G s³, N = (2/3) π s² p0.
+        let strain = FRICTION * 2.0 / 3.0 * PI * PEAK_PRESSURE / self.bodies.shear_modulus();
+        let CreepCoefficients { c11, c22, c23, .. } = self.coefficients;
+        Kinematics {
+            speed: 1.0,
+            creepage_x: along * strain / c11,
+            creepage_y: across * strain / c22,
+            spin: spin * strain / (c23 * SIZE),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Motions of a rolling patch, and what half-space and stand-ins answer to them.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use crate::elasticity::Elasticity;
+use crate::error::Error;
+use crate::kinematics::Kinematics;
+use crate::problem::{Options, Problem};
+use crate::rolling::steady::SteadySolver;
+use crate::solution::Solution;
+
+use super::Deviation;
+use super::displacements::{Sample, fit};
+use super::kalker_bed::bedding;
+use super::rolling_contact::{RollingContact, SIZE};
+
+/// Creepages as parts of those that Kalker's linear theory needs for the force μN: along, across, spin.
+const MOTIONS: [[f64; 3]; 24] = [
+    [0.3, 0.0, 0.0],
+    [0.7, 0.0, 0.0],
+    [1.2, 0.0, 0.0],
+    [2.0, 0.0, 0.0],
+    [3.0, 0.0, 0.0],
+    [0.0, 0.3, 0.0],
+    [0.0, 0.7, 0.0],
+    [0.0, 1.2, 0.0],
+    [0.0, 2.0, 0.0],
+    [0.0, 3.0, 0.0],
+    [0.5, 0.5, 0.0],
+    [1.2, 0.8, 0.0],
+    [0.0, 0.0, 0.3],
+    [0.0, 0.0, 0.7],
+    [0.0, 0.0, 1.2],
+    [0.0, 0.0, 2.0],
+    [0.7, 0.0, 0.5],
+    [1.2, 0.0, 1.0],
+    [0.0, 0.7, 0.5],
+    [0.0, -0.7, 0.5],
+    [0.0, 1.2, 1.0],
+    [0.0, -1.2, 1.0],
+    [0.6, 0.6, 0.5],
+    [0.6, -0.6, 0.5],
+];
+
+/// Differences that weigh one in the fit: of forces over μN, without and with spin, and of fields.
+const FORCE: f64 = 0.01;
+const FORCE_WITH_SPIN: f64 = 0.02;
+const FIELD: f64 = 0.06;
+
+/// The motions of one ellipse, and the answers of the half-space.
+pub(super) struct Motions {
+    contact: RollingContact,
+    motions: Vec<Kinematics>,
+    exact: Vec<Solution>,
+    options: Options,
+    solver: RefCell<SteadySolver>,
+}
+
+impl Motions {
+    pub fn new(axis_ratio: f64, poisson_ratio: f64, cells: usize) -> Result<Self, Error> {
+        let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
+        let options =
+            Options { cells_x: cells, cells_y: cells, tolerance: 1e-7, ..Options::default() };
+        let motions = MOTIONS.into_iter().map(|parts| contact.motion(parts)).collect();
+        let solver = RefCell::new(SteadySolver::new(&options));
+        let mut this = Self { contact, motions, exact: Vec::new(), options, solver };
+        let elasticity = Arc::clone(&this.contact.problem.elasticity);
+        this.exact = this.answers(&elasticity).ok_or_else(|| Error::Contradiction {
+            quantity: "calibration",
+            reason: format!("the half-space of a/b = {axis_ratio} could not be solved"),
+        })?;
+        Ok(this)
+    }
+
+    /// Combined shear modulus of the bodies, in Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        self.contact.bodies.shear_modulus()
+    }
+
+    /// Beddings c s/G (dimensionless) of the bed of springs with Kalker's flexibilities.
+    pub fn slope_bedding(&self) -> [f64; 2] {
+        bedding(&self.contact.coefficients, SIZE, self.contact.semi_axes[0])
+    }
+
+    /// Logarithms of the relative stiffnesses (dimensionless) that fit the half-space's displacements under the tractions of
+    /// nearly full stick and of full sliding.
+    pub fn start(&self) -> Result<Vec<f64>, Error> {
+        let sliding = [(0, 4), (5, 9)];
+        let mut start = Vec::with_capacity(6);
+        for (component, (stick, slide)) in sliding.into_iter().enumerate() {
+            let samples = [stick, slide].map(|k| Sample::of(&self.exact[k], component));
+            let guess = self.slope_bedding()[component] * self.shear_modulus() / SIZE;
+            let found = fit(&samples, guess)?;
+            let reach = |coupling: f64| (coupling / found.bedding).sqrt() / SIZE;
+            let bedding = found.bedding * SIZE / self.shear_modulus();
+            for (value, range) in [
+                (bedding, [f64::MIN_POSITIVE, f64::MAX]),
+                (reach(found.coupling_along_x), REACHES),
+                (reach(found.coupling_along_y), REACHES),
+            ] {
+                start.push(value.clamp(range[0], range[1]).ln());
+            }
+        }
+        Ok(start)
+    }
+
+    /// Solutions of all motions; nothing if one does not converge at once.
+    fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Option<Vec<Solution>> {
+        let mut solver = self.solver.borrow_mut();
+        *solver = SteadySolver::new(&self.options);
+        let base = Problem { elasticity: Arc::clone(elasticity), ..self.contact.problem.clone() };
+        let solve = |kinematics: &Kinematics| {
+            let problem = Problem { kinematics: *kinematics, ..base.clone() };
+            let solution = solver.solve(&problem, &mut |_| ()).ok()?;
+            (solution.work.steps == 0).then_some(solution)
+        };
+        self.motions.iter().map(solve).collect()
+    }
+
+    /// Differences of forces, and of the tractions if they count, each over what weighs one;
+    /// dimensionless.
+    pub fn residuals(&self, elasticity: &Arc<dyn Elasticity>, fields: bool) -> Option<Vec<f64>> {
+        let answers = self.answers(elasticity)?;
+        let mut residuals = Vec::new();
+        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.motions) {
+            let force = if motion.spin == 0.0 { FORCE } else { FORCE_WITH_SPIN };
+            residuals.push((answer.normalised.x - exact.normalised.x) / force);
+            residuals.push((answer.normalised.y - exact.normalised.y) / force);
+            if fields {
+                let weight = 1.0 / (FIELD * size_of(exact));
+                let (here, there) = (&answer.fields, &exact.fields);
+                let along = here.traction_x.iter().zip(&there.traction_x);
+                let across = here.traction_y.iter().zip(&there.traction_y);
+                residuals.extend(along.chain(across).map(|(t, u)| weight * (t - u)));
+            }
+        }
+        Some(residuals)
+    }
+
+    pub fn deviation(&self, elasticity: &Arc<dyn Elasticity>) -> Option<Deviation> {
+        let answers = self.answers(elasticity)?;
+        let mut deviation = Deviation::default();
+        let mut counts = [0.0; 2];
+        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.motions) {
+            let (one, other) = (answer.normalised, exact.normalised);
+            let force = (one.x - other.x).hypot(one.y - other.y);
+            let (here, there) = (&answer.fields, &exact.fields);
+            let squares = |one: &[f64], other: &[f64]| -> f64 {
+                one.iter().zip(other).map(|(t, u)| (t - u).powi(2)).sum()
+            };
+            let apart = squares(&here.traction_x, &there.traction_x)
+                + squares(&here.traction_y, &there.traction_y);
+            let field = apart.sqrt() / size_of(exact);
+            if motion.spin == 0.0 {
+                deviation.force = deviation.force.max(force);
+                deviation.field += field;
+                counts[0] += 1.0;
+            } else {
+                deviation.force_with_spin = deviation.force_with_spin.max(force);
+                deviation.field_with_spin += field;
+                counts[1] += 1.0;
+            }
+        }
+        deviation.field /= counts[0];
+        deviation.field_with_spin /= counts[1];
+        Some(deviation)
+    }
+}
+
+/// Reaches from which a fit starts.
+const REACHES: [f64; 2] = [0.05, 0.8];
+
+/// ‖t‖₂ over all cells, in Pa.
+fn size_of(solution: &Solution) -> f64 {
+    let fields = &solution.fields;
+    let squares = fields.traction_x.iter().chain(&fields.traction_y).map(|t| t * t);
+    squares.sum::<f64>().sqrt()
+}

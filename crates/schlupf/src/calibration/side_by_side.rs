@@ -1,0 +1,169 @@
+//! The half-space, and what stands in for it, side by side: forces over growing creepage, and the traction
+//! along the middle of the patch. The contact law is stiff and friction constant, as for the calibration.
+
+use std::sync::Arc;
+
+use crate::elasticity::Elasticity;
+use crate::elasticity::calibrated_layer::RelativeStiffness;
+use crate::elasticity::elastic_layer::ElasticLayer;
+use crate::error::Error;
+use crate::kinematics::Kinematics;
+use crate::method::{Brush, Method};
+use crate::problem::{Options, Problem};
+use crate::rolling;
+use crate::rolling::steady::SteadySolver;
+use crate::solution::{Solution, Status};
+
+use super::kalker_bed::kalker_bed;
+use super::rolling_contact::{FRICTION, PEAK_PRESSURE, RollingContact, SIZE};
+
+/// What rolls on the patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Model {
+    /// The elastic half-space, which the others should be like.
+    HalfSpace,
+    /// The calibrated layer.
+    Layer,
+    /// The bed of springs with Kalker's flexibilities.
+    KalkerBed,
+    /// FASTSIM as Kalker (1982) has it.
+    Fastsim,
+}
+
+/// Forces and traction of one model on the way of a creepage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// Which model.
+    pub model: Model,
+    /// Force on the rail over μN for each creepage, dimensionless.
+    pub force: Vec<f64>,
+    /// Traction on the rail along the row nearest to y = 0, over μp0: x/a and traction, both dimensionless.
+    pub traction: Vec<[f64; 2]>,
+    /// Whether all solutions converged.
+    pub converged: bool,
+}
+
+/// A creepage that grows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Course {
+    /// Creepages, as parts of that with which Kalker's linear theory gives the force μN; dimensionless.
+    pub creepage: Vec<f64>,
+    /// The creepage of the traction, in the same way; dimensionless.
+    pub traction_at: f64,
+    /// The models.
+    pub answers: Vec<Answer>,
+}
+
+/// Half-space and stand-ins on one ellipse.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SideBySide {
+    /// Axes ratio a/b, dimensionless.
+    pub axis_ratio: f64,
+    /// Combined Poisson's ratio ν, dimensionless.
+    pub poisson_ratio: f64,
+    /// Longitudinal creepage: forces and tractions along rolling.
+    pub longitudinal: Course,
+    /// Spin: forces and tractions across rolling.
+    pub spin: Course,
+}
+
+/// Creepages of the forces.
+const CREEPAGES: [f64; 24] = [
+    0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.1, 1.2, 1.35, 1.5,
+    1.7, 1.9, 2.1, 2.4, 2.7, 3.0,
+];
+
+/// Creepage of the traction.
+const TRACTION_AT: f64 = 0.6;
+
+/// Cells across the patch: the odd number has a row at y = 0.
+const CELLS: [usize; 2] = [48, 31];
+
+/// Compares the models for an axes ratio a/b and a combined Poisson's ratio ν (both dimensionless), the layer with
+/// these stiffnesses for displacements along and across rolling.
+///
+/// # Errors
+/// An axes ratio that is not positive, or a Poisson's ratio outside 0 to 0.5.
+pub fn side_by_side(
+    axis_ratio: f64,
+    poisson_ratio: f64,
+    stiffness: [RelativeStiffness; 2],
+) -> Result<SideBySide, Error> {
+    let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
+    let shear_modulus = contact.bodies.shear_modulus();
+    let [x, y] = stiffness.map(|relative| relative.absolute(shear_modulus, SIZE));
+    let models: Vec<(Model, Arc<dyn Elasticity>)> = vec![
+        (Model::HalfSpace, Arc::new(contact.bodies)),
+        (Model::Layer, Arc::new(ElasticLayer::new(x, y, None)?)),
+        (Model::KalkerBed, Arc::new(kalker_bed(&contact.bodies, contact.semi_axes)?)),
+        // It asks for no model of elasticity.
+        (Model::Fastsim, Arc::new(contact.bodies)),
+    ];
+    Ok(SideBySide {
+        axis_ratio,
+        poisson_ratio,
+        longitudinal: course(&contact, &models, 0)?,
+        spin: course(&contact, &models, 1)?,
+    })
+}
+
+/// Longitudinal creepage (component 0) or spin (component 1).
+fn course(
+    contact: &RollingContact,
+    models: &[(Model, Arc<dyn Elasticity>)],
+    component: usize,
+) -> Result<Course, Error> {
+    let motion = |part: f64| {
+        contact.motion(if component == 0 { [part, 0.0, 0.0] } else { [0.0, 0.0, part] })
+    };
+    let mut answers = Vec::with_capacity(models.len());
+    for (model, elasticity) in models {
+        let mut solver = SteadySolver::new(&options());
+        let fast = Options { method: Method::Fastsim(Brush::KALKER), ..options() };
+        let problem = Problem { elasticity: Arc::clone(elasticity), ..contact.problem.clone() };
+        let mut solve = |kinematics: Kinematics| {
+            let problem = Problem { kinematics, ..problem.clone() };
+            match model {
+                Model::Fastsim => rolling::solve(&problem, &fast, &mut |_| ()),
+                _ => solver.solve(&problem, &mut |_| ()),
+            }
+        };
+        let mut converged = true;
+        let mut force = Vec::with_capacity(CREEPAGES.len());
+        for part in CREEPAGES {
+            let solution = solve(motion(part))?;
+            converged &= solution.status == Status::Converged;
+            let normalised = solution.normalised;
+            force.push(-if component == 0 { normalised.x } else { normalised.y });
+        }
+        let solution = solve(motion(TRACTION_AT))?;
+        converged &= solution.status == Status::Converged;
+        let traction = middle_row(&solution, component);
+        answers.push(Answer { model: *model, force, traction, converged });
+    }
+    Ok(Course { creepage: CREEPAGES.to_vec(), traction_at: TRACTION_AT, answers })
+}
+
+fn options() -> Options {
+    let [cells_x, cells_y] = CELLS;
+    Options { cells_x, cells_y, tolerance: 1e-7, ..Options::default() }
+}
+
+/// Traction on the rail over μp0 against x/a, in the row at y = 0.
+fn middle_row(solution: &Solution, component: usize) -> Vec<[f64; 2]> {
+    let fields = &solution.fields;
+    let traction = if component == 0 { &fields.traction_x } else { &fields.traction_y };
+    let row = CELLS[1] / 2;
+    let (length, bound) = (solution.normal.semi_axis_x, FRICTION * PEAK_PRESSURE);
+    let in_row = |k: &usize| fields.cell[*k][1] == row;
+    let point = |k: usize| [fields.x[k] / length, -traction[k] / bound];
+    (0..fields.cell.len()).filter(in_row).map(point).collect()
+}
+
+impl SideBySide {
+    /// Whether all solutions converged.
+    pub fn is_converged(&self) -> bool {
+        let answers = self.longitudinal.answers.iter().chain(&self.spin.answers);
+        answers.into_iter().all(|answer| answer.converged)
+    }
+}
