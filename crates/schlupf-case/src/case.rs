@@ -7,6 +7,7 @@ use schlupf::bulk_temperature::Cooling;
 use schlupf::{Options, Problem};
 
 use crate::document::{self, Entry};
+use crate::edited;
 use crate::error::{CaseError, CaseErrors, Cause};
 use crate::fields;
 use crate::place::{Place, Source};
@@ -28,6 +29,8 @@ pub struct Case {
     /// What was given without effect, each with its place.
     pub notices: Vec<String>,
     settings: Settings,
+    /// The text that was read, without overrides.
+    text: String,
     entries: Vec<Entry>,
     name: String,
     folder: PathBuf,
@@ -63,20 +66,20 @@ impl Case {
         for text in overrides {
             errors.extend(document::apply(&mut entries, "--set", text).err());
         }
-        Self::from_entries(entries, errors, name, folder)
+        Self::from_entries(entries, errors, (name, text), folder)
     }
 
     /// The same case with another field, `section.field=value`, that an option of the command line gives.
     pub fn with(&self, option: &'static str, assignment: &str) -> Result<Self, CaseErrors> {
         let mut entries = self.entries.clone();
         document::apply(&mut entries, option, assignment)?;
-        Self::from_entries(entries, Vec::new(), &self.name, &self.folder)
+        Self::from_entries(entries, Vec::new(), (&self.name, &self.text), &self.folder)
     }
 
     fn from_entries(
         entries: Vec<Entry>,
         mut errors: Vec<CaseError>,
-        name: &str,
+        (name, text): (&str, &str),
         folder: &Path,
     ) -> Result<Self, CaseErrors> {
         let file = Place::File { name: name.to_owned() };
@@ -91,6 +94,7 @@ impl Case {
             cooling: read::cooling(&settings)?,
             notices: settings.idle(),
             settings,
+            text: text.to_owned(),
             entries,
             name: name.to_owned(),
             folder: folder.to_owned(),
@@ -144,6 +148,18 @@ impl Case {
             .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
             .map(|(field, file)| (field, self.folder.join(file)))
             .collect()
+    }
+
+    /// The text of the case with other values of some fields (in SI units, or dimensionless) and all
+    /// overrides in it, comments and layout kept. Paths are those from `folder`, where the text is to be.
+    pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
+        let is_moved = edited::absolute(folder) != edited::absolute(&self.folder);
+        let mut text = edited::Edited::new(&self.text, &self.name)?;
+        text.take_over(&self.entries, is_moved.then_some(&self.folder))?;
+        for (path, value) in values {
+            text.set_number(path, *value)?;
+        }
+        Ok(text.finish())
     }
 
     /// All fields in effect, given or by default.

@@ -8,10 +8,12 @@
 
 mod case;
 pub mod document;
+mod edited;
 pub mod error;
 pub mod fields;
 pub mod place;
 mod family;
+pub mod identification;
 mod range;
 mod read;
 mod schema;

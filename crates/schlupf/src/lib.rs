@@ -36,6 +36,7 @@ pub mod temperature_field;
 pub mod bulk_temperature;
 pub mod creep_curve;
 pub mod calibration;
+pub mod identification;
 
 pub use error::Error;
 pub use method::Method;

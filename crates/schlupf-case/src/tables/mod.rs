@@ -1,7 +1,9 @@
-//! Files that a case names: tables of pressure, of friction over y, and of time; and displacements to calibrate with.
+//! Files that a case names: tables of pressure, of friction over y, and of time; displacements to calibrate with, and
+//! measured points of creep curves.
 
 mod across;
 mod columns;
+mod creep_data;
 mod displacements;
 mod lattice;
 mod npy;
@@ -9,6 +11,7 @@ mod pressure;
 mod time;
 
 pub use across::from_csv as variation_from_csv;
+pub use creep_data::from_csv as creep_data_from_csv;
 pub use displacements::{Displacements, read as read_displacements};
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};

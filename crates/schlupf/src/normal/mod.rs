@@ -1,5 +1,6 @@
 //! Normal contact: the pressure, an input of the tangential problem.
 
+pub mod at_load;
 pub mod ellipse;
 pub mod hertz;
 pub mod tabulated;

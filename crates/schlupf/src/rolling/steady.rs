@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
+use crate::interface::InterfaceConstant;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
 use crate::simplified::FastContact;
-use crate::solution::{Instant, Solution, Status, Work};
+use crate::solution::{Instant, Resultant, Solution, Status, Work};
 use crate::state::State;
 use crate::summary::{self, snapshot::Snapshot};
 
@@ -17,7 +18,7 @@ use super::Progress;
 use super::branches;
 use super::level::{self, Level};
 use super::marching;
-use super::sensitivity::sensitivity;
+use super::sensitivity::{by_constants, sensitivity};
 use super::steady_state::SteadyState;
 use super::warnings;
 
@@ -124,6 +125,25 @@ impl SteadySolver {
             return Ok(None);
         }
         self.solve_at_once(problem, true).map(Result::ok)
+    }
+
+    /// The steady state with the derivatives of forces and moment by some constants of contact law and
+    /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
+    /// have has no effect. Nothing where Newton's method or a linear system fails, and with a fast method.
+    pub fn solve_with_derivatives_by(
+        &mut self,
+        problem: &Problem,
+        constants: &[InterfaceConstant],
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        if self.options.method != Method::Full {
+            return Ok(None);
+        }
+        let Ok(mut solution) = self.solve_at_once(problem, false)? else { return Ok(None) };
+        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
+        let (size, tolerance) = (self.newton.response().len(), self.options.tolerance);
+        let (found, products) = by_constants(problem, levels, size, tolerance, constants);
+        solution.work.sensitivity_products = products;
+        Ok(found.map(|derivatives| (solution, derivatives)))
     }
 
     /// Forgets all solutions, but not the set-up.

@@ -31,7 +31,7 @@ use crate::solution::{
 use crate::state::State;
 use crate::summary;
 
-pub use elliptic_contact::EllipticContact;
+pub use elliptic_contact::{EllipticContact, friction_state};
 
 use elliptic_contact::friction_limit;
 use fastsim::Fastsim;
