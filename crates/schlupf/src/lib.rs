@@ -15,6 +15,8 @@ pub mod error;
 pub mod material;
 pub mod kinematics;
 pub mod grid;
+mod fourier;
+pub mod surface;
 pub mod normal;
 pub mod patch;
 pub mod elasticity;
