@@ -56,11 +56,6 @@ impl RealTransform {
         }
     }
 
-    /// Columns and rows with the padding.
-    pub(crate) fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
     /// The spectrum.
     pub(crate) fn spectrum(&self) -> &[Complex<f64>] {
         &self.spectrum
