@@ -1,6 +1,7 @@
 //! A table of work and times, as Markdown: `cargo xtask bench`.
 
 mod common;
+mod rough_contact;
 
 use std::fs;
 use std::time::Instant;
@@ -69,6 +70,7 @@ fn main() {
     println!("{}", heading());
     rows.iter().for_each(|row| println!("{}", row.line()));
     println!("\n{}\n\n{}", growth(&rows), against_the_paper(&rows));
+    println!("\n{}", rough_contact::table());
 }
 
 impl Row {

@@ -38,7 +38,7 @@ const STEPS: usize = 50;
 
 impl Profile {
     /// From the spacing (in m) and the heights (in m). The straight line that fits best is taken off.
-    pub fn new(spacing: f64, heights: Vec<f64>) -> Result<Self, Error> {
+    pub fn new(spacing: f64, heights: &[f64]) -> Result<Self, Error> {
         require_positive("surface.spacing_x", spacing, "m")?;
         let count = heights.len();
         let limit = format!("at least {FEWEST}");
@@ -48,7 +48,7 @@ impl Profile {
             let requirement = "finite everywhere".to_owned();
             return Err(Error::Invalid { quantity: "surface.heights", requirement, value });
         }
-        let profile = Self { spacing, heights: levelled(&heights) };
+        let profile = Self { spacing, heights: levelled(heights) };
         let tallest = heights.iter().fold(0.0_f64, |tallest, height| tallest.max(height.abs()));
         if profile.root_mean_square_height() <= 1e-13 * tallest || tallest == 0.0 {
             return Err(Error::Contradiction {
@@ -226,9 +226,7 @@ mod tests {
         let surface = spectrum.surface(lattice, 11).unwrap();
         let lines = surface.heights().chunks_exact(1024).step_by(64);
         let spectra: Vec<RingSpectrum> = lines
-            .map(|line| {
-                Profile::new(lattice.spacing_x, line.to_vec()).unwrap().isotropic_spectrum()
-            })
+            .map(|line| Profile::new(lattice.spacing_x, line).unwrap().isotropic_spectrum())
             .collect();
         let mean = |value: fn(&RingSpectrum) -> f64| {
             let squares: f64 = spectra.iter().map(|spectrum| value(spectrum).powi(2)).sum();
@@ -245,8 +243,9 @@ mod tests {
     #[test]
     fn a_surface_from_a_profile_has_its_roughness() {
         let wave = |i: usize, length: f64, phase: f64| (TAU * i as f64 / length + phase).sin();
-        let heights = (0..4000).map(|i| wave(i, 130.3, 0.0) + 0.5 * wave(i, 41.7, 1.0)).collect();
-        let profile = Profile::new(1e-6, heights).unwrap();
+        let heights: Vec<f64> =
+            (0..4000).map(|i| wave(i, 130.3, 0.0) + 0.5 * wave(i, 41.7, 1.0)).collect();
+        let profile = Profile::new(1e-6, &heights).unwrap();
         let lattice = Lattice::square(500, 1e-3);
         let surface = profile.isotropic_surface(lattice, 5).unwrap();
         let statistics = Statistics::of(&surface).unwrap();
@@ -267,7 +266,7 @@ mod tests {
             (1e-6, line[..10].to_vec(), "surface.columns must be at least 64, but is 10"),
         ];
         for (spacing, heights, expected) in cases {
-            let message = Profile::new(spacing, heights).unwrap_err().to_string();
+            let message = Profile::new(spacing, &heights).unwrap_err().to_string();
             assert!(message.contains(expected), "{message}");
         }
     }

@@ -35,11 +35,13 @@ pub(super) struct Equilibrium<'a> {
 
 /// Where the iteration ended.
 pub(super) struct Outcome {
+    /// In Pa.
     pub pressure: Vec<f64>,
-    /// g − λ.
+    /// g − λ, in m.
     pub gap: Vec<f64>,
-    /// λ = δ.
+    /// λ = δ, in m.
     pub level: f64,
+    /// Dimensionless.
     pub residual: f64,
     pub iterations: usize,
     pub products: usize,
@@ -273,7 +275,9 @@ impl Equilibrium<'_> {
         let in_contact = pressure.iter().filter(|p| **p > 0.0).count() as f64;
         if factor.is_finite() && self.total < self.hardness * in_contact {
             let was: Vec<bool> = pressure.iter().map(|p| *p > 0.0).collect();
-            pressure.iter_mut().for_each(|p| *p *= factor);
+            for p in pressure.iter_mut() {
+                *p *= factor;
+            }
             self.project(pressure, |k| was[k]);
         } else {
             // What is in contact cannot carry it.
