@@ -17,6 +17,7 @@ mod read;
 mod schema;
 mod setting;
 mod settings;
+pub mod surface;
 mod tables;
 mod template;
 pub mod units;

@@ -1,8 +1,9 @@
 //! Files that a case names: tables of pressure, of friction over y, and of time.
 
 mod across;
-mod columns;
-mod npy;
+pub(crate) mod axis;
+pub(crate) mod columns;
+pub(crate) mod npy;
 mod pressure;
 mod time;
 

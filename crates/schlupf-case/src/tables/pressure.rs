@@ -2,6 +2,7 @@
 
 use schlupf::normal::tabulated::PressureTable;
 
+use super::axis::{Axis, rounded};
 use super::columns::{Column, Columns};
 use super::npy;
 use crate::error::CaseError;
@@ -11,13 +12,10 @@ use crate::units::Measure;
 const FILE: &str = "normal.file";
 
 const COLUMNS: [Column; 3] = [
-    Column { name: "x", measure: Some(&Measure::LENGTH), required: true },
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: true },
-    Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true },
+    Column { name: "x", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true, holes: false },
 ];
-
-/// Positions may differ from the lattice by this part of a spacing: text has few digits.
-const ROUNDING: f64 = 0.01;
 
 /// A lattice with more points than this for each row is no table with holes, but no table at all.
 const MAX_SPARSE: usize = 1000;
@@ -66,11 +64,6 @@ fn point(x: f64, y: f64) -> String {
     format!("x = {} mm, y = {} mm", rounded(x * 1e3), rounded(y * 1e3))
 }
 
-/// A length in mm without the digits that conversion adds.
-fn rounded(length: f64) -> f64 {
-    (length * 1e6).round() / 1e6
-}
-
 /// Points at the nearest line that was given in front of a hole, if any.
 fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Columns) -> CaseError {
     let (x, y) = axes;
@@ -83,63 +76,6 @@ fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Colu
     let before = lines[..hole].iter().rev().find(|line| **line != 0);
     let line = *before.unwrap_or(&columns.header_line);
     columns.error(line, message).help("give pressure 0 outside the contact".to_owned())
-}
-
-/// Equidistant positions.
-#[derive(Debug)]
-struct Axis {
-    first: f64,
-    spacing: f64,
-    count: usize,
-}
-
-impl Axis {
-    /// The lattice that positions in any order lie on.
-    fn of(name: &str, positions: &[f64], columns: &Columns) -> Result<Self, CaseError> {
-        let mut sorted = positions.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let widest = sorted.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else {
-            let message =
-                format!("{FILE} must have at least two values of {name}, but has no rows");
-            return Err(columns.error(columns.header_line, message));
-        };
-        if widest <= 0.0 {
-            let message =
-                format!("{name} must have at least two values, but is the same everywhere");
-            return Err(columns.error(columns.header_line, message));
-        }
-        let steps = ((last - first) / widest).round();
-        let axis = Self { first, spacing: (last - first) / steps, count: 1 + steps as usize };
-        let stray = positions.iter().position(|x| !axis.holds(*x) || !steps.is_finite());
-        match stray {
-            None => Ok(axis),
-            Some(row) => {
-                let message = format!(
-                    "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
-                    rounded(positions[row] * 1e3),
-                    rounded(axis.spacing * 1e3)
-                );
-                Err(columns.error(columns.lines[row], message))
-            }
-        }
-    }
-
-    fn index(&self, position: f64) -> usize {
-        ((position - self.first) / self.spacing).round() as usize
-    }
-
-    fn position(&self, index: usize) -> f64 {
-        self.first + self.spacing * index as f64
-    }
-
-    fn positions(&self) -> Vec<f64> {
-        (0..self.count).map(|index| self.position(index)).collect()
-    }
-
-    fn holds(&self, position: f64) -> bool {
-        (position - self.position(self.index(position))).abs() <= ROUNDING * self.spacing
-    }
 }
 
 /// A table from an .npy file, centred on the origin. Spacings in m, pressures in Pa.
@@ -204,7 +140,7 @@ mod tests {
             ("y [mm],", "", "p.csv:2:1: column `y` is missing"),
             ("y [mm]", "x [mm]", "p.csv:2:1: column `x` is given twice"),
             (GOOD, "# nothing", "p.csv:1:1: normal.file must have a header"),
-            (GOOD, "x [mm],y [mm],pressure [MPa]\n", "has no rows"),
+            (GOOD, "x [mm],y [mm],pressure [MPa]\n", "there are no rows"),
             (GOOD, "x [mm],y [mm],pressure [MPa]\n0,0,1\n1,0,1\n", "y must have at least two"),
         ];
         for (from, to, expected) in cases {

@@ -35,7 +35,7 @@ pub(super) struct Equilibrium<'a> {
 
 /// Where the iteration ended.
 pub(super) struct Outcome {
-    /// In Pa.
+    /// Pressure, in Pa.
     pub pressure: Vec<f64>,
     /// g − λ, in m.
     pub gap: Vec<f64>,
