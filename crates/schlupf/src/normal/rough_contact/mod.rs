@@ -6,7 +6,7 @@
 //!
 //! That is the minimum of ½ pᵀSp + pᵀh under p ≥ 0 and the load, found by conjugate gradients with
 //! constraints (Polonsky and Keer 1999, Wear 231, 206), which are preconditioned (Vollebregt 2014, J.
-//! Tribol. 136, 021402) and kept when the contact changes; see [`conjugate_gradients`]. With a hardness
+//! Tribol. 136, 021402) and kept when the contact changes; see `conjugate_gradients.rs`. With a hardness
 //! H also p ≤ H, and where p = H the material yields, g ≤ 0 being the depth that is flattened
 //! (elastic–perfectly plastic cut-off; Almqvist et al. 2007, J. Tribol. 129, 306).
 //!
