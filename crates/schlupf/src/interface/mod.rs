@@ -2,3 +2,4 @@
 
 pub mod contact_law;
 pub mod friction;
+pub mod roughness;

@@ -2,6 +2,7 @@
 
 pub mod ellipse;
 pub mod hertz;
+pub mod rough_contact;
 pub mod tabulated;
 
 use std::fmt::Debug;
