@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use schlupf::bulk_temperature::Cooling;
 use schlupf::{Options, Problem};
 
 use crate::document::{self, Entry};
@@ -22,6 +23,8 @@ pub struct Case {
     pub problem: Problem,
     /// How accurately.
     pub options: Options,
+    /// What cools the wheel in the long run, where the case says so.
+    pub cooling: Option<Cooling>,
     /// What was given without effect, each with its place.
     pub notices: Vec<String>,
     settings: Settings,
@@ -85,6 +88,7 @@ impl Case {
             title: settings.text("title")?,
             problem: read::problem(&settings, folder)?,
             options: read::options(&settings)?,
+            cooling: read::cooling(&settings)?,
             notices: settings.idle(),
             settings,
             entries,
@@ -117,6 +121,20 @@ impl Case {
     /// An error of the core, at the place of the field that it names.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
         self.settings.explain(error)
+    }
+
+    /// What cools the wheel in the long run.
+    ///
+    /// # Errors
+    /// The field that is missing where the case does not say so.
+    pub fn require_cooling(&self) -> Result<Cooling, CaseError> {
+        self.cooling.ok_or_else(|| read::missing_cooling(&self.settings))
+    }
+
+    /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure
+    /// does not follow from the radii.
+    pub fn wheel_radius(&self) -> Option<f64> {
+        self.settings.number("kinematics.wheel_radius").ok()
     }
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.

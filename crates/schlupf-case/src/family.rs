@@ -74,7 +74,7 @@ impl Family {
 /// Whether normal contact or elasticity may depend on a field.
 fn shapes_the_contact(field: &str) -> bool {
     let section = field.split_once('.').map_or(field, |(section, _)| section);
-    !matches!(section, "kinematics" | "contact_law" | "friction" | "heat" | "solver")
+    !matches!(section, "kinematics" | "contact_law" | "friction" | "heat" | "cooling" | "solver")
 }
 
 /// The parts of a text between its commas; `None` where quotes or brackets are not closed.

@@ -26,7 +26,7 @@ pub use case::{Case, Effective};
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
 pub use place::{Place, Source};
-pub use range::{direction, range};
+pub use range::{depths, direction, length, position, range};
 pub use schema::schema;
 pub use setting::{Refusal, Setting};
 pub use template::template;

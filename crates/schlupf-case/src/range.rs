@@ -11,10 +11,63 @@ use crate::units::Measure;
 
 /// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the end.
 pub fn range(option: &'static str, path: &str, text: &str) -> Result<[f64; 2], CaseError> {
-    let place = Place::Override { option, text: text.to_owned() };
     let Some(field) = fields::find(path) else {
+        let place = Place::Override { option, text: text.to_owned() };
         return Err(CaseError::new(path, format!("unknown field `{path}`"), place));
     };
+    range_of(option, field, text)
+}
+
+/// The ends of a range of lengths (in m) that increases from zero or above.
+pub fn depths(option: &'static str, text: &str) -> Result<[f64; 2], CaseError> {
+    let field = length_field(Requirement::Between(0.0, LONGEST));
+    let [start, end] = range_of(option, &field, text)?;
+    if start < end {
+        return Ok([start, end]);
+    }
+    let place = Place::Override { option, text: text.to_owned() };
+    let message = format!(
+        "the end of the range must be larger than its start, but is {} m after {} m",
+        fields::readable(end),
+        fields::readable(start)
+    );
+    Err(CaseError::new("", message, place))
+}
+
+/// A length (in m) of any sign that an option gives for something.
+pub fn position(option: &'static str, what: &str, text: &str) -> Result<f64, CaseError> {
+    single(option, what, text, &length_field(Requirement::Magnitude(LONGEST)))
+}
+
+/// A length (in m) that is not negative, which an option gives for something.
+pub fn length(option: &'static str, what: &str, text: &str) -> Result<f64, CaseError> {
+    single(option, what, text, &length_field(Requirement::Between(0.0, LONGEST)))
+}
+
+/// The largest length that an option may give, in m.
+const LONGEST: f64 = 1e3;
+
+/// What is no field of a case file but is read as one.
+const fn alone(path: &'static str, measure: &'static Measure, requirement: Requirement) -> Field {
+    let kind = Kind::Quantity(measure);
+    let default = Default::Nothing;
+    Field { path, kind, requirement, default, example: None, used_with: [None; 2], doc: "" }
+}
+
+const fn length_field(requirement: Requirement) -> Field {
+    alone("length", &Measure::LENGTH, requirement)
+}
+
+fn single(option: &'static str, what: &str, text: &str, field: &Field) -> Result<f64, CaseError> {
+    number(field, text).map_err(|refusal| {
+        let place = Place::Override { option, text: text.to_owned() };
+        CaseError::new("", refusal.message(what), place).help(refusal.help)
+    })
+}
+
+fn range_of(option: &'static str, field: &Field, text: &str) -> Result<[f64; 2], CaseError> {
+    let path = field.path;
+    let place = Place::Override { option, text: text.to_owned() };
     let unit = field.kind.unit();
     let example = if unit.is_empty() { "0..0.05".to_owned() } else { format!("\"0..2 {unit}\"") };
     let form =
@@ -46,19 +99,8 @@ pub fn range(option: &'static str, path: &str, text: &str) -> Result<[f64; 2], C
 
 /// The angle (in rad) that an option gives for a direction.
 pub fn direction(option: &'static str, text: &str) -> Result<f64, CaseError> {
-    const DIRECTION: Field = Field {
-        path: "direction",
-        kind: Kind::Quantity(&Measure::ANGLE),
-        requirement: Requirement::Magnitude(TAU),
-        default: Default::Nothing,
-        example: None,
-        used_with: [None; 2],
-        doc: "",
-    };
-    number(&DIRECTION, text).map_err(|refusal| {
-        let place = Place::Override { option, text: text.to_owned() };
-        CaseError::new("", refusal.message("the direction"), place).help(refusal.help)
-    })
+    let field = alone("direction", &Measure::ANGLE, Requirement::Magnitude(TAU));
+    single(option, "the direction", text, &field)
 }
 
 fn number(field: &Field, text: &str) -> Result<f64, Refusal> {
@@ -123,6 +165,24 @@ mod tests {
         assert!(message("0 1/m..2 m").contains("`m` is m in base units"));
         assert!(message("1 m..2 1/m").contains("the start of the range must be an inverse length"));
         assert!(range("--x", "no.field", "0..1").is_err());
+    }
+
+    #[test]
+    fn lengths_and_depths_have_units_and_signs() {
+        assert_relative_eq!(position("--x", "x", "-3 mm").unwrap(), -3e-3);
+        assert_relative_eq!(length("--wake", "the wake", "5 cm").unwrap(), 0.05);
+        assert_eq!(depths("--depth", "0..2mm"), Ok([0.0, 2e-3]));
+        assert_eq!(depths("--depth", "0.25 mm..0.5 mm"), Ok([0.25e-3, 0.5e-3]));
+        let message = |text| depths("--depth", text).unwrap_err().to_string();
+        assert!(message("2mm..0mm").contains("larger than its start, but is 0 m after 2e-3 m"));
+        assert!(message("-1mm..1mm").contains("between 0 and 1000 m"), "{}", message("-1mm..1mm"));
+        assert!(message("0..2").contains("the unit is missing"));
+        assert!(message("1mm..1mm").contains("must differ from its start"));
+        assert!(message("2mm").contains("such as \"0..2 m\""), "{}", message("2mm"));
+        let message = length("--wake", "the wake", "-1 mm").unwrap_err().to_string();
+        assert!(message.contains("the wake must be between 0 and 1000 m, but is \"-1 mm\""));
+        let message = position("--x", "x", "3").unwrap_err().to_string();
+        assert!(message.starts_with("--x 3: x must be a length with its unit"), "{message}");
     }
 
     #[test]

@@ -225,6 +225,16 @@ impl Settings {
             .help(example.map(|example| format!("such as {example}")))
     }
 
+    /// A field is missing that something beside the solution needs.
+    pub fn missing_for(&self, path: &str, purpose: &str) -> CaseError {
+        let field = fields::find(path);
+        let doc = field.map_or("", |field| field.doc);
+        let message = format!("{path} is missing, which {purpose} needs: {doc}");
+        let example = field.and_then(Field::assignment);
+        CaseError::new(path, message, self.file.clone())
+            .help(example.map(|example| format!("such as {example} in [{}]", section_of(path))))
+    }
+
     /// Whether a field belongs to the models that were chosen and the fields that were given.
     pub fn is_used(&self, field: &Field) -> bool {
         let is_alone = |with| !self.given.contains_key(with);
@@ -304,6 +314,11 @@ impl Settings {
     }
 }
 
+/// Name of the section that a path begins with.
+fn section_of(path: &str) -> &str {
+    path.rsplit_once('.').map_or("", |(section, _)| section)
+}
+
 fn refused(path: &str, refusal: &Refusal, entry: &Entry) -> CaseError {
     let place = entry.origin.place(&refusal.span);
     CaseError::new(path, refusal.message(path), place).help(refusal.help.clone())
@@ -312,7 +327,7 @@ fn refused(path: &str, refusal: &Refusal, entry: &Entry) -> CaseError {
 fn unknown_field(entry: &Entry) -> CaseError {
     let path = &entry.path;
     let place = entry.origin.place(&entry.key);
-    let section = path.rsplit_once('.').map_or("", |(section, _)| section);
+    let section = section_of(path);
     let help = match (fields::closest_path(path), fields::section(section)) {
         (Some(meant), _) => format!("did you mean `{meant}`?"),
         (None, Some(section)) if !section.name.is_empty() => {

@@ -86,7 +86,11 @@ mod tests {
         let fields = text.lines().filter(|line| line.starts_with("# ") && line.contains(" = "));
         let mut count = 0;
         for line in fields {
-            let switched = text.replacen(line, &line[2..], 1).replace("# [history]", "[history]");
+            let switched = text
+                .replacen(line, &line[2..], 1)
+                .replace("# [history]", "[history]")
+                .replace("# [cooling]", "[cooling]")
+                .replace("# [fastsim]", "[fastsim]");
             if let Err(errors) = read(&switched) {
                 let message = errors.to_string();
                 let allowed =

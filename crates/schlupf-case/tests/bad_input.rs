@@ -1,29 +1,9 @@
 //! Everything that can be wrong with a case file: each error names the field, what it must be, what it
 //! is and where it stands.
 
-use std::path::Path;
+mod support;
 
-use schlupf_case::{Case, CaseErrors};
-
-fn read(text: &str, overrides: &[&str]) -> Result<Case, CaseErrors> {
-    let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-    Case::from_str(text, "case.toml", Path::new("/nowhere"), &overrides)
-}
-
-/// A case text, the field that the error names, and parts of its text.
-type Row = (&'static str, &'static str, &'static [&'static str]);
-
-#[track_caller]
-fn assert_errors(rows: &[Row]) {
-    for (text, field, parts) in rows {
-        let Err(errors) = read(text, &[]) else { panic!("{text:?} was accepted") };
-        let message = errors.first.to_string();
-        assert_eq!(errors.first.field, *field, "{text:?}: {message}");
-        for part in *parts {
-            assert!(message.contains(part), "{text:?}: {part:?} is not in {message:?}");
-        }
-    }
-}
+use support::{assert_errors, read};
 
 #[test]
 fn unknown_names_come_with_a_suggestion() {

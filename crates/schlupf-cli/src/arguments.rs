@@ -31,6 +31,15 @@ pub enum Command {
     /// Compute creep curves: forces over creepage
     #[command(after_help = EXIT_CODES)]
     Curve(Box<CurveArguments>),
+    /// Compare all methods on a case: forces, temperature, time
+    #[command(after_help = EXIT_CODES)]
+    Compare(Box<CompareArguments>),
+    /// Temperatures of wheel and rail below a point, and along its row with the wake
+    #[command(after_help = EXIT_CODES)]
+    Temperature(Box<TemperatureArguments>),
+    /// Long-term bulk temperature of the wheel, from its heat balance, in place of the case's
+    #[command(after_help = EXIT_CODES)]
+    Bulk(BulkArguments),
     /// Check a case file and say what it would solve
     Check(CaseArguments),
     /// Write a commented case file to start from
@@ -133,6 +142,75 @@ pub struct CurveArguments {
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub figures: Option<PathBuf>,
     /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Where to look at the temperatures, and where to write them.
+#[derive(Debug, Args)]
+pub struct TemperatureArguments {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Place along rolling, such as "-3 mm"; the hottest one when left out
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub x: Option<String>,
+    /// Place across rolling; that of the hottest point when left out
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub y: Option<String>,
+    /// Depths of the profile, such as "0..2 mm"; as far as heat has come when left out
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub depth: Option<String>,
+    /// Length of the wake; twice the length of the contact when left out
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub wake: Option<String>,
+    /// Number of points of each line
+    #[arg(long, value_name = "N", default_value_t = 201, value_parser = number_of_points)]
+    pub points: usize,
+    /// Write the temperatures as JSON; `-` is standard output, then without the summary
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Write the temperatures as CSV, one row for each point
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub csv: Option<PathBuf>,
+    /// Draw the figure `temperature` (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+    /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Whose balance to find, and where to write it.
+#[derive(Debug, Args)]
+pub struct BulkArguments {
+    /// Which case; its section [cooling] says what cools the wheel.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Write the balance as JSON; `-` is standard output, then without the summary
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// What to compare, and where to write it.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Write the results as JSON; `-` is standard output, then without the table
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Write the table as CSV, one row for each method
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub csv: Option<PathBuf>,
+    /// Draw the figure `comparison` (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+    /// Print no table
     #[arg(short, long)]
     pub quiet: bool,
 }

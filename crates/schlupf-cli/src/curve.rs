@@ -226,16 +226,8 @@ fn check_outputs(arguments: &CurveArguments, tasks: &[Task]) -> Result<(), Failu
         .into_iter()
         .filter_map(|(option, path)| Some((option, path?)))
         .collect();
-    let input = |what: &str, path: &Path| Input {
-        what: what.to_owned(),
-        path: path.to_owned(),
-        except: None,
-    };
-    let mut inputs: Vec<Input> =
-        arguments.case.case.iter().map(|path| input("the case file", path)).collect();
-    for task in tasks {
-        inputs.extend(task.case.files().iter().map(|(field, path)| input(field, path)));
-    }
+    let of_task = |task: &Task| Input::of_case(&arguments.case, &task.case);
+    let inputs: Vec<Input> = tasks.iter().flat_map(of_task).collect();
     match &arguments.figures {
         None => outputs::check(&outputs, &inputs),
         Some(directory) => {

@@ -3,7 +3,9 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod bulk;
 mod commands;
+mod compare;
 mod curve;
 mod failure;
 mod outputs;
@@ -11,6 +13,7 @@ mod progress;
 mod report;
 mod solve;
 mod stdout;
+mod temperature;
 
 use std::process::ExitCode;
 
@@ -23,6 +26,9 @@ fn main() -> ExitCode {
     let result = match arguments.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
+        Command::Temperature(arguments) => temperature::run(&arguments),
+        Command::Bulk(arguments) => bulk::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

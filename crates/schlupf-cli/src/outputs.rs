@@ -4,8 +4,10 @@ use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use schlupf_case::Case;
 use tempfile::NamedTempFile;
 
+use crate::arguments::CaseArguments;
 use crate::failure::Failure;
 
 /// A file that is read and must not be overwritten.
@@ -94,6 +96,17 @@ fn refuse_stdout(option: &str, path: &Path) -> Result<(), Failure> {
 }
 
 impl Input {
+    /// The case file and what it names: files that nothing may overwrite.
+    pub fn of_case(arguments: &CaseArguments, case: &Case) -> Vec<Self> {
+        let input = |what: &str, path: &Path| Self {
+            what: what.to_owned(),
+            path: path.to_owned(),
+            except: None,
+        };
+        let file = arguments.case.iter().map(|path| input("the case file", path));
+        file.chain(case.files().iter().map(|(field, path)| input(field, path))).collect()
+    }
+
     /// Whether an option would write over it: over the name it was given by, or what that links to.
     fn is_at(&self, output: &Path, option: &str) -> bool {
         let named = location(&self.path).is_ok_and(|path| path == output);

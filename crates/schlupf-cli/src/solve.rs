@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use schlupf::rolling;
 use schlupf::state::State;
-use schlupf::{Error, Solution, Status};
+use schlupf::{Error, Method, Solution, Status};
 use schlupf_case::Case;
 use schlupf_output::{csv, figures, json, summary, vtk};
 
@@ -26,9 +26,13 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
     if let Some(path) = &arguments.initial_state {
         case.problem.initial_state = Some(read_state(path)?);
     }
+    refuse_state(arguments, case.options.method)?;
     let progress = Progress::start();
     let mut solution = solve(&case, arguments.initial_state.as_deref(), &progress)?;
     solution.warnings.splice(0..0, case.notices.iter().cloned());
+    if !has_fields(&solution) {
+        warn_of_empty_files(arguments, solution.method);
+    }
     let files = files(arguments, &case.title, &solution, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
@@ -42,6 +46,32 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
             ));
             Ok(ExitCode::from(NOT_CONVERGED))
         }
+    }
+}
+
+/// Says which of the outputs that were asked for have nothing in them.
+fn warn_of_empty_files(arguments: &SolveArguments, method: Method) {
+    let given = [
+        ("--csv", "no rows", &arguments.csv),
+        ("--vtk", "no cells", &arguments.vtk),
+        ("--figures", "nothing to draw", &arguments.figures),
+    ];
+    for (option, what, _) in given.into_iter().filter(|(_, _, path)| path.is_some()) {
+        let name = method.name();
+        report::warn(&format!("{option} has {what}: solver.method = {name:?} gives no fields"));
+    }
+}
+
+/// Only the full method has a state.
+fn refuse_state(arguments: &SolveArguments, method: Method) -> Result<(), Failure> {
+    let given =
+        [("--initial-state", &arguments.initial_state), (FINAL_STATE, &arguments.final_state)];
+    match given.into_iter().find(|(_, path)| path.is_some()) {
+        Some((option, _)) if method != Method::Full => Err(Failure::Arguments(format!(
+            "{option} goes with solver.method = \"full\" only, but that is {:?}, which has no state",
+            method.name()
+        ))),
+        _ => Ok(()),
     }
 }
 
@@ -74,17 +104,14 @@ fn check_outputs(arguments: &SolveArguments, case: &Case) -> Result<(), Failure>
 
 /// Whatever is read.
 fn inputs(arguments: &SolveArguments, case: &Case) -> Vec<Input> {
-    let input = |what: &str, path: &Path, except| Input {
-        what: what.to_owned(),
-        path: path.to_owned(),
-        except,
-    };
-    let mut inputs = Vec::new();
-    inputs.extend(arguments.case.case.iter().map(|path| input("the case file", path, None)));
-    inputs.extend(case.files().iter().map(|(field, path)| input(field, path, None)));
+    let mut inputs = Input::of_case(&arguments.case, case);
     // A state may be carried on in place.
-    let state = arguments.initial_state.iter();
-    inputs.extend(state.map(|path| input("--initial-state", path, Some(FINAL_STATE))));
+    let state = arguments.initial_state.iter().map(|path| Input {
+        what: "--initial-state".to_owned(),
+        path: path.clone(),
+        except: Some(FINAL_STATE),
+    });
+    inputs.extend(state);
     inputs
 }
 
@@ -119,6 +146,11 @@ fn solve(
     })
 }
 
+/// Whether there is anything in cells to draw.
+fn has_fields(solution: &Solution) -> bool {
+    solution.method.has_fields()
+}
+
 /// All files in memory: what cannot be made is known before the first one is written.
 fn files(
     arguments: &SolveArguments,
@@ -141,7 +173,7 @@ fn files(
             .map_err(|error| Failure::file(path, std::io::Error::from(error)))?;
         files.push((path.clone(), state));
     }
-    if let Some(directory) = &arguments.figures {
+    if let Some(directory) = arguments.figures.as_ref().filter(|_| has_fields(solution)) {
         progress.stage("drawing figures");
         for figure in figures::all(title, solution)? {
             let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));

@@ -21,6 +21,14 @@ pub fn document(title: &str, solution: &Solution) -> String {
 /// Name and version of the program.
 pub(crate) const PROGRAM: &str = concat!("schlupf ", env!("CARGO_PKG_VERSION"));
 
+/// A status as results name it.
+pub(crate) fn status(status: Status) -> &'static str {
+    match status {
+        Status::Converged => "converged",
+        Status::NotConverged => "not-converged",
+    }
+}
+
 /// A document as text.
 pub(crate) fn text(document: &impl Serialize) -> String {
     let mut text = Vec::new();
@@ -67,9 +75,10 @@ impl Formatter for Numbers {
 }
 
 #[derive(Serialize)]
-struct Document<'a> {
+pub(crate) struct Document<'a> {
     program: &'static str,
     title: &'a str,
+    method: &'static str,
     status: &'static str,
     normal: Normal,
     kinematics: Kinematics,
@@ -127,6 +136,8 @@ struct Power {
     friction: f64,
     creep: f64,
     returned: f64,
+    into_wheel: f64,
+    into_rail: f64,
 }
 
 #[derive(Serialize)]
@@ -179,21 +190,26 @@ pub(crate) struct Work {
 }
 
 impl<'a> Document<'a> {
-    fn new(title: &'a str, solution: &'a Solution) -> Self {
+    /// The document of a solution.
+    pub(crate) fn new(title: &'a str, solution: &'a Solution) -> Self {
         let Solution { normal, kinematics, power, t_gamma, temperature, area, work, .. } = solution;
         Self {
             program: PROGRAM,
             title,
-            status: match solution.status {
-                Status::Converged => "converged",
-                Status::NotConverged => "not-converged",
-            },
+            method: solution.method.name(),
+            status: status(solution.status),
             normal: normal.into(),
             kinematics: kinematics.into(),
             force: solution.force.into(),
             normalised: solution.normalised.into(),
             traction_coefficient: solution.traction_coefficient,
-            power: Power { friction: power.friction, creep: power.creep, returned: power.returned },
+            power: Power {
+                friction: power.friction,
+                creep: power.creep,
+                returned: power.returned,
+                into_wheel: power.into_wheel,
+                into_rail: power.into_rail,
+            },
             t_gamma: TGamma { without_spin: t_gamma.without_spin, with_spin: t_gamma.with_spin },
             temperature: Temperature {
                 max_rise: temperature.max_rise,

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use schlupf::Method;
 use schlupf::solution::{Solution, Status};
 
 use crate::number::significant as number;
@@ -21,7 +22,7 @@ pub fn text(title: &str, solution: &Solution) -> String {
 }
 
 /// Why a solution did not converge, where a warning says that: it stands beside the status.
-fn reason(warning: &str) -> Option<&str> {
+pub(crate) fn reason(warning: &str) -> Option<&str> {
     warning.strip_prefix("not converged: ")
 }
 
@@ -66,6 +67,8 @@ fn forces(text: &mut String, solution: &Solution) {
     );
     let creep = format!("creep power {} kW", number(power.creep / 1e3));
     entry(text, "friction power", power.friction / 1e3, "kW", &creep);
+    let rail = format!("into the wheel, {} kW into the rail", number(power.into_rail / 1e3));
+    entry(text, "  heat", power.into_wheel / 1e3, "kW", &rail);
     text.push('\n');
 }
 
@@ -85,6 +88,11 @@ fn heat(text: &mut String, solution: &Solution) {
     if solution.status == Status::NotConverged {
         place.push_str("  (not settled)");
     }
+    if !solution.method.has_fields() {
+        entry(text, "contact area", area.contact / 1e-6, "mm²", "");
+        text.push('\n');
+        return;
+    }
     entry(text, "largest temp. rise", temperature.max_rise, "K", &place);
     let wheel = format!("to {} °C", number(temperature.max_wheel));
     entry(text, "  wheel", temperature.max_rise_wheel, "K", &wheel);
@@ -97,6 +105,10 @@ fn heat(text: &mut String, solution: &Solution) {
 
 fn work(text: &mut String, solution: &Solution) {
     let work = &solution.work;
+    if solution.method != Method::Full {
+        fast_work(text, solution);
+        return;
+    }
     let done = format!(
         "{} cells, {} time steps, {} Newton iterations, {} products",
         work.cells,
@@ -115,12 +127,23 @@ fn work(text: &mut String, solution: &Solution) {
     line(text, &done);
 }
 
+/// A fast method iterates nothing, so there is nothing that might not converge.
+fn fast_work(text: &mut String, solution: &Solution) {
+    let name = solution.method.name();
+    let cells = solution.work.cells;
+    if cells == 0 {
+        line(text, &format!("by the fast method {name:?}"));
+    } else {
+        line(text, &format!("by the fast method {name:?}, {cells} cells"));
+    }
+}
+
 /// One quantity: its name, value and unit in columns, and a remark.
-fn entry(text: &mut String, name: &str, value: f64, unit: &str, remark: &str) {
+pub(crate) fn entry(text: &mut String, name: &str, value: f64, unit: &str, remark: &str) {
     line(text, &format!("{name:<22}{:>11} {unit:<4} {remark}", number(value)));
 }
 
-fn line(text: &mut String, line: &str) {
+pub(crate) fn line(text: &mut String, line: &str) {
     // Writing to a String cannot fail.
     let _ = writeln!(text, "{}", line.trim_end());
 }

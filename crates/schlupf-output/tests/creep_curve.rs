@@ -5,12 +5,12 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::{RECIPE, solution};
-use schlupf::Status;
 use schlupf::creep_curve::{
     CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling, Spacing,
 };
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{Area, Power, Resultant, Work};
+use schlupf::{Method, Status};
 use schlupf_output::creep_curve::{CurveFamily, Member, csv as table, json, summary};
 use schlupf_output::figures::{FigureError, creep_curve, creep_curve_drawing};
 
@@ -36,7 +36,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
             force,
             normalised: normalised(&force),
             traction_coefficient: size.abs(),
-            power: Power { friction: 1.0, creep: 1.0, returned: 0.0 },
+            power: Power { friction: 1.0, creep: 1.0, ..Power::default() },
             max_rise: 2e3 * abscissa.abs(),
             area: Area { contact: 1e-4, stick: 4e-5, slip: 6e-5 },
             status: Status::Converged,
@@ -56,6 +56,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
     };
     let force = Resultant { x: -200.0 * bound * LOAD, y: -1.0, moment_z: 0.0 };
     CreepCurve {
+        method: Method::Full,
         path,
         normal: NormalSummary { load: LOAD, ..solution(RECIPE).normal },
         points,
@@ -128,7 +129,7 @@ fn json_has_its_keys() {
     assert!(path["spin"].is_null() && path["direction"].is_null());
     assert_eq!(document["over"]["values"], serde_json::json!(["10 m/s", "20 m/s"]));
     let curve = &document["curves"][1];
-    assert_eq!(keys(curve), set("value normal initial_slope maximum maxima points work"));
+    assert_eq!(keys(curve), set("value method normal initial_slope maximum maxima points work"));
     assert_eq!(curve["value"], "20 m/s");
     assert_eq!(keys(&curve["initial_slope"]), set("force normalised kalker"));
     assert_eq!(curve["initial_slope"]["kalker"]["x"], 4.2);

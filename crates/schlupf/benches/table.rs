@@ -4,13 +4,18 @@ mod common;
 mod rough_contact;
 
 use std::fs;
+use std::hint::black_box;
 use std::time::Instant;
 
 use common::transforms::Transforms;
-use common::{Bodies, Case, LAST_CREEPAGE, MOTION, POINTS, Product, cold, creep_curve, solve};
-use schlupf::Status;
-use schlupf::rolling::{self, steady::SteadySolver};
+use common::{
+    Bodies, Case, LAST_CREEPAGE, MOTION, POINTS, Product, cold, creep_curve, rolling, solve,
+};
+use schlupf::method::{AreaReduction, Brush, Method, SlopeReduction};
+use schlupf::rolling::steady::SteadySolver;
+use schlupf::simplified::FastContact;
 use schlupf::solution::Work;
+use schlupf::{Options, Status};
 
 const GRIDS: [usize; 5] = [20, 24, 40, 80, 160];
 
@@ -70,7 +75,55 @@ fn main() {
     println!("{}", heading());
     rows.iter().for_each(|row| println!("{}", row.line()));
     println!("\n{}\n\n{}", growth(&rows), against_the_paper(&rows));
+    println!("\n{}", fast_methods());
     println!("\n{}", rough_contact::table());
+}
+
+/// Motions of one round of a fast method.
+const MOTIONS: usize = 200;
+
+/// Times of a force by the fast methods, from their set-up.
+fn fast_methods() -> String {
+    let methods = [
+        Method::KalkerLinear,
+        Method::ShenHedrickElkins,
+        Method::Polach(AreaReduction::DRY),
+        Method::Fastsim(Brush::KALKER),
+        Method::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
+    ];
+    let mut lines = vec![
+        "Forces by the fast methods, set-up there, mean over a creep curve; FASTSIM on its cells across:\n\n\
+         | method | friction | cells across | µs |\n|---|---|--:|--:|"
+            .to_owned(),
+    ];
+    for method in methods {
+        let grids: &[usize] = if method.has_fields() { &[10, 24] } else { &[24] };
+        for is_heated in [false, true] {
+            for &cells in grids.iter().filter(|_| method.has_fields() || !is_heated) {
+                let case = Case { bodies: Bodies::HalfSpace, is_heated, cells };
+                let options = Options { method, ..case.options() };
+                let mut contact = FastContact::new(&case.at_rest(), &options).unwrap();
+                let mut best = f64::INFINITY;
+                for _ in 0..10 * LEAST_ROUNDS {
+                    better(&mut best, || {
+                        for k in 0..MOTIONS {
+                            let part = k as f64 / MOTIONS as f64;
+                            let motion = rolling(LAST_CREEPAGE * part, 0.001, 0.2);
+                            black_box(contact.force(black_box(&motion))).unwrap();
+                        }
+                    });
+                }
+                lines.push(format!(
+                    "| {} | {} | {} | {:.3} |",
+                    method.name(),
+                    if is_heated { "falls with the temperature" } else { "constant" },
+                    if method.has_fields() { cells.to_string() } else { "–".to_owned() },
+                    1e6 * best / MOTIONS as f64
+                ));
+            }
+        }
+    }
+    lines.join("\n")
 }
 
 impl Row {
@@ -78,7 +131,7 @@ impl Row {
     fn count(case: Case) -> Self {
         let at_rest = case.at_rest();
         let problem = cold(&at_rest);
-        let solution = rolling::solve(&problem, &case.options(), &mut |_| ()).unwrap();
+        let solution = schlupf::rolling::solve(&problem, &case.options(), &mut |_| ()).unwrap();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
         let mut solver = case.solver_at_rest();
         let warm = creep_curve(&at_rest);
@@ -150,7 +203,7 @@ impl Times {
         let mut rounds = 0;
         while rounds < LEAST_ROUNDS || start.elapsed().as_secs_f64() < MEASURED_FOR {
             rounds += 1;
-            better(&mut self.cold, || rolling::solve(&problem, &options, &mut |_| ()));
+            better(&mut self.cold, || schlupf::rolling::solve(&problem, &options, &mut |_| ()));
             let mut solver = SteadySolver::new(&options);
             better(&mut self.first_at_rest, || solve(&mut solver, &at_rest));
             better(&mut self.second_at_rest, || solve(&mut solver, &at_rest));

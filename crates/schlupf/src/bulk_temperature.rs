@@ -5,10 +5,17 @@
 //! *A comparison of analytical and numerical methods for the calculation of temperatures in wheel/rail
 //! contact*, Wear 253, 2002)
 //!
-//! α_w ∫ q dA = h A (T_w − T_air) + ∫ β_w √(v_w L/π) 2 (T_w − T_entry) dy:
+//! α_w ∫ q dA = h A (T_w − T_air) + 2 β_w (T_w − T_m) ∫ √(v_w L/π) dy:
 //!
 //! the wheel's part of the frictional heat leaves by convection from its surface and through the contact
-//! into the cold rail, L being the length of the contact and v_w the speed of the wheel's material in it.
+//! into the cold rail. L is the length of the contact in a line y, v_w the speed of the wheel's material in
+//! it, and T_m the temperature to which both surfaces jump when they meet, the mean of the bulk
+//! temperatures weighted by β√v. A half-space whose surface is held by T_w − T_m below its bulk gives
+//! 2 β_w (T_w − T_m) √(t/π) over area in a time t = L/v_w (Carslaw and Jaeger 1959, §2.5), and
+//! v_w dy of its surface passes through the contact every second.
+//!
+//! Limits: the wheel has one temperature outside of a thin skin; friction that falls with the temperature is
+//! that of the warm wheel; heat by radiation, brake blocks or bearings is left out.
 
 use crate::error::{Error, require_finite, require_positive};
 use crate::grid::Grid;
@@ -47,7 +54,10 @@ pub struct BulkTemperature {
     pub convection: f64,
     /// Heat that it gives to the rail through the contact, in W.
     pub conduction: f64,
-    /// The steady rolling at that temperature.
+    /// Temperature to which both surfaces jump when they meet, in degC.
+    pub entry_temperature: f64,
+    /// The steady rolling at that temperature; not converged where it is not, or where the balance was
+    /// not found.
     pub solution: Solution,
     /// Steady states that were solved.
     pub iterations: usize,
@@ -55,7 +65,7 @@ pub struct BulkTemperature {
 
 impl BulkTemperature {
     /// Heat received less heat given, in W.
-    fn surplus(&self) -> f64 {
+    pub fn surplus(&self) -> f64 {
         self.frictional_heat - self.convection - self.conduction
     }
 }
@@ -70,19 +80,19 @@ const ITERATIONS: usize = 60;
 /// rail keeps its own: every piece of it meets the wheel once.
 ///
 /// # Errors
-/// What [`Problem::check`] and [`Options::check`] refuse, and a model without heat.
+/// What [`check`] and [`Options::check`] refuse, and a method without heat.
 pub fn bulk_temperature(
     problem: &Problem,
     options: &Options,
     cooling: &Cooling,
     report: &mut dyn FnMut(Progress),
 ) -> Result<BulkTemperature, Error> {
-    cooling.check()?;
-    if problem.heat.model.is_none() {
+    check(problem, cooling)?;
+    if !options.method.has_fields() {
+        let name = options.method.name();
         return Err(Error::Contradiction {
-            quantity: "heat.model",
-            reason: "the wheel warms by frictional heat only, but the heat model is \"none\""
-                .to_owned(),
+            quantity: "solver.method",
+            reason: format!("the wheel warms by frictional heat, but {name:?} gives forces only"),
         });
     }
     let mut balance = Balance {
@@ -97,8 +107,33 @@ pub fn bulk_temperature(
     if low.surplus() <= BALANCED * low.frictional_heat || hottest <= coldest {
         return Ok(low);
     }
-    let high = balance.at(hottest, report)?;
+    let (low, high) = balance.bracket(low, hottest, report)?;
     balance.between(low, high, report)
+}
+
+/// Checks whatever can be checked before the first solution.
+///
+/// # Errors
+/// A history or an initial state, as the balance is that of steady rolling; a model without heat; and what
+/// [`Problem::check`] refuses.
+pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
+    let contradiction =
+        |quantity, reason: &str| Err(Error::Contradiction { quantity, reason: reason.to_owned() });
+    cooling.check()?;
+    if problem.heat.model.is_none() {
+        let reason = "the wheel warms by frictional heat only, but the heat model is \"none\"";
+        return contradiction("heat.model", reason);
+    }
+    if problem.history.is_some() {
+        let reason = "the bulk temperature is that of steady rolling, but there is a history";
+        return contradiction("history.time", reason);
+    }
+    if problem.initial_state.is_some() {
+        let reason =
+            "the bulk temperature is that of steady rolling, but there is an initial state";
+        return contradiction("solver.initial_state", reason);
+    }
+    problem.check()
 }
 
 struct Balance {
@@ -124,6 +159,7 @@ impl Balance {
         let step = temperature - conduction.entry_temperature;
         Ok(BulkTemperature {
             temperature,
+            entry_temperature: conduction.entry_temperature,
             frictional_heat: conduction.shares()[0] * heat,
             convection: self.convection(temperature),
             conduction: step * self.chill()?,
@@ -155,8 +191,8 @@ impl Balance {
         Ok(2.0 * self.problem.wheel.material.effusivity() * grid.spacing_y * sum)
     }
 
-    /// A temperature at which the wheel gives more than it receives: with the friction of a cold
-    /// wheel, as friction does not rise with the temperature; short of that at which it vanishes.
+    /// A temperature at which the wheel gives more than it receives with the friction of a cold wheel;
+    /// short of that at which friction vanishes.
     fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
         let weight = self.problem.conduction(&self.problem.kinematics).wheel_weight();
         let through = (1.0 - weight) * self.chill()?;
@@ -168,6 +204,23 @@ impl Balance {
         // Material enters the contact at the mean of both bodies.
         let vanishing = (limit - (1.0 - weight) * rail) / weight;
         Ok((given / (air + through)).min(vanishing - 1e-6 * (vanishing - rail).abs()))
+    }
+
+    /// A temperature with a surplus and one without, from a guess of the latter. Where friction rises
+    /// with the temperature the wheel gets hotter than with the friction of a cold one.
+    fn bracket(
+        &mut self,
+        mut low: BulkTemperature,
+        guess: f64,
+        report: &mut dyn FnMut(Progress),
+    ) -> Result<(BulkTemperature, BulkTemperature), Error> {
+        let mut high = self.at(guess, report)?;
+        while high.surplus() > 0.0 && self.iterations < ITERATIONS {
+            let next = high.temperature + 2.0 * (high.temperature - low.temperature);
+            low = high;
+            high = self.at(next, report)?;
+        }
+        Ok((low, high))
     }
 
     /// Regula falsi between a temperature with a surplus and one without (Illinois).

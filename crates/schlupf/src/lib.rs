@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 pub mod error;
+pub mod least_squares;
 pub mod material;
 pub mod kinematics;
 pub mod grid;
@@ -24,16 +25,21 @@ pub mod interface;
 pub mod equilibrium;
 pub mod heat;
 pub mod history;
+pub mod method;
 pub mod state;
 pub mod problem;
 pub mod solution;
+mod summary;
+pub mod reference;
+pub mod kalker_coefficients;
+pub mod simplified;
 pub mod rolling;
 pub mod temperature_field;
 pub mod bulk_temperature;
 pub mod creep_curve;
-pub mod reference;
-pub mod kalker_coefficients;
+pub mod calibration;
 
 pub use error::Error;
+pub use method::Method;
 pub use problem::{Options, Problem};
 pub use solution::{Solution, Status};

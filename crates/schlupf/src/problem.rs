@@ -8,9 +8,11 @@ use crate::heat::Heat;
 use crate::heat::partition::Conduction;
 use crate::history::History;
 use crate::interface::contact_law::ContactLaw;
+use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
 use crate::material::Body;
+use crate::method::Method;
 use crate::normal::PressureSource;
 use crate::state::State;
 
@@ -59,6 +61,16 @@ impl Problem {
         self.friction.law.respond(&FrictionState { temperature, slip_speed, y })
     }
 
+    /// Friction of material at y (in m) when it enters the contact.
+    pub fn entry_friction(&self, conduction: &Conduction, y: f64) -> FrictionResponse {
+        self.friction_response(conduction, 0.0, 0.0, y)
+    }
+
+    /// How friction lags behind its law, if it depends on anything that changes on the way.
+    pub fn friction_memory(&self) -> Option<FrictionMemory> {
+        self.friction.memory.filter(|_| !self.friction.law.is_constant())
+    }
+
     /// Checks whatever can be checked before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.kinematics.check()?;
@@ -87,11 +99,24 @@ pub enum Driver {
     Marching,
 }
 
-/// How a problem is solved. No choice here changes the physics.
+/// Which of several steady states is looked for, where falling friction makes several.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branch {
+    /// The one that is reached when the creepages grow from zero.
+    LowSlip,
+    /// The one that is reached when larger creepages fall.
+    HighSlip,
+}
+
+/// How a problem is solved. No choice here but the method changes the physics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Which driver; `None` is steady, or marching where there is a history or an initial state.
+    /// All equations, or a fast method.
+    pub method: Method,
+    /// Which driver of the full method; `None` is steady, or marching where there is a history or an initial state.
     pub driver: Option<Driver>,
+    /// Which steady state, where there are several; in the steady driver only.
+    pub branch: Branch,
     /// Cells along rolling across the patch.
     pub cells_x: usize,
     /// Cells across rolling over the patch.
@@ -114,7 +139,9 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
+            method: Method::Full,
             driver: None,
+            branch: Branch::LowSlip,
             cells_x: 24,
             cells_y: 24,
             tolerance: 1e-6,
@@ -129,6 +156,7 @@ impl Default for Options {
 impl Options {
     /// Checks that the numbers are usable.
     pub fn check(&self) -> Result<(), Error> {
+        self.method.check()?;
         let cells = |quantity, count: usize, least: usize| {
             let range = format!("between {least} and {MAX_CELLS}");
             require((least..=MAX_CELLS).contains(&count), quantity, &range, count as f64, "cells")

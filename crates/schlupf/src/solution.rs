@@ -2,6 +2,7 @@
 
 use crate::grid::Grid;
 use crate::kinematics::Kinematics;
+use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::state::State;
 
@@ -14,9 +15,12 @@ pub enum Status {
     NotConverged,
 }
 
-/// A solved rolling contact. The fields belong to the last instant.
+/// A solved rolling contact. The fields belong to the last instant. What the method does not know is NaN,
+/// and its fields have no cells: see [`Method`].
 #[derive(Debug, Clone)]
 pub struct Solution {
+    /// What was solved: all equations, or those of a fast method.
+    pub method: Method,
     /// Whether to trust it.
     pub status: Status,
     /// Relative residual reached, dimensionless: the largest of the last equilibrium's
@@ -97,6 +101,11 @@ pub struct Power {
     /// Friction power that the bristles of the contact law return, in W: the negative part of q,
     /// which does not heat.
     pub returned: f64,
+    /// Part of the heat that goes into the wheel, in W.
+    pub into_wheel: f64,
+    /// Part of the heat that goes into the rail, in W; both together are the friction power and what is
+    /// returned.
+    pub into_rail: f64,
 }
 
 /// T-gamma, the wear number of the railways.

@@ -34,6 +34,8 @@ pub struct Element {
     pub rise: f64,
     /// Slip speed in the cell, in m/s.
     pub slip_speed: f64,
+    /// Coefficient of friction with which it leaves the cell, dimensionless; if friction remembers.
+    pub friction_on_leaving: Option<f64>,
     /// Heat received since entry and until it leaves the cell, the latest step first.
     pub heat: Vec<HeatStep>,
 }

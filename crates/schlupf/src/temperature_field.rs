@@ -11,6 +11,7 @@ use std::f64::consts::{FRAC_2_PI, PI};
 use crate::error::Error;
 use crate::heat::HeatStep;
 use crate::material::Body;
+use crate::method::Method;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 use crate::solution::Solution;
@@ -27,7 +28,8 @@ pub enum Side {
 /// The temperatures that belong to a solution.
 ///
 /// They are exact for the heat that is released, whatever the heat model: with the constant source of
-/// the paper the surface is not as hot here as its cells say.
+/// the paper the surface is not as hot here as its cells say. Without a heat model the bodies still
+/// exchange heat where their bulk temperatures differ.
 #[derive(Debug, Clone)]
 pub struct TemperatureField {
     tracks: Vec<Track>,
@@ -42,7 +44,7 @@ struct Track {
     y: [f64; 2],
     entry_x: f64,
     exit_x: f64,
-    /// Heat received, the latest step first, at the speed of the rail.
+    /// Heat received, the latest step first, in times of the rail.
     record: Vec<HeatStep>,
     speed: f64,
 }
@@ -62,16 +64,56 @@ struct Conductor {
 }
 
 impl TemperatureField {
+    /// Checks whether a problem has such temperatures, before it is solved.
+    ///
+    /// # Errors
+    /// A history: its material has left the contact with another past than the one that leaves it now.
+    pub fn check(problem: &Problem) -> Result<(), Error> {
+        if problem.history.is_none() {
+            return Ok(());
+        }
+        Err(Error::Contradiction {
+            quantity: "history.time",
+            reason:
+                "temperatures below the surface and in the wake are those of steady rolling, but \
+                     there is a history"
+                    .to_owned(),
+        })
+    }
+
+    /// What the reader of the temperatures must know, if anything.
+    pub fn caveat(problem: &Problem) -> Option<String> {
+        let model = problem.heat.model.as_ref()?;
+        (!model.is_linear()).then(|| {
+            "heat.model: below the surface and in the wake temperatures follow from the heat that is \
+             released, by Duhamel's theorem; the heat model of the case holds for the cells only"
+                .to_owned()
+        })
+    }
+
     /// The temperatures of a solution of a problem.
     ///
     /// # Errors
-    /// Whatever [`crate::normal::PressureSource::normal_contact`] refuses.
+    /// What [`Self::check`] refuses, a fast method, which keeps no record of the heat, and whatever
+    /// [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
+        Self::check(problem)?;
+        if solution.method != Method::Full {
+            return Err(Error::Contradiction {
+                quantity: "solver.method",
+                reason: format!(
+                    "temperatures below the surface need the heat record of \"full\", but the method is \
+                     {:?}",
+                    solution.method.name()
+                ),
+            });
+        }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;
         let patch = Patch::new(&normal, grid);
         let mut records = vec![None; grid.len()];
-        for element in &solution.state.elements {
+        let elements = solution.state.elements.iter();
+        for element in elements.filter(|_| problem.heat.model.is_some()) {
             records[element.index] = Some(&element.heat);
         }
         let speed = solution.kinematics.speed;
@@ -79,12 +121,14 @@ impl TemperatureField {
             let last = &patch.cells[strip.cells.end - 1];
             // Cells that the edge cuts have edges of their own; those in the middle share one.
             let middle = &patch.cells[(strip.cells.start + strip.cells.end - 1) / 2];
-            let length = last.since_entry.distance + strip.exit.distance;
+            // The mean over the strip, as the cells at its ends are covered in a part of it only.
+            let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
+            let length = covered * grid.spacing_x;
             Track {
                 y: [grid.edge_y(strip.row), grid.edge_y(strip.row + 1)],
                 entry_x: middle.entry_x(),
                 exit_x: middle.entry_x() - length,
-                record: records[last.index].cloned().unwrap_or_default(),
+                record: records[last.index].map(|record| smooth(record)).unwrap_or_default(),
                 speed,
             }
         };
@@ -105,6 +149,21 @@ impl TemperatureField {
         })
     }
 
+    /// Where the material on the line y (in m) enters the contact, and where it leaves it (x in m), for each
+    /// piece of contact that it passes, the first one first. None beside the patch.
+    pub fn passages(&self, y: f64) -> Vec<[f64; 2]> {
+        let on_line = self.tracks.iter().filter(|track| track.holds(y));
+        let mut passages: Vec<_> = on_line.map(|track| [track.entry_x, track.exit_x]).collect();
+        passages.sort_by(|p, q| q[0].total_cmp(&p[0]));
+        passages
+    }
+
+    /// Lower and upper y of the contact, in m.
+    pub fn width(&self) -> [f64; 2] {
+        let ends = |k: usize| self.tracks.iter().map(move |track| track.y[k]);
+        [ends(0).fold(f64::INFINITY, f64::min), ends(1).fold(f64::NEG_INFINITY, f64::max)]
+    }
+
     /// Temperature (in degC) of a body at (x, y) and below its surface by `depth` (in m): in the
     /// contact, behind it, and ahead of it, where the body has its bulk temperature.
     pub fn at(&self, side: Side, x: f64, y: f64, depth: f64) -> f64 {
@@ -112,13 +171,16 @@ impl TemperatureField {
             Side::Wheel => &self.wheel,
             Side::Rail => &self.rail,
         };
-        let passed = |track: &&Track| {
-            let [low, high] = track.y;
-            y >= low && y < high && x < track.entry_x
-        };
+        let passed = |track: &&Track| track.holds(y) && x < track.entry_x;
         // Of several pieces of contact in a line, the last one counts, as in the solution.
         let last = self.tracks.iter().filter(passed).min_by(|p, q| p.entry_x.total_cmp(&q.entry_x));
         last.map_or(conductor.bulk, |track| conductor.temperature(track, x, depth))
+    }
+}
+
+impl Track {
+    fn holds(&self, y: f64) -> bool {
+        y >= self.y[0] && y < self.y[1]
     }
 }
 
@@ -154,6 +216,60 @@ impl Conductor {
     }
 }
 
+/// Parts into which a step of a record is divided.
+const PARTS: usize = 8;
+
+/// A record in finer steps, each step keeping its mean: with one flux for a whole cell the surface temperature
+/// would bend at the edge of every cell. Inside, the flux runs linearly through that of the neighbours; in the
+/// first and the last step as A√s + B, s counting from the edge, as under Hertz's pressure.
+fn smooth(record: &[HeatStep]) -> Vec<HeatStep> {
+    let finer = |k: usize| {
+        let means = match (k, record.len() - 1) {
+            (0, last) if last > 0 => at_edge(&record[0], &record[1]),
+            (k, last) if k == last && last > 0 => {
+                let mut from_edge = at_edge(&record[k], &record[k - 1]);
+                from_edge.reverse();
+                from_edge
+            }
+            _ => inside(record, k),
+        };
+        let duration = record[k].duration / PARTS as f64;
+        means.map(|flux| HeatStep { flux, duration })
+    };
+    (0..record.len()).flat_map(finer).collect()
+}
+
+/// Mean fluxes (in W/m²) in the parts of a step, from the edge inwards: A√s + B with the means of the step and of its
+/// neighbour. Where B would be negative it is zero.
+fn at_edge(step: &HeatStep, neighbour: &HeatStep) -> [f64; PARTS] {
+    // ∫ √s ds is two thirds of this.
+    let power = |s: f64| s * s.sqrt();
+    let end = step.duration + neighbour.duration;
+    let own = 2.0 / 3.0 * step.duration.sqrt();
+    let next = 2.0 / 3.0 * (power(end) - power(step.duration)) / neighbour.duration;
+    let fitted = (neighbour.flux - step.flux) / (next - own);
+    // So that the flux neither falls below zero at the edge nor within the step.
+    let root = fitted.min(step.flux / own).max(-2.0 * step.flux / own);
+    let constant = step.flux - root * own;
+    std::array::from_fn(|part| {
+        let [from, to] = [part, part + 1].map(|k| step.duration * k as f64 / PARTS as f64);
+        constant + root * 2.0 / 3.0 * (power(to) - power(from)) / (to - from)
+    })
+}
+
+/// Mean fluxes (in W/m²) in the parts of a step between two others, with the smaller of the slopes to both.
+fn inside(record: &[HeatStep], k: usize) -> [f64; PARTS] {
+    let HeatStep { flux, duration } = record[k];
+    let slope_to = |other: Option<&HeatStep>| {
+        other.map_or(0.0, |other| (other.flux - flux) / (0.5 * (duration + other.duration)))
+    };
+    let before = -slope_to(k.checked_sub(1).and_then(|k| record.get(k)));
+    let after = slope_to(record.get(k + 1));
+    let is_peak = before * after <= 0.0;
+    let slope = if is_peak { 0.0 } else { before.abs().min(after.abs()).copysign(after) };
+    std::array::from_fn(|part| flux + slope * ((part as f64 + 0.5) / PARTS as f64 - 0.5) * duration)
+}
+
 /// Integral of the complementary error function, ierfc(x) = exp(−x²)/√π − x erfc(x).
 fn ierfc(x: f64) -> f64 {
     (-x * x).exp() / PI.sqrt() - x * libm::erfc(x)
@@ -179,3 +295,41 @@ fn mixing(depth: f64, diffusivity: f64, time: f64, in_contact: f64) -> f64 {
 
 /// Nodes of the midpoint rule over the angle.
 const NODES: usize = 400;
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Heat stays, step by step, and no part is negative; a linear course inside is met exactly, and A√s + B at an edge.
+    #[test]
+    fn finer_steps_keep_the_heat() {
+        let step = |flux| HeatStep { flux, duration: 2.0 };
+        for fluxes in
+            [[1.0, 2.0, 3.0, 4.0], [5.0, 5.0, 0.0, 0.0], [0.1, 3.0, 1.0, 0.0], [3.0, 0.0, 0.0, 9.0]]
+        {
+            let record = fluxes.map(step);
+            let finer = smooth(&record);
+            for (k, coarse) in record.iter().enumerate() {
+                let heat = |step: &HeatStep| step.flux * step.duration;
+                let sum: f64 = finer[k * PARTS..(k + 1) * PARTS].iter().map(heat).sum();
+                assert_relative_eq!(sum, heat(coarse), max_relative = 1e-14, epsilon = 1e-14);
+            }
+            assert!(finer.iter().all(|step| step.flux >= -1e-14), "{finer:?}");
+        }
+        let linear = smooth(&[0.0, 1.0, 2.0, 3.0].map(step));
+        assert_relative_eq!(linear[PARTS].flux, 1.0 - 0.5 * 7.0 / 8.0);
+        // √s from 0 to 2 has the mean 2√2/3, from 2 to 4 (8 − 2√2)/3.
+        let root = |s: f64| 2.0 / 3.0 * s * s.sqrt();
+        let [edge, next] = [root(2.0) / 2.0, (root(4.0) - root(2.0)) / 2.0].map(|f| 3.0 + f);
+        let parts = smooth(&[edge, next, next].map(step));
+        assert_relative_eq!(
+            parts[1].flux,
+            3.0 + (root(0.5) - root(0.25)) / 0.25,
+            max_relative = 1e-12
+        );
+        assert!(smooth(&[]).is_empty());
+        assert_eq!(smooth(&[step(7.0)]), [HeatStep { flux: 7.0, duration: 0.25 }; PARTS]);
+    }
+}

@@ -14,8 +14,10 @@ use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::interface::contact_law::TotalDisplacement;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
+use schlupf::method::{AreaReduction, Brush, Method, SlopeReduction};
 use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
+use schlupf::simplified::FastContact;
 use schlupf::{Options, Problem};
 
 /// The system's allocator, counting what each thread asks of it: tests run side by side.
@@ -161,5 +163,30 @@ fn more_iterations_of_a_time_step_allocate_no_more() {
         let ((coarse, few), (fine, many)) = (at(1e-4), at(1e-9));
         assert!(many > few + few / 4, "{many} {few}");
         assert_eq!(coarse, fine, "{:?}, {few} and {many} Newton steps", base.elasticity);
+    }
+}
+
+/// The fast methods, for any motion and load, with both heat models.
+#[test]
+fn a_fast_force_allocates_nothing() {
+    let methods = [
+        Method::KalkerLinear,
+        Method::ShenHedrickElkins,
+        Method::Polach(AreaReduction::DRY),
+        Method::Fastsim(Brush::KALKER),
+        Method::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
+    ];
+    for base in problems() {
+        for method in methods {
+            let mut contact = FastContact::new(&base, &Options { method, ..cells(12) }).unwrap();
+            // Heat makes room once.
+            contact.force(&rolling_at(0.001)).unwrap();
+            let before = allocations();
+            for (creepage_x, load) in [(0.002, 60e3), (-0.01, 100e3), (0.0, 80e3)] {
+                contact.set_load(load).unwrap();
+                contact.force(&rolling_at(creepage_x)).unwrap();
+            }
+            assert_eq!(allocations(), before, "{method:?}");
+        }
     }
 }

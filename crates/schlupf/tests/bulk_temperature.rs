@@ -10,7 +10,9 @@ use schlupf::bulk_temperature::{BulkTemperature, Cooling, bulk_temperature};
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
+use schlupf::history::History;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::material::Material;
 use schlupf::{Error, Problem, Status};
 
@@ -66,6 +68,36 @@ fn ertz_knothe_2002_cooled_by_the_rail_alone() {
     assert_relative_eq!(warmed.temperature, expected, max_relative = 2e-3);
 }
 
+/// By hand, with both ways out: ½ P = h A (T_w − T_air) + ½ G (T_w − T_r), G = 2 β √(v/π) ∫ √L dy as above, at the
+/// friction power P of the result.
+#[test]
+fn a_balance_by_hand() {
+    let mut slow = braking(0.01);
+    slow.heat.partition = Partition::Given(0.5);
+    let warmed = warmed(&slow, &COOLING);
+    let beta = 1.772_453_850_905_516 * 0.906_402_477_055_477 / 0.919_062_526_848_883;
+    let width = (2.0 * 6e-3_f64).sqrt() * 5e-3 * beta;
+    let through = 2.0 * Material::STEEL.effusivity() * (30.0 / std::f64::consts::PI).sqrt() * width;
+    let air = COOLING.film_coefficient * COOLING.area;
+    let received = 0.5 * warmed.solution.power.friction + air * 10.0 + 0.5 * through * 20.0;
+    assert_relative_eq!(warmed.temperature, received / (air + 0.5 * through), max_relative = 2e-3);
+    assert_relative_eq!(warmed.entry_temperature, 0.5 * (warmed.temperature + 20.0));
+    assert!(warmed.surplus().abs() < 1e-5 * warmed.frictional_heat);
+}
+
+/// Friction that rises with the temperature makes the wheel hotter than with its cold friction.
+#[test]
+fn rising_friction_is_balanced_too() {
+    let mut rising = braking(0.01);
+    let cold = Arc::new(TemperaturePiecewiseLinear::new(0.3, 0.3, 100.0).unwrap());
+    rising.friction.law = cold;
+    let cold = warmed(&rising, &COOLING);
+    rising.friction.law = Arc::new(TemperaturePiecewiseLinear::new(0.3, 0.9, 100.0).unwrap());
+    let hot = warmed(&rising, &COOLING);
+    assert!(hot.temperature > cold.temperature + 10.0, "{} {}", hot.temperature, cold.temperature);
+    assert_relative_eq!(hot.frictional_heat, hot.convection + hot.conduction, max_relative = 2e-6);
+}
+
 /// A stronger wind, a colder wheel; and never hotter than friction allows.
 #[test]
 fn more_air_less_heat() {
@@ -82,6 +114,10 @@ fn what_cannot_warm_is_refused() {
     cold.heat.model = None;
     let error = bulk_temperature(&cold, &cells(8), &COOLING, &mut |_| ()).unwrap_err();
     assert!(matches!(error, Error::Contradiction { quantity: "heat.model", .. }));
+    let mut transient = braking(0.01);
+    transient.history = Some(History { time: vec![0.0, 1e-3], ..History::default() });
+    let error = bulk_temperature(&transient, &cells(8), &COOLING, &mut |_| ()).unwrap_err();
+    assert!(matches!(error, Error::Contradiction { quantity: "history.time", .. }));
     let still = Cooling { area: 0.0, ..COOLING };
     let error = bulk_temperature(&braking(0.01), &cells(8), &still, &mut |_| ()).unwrap_err();
     assert!(error.to_string().starts_with("cooling.area"), "{error}");

@@ -12,7 +12,12 @@ use schlupf::heat::constant_source::ConstantSource;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
 use schlupf::interface::contact_law::{Incremental, TotalDisplacement};
+use schlupf::interface::friction::FrictionLaw;
+use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::memory::FrictionMemory;
+use schlupf::interface::friction::polach::Polach;
+use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::PressureSource;
@@ -179,6 +184,27 @@ fn with_heat_that_lowers_friction() {
     check("Duhamel", &hot, &falling, &incremental);
     hot.heat = Heat { model: Some(Arc::new(ConstantSource)), partition: Partition::Given(0.5) };
     check("constant source", &hot, &falling, &incremental);
+}
+
+/// Friction that lags behind a law of temperature, slip speed and y.
+#[test]
+fn with_friction_that_remembers() {
+    let lagging = |problem: &Problem, coefficient: f64| {
+        let by_heat: Arc<dyn FrictionLaw> =
+            Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.05).unwrap());
+        let polach = Arc::new(Polach::new(coefficient, 0.4, 0.6).unwrap());
+        let product = Arc::new(Product::new(by_heat, polach).unwrap());
+        let across = Across::new(product, vec![-8e-3, 8e-3], vec![1.25, 0.75]).unwrap();
+        let mut problem = problem.clone();
+        problem.friction.law = Arc::new(across);
+        problem.friction.memory = Some(FrictionMemory::new(3e-5, 1e-3).unwrap());
+        problem
+    };
+    let mut hot = lagging(&Problem { elasticity: half_space(), ..base() }, 0.4);
+    hot.kinematics.creepage_x = 0.012;
+    hot.wheel.bulk_temperature = 120.0;
+    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    check("memory", &hot, &lagging, &incremental);
 }
 
 #[test]

@@ -10,6 +10,7 @@ use common::{cells, half_space, problem, rolling};
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
+use schlupf::history::History;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::material::{Body, Material};
 use schlupf::temperature_field::{Side, TemperatureField};
@@ -34,7 +35,7 @@ fn solve(problem: &Problem) -> (Solution, TemperatureField) {
 /// ∫ ρc (T − T_bulk) dz below a point, in J/m².
 fn stored(field: &TemperatureField, side: Side, body: &Body, [x, y]: [f64; 2]) -> f64 {
     const DEPTH: f64 = 3e-3;
-    const LAYERS: u32 = 30_000;
+    const LAYERS: u32 = 6_000;
     let layer = DEPTH / f64::from(LAYERS);
     let rise = |k: u32| field.at(side, x, y, (f64::from(k) + 0.5) * layer) - body.bulk_temperature;
     let capacity = body.material.density * body.material.specific_heat;
@@ -85,6 +86,64 @@ fn heat_is_conserved() {
     assert!(at(Side::Rail, 0.0) > at(Side::Rail, 20e-6));
 }
 
+/// Heat that both bodies carry away from the contact every second, in W: what is stored below the wake, times
+/// the speed of the material and the width of its strip.
+fn carried_away(problem: &Problem, solution: &Solution, field: &TemperatureField) -> [f64; 2] {
+    const LAYER: f64 = 4e-6;
+    const LAYERS: u32 = 300;
+    let grid = solution.state.grid;
+    let conduction = problem.conduction(&solution.kinematics);
+    let speeds = [30.0 / conduction.slowness(), 30.0];
+    let bodies = [(Side::Wheel, problem.wheel), (Side::Rail, problem.rail)];
+    [0, 1].map(|k| {
+        let (side, body) = bodies[k];
+        let capacity = body.material.density * body.material.specific_heat;
+        let rise = |y: f64, layer: u32| {
+            let depth = (f64::from(layer) + 0.5) * LAYER;
+            field.at(side, -6.1e-3, y, depth) - body.bulk_temperature
+        };
+        let below = |j: usize| (0..LAYERS).map(|layer| rise(grid.y(j), layer)).sum::<f64>();
+        let sum: f64 = (0..grid.rows).map(below).sum();
+        capacity * LAYER * sum * speeds[k] * grid.spacing_y
+    })
+}
+
+/// Energy: the heat that wheel and rail carry away is the friction power, each body its part; and where they
+/// meet with different temperatures, what one loses the other gains (Ertz and Knothe 2002).
+#[test]
+fn wheel_and_rail_carry_away_the_friction_power() {
+    for (partition, bulk) in [
+        (Partition::Given(0.3), 20.0),
+        (Partition::Velocity, 20.0),
+        (Partition::Velocity, 120.0),
+        (Partition::Given(0.5), 120.0),
+    ] {
+        let mut sliding = hot(partition);
+        sliding.rail.material = Material { conductivity: 40.0, ..Material::STEEL };
+        sliding.wheel.bulk_temperature = bulk;
+        let (solution, field) = solve(&sliding);
+        let [wheel, rail] = carried_away(&sliding, &solution, &field);
+        let power = solution.power;
+        assert_relative_eq!(power.into_wheel + power.into_rail, power.friction + power.returned);
+        assert_relative_eq!(power.friction, power.creep, max_relative = 1e-5);
+        println!("{partition:?} {bulk}: {wheel} {rail} {power:?}");
+        assert_relative_eq!(wheel + rail, power.friction, max_relative = 2e-3);
+        let exchanged = power.into_wheel - wheel;
+        if bulk == 20.0 {
+            assert!(exchanged.abs() < 2e-3 * power.friction, "{exchanged}");
+        } else {
+            // 2 β_w (T_w − T_m) ∫ √(v_w L/π) dy, ∫ √L dy = √(2a) b B(½, 5/4) on the ellipse.
+            let conduction = sliding.conduction(&solution.kinematics);
+            let beta = 1.772_453_850_905_516 * 0.906_402_477_055_477 / 0.919_062_526_848_883;
+            let width = (2.0 * 6e-3_f64).sqrt() * 5e-3 * beta;
+            let root = (30.0 / conduction.slowness() / std::f64::consts::PI).sqrt();
+            let step = bulk - conduction.entry_temperature;
+            let exact = 2.0 * sliding.wheel.material.effusivity() * step * root * width;
+            assert_relative_eq!(exchanged, exact, max_relative = 5e-3);
+        }
+    }
+}
+
 /// Rail chill: a hot wheel that rolls without sliding gives the rail what it loses, meets it at the
 /// mean temperature, and behind the contact the surface goes back to its own bulk temperature as
 /// (2/π) asin √(t_c/t).
@@ -110,4 +169,28 @@ fn a_hot_wheel_on_a_cold_rail() {
     let behind = field.at(Side::Rail, -18e-3, y, 0.0);
     assert_relative_eq!(behind, 75.0 * FRAC_2_PI * 0.5_f64.sqrt().asin(), max_relative = 2e-3);
     assert!(field.at(Side::Rail, -1.0, y, 0.0) < 0.08 * 75.0);
+}
+
+/// What the field does not hold for is refused, and what it spans is told.
+#[test]
+fn the_line_of_a_point_has_its_edges() {
+    let problem = hot(Partition::Given(0.5));
+    let (solution, field) = solve(&problem);
+    let [low, high] = field.width();
+    assert_relative_eq!(low, -5e-3, max_relative = 1e-9);
+    assert_relative_eq!(high, 5e-3, max_relative = 1e-9);
+    let middle = field.passages(0.1e-3);
+    assert_eq!(middle.len(), 1);
+    assert_relative_eq!(middle[0][0], 6e-3, max_relative = 2e-3);
+    assert_relative_eq!(middle[0][1], -6e-3, max_relative = 2e-3);
+    assert!(field.passages(6e-3).is_empty());
+    let mut transient = problem.clone();
+    transient.history = Some(History { time: vec![0.0, 1e-3], ..History::default() });
+    let error = TemperatureField::new(&transient, &solution).unwrap_err();
+    assert!(error.to_string().starts_with("history.time: "), "{error}");
+    let mut cold = problem;
+    cold.heat.model = None;
+    let marched = schlupf::rolling::marching::march(&cold, &cells(12), &mut |_| ()).unwrap();
+    let field = TemperatureField::new(&cold, &marched).unwrap();
+    assert_eq!(field.at(Side::Rail, -5e-3, 0.1e-3, 0.0), 20.0);
 }

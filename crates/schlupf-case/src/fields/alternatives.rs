@@ -44,6 +44,20 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "stiffnesses are given per area (bedding, coupling) or for each cell (spring)",
     },
     Alternatives {
+        first: &["elasticity.calibration"],
+        second: &[
+            "elasticity.bedding_x",
+            "elasticity.bedding_y",
+            "elasticity.coupling_x",
+            "elasticity.coupling_y",
+            "elasticity.spring_x",
+            "elasticity.spring_y",
+            "elasticity.spring_coupling_x",
+            "elasticity.spring_coupling_y",
+        ],
+        reason: "the calibration gives all stiffnesses",
+    },
+    Alternatives {
         first: &["history.file"],
         second: &[
             "history.time",
@@ -79,6 +93,9 @@ impl Alternatives {
 const COMPANIONS: &[(&str, &str)] = &[
     ("kinematics.wheel_radius", "kinematics.angular_velocity"),
     ("friction.second_half_speed", "friction.second_coefficient"),
+    ("friction.memory_speed", "friction.memory_distance"),
+    ("cooling.area", "cooling.film_coefficient"),
+    ("cooling.air_temperature", "cooling.film_coefficient"),
 ];
 
 /// The field without which this one does not count.

@@ -1,14 +1,12 @@
 //! The table.
 
 mod friction;
+mod solver;
 
 use super::field::Default::{self, Computed, Nothing, Same, Text};
 use super::field::{Choice, Field, Kind, Section};
-use super::requirement::Requirement::{
-    self, AboveUpTo, AtLeast, Between, Finite, Inside, Magnitude, Radius,
-};
+use super::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 use crate::units::Measure;
-use schlupf::problem::MAX_CELLS;
 use std::f64::consts::FRAC_PI_2;
 
 const fn field(
@@ -59,6 +57,7 @@ const COUPLING: Requirement = Between(0.0, 1e18);
 const SPRING: Requirement = Between(1e-9, 1e18);
 const MARGIN: Requirement = Between(0.0, 1e3);
 const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
+const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
 
 macro_rules! body {
@@ -170,8 +169,18 @@ pub const SECTIONS: &[Section] = &[
         fields: friction::FIELDS,
     },
     Section { name: "heat", doc: "Frictional heating of both surfaces.", fields: HEAT },
-    Section { name: "grid", doc: "Cells across the contact patch.", fields: GRID },
-    Section { name: "solver", doc: "How the equations are solved.", fields: SOLVER },
+    Section {
+        name: "cooling",
+        doc: "What cools the wheel in the long run, for `schlupf bulk`.",
+        fields: COOLING,
+    },
+    Section { name: "grid", doc: "Cells across the contact patch.", fields: solver::GRID },
+    Section { name: "solver", doc: "What is solved, and how.", fields: solver::FIELDS },
+    Section {
+        name: "fastsim",
+        doc: "The bristles of FASTSIM, plain and modified.",
+        fields: solver::FASTSIM,
+    },
     Section {
         name: "history",
         doc: "Transient rolling: values over time, linear in between, from arrays or from a CSV file.",
@@ -322,14 +331,28 @@ const ELASTICITY: &[Field] = &[
         Finite,
         Text("elastic-layer"),
         "model of the deformation",
-    ),
+    )
+    .with(solver::METHOD, solver::FULL),
+    field(
+        "elasticity.calibration",
+        Kind::Choice(&[choice(
+            "half-space",
+            "stiffnesses with which the springs answer like the half-space on the same patch",
+        )]),
+        Finite,
+        Computed("\"half-space\", where no stiffness is given"),
+        "where the stiffnesses come from",
+    )
+    .example("half-space")
+    .with(MODEL, &["elastic-layer", "winkler"]),
     field(
         "elasticity.bedding_x",
         quantity(&Measure::BEDDING),
         BEDDING,
-        Text("1.0e13 N/m^3"),
+        Nothing,
         "c, bedding stiffness for displacements along x",
     )
+    .example("1.0e13 N/m^3")
     .with(MODEL, &["elastic-layer", "winkler"]),
     field(
         "elasticity.bedding_y",
@@ -344,9 +367,10 @@ const ELASTICITY: &[Field] = &[
         "elasticity.coupling_x",
         quantity(&Measure::STIFFNESS),
         COUPLING,
-        Text("3.24e7 N/m"),
+        Nothing,
         "g, coupling stiffness for displacements along x",
     )
+    .example("3.24e7 N/m")
     .with(MODEL, LAYER),
     field(
         "elasticity.coupling_y",
@@ -414,14 +438,16 @@ const CONTACT_LAW: &[Field] = &[
         Finite,
         Text("incremental"),
         "which sliding counts",
-    ),
+    )
+    .with(solver::METHOD, solver::FULL),
     field(
         "contact_law.stiffness",
         quantity(&Measure::PER_LENGTH),
         CONTACT_STIFFNESS,
         Text("5e6 1/m"),
         "k_c, rate at which traction approaches the friction limit",
-    ),
+    )
+    .with(solver::METHOD, solver::FULL),
 ];
 
 const HEAT: &[Field] = &[
@@ -435,7 +461,8 @@ const HEAT: &[Field] = &[
         Finite,
         Text("duhamel"),
         "model of the surface temperature",
-    ),
+    )
+    .with(solver::METHOD, solver::CELLS),
     field(
         "heat.partition",
         Kind::NumberOr(&[choice("velocity", "from speeds and effusivities of both bodies")]),
@@ -446,77 +473,31 @@ const HEAT: &[Field] = &[
     .with("heat.model", &["duhamel", "constant-source"]),
 ];
 
-const GRID: &[Field] = &[
+const COOLING: &[Field] = &[
     field(
-        "grid.cells_x",
-        Kind::Count,
-        Between(2.0, MAX_CELLS as f64),
-        Text("24"),
-        "cells along rolling",
-    ),
-    field(
-        "grid.cells_y",
-        Kind::Count,
-        Between(1.0, MAX_CELLS as f64),
-        Text("24"),
-        "cells across rolling",
-    ),
-];
-
-const SOLVER: &[Field] = &[
-    field(
-        "solver.driver",
-        Kind::Choice(&[
-            choice("steady", "the steady state at once"),
-            choice("marching", "step by step in time: to the steady state, or along a history"),
-        ]),
-        Finite,
-        Computed("\"steady\", and \"marching\" with a history"),
-        "way to the solution",
+        "cooling.film_coefficient",
+        quantity(&Measure::HEAT_TRANSFER),
+        THERMAL,
+        Nothing,
+        "h, heat transfer coefficient between the wheel and the air",
     )
-    .example("steady"),
+    .example("40 W/(m^2 K)"),
     field(
-        "solver.method",
-        Kind::Choice(&[choice("full", "the coupled equations")]),
-        Finite,
-        Text("full"),
-        "what is solved",
-    ),
+        "cooling.area",
+        quantity(&Measure::AREA),
+        COOLED_AREA,
+        Nothing,
+        "A, surface of the wheel that the air cools",
+    )
+    .example("1.5 m^2"),
     field(
-        "solver.tolerance",
-        Kind::Number,
-        Between(1e-13, 0.1),
-        Text("1e-6"),
-        "largest relative residual",
-    ),
-    field(
-        "solver.max_iterations",
-        Kind::Count,
-        AtLeast(1.0),
-        Text("200"),
-        "most Newton steps for one equilibrium",
-    ),
-    field(
-        "solver.max_steps",
-        Kind::Count,
-        AtLeast(1.0),
-        Text("2000"),
-        "most time steps on the way to the steady state",
-    ),
-    field(
-        "solver.sensitivity",
-        Kind::Flag,
-        Finite,
-        Text("true"),
-        "whether to find the derivatives of the forces too, in the steady driver",
-    ),
-    field(
-        "solver.slip_threshold",
-        Kind::Number,
-        AboveUpTo(0.0, 0.999),
-        Text("0.95"),
-        "a cell slides where |t| ≥ this · μ p_n",
-    ),
+        "cooling.air_temperature",
+        quantity(&Measure::TEMPERATURE),
+        TEMPERATURE,
+        Same("rail.bulk_temperature"),
+        "temperature of the air",
+    )
+    .example("20 degC"),
 ];
 
 const HISTORY: &[Field] = &[

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use schlupf::elasticity::Elasticity;
+use schlupf::elasticity::calibrated_layer::CalibratedLayer;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::rigid::Rigid;
@@ -11,6 +12,13 @@ use schlupf::material::Material;
 
 use crate::error::CaseError;
 use crate::settings::Settings;
+
+const PER_AREA: [&str; 4] = [
+    "elasticity.bedding_x",
+    "elasticity.bedding_y",
+    "elasticity.coupling_x",
+    "elasticity.coupling_y",
+];
 
 const SPRINGS: [&str; 4] = [
     "elasticity.spring_x",
@@ -38,12 +46,14 @@ pub fn model(
         }
         _ => {
             let margin = settings.optional_number("elasticity.margin")?;
-            let layer = if settings.any_given(&SPRINGS) {
-                discrete(settings, margin)
+            if settings.any_given(&SPRINGS) {
+                Ok(Arc::new(discrete(settings, margin)?))
+            } else if settings.any_given(&PER_AREA) {
+                Ok(Arc::new(per_area(settings, margin)?))
             } else {
-                per_area(settings, margin)
-            };
-            Ok(Arc::new(layer?))
+                let layer = CalibratedLayer::new(bodies[0], bodies[1], margin);
+                Ok(Arc::new(layer.map_err(|error| settings.explain(&error))?))
+            }
         }
     }
 }

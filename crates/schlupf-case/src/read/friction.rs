@@ -7,6 +7,7 @@ use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::linear::Linear;
+use schlupf::interface::friction::memory::FrictionMemory;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::rational::Rational;
@@ -39,7 +40,15 @@ pub fn friction(settings: &Settings, folder: &Path) -> Result<Friction, CaseErro
         law = Arc::new(across);
     }
     let reference_temperature = settings.number("friction.reference_temperature")?;
-    Ok(Friction { law, reference_temperature })
+    let memory = match settings.optional_number("friction.memory_distance")? {
+        Some(distance) => {
+            let least_speed = settings.optional_number("friction.memory_speed")?.unwrap_or(0.0);
+            let memory = FrictionMemory::new(distance, least_speed);
+            Some(memory.map_err(|error| settings.explain(&error))?)
+        }
+        None => None,
+    };
+    Ok(Friction { memory, ..Friction::new(law, reference_temperature) })
 }
 
 /// The law that a choice names.

@@ -1,6 +1,7 @@
 //! From settings to the parts of a problem; one file for each section of the case file.
 
 mod bodies;
+mod cooling;
 mod elasticity;
 mod friction;
 mod heat;
@@ -13,6 +14,8 @@ mod options;
 use std::path::Path;
 
 use schlupf::{Options, Problem};
+
+pub use cooling::{cooling, missing as missing_cooling};
 
 use crate::error::CaseError;
 use crate::settings::Settings;

@@ -82,6 +82,15 @@ impl Measure {
         "J/(kg K) or kJ/(kg K)",
         Dimension { length: 2, time: -2, temperature: -1, ..Dimension::NONE },
     );
+    /// Heat transfer coefficient, in W/(m² K).
+    pub const HEAT_TRANSFER: Self = ratio(
+        "a heat transfer coefficient",
+        "W/(m^2 K)",
+        "W/(m^2 K)",
+        Dimension { mass: 1, time: -3, temperature: -1, ..Dimension::NONE },
+    );
+    /// Area, in m².
+    pub const AREA: Self = ratio("an area", "m^2", "m^2 or cm^2", Dimension::LENGTH.power(2));
     /// Temperature difference, in K.
     pub const TEMPERATURE_DIFFERENCE: Self =
         ratio("a temperature difference", "K", "K", Dimension::TEMPERATURE);

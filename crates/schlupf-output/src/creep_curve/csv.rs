@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, Point};
 
 use super::CurveFamily;
+use crate::json::status;
 use crate::number::without_sign_of_zero;
 
 /// Name, unit, and how to get the number.
@@ -65,14 +65,6 @@ pub fn table(family: &CurveFamily) -> String {
         }
     }
     table
-}
-
-/// A status as results name it.
-pub(super) fn status(status: Status) -> &'static str {
-    match status {
-        Status::Converged => "converged",
-        Status::NotConverged => "not-converged",
-    }
 }
 
 /// A text in quotes where it would not be one entry without (RFC 4180).

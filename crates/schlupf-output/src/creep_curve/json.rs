@@ -6,9 +6,8 @@ use schlupf::creep_curve::{
     Abscissa, CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Spacing,
 };
 
-use super::csv::status;
 use super::{CurveFamily, Member};
-use crate::json::{Kinematics, Normal, PROGRAM, Vector, Work, text};
+use crate::json::{Kinematics, Normal, PROGRAM, Vector, Work, status, text};
 
 /// The curves as a JSON document: SI units, forces on the wheel. A number that is not finite becomes
 /// `null`.
@@ -86,6 +85,7 @@ struct Over<'a> {
 #[derive(Serialize)]
 struct Curve<'a> {
     value: Option<&'a str>,
+    method: &'static str,
     normal: Normal,
     initial_slope: Option<Slope>,
     maximum: Option<Top>,
@@ -99,6 +99,7 @@ impl<'a> Curve<'a> {
         let curve = &member.curve;
         Self {
             value: member.value.as_deref(),
+            method: curve.method.name(),
             normal: (&curve.normal).into(),
             initial_slope: curve.initial_slope.as_ref().map(Slope::new),
             maximum: curve.maximum().map(Top::new),

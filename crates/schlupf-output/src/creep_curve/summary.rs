@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, CreepCurve, InitialSlope, Maximum, PLATEAU, Path, Point};
 use schlupf::solution::Resultant;
+use schlupf::{Method, Status};
 
 use super::{CurveFamily, Member};
 use crate::number::significant as number;
@@ -70,6 +70,9 @@ fn conditions(text: &mut String, curve: &CreepCurve) {
     if let Abscissa::Total { direction } = curve.path.abscissa() {
         parts.push(format!("direction {}°", number(direction.to_degrees())));
     }
+    if curve.method != Method::Full {
+        parts.push(format!("by the fast method {:?}", curve.method.name()));
+    }
     line(text, &parts.join(", "));
 }
 
@@ -95,7 +98,9 @@ fn table(text: &mut String, curve: &CreepCurve) {
     });
     let rise: Column = ("rise (K)".to_owned(), |point| point.max_rise);
     for column in [moment, rise] {
-        if points.iter().any(|point| (column.1)(point) != 0.0) {
+        // What a method does not know is NaN throughout.
+        let is_seen = |value: f64| value != 0.0 && !value.is_nan();
+        if points.iter().any(|point| is_seen((column.1)(point))) {
             columns.push(column);
         }
     }
@@ -149,8 +154,8 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
     for ((what, value, unit, normalised, kalker), coefficient) in
         components.into_iter().zip(coefficients)
     {
-        // What is left of the tolerance of the solutions.
-        if normalised.abs() <= 1e-5 * largest {
+        // What is left of the tolerance of the solutions, or unknown.
+        if normalised.is_nan() || normalised.abs() <= 1e-5 * largest {
             continue;
         }
         let bound = if what == "dMz" { format!("{bound} √(ab)") } else { bound.to_owned() };

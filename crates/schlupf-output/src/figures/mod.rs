@@ -1,9 +1,10 @@
-//! Figures of a solution or of creep curves, each as SVG and as PNG of the same drawing.
+//! Figures of a solution, of creep curves or of temperatures below the surface, each as SVG and as PNG of the same drawing.
 //!
 //! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
 
 mod color;
+mod comparison;
 mod contour;
 mod creep_curve;
 mod cut;
@@ -23,12 +24,15 @@ mod sampler;
 mod smooth;
 mod surface;
 mod svg;
+mod temperature;
 mod ticks;
 mod units;
 
 use schlupf::Solution;
 
+use crate::comparison::Comparison;
 use crate::creep_curve::CurveFamily;
+use crate::temperature::Temperatures;
 
 use map::Arrows;
 use patch::Patch;
@@ -54,6 +58,12 @@ pub enum FigureError {
     /// There is no creep curve with numbers to draw.
     #[error("there is no creep curve of finite numbers to draw")]
     NoCurve,
+    /// There are no temperatures to draw.
+    #[error("there are no temperatures over a range of places to draw")]
+    NoTemperature,
+    /// All methods give nothing but zeros.
+    #[error("there is nothing to compare: no method gives a force or a temperature rise")]
+    NothingToCompare,
     /// The drawing could not be turned into a picture.
     #[error("the figure could not be rendered: {0}")]
     Render(String),
@@ -82,9 +92,34 @@ pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
     Ok(Figure { name: CREEP_CURVE.to_owned(), svg, png })
 }
 
+/// Name of the figure of a comparison.
+pub const COMPARISON: &str = "comparison";
+
+/// The figure of a comparison: forces, moment and temperature rise of every method.
+pub fn comparison(comparison: &Comparison) -> Result<Figure, FigureError> {
+    let svg = comparison::draw(comparison).ok_or(FigureError::NothingToCompare)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: COMPARISON.to_owned(), svg, png })
+}
+
 /// The SVG document of creep curves.
 pub fn creep_curve_drawing(family: &CurveFamily) -> Result<String, FigureError> {
     creep_curve::draw(family).ok_or(FigureError::NoCurve)
+}
+
+/// Name of the figure of temperatures along lines.
+pub const TEMPERATURE: &str = "temperature";
+
+/// The figure of temperatures along a row with its wake, and below a point.
+pub fn temperature(temperatures: &Temperatures) -> Result<Figure, FigureError> {
+    let svg = temperature_drawing(temperatures)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: TEMPERATURE.to_owned(), svg, png })
+}
+
+/// The SVG document of temperatures along lines.
+pub fn temperature_drawing(temperatures: &Temperatures) -> Result<String, FigureError> {
+    temperature::draw(temperatures).ok_or(FigureError::NoTemperature)
 }
 
 /// Names of all figures of a solution that there can be.

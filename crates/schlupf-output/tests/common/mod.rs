@@ -2,7 +2,6 @@
 
 #![allow(dead_code, reason = "each test file uses its part of it")]
 
-use schlupf::Status;
 use schlupf::grid::{Extent, Grid};
 use schlupf::kinematics::Kinematics;
 use schlupf::normal::NormalSummary;
@@ -10,6 +9,7 @@ use schlupf::solution::{
     Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, TGamma, Temperature, Work,
 };
 use schlupf::state::State;
+use schlupf::{Method, Status};
 
 pub const FRICTION: f64 = 0.4;
 const PEAK: f64 = 770e6;
@@ -44,6 +44,7 @@ pub fn solution(recipe: Recipe) -> Solution {
     let scale = FRICTION * load;
     let hottest = fields.temperature_rise_wheel.iter().copied().fold(0.0, f64::max);
     Solution {
+        method: Method::Full,
         status: Status::Converged,
         residual: 3.2e-7,
         normal: NormalSummary {
@@ -57,7 +58,13 @@ pub fn solution(recipe: Recipe) -> Solution {
         force,
         normalised: Resultant { x: force.x / scale, y: force.y / scale, moment_z: 0.01 },
         traction_coefficient: force.x.hypot(force.y) / load,
-        power: Power { friction: sum(&fields.friction_power), creep: 6.1e3, returned: 1.2 },
+        power: Power {
+            friction: sum(&fields.friction_power),
+            creep: 6.1e3,
+            returned: 1.2,
+            into_wheel: 3e3,
+            into_rail: 3.1e3,
+        },
         t_gamma: TGamma { without_spin: 210.0, with_spin: 210.0 },
         temperature: Temperature {
             max_rise: hottest,

@@ -1,6 +1,7 @@
 //! The slope of a creep curve at zero creepage.
 
 use crate::error::Error;
+use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::solution::{Resultant, Sensitivity};
@@ -31,27 +32,33 @@ pub(super) struct Finding {
 }
 
 /// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian of
-/// the equilibrium there.
+/// the equilibrium there; of a fast method, from a difference.
 pub(super) fn find(solver: &mut Solver, normal: &NormalSummary) -> Result<Finding, Error> {
     let path = solver.path;
     if !path.has_origin() {
         return Ok(Finding::default());
     }
     let origin = path.at(0.0);
-    let solution = solver.differentiate(0.0)?;
+    let scale = Scale {
+        limit: solver.problem.friction.cold_coefficient() * normal.load,
+        lever: (normal.semi_axis_x * normal.semi_axis_y).sqrt(),
+    };
+    let force = if solver.steady.options().method == Method::Full {
+        solver
+            .differentiate(0.0)?
+            .and_then(|solution| solution.sensitivity)
+            .map(|sensitivity| along(path, &sensitivity))
+    } else {
+        Some(difference(solver, &scale)?)
+    };
     let problem = &solver.problem;
-    let Some(sensitivity) = solution.and_then(|solution| solution.sensitivity) else {
+    let Some(force) = force else {
         let warning = format!(
             "no initial slope: the derivatives at {} were not found",
             path.abscissa().equation(0.0)
         );
         return Ok(Finding { value: None, warning: Some(warning) });
     };
-    let scale = Scale {
-        limit: problem.friction.cold_coefficient() * normal.load,
-        lever: (normal.semi_axis_x * normal.semi_axis_y).sqrt(),
-    };
-    let force = along(path, &sensitivity);
     let normalised = scale.normalised(&force);
     let kalker = (origin == Creepages::default()).then(|| scale.kalker(&force, problem, path));
     Ok(Finding { value: Some(InitialSlope { force, normalised, kalker }), warning: None })
@@ -70,6 +77,24 @@ fn along(path: &Path, sensitivity: &Sensitivity) -> Resultant {
     })
 }
 
+/// Half the range of a central difference, over the abscissa at which the linear force would be
+/// about the friction limit.
+const STEP: f64 = 1e-6;
+
+/// The same of a fast method, which has no derivatives but is as exact as numbers are.
+fn difference(solver: &mut Solver, scale: &Scale) -> Result<Resultant, Error> {
+    let modulus = Scale::modulus(&solver.problem);
+    let typical = scale.limit / (modulus * scale.lever.powi(2) * scale.per_creepage(solver.path));
+    let step = STEP * typical;
+    let [more, less] = [solver.solve(step)?.force, solver.solve(-step)?.force];
+    let rate = |more: f64, less: f64| (more - less) / (2.0 * step);
+    Ok(Resultant {
+        x: rate(more.x, less.x),
+        y: rate(more.y, less.y),
+        moment_z: rate(more.moment_z, less.moment_z),
+    })
+}
+
 /// What forces are measured in.
 #[derive(Debug, Clone, Copy)]
 struct Scale {
@@ -85,10 +110,15 @@ impl Scale {
     }
 
     fn kalker(&self, slope: &Resultant, problem: &Problem, path: &Path) -> Resultant {
-        let [wheel, rail] = [&problem.wheel, &problem.rail].map(|b| b.material.shear_modulus());
-        let modulus = 2.0 / (1.0 / wheel + 1.0 / rail);
-        let per_force = -1.0 / (modulus * self.lever.powi(2) * self.per_creepage(path));
+        let per_force =
+            -1.0 / (Self::modulus(problem) * self.lever.powi(2) * self.per_creepage(path));
         scaled(slope, per_force, per_force / self.lever)
+    }
+
+    /// Shear modulus of both bodies, in Pa.
+    fn modulus(problem: &Problem) -> f64 {
+        let [wheel, rail] = [&problem.wheel, &problem.rail].map(|b| b.material.shear_modulus());
+        2.0 / (1.0 / wheel + 1.0 / rail)
     }
 
     /// The abscissa that makes a creepage of one at the distance c.

@@ -13,6 +13,7 @@ mod warnings;
 
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::{Driver, Options, Problem};
 use crate::rolling;
@@ -29,6 +30,8 @@ use warnings::Warnings;
 /// Forces over creepage.
 #[derive(Debug, Clone)]
 pub struct CreepCurve {
+    /// What was solved.
+    pub method: Method,
     /// Which creepages vary.
     pub path: Path,
     /// The normal contact, the same at all points.
@@ -183,6 +186,7 @@ pub fn trace_with(
         maxima.reverse();
     }
     Ok(CreepCurve {
+        method: options.method,
         path: *path,
         normal,
         warnings: warnings.texts(path.abscissa(), &points),
@@ -249,7 +253,9 @@ impl<'a> Solver<'a> {
     fn solve(&mut self, abscissa: f64) -> Result<Solution, Error> {
         let speed = self.problem.kinematics.speed;
         self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
-        let solution = if self.steady.options().driver == Some(Driver::Marching) {
+        let options = self.steady.options();
+        let marches = options.method == Method::Full && options.driver == Some(Driver::Marching);
+        let solution = if marches {
             rolling::solve(&self.problem, self.steady.options(), &mut |_| ())?
         } else {
             self.steady.solve(&self.problem, &mut |_| ())?

@@ -150,11 +150,23 @@ fn require_coupling(quantity: &'static str, value: f64) -> Result<(), Error> {
 
 impl Elasticity for ElasticLayer {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        match self.stiffness {
+            Stiffness::PerArea(_) => Ok(Box::new(self.on(grid)?)),
+            // All stiffnesses per area go with the inverse square of the size.
+            Stiffness::Discrete(_) => self.growing(grid, 2.0),
+        }
+    }
+}
+
+impl ElasticLayer {
+    fn on(&self, grid: &Grid) -> Result<LayerCompliance, Error> {
         let surroundings = self.surroundings(grid)?;
-        let stiffness = self.per_area(grid);
-        let mut compliance = LayerCompliance::new(&stiffness, surroundings, *grid);
-        compliance.is_discrete = matches!(self.stiffness, Stiffness::Discrete(_));
-        Ok(Box::new(compliance))
+        Ok(LayerCompliance::new(&self.per_area(grid), surroundings, *grid))
+    }
+
+    /// The layer on a grid, where its displacements go with a power of the grid's size.
+    pub(super) fn growing(&self, grid: &Grid, power: f64) -> Result<Box<dyn Compliance>, Error> {
+        Ok(Box::new(LayerCompliance { growth: Some(power), ..self.on(grid)? }))
     }
 }
 
@@ -163,8 +175,9 @@ pub struct LayerCompliance {
     grid: Grid,
     surroundings: Surroundings,
     couples_cells: bool,
-    /// Whether the springs keep their stiffness when the grid grows.
-    is_discrete: bool,
+    /// The power of the grid's size with which displacements go, dimensionless; if it is not that of
+    /// stiffnesses per area that stay.
+    growth: Option<f64>,
     components: [Component; 2],
     transform: Arc<dyn TransformType2And3<f64>>,
     scratch: Vec<f64>,
@@ -317,7 +330,7 @@ impl LayerCompliance {
             couples_cells: stiffness
                 .iter()
                 .any(|s| s.coupling_along_x > 0.0 || s.coupling_along_y > 0.0),
-            is_discrete: false,
+            growth: None,
             components: stiffness.map(|s| Component::new(&s, &grid, &surroundings)),
             scratch: vec![0.0; transform.get_scratch_len()],
             spectrum: vec![0.0; surroundings.columns * grid.rows],
@@ -433,11 +446,10 @@ impl Compliance for LayerCompliance {
         traction: &VectorField,
         displacement: &mut VectorField,
     ) -> bool {
-        if self.is_discrete {
-            // All stiffnesses per area go with the inverse square of the size.
+        if let Some(power) = self.growth {
             self.displacement(traction, displacement);
             for u in displacement.x.iter_mut().chain(&mut displacement.y) {
-                *u *= 2.0;
+                *u *= power;
             }
         } else {
             self.component_by_size(0, &traction.x, &mut displacement.x);
@@ -448,6 +460,10 @@ impl Compliance for LayerCompliance {
 
     fn couples_cells(&self) -> bool {
         self.couples_cells
+    }
+
+    fn is_short_ranged(&self) -> bool {
+        true
     }
 
     fn edge_displacement(&mut self, traction: &VectorField) -> f64 {

@@ -1,5 +1,7 @@
 //! How the two bodies deform under tangential traction, u = A t.
 
+pub mod calibrated_layer;
+mod calibration_table;
 pub mod elastic_layer;
 pub mod half_space;
 pub mod rigid;
@@ -40,6 +42,12 @@ pub trait Compliance: Debug + Send {
 
     /// Whether a loaded cell moves its neighbours. If not, nothing moves ahead of the leading edge.
     fn couples_cells(&self) -> bool;
+
+    /// Whether the displacement falls exponentially with the distance from a loaded cell. Then a
+    /// grid of a few cells still tells how the whole patch gives way.
+    fn is_short_ranged(&self) -> bool {
+        false
+    }
 
     /// Largest displacement at the outer edge of the modelled surface over the largest one
     /// anywhere, dimensionless; zero where the model has no outer edge.

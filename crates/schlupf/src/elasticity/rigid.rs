@@ -31,4 +31,8 @@ impl Compliance for Rigid {
     fn couples_cells(&self) -> bool {
         false
     }
+
+    fn is_short_ranged(&self) -> bool {
+        true
+    }
 }

@@ -49,4 +49,8 @@ impl Compliance for Winkler {
     fn couples_cells(&self) -> bool {
         false
     }
+
+    fn is_short_ranged(&self) -> bool {
+        true
+    }
 }

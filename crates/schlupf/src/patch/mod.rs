@@ -85,6 +85,15 @@ impl Travel {
         }
     }
 
+    /// The same where all lengths are `factor` times as long.
+    fn rescaled(&self, factor: f64) -> Self {
+        Self {
+            distance: factor * self.distance,
+            moment_x: factor * factor * self.moment_x,
+            moment_y: factor * factor * self.moment_y,
+        }
+    }
+
     /// Rigid slip distance of the wheel over the rail on this way, in m:
     /// ∫ (ξ − φ y, η + φ x) dx.
     pub fn rigid_slip(&self, kinematics: &Kinematics) -> [f64; 2] {
@@ -108,6 +117,27 @@ impl Patch {
         match &contact.pressure {
             Pressure::Elliptic => elliptic::patch(&contact.summary, grid),
             Pressure::Tabulated(table, factor) => tabulated::patch(table, *factor, grid),
+        }
+    }
+
+    /// Takes over another size and pressure: all lengths and all pressures times a factor each
+    /// (dimensionless).
+    pub(crate) fn rescale(&mut self, length: f64, pressure: f64) {
+        let grid = &mut self.grid;
+        for size in
+            [&mut grid.spacing_x, &mut grid.spacing_y, &mut grid.origin_x, &mut grid.origin_y]
+        {
+            *size *= length;
+        }
+        for cell in &mut self.cells {
+            cell.pressure *= pressure;
+            cell.x *= length;
+            cell.y *= length;
+            cell.since_entry = cell.since_entry.rescaled(length);
+            cell.way_in = cell.way_in.rescaled(length);
+        }
+        for strip in &mut self.strips {
+            strip.exit = strip.exit.rescaled(length);
         }
     }
 

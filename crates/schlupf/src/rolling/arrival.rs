@@ -23,6 +23,8 @@ pub(super) struct Arrival {
     pub displacement: [f64; 2],
     /// Heat that it has received.
     pub heat: Vec<HeatStep>,
+    /// Its coefficient of friction (dimensionless), if it remembers one.
+    pub friction: Option<f64>,
     /// Whether the element comes into contact only now, in the middle of a strip: a step ago the
     /// patch had not reached it. It starts without traction.
     pub joins: bool,
@@ -48,6 +50,7 @@ impl Arrival {
             stretch: Some(element.stretch),
             displacement,
             heat: element.heat.clone(),
+            friction: element.friction_on_leaving,
             ..Self::default()
         }
     }

@@ -211,9 +211,19 @@ impl DiscreteContact {
         estimates
     }
 
+    /// Whether displacements fade within the patch.
+    pub fn is_short_ranged(&self) -> bool {
+        self.compliance.is_short_ranged()
+    }
+
     /// Traction over displacement of a cell in the middle under its own traction, in Pa/m.
     pub fn cell_stiffness(&self) -> f64 {
         self.cell_stiffness
+    }
+
+    /// Displacement over traction of that cell, in m/Pa; zero between rigid bodies.
+    pub fn cell_looseness(&self) -> f64 {
+        if self.cell_stiffness == RIGID_STIFFNESS { 0.0 } else { self.cell_stiffness.recip() }
     }
 
     fn measure_cell_stiffness(&mut self) -> f64 {

@@ -8,8 +8,9 @@
 use crate::heat::{Heat, HeatStep};
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
+use crate::summary::snapshot::Snapshot;
 
-use super::snapshot::Snapshot;
+use super::arrival::Arrival;
 
 /// Slip velocity and friction power of every cell. `change` is by how much the displacement A p
 /// changes while a material point passes each cell, in m.
@@ -63,27 +64,43 @@ impl Rubbing {
         problem: &Problem,
         now: &Snapshot,
         (patch, strip, k): (&Patch, &Strip, usize),
-        arrived: &[HeatStep],
+        arrived: &Arrival,
     ) -> f64 {
-        let y = patch.cells[k].y;
+        let [before, after] = ways_through(patch, strip, k);
         let at = |rise: f64| {
-            problem.friction_response(&now.conduction, rise, self.slip_speed, y).coefficient
+            let state = (rise, self.slip_speed);
+            lagging(problem, now, (arrived.friction, patch.cells[k].y), state, before)
         };
         if problem.heat.model.is_none() || problem.friction.law.is_constant() {
             return at(0.0);
         }
         let per_friction =
             if self.friction > 0.0 { self.power / self.friction } else { self.bound_power };
-        let [before, after] = ways_through(patch, strip, k);
         let per_power = patch.grid.spacing_x / (before + after);
-        let mut record = Vec::with_capacity(arrived.len() + 1);
+        let mut record = Vec::with_capacity(arrived.heat.len() + 1);
         record.push(HeatStep { flux: 0.0, duration: before / now.kinematics.speed });
-        record.extend_from_slice(arrived);
+        record.extend_from_slice(&arrived.heat);
         common_coefficient(self.friction, |tried| {
             record[0].flux = (tried * per_friction * per_power).max(0.0);
             at(problem.heat.rise_times_effusivity(&record))
         })
     }
+}
+
+/// Coefficient of friction (dimensionless) at y (in m) after a way (in m) at a temperature rise times
+/// effusivity (in W √s/m²) and a slip speed (in m/s), of material that `arrived` with a coefficient or
+/// enters the contact.
+pub(super) fn lagging(
+    problem: &Problem,
+    now: &Snapshot,
+    (arrived, y): (Option<f64>, f64),
+    (rise, slip_speed): (f64, f64),
+    way: f64,
+) -> f64 {
+    let law = problem.friction_response(&now.conduction, rise, slip_speed, y).coefficient;
+    let Some(memory) = problem.friction_memory() else { return law };
+    let arrived = arrived.unwrap_or_else(|| problem.entry_friction(&now.conduction, y).coefficient);
+    law + (arrived - law) * memory.kept(slip_speed, way / now.kinematics.speed).part
 }
 
 /// Halvings of the interval around a root.

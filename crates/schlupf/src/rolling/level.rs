@@ -41,8 +41,12 @@ pub(super) struct Room {
     pub left: Vec<f64>,
 }
 
-/// A grid of fewer cells across the patch than this is not halved again.
+/// A grid of fewer cells across the patch than this is not halved again. On five cells the long
+/// waves of a half-space are so wrong that they mislead the preconditioner.
 const COARSEST: usize = 16;
+
+/// The same where displacements fade within the patch.
+const COARSEST_SHORT_RANGED: usize = 8;
 
 /// The nested grids of a normal contact, the finest first.
 pub(super) fn nested(
@@ -58,8 +62,10 @@ pub(super) fn nested(
         if let Some(finer) = levels.last_mut() {
             finer.transfer = Some(Transfer::new(&finer.contact.patch, &level.contact.patch));
         }
+        let is_short_ranged = level.contact.is_short_ranged();
+        let coarsest = if is_short_ranged { COARSEST_SHORT_RANGED } else { COARSEST };
         levels.push(level);
-        let halved = cells.map(|count| if count < COARSEST { count } else { count.div_ceil(2) });
+        let halved = cells.map(|count| if count < coarsest { count } else { count.div_ceil(2) });
         if halved == cells {
             return Ok(levels);
         }
@@ -101,9 +107,9 @@ impl Level {
 
     /// μ pₙ with the friction of the last evaluation.
     pub fn take_bound(&mut self) {
-        let cells = self.contact.patch.cells.iter().zip(&self.friction.response);
-        for (bound, (cell, response)) in self.strips.bound.iter_mut().zip(cells) {
-            *bound = response.coefficient * cell.pressure;
+        let cells = self.contact.patch.cells.iter().zip(&self.friction.lag.coefficient);
+        for (bound, (cell, coefficient)) in self.strips.bound.iter_mut().zip(cells) {
+            *bound = coefficient * cell.pressure;
         }
     }
 

@@ -6,20 +6,21 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
 use crate::kinematics::Kinematics;
+use crate::method::Method;
 use crate::normal::NormalContact;
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
+use crate::summary::{self, snapshot::Snapshot};
 
 use super::Progress;
 use super::arrival::{Arrival, carry_over, positions};
 use super::contact::DiscreteContact;
-use super::friction_heat::{Rubbing, set_friction_power, set_temperatures};
-use super::snapshot::Snapshot;
-use super::summary;
+use super::friction_heat::{Rubbing, lagging, set_friction_power, set_temperatures, ways_through};
 use super::time_step::TimeStep;
 use super::turn::{Way, with_turn};
+use super::warnings;
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -213,7 +214,7 @@ impl<'a> March<'a> {
                 }
                 let place = (patch, strip, k);
                 self.now.friction[k] =
-                    rubbing.coefficient(self.problem, &self.now, place, &arrivals[k].heat);
+                    rubbing.coefficient(self.problem, &self.now, place, &arrivals[k]);
             }
         }
     }
@@ -284,6 +285,7 @@ impl<'a> March<'a> {
         let mut change = vec![0.0; 2 * patch_cells];
         self.contact.change_in_passing(&mut change);
         let mut records = Vec::with_capacity(patch_cells);
+        let remembered: Vec<_> = arrivals.iter().map(|arrival| arrival.friction).collect();
         for (k, arrival) in arrivals.into_iter().enumerate() {
             for c in 0..2 {
                 change[2 * k + c] += self.now.displacement[2 * k + c] - arrival.before[c];
@@ -300,6 +302,25 @@ impl<'a> March<'a> {
             element.slip_speed = self.now.slip[k][0].hypot(self.now.slip[k][1]);
         }
         self.change = self.change.max(largest_change(&old_rise, &self.now.rise));
+        self.remember_friction(&remembered);
+    }
+
+    /// The coefficients of friction with which the elements leave their cells.
+    fn remember_friction(&mut self, arrived: &[Option<f64>]) {
+        if self.problem.friction_memory().is_none() {
+            return;
+        }
+        let patch = &self.contact.patch;
+        for strip in &patch.strips {
+            for k in strip.cells.clone() {
+                let way = ways_through(patch, strip, k).iter().sum();
+                let element = &mut self.elements[k];
+                let state = (element.rise, element.slip_speed);
+                let from = (arrived[k], patch.cells[k].y);
+                let coefficient = lagging(self.problem, &self.now, from, state, way);
+                element.friction_on_leaving = Some(coefficient);
+            }
+        }
     }
 
     /// Counts the work and keeps the forces of the step.
@@ -347,13 +368,14 @@ impl<'a> March<'a> {
             Status::NotConverged
         };
         let mut warnings =
-            summary::warnings(self.problem, self.options, &mut self.contact, &self.now);
+            warnings::warnings(self.problem, self.options, &mut self.contact, &self.now);
         if status == Status::NotConverged {
             warnings.insert(0, self.why_not_converged());
         }
         let state =
             State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
         let account = summary::Account {
+            method: Method::Full,
             status,
             residual,
             history: self.history,
@@ -362,7 +384,8 @@ impl<'a> March<'a> {
             work: self.work,
             state,
         };
-        summary::solution(self.problem, self.options, (&self.contact, &self.now), account)
+        let (normal, patch) = (&self.contact.normal, &self.contact.patch);
+        summary::solution(self.problem, self.options, (normal, patch, &self.now), account)
     }
 
     fn why_not_converged(&self) -> String {

@@ -1,28 +1,30 @@
 //! Rolling: the material moves through the contact, and every step is an equilibrium.
 
 mod arrival;
+mod branches;
 mod cell;
 mod contact;
 mod friction_heat;
+mod lag;
 mod level;
 pub mod marching;
 mod sensitivity;
 pub mod shift;
-mod snapshot;
 pub mod steady;
 mod steady_friction;
 mod steady_state;
 mod strip_law;
-mod summary;
 mod time_step;
 mod transfer;
 mod turn;
+mod warnings;
 
 use crate::error::Error;
+use crate::method::Method;
 use crate::problem::{Driver, Options, Problem};
 use crate::solution::Solution;
 
-/// Solves a problem with the driver of the options.
+/// Solves a problem with the method and the driver of the options; fast methods have no driver.
 ///
 /// `report` is called after every time step, or after the steady equilibrium.
 pub fn solve(
@@ -30,6 +32,9 @@ pub fn solve(
     options: &Options,
     report: &mut dyn FnMut(Progress),
 ) -> Result<Solution, Error> {
+    if options.method != Method::Full {
+        return steady::solve(problem, options, report);
+    }
     let is_transient = problem.history.is_some() || problem.initial_state.is_some();
     let otherwise = if is_transient { Driver::Marching } else { Driver::Steady };
     match options.driver.unwrap_or(otherwise) {

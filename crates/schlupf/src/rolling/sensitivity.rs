@@ -11,10 +11,11 @@ use crate::kinematics::Kinematics;
 use crate::patch::Cell;
 use crate::problem::Problem;
 use crate::solution::{Resultant, Sensitivity};
+use crate::summary;
 
 use super::level::Level;
+use super::steady_friction::SteadyFriction;
 use super::steady_state::{Direct, SteadyState};
-use super::summary;
 
 /// Linear residual of the derivatives relative to ∂F/∂θ, over the tolerance of the solution, within
 /// these limits; and over that, what is not accepted any more.
@@ -98,17 +99,19 @@ impl Derivatives<'_> {
             direct.set_motion(k, cell, motion);
             let warmer = friction.conduction.contact_temperature_by_slowness(friction.rise[k]);
             let by_temperature = friction.response[k].by_temperature;
-            direct.bound[k] = cell.pressure * by_temperature * slowness * warmer;
+            direct.friction.law[k] = by_temperature * slowness * warmer;
+            let entry = friction.conduction.contact_temperature_by_slowness(0.0);
+            direct.friction.entry[k] = friction.lag.entry[k].by_temperature * slowness * entry;
         }
         direct
     }
 
     fn by_friction(&self) -> Direct {
-        let Level { contact, friction, .. } = &self.levels[0];
+        let SteadyFriction { response, lag, .. } = &self.levels[0].friction;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
-        let cells = contact.patch.cells.iter().zip(&friction.response);
-        for (bound, (cell, response)) in direct.bound.iter_mut().zip(cells) {
-            *bound = cell.pressure * response.by_cold_coefficient;
+        for (k, (response, entry)) in response.iter().zip(&lag.entry).enumerate() {
+            direct.friction.law[k] = response.by_cold_coefficient;
+            direct.friction.entry[k] = entry.by_cold_coefficient;
         }
         self.stiffen(&mut direct, self.problem.friction.cold_coefficient().recip());
         direct
@@ -156,13 +159,15 @@ impl Derivatives<'_> {
                 direct.cause.rigid[2 * k + c] += rigid[c];
                 direct.cause.rigid[2 * k + c] *= growth;
                 direct.cause.turn[2 * k + c] = 2.0 * growth * half_turn[c];
-                direct.slip[k][c] *= growth;
+                direct.friction.slip[k][c] *= growth;
             }
             // T β is a flux times the root of a time.
-            direct.rise[k] = 0.5 * growth * friction.rise[k];
-            let along_y = cell.pressure * friction.response[k].by_y * cell.y;
-            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k] + growth * along_y;
+            direct.friction.rise[k] = 0.5 * growth * friction.rise[k];
+            direct.friction.law[k] = growth * friction.response[k].by_y * cell.y;
+            direct.friction.entry[k] = growth * friction.lag.entry[k].by_y * cell.y;
+            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k];
         }
+        direct.friction.way = growth;
         // The slip is the change of A p in passing over the size of a cell, which grows.
         if friction.is_coupled {
             let size = strips.len() * 2;
@@ -244,7 +249,7 @@ impl Direct {
         for c in 0..2 {
             self.cause.rigid[2 * k + c] = rigid[c];
             self.cause.turn[2 * k + c] = turn[c];
-            self.slip[k][c] = motion.speed * slip[c];
+            self.friction.slip[k][c] = motion.speed * slip[c];
         }
     }
 }

@@ -9,15 +9,16 @@ use crate::error::{Error, require_finite};
 use crate::grid::Grid;
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
+use crate::method::Method;
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
+use crate::summary::{self, snapshot::Snapshot};
 
 use super::contact::DiscreteContact;
-use super::snapshot::Snapshot;
-use super::summary;
 use super::time_step::TimeStep;
+use super::warnings;
 
 /// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift` (along and
 /// across rolling, in m), in one go.
@@ -61,7 +62,7 @@ pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<So
     };
     let elements = (0..cells).map(element).collect();
     let account = account(problem, options, (&mut contact, &now), (outcome, elements));
-    Ok(summary::solution(problem, options, (&contact, &now), account))
+    Ok(summary::solution(problem, options, (&contact.normal, &contact.patch, &now), account))
 }
 
 fn refuse_a_past(problem: &Problem) -> Result<(), Error> {
@@ -91,7 +92,7 @@ fn pressed_together(problem: &Problem, patch: &Patch) -> Snapshot {
     let at_rest = Kinematics { speed: 0.0, ..problem.kinematics };
     let mut now = Snapshot::blank(at_rest, conduction, patch.len());
     for (friction, cell) in now.friction.iter_mut().zip(&patch.cells) {
-        *friction = problem.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
+        *friction = problem.entry_friction(&conduction, cell.y).coefficient;
     }
     now
 }
@@ -102,7 +103,7 @@ fn account(
     (contact, now): (&mut DiscreteContact, &Snapshot),
     (outcome, elements): (Outcome, Vec<Element>),
 ) -> summary::Account {
-    let mut warnings = summary::warnings(problem, options, contact, now);
+    let mut warnings = warnings::warnings(problem, options, contact, now);
     let has_converged = outcome.residual <= options.tolerance;
     if !has_converged {
         warnings.insert(
@@ -124,6 +125,7 @@ fn account(
         residual: outcome.residual,
     };
     summary::Account {
+        method: Method::Full,
         status: if has_converged { Status::Converged } else { Status::NotConverged },
         residual: outcome.residual,
         history: vec![instant],

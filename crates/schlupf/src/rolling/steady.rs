@@ -6,21 +6,26 @@ use std::sync::Arc;
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
-use crate::problem::{Options, Problem};
+use crate::method::Method;
+use crate::problem::{Branch, Options, Problem};
+use crate::simplified::FastContact;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::State;
+use crate::summary::{self, snapshot::Snapshot};
 
 use super::Progress;
+use super::branches;
 use super::level::{self, Level};
 use super::marching;
 use super::sensitivity::sensitivity;
-use super::snapshot::Snapshot;
 use super::steady_state::SteadyState;
-use super::summary;
+use super::warnings;
 
 /// Solves a problem for its steady state.
 ///
 /// Where Newton's method fails, the state is marched to instead, and a warning says so.
+///
+/// With a fast method it is that method's state.
 ///
 /// # Errors
 /// A history or an initial state, which only marching can follow, and whatever
@@ -53,17 +58,18 @@ fn refuse_transient(problem: &Problem) -> Result<(), Error> {
 /// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a problem
 /// do) share grids, kernels and transforms, and each starts from the solutions before; where that
 /// fails, from none. The result depends on them within the tolerance only. It is a steady solver
-/// whatever the driver of the options.
+/// whatever the driver of the options. A fast method has its own set-up, which it keeps likewise.
 pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
     newton: Newton,
+    fast: Option<FastContact>,
 }
 
 impl SteadySolver {
     /// A solver without a past.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), setup: None, newton: Newton::default() }
+        Self { options: options.clone(), setup: None, newton: Newton::default(), fast: None }
     }
 
     /// How it solves.
@@ -77,6 +83,11 @@ impl SteadySolver {
         problem: &Problem,
         report: &mut dyn FnMut(Progress),
     ) -> Result<Solution, Error> {
+        if self.options.method != Method::Full {
+            let solution = self.solve_fast(problem)?;
+            report(Progress { step: 1, steps: Some(1), change: 0.0 });
+            return Ok(solution);
+        }
         let outcome = match self.solve_at_once(problem, self.options.sensitivity)? {
             Ok(solution) => {
                 report(Progress { step: 1, steps: Some(1), change: solution.residual });
@@ -93,9 +104,23 @@ impl SteadySolver {
         Ok(marched)
     }
 
+    fn solve_fast(&mut self, problem: &Problem) -> Result<Solution, Error> {
+        let fast = match &mut self.fast {
+            Some(fast) => {
+                fast.set_problem(problem)?;
+                fast
+            }
+            none => none.insert(FastContact::new(problem, &self.options)?),
+        };
+        Ok(fast.solution())
+    }
+
     /// The steady state with its derivatives. Nothing where Newton's method fails: this never
-    /// marches.
+    /// marches. Nothing with a fast method, which has no derivatives.
     pub fn solve_with_derivatives(&mut self, problem: &Problem) -> Result<Option<Solution>, Error> {
+        if self.options.method != Method::Full {
+            return Ok(None);
+        }
         self.solve_at_once(problem, true).map(Result::ok)
     }
 
@@ -124,18 +149,17 @@ impl SteadySolver {
             // Nothing slides: no earlier solution is as near as none.
             setup.earlier.clear();
         }
-        let is_warm = !setup.earlier.is_empty();
-        let mut found = setup.find_equilibrium(problem, &self.options, &mut self.newton);
-        if !found.0.converged && is_warm {
-            let spent = found.1;
-            found = setup.find_equilibrium(problem, &self.options, &mut self.newton);
-            found.1.newton_iterations += spent.newton_iterations;
-            found.1.operator_products += spent.operator_products;
+        let mut work = Work::default();
+        let mut outcome = setup.find(problem, &self.options, &mut self.newton, &mut work);
+        let mut warning = None;
+        if branches::may_be_several(problem, &setup.levels[0], &outcome) {
+            (outcome, warning) =
+                setup.follow_branches(problem, &self.options, &mut self.newton, &mut work);
         }
-        let (outcome, work) = found;
         let result = if outcome.converged {
             let response = self.newton.response();
             let mut solution = setup.solution(problem, &self.options, response, (outcome, work));
+            solution.warnings.extend(warning);
             if with_derivatives {
                 self.differentiate(problem, &mut setup, &mut solution);
             }
@@ -192,15 +216,32 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
     }
 
+    /// The steady state, from the solutions before; where that fails, from none.
+    fn find(
+        &mut self,
+        problem: &Problem,
+        options: &Options,
+        newton: &mut Newton,
+        work: &mut Work,
+    ) -> Outcome {
+        let is_warm = !self.earlier.is_empty();
+        let outcome = self.find_equilibrium(problem, options, newton, work);
+        if outcome.converged || !is_warm {
+            return outcome;
+        }
+        self.find_equilibrium(problem, options, newton, work)
+    }
+
     /// Newton's method for the whole patch, from the coarsest grid to the finest.
     fn find_equilibrium(
         &mut self,
         problem: &Problem,
         options: &Options,
         newton: &mut Newton,
-    ) -> (Outcome, Work) {
+        work: &mut Work,
+    ) -> Outcome {
         let cells = self.levels[0].contact.patch.len();
-        let mut work = Work { cells, outer_iterations: 1, ..Work::default() };
+        (work.cells, work.outer_iterations) = (cells, 1);
         let ahead = self.extrapolation(problem);
         self.problem = problem.clone();
         let mut outcome = Outcome::default();
@@ -226,7 +267,49 @@ impl Setup {
         } else {
             self.earlier.clear();
         }
-        (outcome, work)
+        outcome
+    }
+
+    /// Follows the creepage to a problem from high slip and from low slip, the branch that is asked
+    /// for last. The state on it, with a warning if the other one is another; where a branch is lost,
+    /// whichever state is found, with a warning that says so.
+    fn follow_branches(
+        &mut self,
+        problem: &Problem,
+        options: &Options,
+        newton: &mut Newton,
+        work: &mut Work,
+    ) -> (Outcome, Option<String>) {
+        let (other, [here, there]) = match options.branch {
+            Branch::LowSlip => (Branch::HighSlip, ["low", "high"]),
+            Branch::HighSlip => (Branch::LowSlip, ["high", "low"]),
+        };
+        let mut follow = |branch| {
+            self.earlier.clear();
+            let mut outcome = Outcome::default();
+            for kinematics in branches::way_to(&problem.kinematics, branch) {
+                let on_the_way = Problem { kinematics, ..problem.clone() };
+                outcome = self.find(&on_the_way, options, newton, work);
+            }
+            let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
+            outcome.converged.then_some((outcome, force))
+        };
+        let elsewhere = follow(other);
+        let (Some((outcome, force)), Some((_, other))) = (follow(options.branch), elsewhere) else {
+            self.earlier.clear();
+            return (self.find(problem, options, newton, work), Some(branches::LOST.to_owned()));
+        };
+        let limit = problem.friction.cold_coefficient() * self.levels[0].contact.normal.load;
+        let apart = (force.x - other.x).hypot(force.y - other.y);
+        let warning = (apart > branches::DISTINCT * limit).then(|| {
+            format!(
+                "friction falls so fast that there are several steady states: this one is reached \
+                 from {here} slip, with Fx = {:.4e} N and Fy = {:.4e} N; from {there} slip they \
+                 are {:.4e} N and {:.4e} N",
+                force.x, force.y, other.x, other.y
+            )
+        });
+        (outcome, warning)
     }
 
     /// The first guess on a level: what extrapolation along the earlier solutions gives, and the
@@ -311,11 +394,12 @@ impl Setup {
         now.slip.copy_from_slice(&friction.slip);
         now.friction_power.copy_from_slice(&friction.power);
         now.rise.copy_from_slice(&friction.rise);
-        now.friction = friction.response.iter().map(|response| response.coefficient).collect();
+        now.friction.copy_from_slice(&friction.lag.coefficient);
         let mut elements = strips.elements(&contact.patch, traction, response);
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = friction.slip[k][0].hypot(friction.slip[k][1]);
             element.rise = friction.rise[k];
+            element.friction_on_leaving = friction.lag.on_leaving(k);
             if problem.heat.model.is_some() {
                 element.heat = friction.record_on_leaving(k);
             }
@@ -333,14 +417,15 @@ impl Setup {
             residual: outcome.residual,
         };
         let account = summary::Account {
+            method: Method::Full,
             status: Status::Converged,
             residual: outcome.residual,
             history: vec![instant],
-            warnings: summary::warnings(problem, options, contact, &now),
+            warnings: warnings::warnings(problem, options, contact, &now),
             sensitivity: None,
             work,
             state: State { grid: contact.patch.grid, time: 0.0, elements },
         };
-        summary::solution(problem, options, (contact, &now), account)
+        summary::solution(problem, options, (&contact.normal, &contact.patch, &now), account)
     }
 }

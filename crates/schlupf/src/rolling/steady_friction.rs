@@ -12,6 +12,7 @@ use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 
 use super::friction_heat::ways_through;
+use super::lag::{Lag, LagCause};
 
 /// Slip, heat, temperature and friction of every cell, and their tangent.
 pub(super) struct SteadyFriction {
@@ -42,7 +43,10 @@ pub(super) struct SteadyFriction {
     flux: Vec<f64>,
     /// Temperature rise times effusivity, in W √s/m².
     pub rise: Vec<f64>,
+    /// What the law says of each cell.
     pub response: Vec<FrictionResponse>,
+    /// The coefficients that follow.
+    pub lag: Lag,
     record: Vec<HeatStep>,
 }
 
@@ -68,6 +72,7 @@ impl SteadyFriction {
             flux: vec![0.0; cells],
             rise: vec![0.0; cells],
             response: vec![FrictionResponse::default(); cells],
+            lag: Lag::new(cells),
             record: Vec::new(),
         };
         let mut row = 0;
@@ -88,6 +93,7 @@ impl SteadyFriction {
         self.is_coupled = !problem.friction.law.is_constant();
         self.conduction = problem.conduction(&problem.kinematics);
         self.kinematics = problem.kinematics;
+        self.lag.set_problem(problem, patch);
         let speed = problem.kinematics.speed;
         for strip in &patch.strips {
             for k in strip.cells.clone() {
@@ -140,7 +146,10 @@ impl SteadyFriction {
     fn respond(&mut self, problem: &Problem, patch: &Patch, k: usize) {
         let slip_speed = speed_of(self.slip[k]);
         let y = patch.cells[k].y;
-        self.response[k] = problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
+        let response = problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
+        let place = (k, k == self.first[k]);
+        self.lag.pass(place, response.coefficient, slip_speed, self.durations[k]);
+        self.response[k] = response;
     }
 
     /// Slip, heat, temperature and friction for the traction p, `change` being by how much A p
@@ -200,24 +209,30 @@ impl SteadyFriction {
         let row = &self.weights[self.rows[k]..][..=k - self.first[k]];
         let (own, before) = (row[row.len() - 1], &row[..row.len() - 1]);
         let inherited = crate::equilibrium::dot(before, &upstream[self.first[k]..k]);
-        let by_rise = self.pressure[k] * self.by_rise(k);
+        let by_rise = self.pressure[k] * self.lag.follows(k) * self.by_rise(k);
         let raised = by_rise * (inherited + own * self.flux_change(k, traction));
         raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))
     }
 
-    /// Change of μ pₙ in every cell (in Pa) with that of the traction and of the slip (in m/s), and
-    /// of the rise times effusivity (in W √s/m²) besides. `flux` is room for the changes of the heat
-    /// flux.
+    /// Change of μ pₙ in every cell (in Pa) with that of the traction (in Pa) and of A p in passing
+    /// the cell (in m), and with a cause besides. `flux` is room for the changes of the heat flux.
     pub fn bound_changes(
         &self,
-        traction: &[f64],
-        slip: impl Fn(usize) -> [f64; 2],
-        rise: impl Fn(usize) -> f64,
+        (traction, passing): (&[f64], &[f64]),
+        cause: Option<&FrictionCause>,
         flux: &mut [f64],
         bound: &mut [f64],
     ) {
+        let mut carried = 0.0;
         for k in 0..self.rows.len() {
-            let (v, slid) = (self.slip[k], slip(k));
+            let v = self.slip[k];
+            let mut slid = self.slip_change(passing, k);
+            if let Some(cause) = cause {
+                slid = [0, 1].map(|c| slid[c] + cause.slip[k][c]);
+            }
+            if k == self.first[k] {
+                carried = cause.map_or(0.0, |cause| cause.entry[k]);
+            }
             let own = [traction[2 * k], traction[2 * k + 1]];
             let rubbed = self.traction[2 * k] * slid[0] + self.traction[2 * k + 1] * slid[1];
             flux[k] = self.flux_change(k, own);
@@ -226,13 +241,18 @@ impl SteadyFriction {
             }
             let speed = speed_of(v);
             let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
-            let warmed = self.by_rise(k) * (self.weighted(k, flux) + rise(k));
-            bound[k] = self.pressure[k] * (warmed + self.response[k].by_slip_speed * faster);
+            let rise = self.weighted(k, flux) + cause.map_or(0.0, |cause| cause.rise[k]);
+            let law = self.by_rise(k) * rise
+                + self.response[k].by_slip_speed * faster
+                + cause.map_or(0.0, |cause| cause.law[k]);
+            let way = cause.map_or(0.0, |cause| cause.way);
+            let lagged = LagCause { law, slip_speed: faster, way };
+            bound[k] = self.pressure[k] * self.lag.change(k, &lagged, &mut carried);
         }
     }
 
     /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m).
-    pub fn slip_change(&self, change: &[f64], k: usize) -> [f64; 2] {
+    fn slip_change(&self, change: &[f64], k: usize) -> [f64; 2] {
         let per_length = self.kinematics.speed / self.spacing;
         [0, 1].map(|c| -per_length * change[2 * k + c])
     }
@@ -248,6 +268,34 @@ impl SteadyFriction {
     /// Temperature rise times effusivity at the trailing edge of a strip, in W √s/m².
     pub fn exit_rise(&mut self, problem: &Problem, strip: &Strip) -> f64 {
         problem.heat.rise_times_effusivity(&self.record_on_leaving(strip.cells.end - 1))
+    }
+}
+
+/// Small changes of what friction is given, cell by cell.
+pub(super) struct FrictionCause {
+    /// Of the rigid slip velocity, in m/s.
+    pub slip: Vec<[f64; 2]>,
+    /// Of the rise times effusivity, in W √s/m².
+    pub rise: Vec<f64>,
+    /// Of the coefficient of the law at the same slip and rise, dimensionless.
+    pub law: Vec<f64>,
+    /// Of the coefficient of the material that enters, for the first cell of each strip;
+    /// dimensionless.
+    pub entry: Vec<f64>,
+    /// Of the logarithm of all ways, dimensionless.
+    pub way: f64,
+}
+
+impl FrictionCause {
+    /// Nothing changes in any of `cells` cells.
+    pub fn nothing(cells: usize) -> Self {
+        Self {
+            slip: vec![[0.0; 2]; cells],
+            rise: vec![0.0; cells],
+            law: vec![0.0; cells],
+            entry: vec![0.0; cells],
+            way: 0.0,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::problem::Problem;
 
 use super::contact::DiscreteContact;
 use super::level::Level;
-use super::steady_friction::SteadyFriction;
+use super::steady_friction::{FrictionCause, SteadyFriction};
 use super::strip_law::{Cause, StripLaw};
 
 /// The steady equilibrium on the first of some levels. The coarser ones, solved before, help to
@@ -83,8 +83,7 @@ impl Equilibrium for SteadyState<'_> {
             return;
         }
         let passing = &response[v.len()..];
-        let slip = |k: usize| friction.slip_change(passing, k);
-        friction.bound_changes(v, slip, |_| 0.0, &mut room.flux, &mut room.bound);
+        friction.bound_changes((v, passing), None, &mut room.flux, &mut room.bound);
         strips.tangent(v, response, Some(&room.bound), None, product);
     }
 
@@ -117,12 +116,10 @@ pub(super) struct Direct {
     pub cause: Cause,
     /// Of the linear response at the same traction, in m; empty if there is none.
     pub response: Vec<f64>,
-    /// Of μ pₙ beside what follows from slip and temperature, in Pa.
+    /// Of μ pₙ at the same friction, in Pa.
     pub bound: Vec<f64>,
-    /// Of the rigid slip velocity, in m/s.
-    pub slip: Vec<[f64; 2]>,
-    /// Of the rise times effusivity, in W √s/m².
-    pub rise: Vec<f64>,
+    /// Of what friction is given.
+    pub friction: FrictionCause,
 }
 
 impl Direct {
@@ -136,8 +133,7 @@ impl Direct {
             },
             response: Vec::new(),
             bound: vec![0.0; cells],
-            slip: vec![[0.0; 2]; cells],
-            rise: vec![0.0; cells],
+            friction: FrictionCause::nothing(cells),
         }
     }
 }
@@ -149,22 +145,16 @@ impl SteadyState<'_> {
         let size = self.size();
         let mut response = direct.response.clone();
         response.resize(self.response_size(), 0.0);
-        let Level { strips, friction, room, .. } = &mut self.levels[0];
+        let Level { contact, strips, friction, room, .. } = &mut self.levels[0];
         let nothing = vec![0.0; size];
-        room.bound.fill(0.0);
         if is_coupled {
-            let passing = &response[size..];
-            let slip = |k: usize| {
-                let elastic = friction.slip_change(passing, k);
-                [0, 1].map(|c| direct.slip[k][c] + elastic[c])
-            };
-            friction.bound_changes(
-                &nothing,
-                slip,
-                |k| direct.rise[k],
-                &mut room.flux,
-                &mut room.bound,
-            );
+            let (unloaded, cause) = ((&nothing[..], &response[size..]), Some(&direct.friction));
+            friction.bound_changes(unloaded, cause, &mut room.flux, &mut room.bound);
+        } else {
+            let cells = contact.patch.cells.iter().zip(&direct.friction.law);
+            for (bound, (cell, law)) in room.bound.iter_mut().zip(cells) {
+                *bound = cell.pressure * law;
+            }
         }
         for (bound, direct) in room.bound.iter_mut().zip(&direct.bound) {
             *bound += direct;

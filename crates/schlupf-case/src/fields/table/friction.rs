@@ -11,6 +11,8 @@ const PART: Requirement = Between(0.0, 1e2);
 const DIFFERENCE: Requirement = Between(1e-3, 1e6);
 const SLIP_SPEED: Requirement = Between(1e-9, 1e6);
 const DECAY: Requirement = Between(1e-9, 1e9);
+const MEMORY_DISTANCE: Requirement = Between(1e-9, 1e2);
+const MEMORY_SPEED: Requirement = Between(0.0, 1e6);
 const POSITION: Requirement = Magnitude(1e2);
 
 const MODEL: &str = "friction.model";
@@ -175,6 +177,22 @@ pub(super) const FIELDS: &[Field] = &[
     .example("0.60 s/m")
     .with(SPEED_MODEL, POLACH)
     .with(MODEL, POLACH),
+    field(
+        "friction.memory_distance",
+        quantity(&Measure::LENGTH),
+        MEMORY_DISTANCE,
+        Nothing,
+        "d_c, sliding distance over which friction follows its law; at once if left out",
+    )
+    .example("20 um"),
+    field(
+        "friction.memory_speed",
+        quantity(&Measure::SPEED),
+        MEMORY_SPEED,
+        Nothing,
+        "s0, slip speed below which friction follows as fast as at it; 0 if left out",
+    )
+    .example("1 mm/s"),
     field(
         "friction.variation_y",
         Kind::Quantities(&Measure::LENGTH),

@@ -3,12 +3,13 @@
 //! Laws of the temperature: [`temperature_linear`], Eq. (23), and [`temperature_piecewise_linear`]. Laws
 //! of the slip speed: [`exponential`], [`rational`] and [`linear`], which share the parameters of
 //! [`slip_terms`], and [`polach`]. One of each may be combined, [`product`], and any law may vary
-//! [`across`] the patch.
+//! [`across`] the patch. Any law may lag behind, [`memory`].
 
 pub mod across;
 pub mod constant;
 pub mod exponential;
 pub mod linear;
+pub mod memory;
 pub mod polach;
 pub mod product;
 pub mod rational;
@@ -20,6 +21,8 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use crate::error::{Error, require, require_finite};
+
+use self::memory::FrictionMemory;
 
 /// What a coefficient of friction may depend on.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -73,9 +76,16 @@ pub struct Friction {
     pub law: Arc<dyn FrictionLaw>,
     /// Temperature from which the law's temperature is measured, in degC.
     pub reference_temperature: f64,
+    /// How the coefficient lags behind the law; `None` is not at all.
+    pub memory: Option<FrictionMemory>,
 }
 
 impl Friction {
+    /// A law whose temperature is measured from `reference_temperature` (in degC), without memory.
+    pub fn new(law: Arc<dyn FrictionLaw>, reference_temperature: f64) -> Self {
+        Self { law, reference_temperature, memory: None }
+    }
+
     /// Cold coefficient μ0, dimensionless.
     pub fn cold_coefficient(&self) -> f64 {
         self.law.respond(&FrictionState::default()).coefficient
@@ -227,7 +237,7 @@ mod tests {
     fn material_enters_colder_than_where_friction_vanishes() {
         let check = |floor, entry| {
             let law = Arc::new(TemperatureLinear::new(0.4, 700.0, floor).unwrap());
-            Friction { law, reference_temperature: 20.0 }.check(entry)
+            Friction::new(law, 20.0).check(entry)
         };
         check(0.0, 719.0).unwrap();
         check(0.1, 800.0).unwrap();

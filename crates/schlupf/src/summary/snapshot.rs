@@ -6,7 +6,7 @@ use crate::patch::Patch;
 
 /// The contact at one instant; per cell in the order of the patch, vectors as x, y of each cell.
 #[derive(Debug, Clone)]
-pub(super) struct Snapshot {
+pub(crate) struct Snapshot {
     pub kinematics: Kinematics,
     pub conduction: Conduction,
     /// Traction on the rail p, in Pa.

@@ -1,5 +1,10 @@
 //! From the fields of an instant to forces, powers and everything else that is reported.
 
+pub(crate) mod snapshot;
+
+use crate::kinematics::Kinematics;
+use crate::method::Method;
+use crate::normal::NormalSummary;
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::{
@@ -8,11 +13,11 @@ use crate::solution::{
 };
 use crate::state::State;
 
-use super::contact::DiscreteContact;
-use super::snapshot::Snapshot;
+use snapshot::Snapshot;
 
 /// What a driver knows beside the fields.
-pub(super) struct Account {
+pub(crate) struct Account {
+    pub method: Method,
     pub status: Status,
     /// Relative residual, dimensionless.
     pub residual: f64,
@@ -24,30 +29,24 @@ pub(super) struct Account {
 }
 
 /// All results of an instant.
-pub(super) fn solution(
+pub(crate) fn solution(
     problem: &Problem,
     options: &Options,
-    (contact, now): (&DiscreteContact, &Snapshot),
+    (normal, patch, now): (&NormalSummary, &Patch, &Snapshot),
     account: Account,
 ) -> Solution {
-    let patch = &contact.patch;
     let force = force(patch, now);
-    let limit = problem.friction.cold_coefficient() * contact.normal.load;
-    let lever = (contact.normal.semi_axis_x * contact.normal.semi_axis_y).sqrt();
     Solution {
+        method: account.method,
         status: account.status,
         residual: account.residual,
-        normal: contact.normal,
+        normal: *normal,
         kinematics: now.kinematics,
         force,
-        normalised: Resultant {
-            x: force.x / limit,
-            y: force.y / limit,
-            moment_z: force.moment_z / (limit * lever),
-        },
-        traction_coefficient: force.x.hypot(force.y) / contact.normal.load,
+        normalised: normalised(problem, normal, &force),
+        traction_coefficient: force.x.hypot(force.y) / normal.load,
         power: power(patch, now, &force),
-        t_gamma: t_gamma(now, &force),
+        t_gamma: t_gamma(&now.kinematics, &force),
         temperature: temperature(patch, now),
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
@@ -59,13 +58,24 @@ pub(super) fn solution(
     }
 }
 
+/// F/(μ0 N) and Mz/(μ0 N √(ab)), dimensionless.
+pub(crate) fn normalised(
+    problem: &Problem,
+    normal: &NormalSummary,
+    force: &Resultant,
+) -> Resultant {
+    let limit = problem.friction.cold_coefficient() * normal.load;
+    let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
+    Resultant { x: force.x / limit, y: force.y / limit, moment_z: force.moment_z / (limit * lever) }
+}
+
 /// Forces and moment on the wheel.
-pub(super) fn force(patch: &Patch, now: &Snapshot) -> Resultant {
+pub(crate) fn force(patch: &Patch, now: &Snapshot) -> Resultant {
     resultant(patch, &now.traction)
 }
 
 /// Forces and moment on the wheel of a traction on the rail.
-pub(super) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
+pub(crate) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
     let area = patch.grid.cell_area();
     let mut sum = Resultant::default();
     for (k, cell) in patch.cells.iter().enumerate() {
@@ -77,26 +87,29 @@ pub(super) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
     sum
 }
 
-fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
+pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
     let area = patch.grid.cell_area();
     let friction = now.friction_power.iter().sum::<f64>() * area;
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
-    let motion = &now.kinematics;
-    let creep = -motion.speed
-        * (motion.creepage_x * force.x
-            + motion.creepage_y * force.y
-            + motion.spin * force.moment_z);
-    Power { friction, creep, returned }
+    let [into_wheel, into_rail] =
+        now.conduction.shares().map(|share| share * (friction + returned));
+    Power { friction, creep: creep_power(&now.kinematics, force), returned, into_wheel, into_rail }
 }
 
-fn t_gamma(now: &Snapshot, force: &Resultant) -> TGamma {
-    let motion = &now.kinematics;
+/// −v0 (ξ Fx + η Fy + φ Mz), in W. Without spin the moment does not count, not even an unknown one.
+pub(crate) fn creep_power(motion: &Kinematics, force: &Resultant) -> f64 {
+    let turning = if motion.spin == 0.0 { 0.0 } else { motion.spin * force.moment_z };
+    -motion.speed * (motion.creepage_x * force.x + motion.creepage_y * force.y + turning)
+}
+
+pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
     let without_spin = (motion.creepage_x * force.x).abs() + (motion.creepage_y * force.y).abs();
-    TGamma { without_spin, with_spin: without_spin + (motion.spin * force.moment_z).abs() }
+    let turning = if motion.spin == 0.0 { 0.0 } else { (motion.spin * force.moment_z).abs() };
+    TGamma { without_spin, with_spin: without_spin + turning }
 }
 
 /// Largest temperatures, in the cells and at the trailing edges.
-pub(super) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
+pub(crate) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
     let cells = patch.cells.iter().zip(&now.rise).map(|(cell, rise)| (*rise, cell.x, cell.y));
     let exits = patch
         .strips
@@ -165,40 +178,4 @@ fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
         temperature_rise_rail: rises.iter().map(|r| r[1]).collect(),
         sliding: (0..cells.len()).map(|k| is_sliding(patch, now, k, threshold)).collect(),
     }
-}
-
-/// Largest displacement at the outer edge of the surroundings over the largest one.
-const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
-
-/// Largest part of the friction power that the bristles may return unmentioned.
-const LARGEST_RETURNED_POWER: f64 = 0.01;
-
-/// What the reader of the numbers must know.
-pub(super) fn warnings(
-    problem: &Problem,
-    options: &Options,
-    contact: &mut DiscreteContact,
-    now: &Snapshot,
-) -> Vec<String> {
-    let mut warnings: Vec<String> = problem.elasticity.caveat().into_iter().collect();
-    let edge = contact.edge_displacement(&now.traction);
-    if edge > LARGEST_EDGE_DISPLACEMENT {
-        warnings.push(format!(
-            "elasticity.margin: the displacement at the outer edge of the layer is {:.1} % of the \
-             largest; a larger margin is needed where that exceeds 1 %",
-            100.0 * edge
-        ));
-    }
-    let power = power(&contact.patch, now, &force(&contact.patch, now));
-    let limit = problem.friction.cold_coefficient() * contact.normal.load;
-    let noise = options.tolerance * limit * now.kinematics.speed;
-    if power.returned > (LARGEST_RETURNED_POWER * power.friction.abs()).max(noise) {
-        warnings.push(format!(
-            "contact_law: the bristles return {:.3e} W of {:.3e} W friction power; that part is cut \
-             off and does not cool. Where it is large in steady rolling, the grid is too coarse for \
-             the contact law",
-            power.returned, power.friction
-        ));
-    }
-    warnings
 }

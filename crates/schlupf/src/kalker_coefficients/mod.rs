@@ -7,6 +7,9 @@
 //! edges (x = h cos φ), where the traction rises steeply. So there are no partly covered cells, and
 //! what is left of the error falls regularly with the grid, which is extrapolated away.
 
+mod interpolated;
+mod table;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use faer::Mat;
@@ -17,15 +20,15 @@ use crate::error::{Error, require, require_positive};
 use crate::material::Material;
 use crate::reference::kalker_linear::CreepCoefficients;
 
+pub use interpolated::interpolated_coefficients;
+
 /// Creep coefficients of an ellipse of the semi-axes' ratio a/b (dimensionless, a along rolling) for
 /// the combined Poisson's ratio ν (dimensionless). For a/b from 0.1 to 10 they are exact to 0.5 %, C33
 /// to 0.9 %.
 ///
 /// C23 is that of the moment under lateral creepage, to which the force under spin is equal.
 pub fn creep_coefficients(axis_ratio: f64, poisson_ratio: f64) -> Result<CreepCoefficients, Error> {
-    require_positive("axis_ratio", axis_ratio, "")?;
-    let is_legal = (0.0..=0.5).contains(&poisson_ratio);
-    require(is_legal, "poisson_ratio", "between 0 and 0.5", poisson_ratio, "")?;
+    check(axis_ratio, poisson_ratio)?;
     let [coarse, fine] = GRIDS;
     let coarse_values = Stick::new(axis_ratio, poisson_ratio, coarse)?.coefficients();
     let fine_values = Stick::new(axis_ratio, poisson_ratio, fine)?.coefficients();
@@ -37,6 +40,12 @@ pub fn creep_coefficients(axis_ratio: f64, poisson_ratio: f64) -> Result<CreepCo
         c23: extrapolated(2),
         c33: extrapolated(3),
     })
+}
+
+fn check(axis_ratio: f64, poisson_ratio: f64) -> Result<(), Error> {
+    require_positive("axis_ratio", axis_ratio, "")?;
+    let is_legal = (0.0..=0.5).contains(&poisson_ratio);
+    require(is_legal, "poisson_ratio", "between 0 and 0.5", poisson_ratio, "")
 }
 
 /// Cells along and strips across the patch, of the two grids that are solved on.

@@ -1,0 +1,185 @@
+//! `[grid]`, `[solver]` and `[fastsim]`.
+
+use super::{choice, field};
+use crate::fields::field::Default::{Computed, Text};
+use crate::fields::field::{Field, Kind};
+use crate::fields::requirement::Requirement::{self, AboveUpTo, AtLeast, Between, Finite};
+use schlupf::problem::MAX_CELLS;
+
+/// The choice that most of these fields belong to.
+pub(super) const METHOD: &str = "solver.method";
+/// The method that solves all equations.
+pub(super) const FULL: &[&str] = &["full"];
+/// The methods with cells, and so with heat.
+pub(super) const CELLS: &[&str] = &["full", "fastsim", "modified-fastsim"];
+const BRISTLES: &[&str] = &["fastsim", "modified-fastsim"];
+const MODIFIED: &[&str] = &["modified-fastsim"];
+
+const PART: Requirement = AboveUpTo(0.0, 1.0);
+
+pub(super) const GRID: &[Field] = &[
+    field(
+        "grid.cells_x",
+        Kind::Count,
+        Between(2.0, MAX_CELLS as f64),
+        Text("24"),
+        "cells along rolling",
+    )
+    .with(METHOD, CELLS),
+    field(
+        "grid.cells_y",
+        Kind::Count,
+        Between(1.0, MAX_CELLS as f64),
+        Text("24"),
+        "cells across rolling",
+    )
+    .with(METHOD, CELLS),
+];
+
+pub(super) const FIELDS: &[Field] = &[
+    field(
+        "solver.driver",
+        Kind::Choice(&[
+            choice("steady", "the steady state at once"),
+            choice("marching", "step by step in time: to the steady state, or along a history"),
+        ]),
+        Finite,
+        Computed("\"steady\", and \"marching\" with a history"),
+        "way to the solution",
+    )
+    .example("steady")
+    .with(METHOD, FULL),
+    field(
+        "solver.branch",
+        Kind::Choice(&[
+            choice("low-slip", "the state that is reached when the creepages grow from zero"),
+            choice("high-slip", "the state that is reached when larger creepages fall"),
+        ]),
+        Finite,
+        Text("low-slip"),
+        "which steady state where friction falls so fast that there are several",
+    )
+    .with(METHOD, FULL),
+    field(
+        "solver.method",
+        Kind::Choice(&[
+            choice("full", "the coupled equations"),
+            choice("kalker-linear", "Kalker's linear theory: forces for small creepages"),
+            choice("shen-hedrick-elkins", "Shen, Hedrick and Elkins 1983: forces"),
+            choice("polach", "Polach 1999 and 2005: forces, with k_A and k_S"),
+            choice("fastsim", "Kalker 1982: bristles without coupling, with heat"),
+            choice(
+                "modified-fastsim",
+                "Spiryagin, Polach and Cole 2013: FASTSIM with a slope that falls with the creepage",
+            ),
+        ]),
+        Finite,
+        Text("full"),
+        "what is solved: all equations, or a fast method",
+    ),
+    field(
+        "solver.tolerance",
+        Kind::Number,
+        Between(1e-13, 0.1),
+        Text("1e-6"),
+        "largest relative residual",
+    )
+    .with(METHOD, FULL),
+    field(
+        "solver.max_iterations",
+        Kind::Count,
+        AtLeast(1.0),
+        Text("200"),
+        "most Newton steps for one equilibrium",
+    )
+    .with(METHOD, FULL),
+    field(
+        "solver.max_steps",
+        Kind::Count,
+        AtLeast(1.0),
+        Text("2000"),
+        "most time steps on the way to the steady state",
+    )
+    .with(METHOD, FULL),
+    field(
+        "solver.sensitivity",
+        Kind::Flag,
+        Finite,
+        Text("true"),
+        "whether to find the derivatives of the forces too, in the steady driver",
+    )
+    .with(METHOD, FULL),
+    field(
+        "solver.slip_threshold",
+        Kind::Number,
+        AboveUpTo(0.0, 0.999),
+        Text("0.95"),
+        "a cell slides where |t| ≥ this · μ p_n",
+    )
+    .with(METHOD, CELLS),
+    field(
+        "solver.polach_area_adhesion",
+        Kind::Number,
+        PART,
+        Text("1.0"),
+        "k_A, reduction of the slope in the area of adhesion",
+    )
+    .with(METHOD, &["polach"]),
+    field(
+        "solver.polach_area_slip",
+        Kind::Number,
+        PART,
+        Text("0.4"),
+        "k_S, reduction of the slope in the area of slip, at most k_A",
+    )
+    .with(METHOD, &["polach"]),
+];
+
+pub(super) const FASTSIM: &[Field] = &[
+    field(
+        "fastsim.flexibilities",
+        Kind::Choice(&[
+            choice("three", "one each for longitudinal, lateral and spin creepage"),
+            choice("one", "their mean, weighted with the creepages"),
+        ]),
+        Finite,
+        Text("three"),
+        "flexibilities L from Kalker's coefficients",
+    )
+    .with(METHOD, BRISTLES),
+    field(
+        "fastsim.bound",
+        Kind::Choice(&[
+            choice("parabolic", "μ 2N/(πab) (1 − x²/a² − y²/b²)"),
+            choice("elliptic", "μ p_n: the pressure of Hertz, or of a table"),
+        ]),
+        Finite,
+        Text("parabolic"),
+        "what bounds the traction",
+    )
+    .with(METHOD, BRISTLES),
+    field(
+        "fastsim.initial_reduction",
+        Kind::Number,
+        PART,
+        Text("1.0"),
+        "k0, reduction of the slope at vanishing creepage: k = k0 ((1 − α)/(1 + β ε) + α)",
+    )
+    .with(METHOD, MODIFIED),
+    field(
+        "fastsim.reduction_limit_ratio",
+        Kind::Number,
+        Between(0.0, 1.0),
+        Text("0.025"),
+        "α, part of k0 that is left at large creepages",
+    )
+    .with(METHOD, MODIFIED),
+    field(
+        "fastsim.reduction_decay",
+        Kind::Number,
+        Between(0.0, 1e6),
+        Text("0.85"),
+        "β, rate at which the slope falls with the creepage",
+    )
+    .with(METHOD, MODIFIED),
+];

@@ -1,0 +1,247 @@
+//! `schlupf compare`.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use schlupf::rolling::{self, steady::SteadySolver};
+use schlupf::simplified::{EllipticContact, FastContact};
+use schlupf::{Error, Method, Options, Problem, Solution};
+use schlupf_case::Case;
+use schlupf_output::comparison::{Comparison, Entry, csv, json, summary};
+use schlupf_output::figures;
+
+use crate::arguments::CompareArguments;
+use crate::commands::read_case;
+use crate::failure::{Failure, NOT_CONVERGED};
+use crate::outputs::Input;
+use crate::progress::Progress;
+use crate::solve::{figure_files, is_stdout};
+use crate::{outputs, report, stdout};
+
+/// What the fields that a method sets come from, in messages.
+const COMPARE: &str = "compare";
+
+const MODEL: &str = "elasticity.model";
+
+/// Fields of other models of elasticity; a case may give them for its own.
+const STIFFNESSES: [&str; 9] = [
+    "elasticity.bedding_x",
+    "elasticity.bedding_y",
+    "elasticity.coupling_x",
+    "elasticity.coupling_y",
+    "elasticity.spring_x",
+    "elasticity.spring_y",
+    "elasticity.spring_coupling_x",
+    "elasticity.spring_coupling_y",
+    "elasticity.margin",
+];
+
+/// Compares all methods on a case and writes the results.
+pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
+    let case = read_case(&arguments.case)?;
+    refuse_history(&case)?;
+    check_outputs(arguments, &case)?;
+    for notice in &case.notices {
+        report::warn(notice);
+    }
+    let progress = Progress::start();
+    let candidates = candidates(&case)?;
+    let mut entries = Vec::new();
+    for (k, candidate) in candidates.iter().enumerate() {
+        entries.push(candidate.entry()?);
+        let steps = Some(candidates.len());
+        progress.step(rolling::Progress { step: k + 1, steps, change: 0.0 });
+    }
+    let comparison = Comparison { title: case.title, entries };
+    let files = files(arguments, &comparison, &progress)?;
+    drop(progress);
+    outputs::write(&files, arguments.figures.as_deref())?;
+    print(arguments, &comparison)?;
+    for entry in comparison.entries.iter().filter(|entry| !entry.is_converged()) {
+        report::warn(&format!("{}: not converged", entry.name));
+    }
+    let code = if comparison.is_converged() { 0 } else { NOT_CONVERGED };
+    Ok(ExitCode::from(code))
+}
+
+/// Only the full method could follow one.
+fn refuse_history(case: &Case) -> Result<(), Failure> {
+    if case.problem.history.is_none() {
+        return Ok(());
+    }
+    let reason = "a comparison is of steady rolling, but there is a history".to_owned();
+    let field = if case.files().iter().any(|(field, _)| *field == "history.file") {
+        "history.file"
+    } else {
+        "history.time"
+    };
+    let error = Error::Contradiction { quantity: field, reason };
+    Err(Failure::Case(case.explain(&error).into()))
+}
+
+/// A method and the case that asks for it.
+struct Candidate {
+    name: &'static str,
+    elasticity: Option<&'static str>,
+    case: Case,
+}
+
+/// All methods.
+fn candidates(case: &Case) -> Result<Vec<Candidate>, Failure> {
+    let full = case.with(COMPARE, "solver.method=full")?;
+    let effective = full.effective();
+    let own = effective.iter().find(|field| field.path == MODEL);
+    let own = own.map(|field| field.value.trim_matches('"').to_owned()).unwrap_or_default();
+    let mut candidates = Vec::new();
+    for (name, model) in [
+        ("full, half-space", "half-space"),
+        ("full, elastic layer", "elastic-layer"),
+        ("full, Winkler bedding", "winkler"),
+    ] {
+        let case = if own == model { full.clone() } else { with_elasticity(&full, model)? };
+        candidates.push(Candidate { name, elasticity: Some(model), case });
+    }
+    for (name, method) in [
+        ("FASTSIM", "fastsim"),
+        ("modified FASTSIM", "modified-fastsim"),
+        ("Polach", "polach"),
+        ("Shen–Hedrick–Elkins", "shen-hedrick-elkins"),
+        ("Kalker linear", "kalker-linear"),
+    ] {
+        let case = case.with(COMPARE, &format!("solver.method={method}"))?;
+        candidates.push(Candidate { name, elasticity: None, case });
+    }
+    Ok(candidates)
+}
+
+/// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
+/// default ones, the Winkler bedding with those of FASTSIM, c = 1/L = 3 G C/(8a).
+fn with_elasticity(case: &Case, model: &str) -> Result<Case, Failure> {
+    let mut case = case.with(COMPARE, &format!("{MODEL}={model}"))?;
+    for field in STIFFNESSES {
+        case = case.with(COMPARE, &format!("{field}="))?;
+    }
+    if model == "winkler" {
+        let contact = EllipticContact::new(&case.problem)
+            .map_err(|error| Failure::Case(case.explain(&error).into()))?;
+        let unit = 3.0 * contact.shear_modulus / (8.0 * contact.normal.semi_axis_x);
+        let coefficients = [("x", contact.coefficients.c11), ("y", contact.coefficients.c22)];
+        for (axis, coefficient) in coefficients {
+            let bedding = unit * coefficient;
+            let field = format!("elasticity.bedding_{axis}={bedding:e} N/m^3");
+            case = case.with(COMPARE, &field)?;
+        }
+    }
+    Ok(case)
+}
+
+/// Repetitions last so long, or are so many.
+const REPEATED_FOR: Duration = Duration::from_millis(2);
+const MOST_REPETITIONS: u32 = 1000;
+
+impl Candidate {
+    fn entry(&self) -> Result<Entry, Failure> {
+        let explain = |error: Error| Failure::Case(self.case.explain(&error).into());
+        let problem = &self.case.problem;
+        // Derivatives are not compared, and would count in the time.
+        let options = Options { sensitivity: false, ..self.case.options.clone() };
+        let start = Instant::now();
+        let solution = rolling::solve(problem, &options, &mut |_| ()).map_err(explain)?;
+        let time = start.elapsed().as_secs_f64();
+        let time_again = if options.method == Method::Full {
+            again_full(problem, &options)
+        } else {
+            again_fast(problem, &options)
+        };
+        let time_again = time_again.map_err(explain)?;
+        let solution = Solution { warnings: warnings(&solution), ..solution };
+        let (name, elasticity) = (self.name, self.elasticity);
+        Ok(Entry { name, elasticity, solution, time, time_again })
+    }
+}
+
+/// The warnings but one: the table shows what a fast method does not give.
+fn warnings(solution: &Solution) -> Vec<String> {
+    let is_told = |text: &&String| !text.contains("only, no fields and no temperatures");
+    solution.warnings.iter().filter(is_told).cloned().collect()
+}
+
+/// Time of a solution by a solver with its set-up and without earlier solutions, in s.
+fn again_full(problem: &Problem, options: &Options) -> Result<f64, Error> {
+    let mut solver = SteadySolver::new(options);
+    solver.solve(problem, &mut |_| ())?;
+    solver.forget();
+    let start = Instant::now();
+    solver.solve(problem, &mut |_| ())?;
+    Ok(start.elapsed().as_secs_f64())
+}
+
+/// Mean time of the forces by a contact that is set up, in s.
+fn again_fast(problem: &Problem, options: &Options) -> Result<f64, Error> {
+    let mut contact = FastContact::new(problem, options)?;
+    contact.force(&problem.kinematics)?;
+    let start = Instant::now();
+    let mut repetitions = 0;
+    while repetitions < MOST_REPETITIONS && start.elapsed() < REPEATED_FOR {
+        contact.force(&problem.kinematics)?;
+        repetitions += 1;
+    }
+    Ok(start.elapsed().as_secs_f64() / f64::from(repetitions.max(1)))
+}
+
+fn check_outputs(arguments: &CompareArguments, case: &Case) -> Result<(), Failure> {
+    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
+        .into_iter()
+        .filter_map(|(option, path)| Some((option, path?)))
+        .collect();
+    let input = |what: &str, path: &Path| Input {
+        what: what.to_owned(),
+        path: path.to_owned(),
+        except: None,
+    };
+    let mut inputs: Vec<Input> =
+        arguments.case.case.iter().map(|path| input("the case file", path)).collect();
+    inputs.extend(case.files().iter().map(|(field, path)| input(field, path)));
+    match &arguments.figures {
+        None => outputs::check(&outputs, &inputs),
+        Some(directory) => {
+            let names = figure_files(figures::COMPARISON);
+            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
+        }
+    }
+}
+
+/// All files in memory: what cannot be made is known before the first one is written.
+fn files(
+    arguments: &CompareArguments,
+    comparison: &Comparison,
+    progress: &Progress,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    let mut files = Vec::new();
+    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+        files.push((path.to_owned(), json::document(comparison).into_bytes()));
+    }
+    if let Some(path) = &arguments.csv {
+        files.push((path.clone(), csv::table(comparison).into_bytes()));
+    }
+    if let Some(directory) = &arguments.figures {
+        progress.stage("drawing figures");
+        let figure = figures::comparison(comparison)?;
+        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
+        files.push((svg, figure.svg.into_bytes()));
+        files.push((png, figure.png));
+    }
+    Ok(files)
+}
+
+fn print(arguments: &CompareArguments, comparison: &Comparison) -> Result<(), Failure> {
+    if arguments.json.as_deref().is_some_and(is_stdout) {
+        stdout::write(&json::document(comparison))
+    } else if arguments.quiet {
+        Ok(())
+    } else {
+        stdout::write(&summary::text(comparison))
+    }
+}

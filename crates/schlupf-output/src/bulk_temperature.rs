@@ -1,0 +1,188 @@
+//! The long-term bulk temperature of a wheel: a summary, and JSON.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use schlupf::bulk_temperature::{BulkTemperature, Cooling};
+use schlupf::solution::Status;
+
+use crate::json::{self, PROGRAM};
+use crate::number::significant as number;
+use crate::summary::{entry, line, reason, without_noise};
+
+/// The balance of a wheel's heat, with what it was found for.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// Title of the case.
+    pub title: String,
+    /// What cools the wheel.
+    pub cooling: Cooling,
+    /// Bulk temperature of the rail, in degC.
+    pub rail_temperature: f64,
+    /// Rolling radius of the wheel (in m), if it has one.
+    pub wheel_radius: Option<f64>,
+    /// The balance.
+    pub balance: BulkTemperature,
+}
+
+impl Report {
+    /// How long a revolution lasts, in s.
+    fn revolution(&self) -> Option<f64> {
+        let speed = self.balance.solution.kinematics.circumferential_speed();
+        self.wheel_radius.map(|radius| TAU * radius / speed)
+    }
+}
+
+/// The balance as a JSON document: SI units, temperatures in degC.
+pub fn document(report: &Report) -> String {
+    let Report { balance, cooling, .. } = report;
+    let flows = Flows {
+        frictional: balance.frictional_heat,
+        convection: balance.convection,
+        conduction: balance.conduction,
+        surplus: balance.surplus(),
+    };
+    json::text(&Document {
+        program: PROGRAM,
+        title: &report.title,
+        status: json::status(balance.solution.status),
+        temperature: Temperatures {
+            wheel: balance.temperature,
+            rail: report.rail_temperature,
+            air: cooling.air_temperature,
+            entry: balance.entry_temperature,
+        },
+        cooling: CoolingEntry { film_coefficient: cooling.film_coefficient, area: cooling.area },
+        heat_per_revolution: report.revolution().map(|time| flows.times(time)),
+        heat: flows,
+        iterations: balance.iterations,
+        solution: json::Document::new(&report.title, &balance.solution),
+    })
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    program: &'static str,
+    title: &'a str,
+    status: &'static str,
+    temperature: Temperatures,
+    cooling: CoolingEntry,
+    heat: Flows,
+    heat_per_revolution: Option<Flows>,
+    iterations: usize,
+    solution: json::Document<'a>,
+}
+
+/// In degC.
+#[derive(Serialize)]
+struct Temperatures {
+    wheel: f64,
+    rail: f64,
+    air: f64,
+    entry: f64,
+}
+
+#[derive(Serialize)]
+struct CoolingEntry {
+    film_coefficient: f64,
+    area: f64,
+}
+
+/// Heat of the wheel in W, or in J for a revolution.
+#[derive(Serialize)]
+struct Flows {
+    frictional: f64,
+    convection: f64,
+    conduction: f64,
+    surplus: f64,
+}
+
+impl Flows {
+    fn times(&self, time: f64) -> Self {
+        Self {
+            frictional: self.frictional * time,
+            convection: self.convection * time,
+            conduction: self.conduction * time,
+            surplus: self.surplus * time,
+        }
+    }
+}
+
+/// The balance on a terminal: temperatures, what the wheel receives and gives, forces, status and warnings.
+pub fn text(report: &Report) -> String {
+    let mut text = format!("{}\n\n", report.title);
+    temperatures(&mut text, report);
+    heat(&mut text, report);
+    forces(&mut text, report);
+    status(&mut text, report);
+    text
+}
+
+fn temperatures(text: &mut String, report: &Report) {
+    let Report { balance, cooling, .. } = report;
+    let others = format!(
+        "rail {} °C, air {} °C",
+        number(report.rail_temperature),
+        number(cooling.air_temperature)
+    );
+    entry(text, "bulk temp. of wheel", balance.temperature, "°C", &others);
+    let remark = "to which both surfaces jump when they meet";
+    entry(text, "temp. on entry", balance.entry_temperature, "°C", remark);
+    let surface = balance.solution.temperature;
+    let rail = format!("of the rail {} °C", number(surface.max_rail));
+    entry(text, "hottest surface", surface.max_wheel, "°C", &rail);
+    text.push('\n');
+}
+
+fn heat(text: &mut String, report: &Report) {
+    let Report { balance, cooling, .. } = report;
+    let revolution = report.revolution();
+    let mut flow = |name: &str, power: f64, remark: &str| {
+        let work = revolution.map(|time| format!("{} J per revolution", number(power * time)));
+        let parts: Vec<String> =
+            work.into_iter().chain((!remark.is_empty()).then(|| remark.to_owned())).collect();
+        entry(text, name, power / 1e3, "kW", &parts.join(", "));
+    };
+    let convection = format!("h A = {} W/K", number(cooling.film_coefficient * cooling.area));
+    flow("frictional heat", balance.frictional_heat, "");
+    flow("  to the air", balance.convection, &convection);
+    flow("  to the rail", balance.conduction, "through the contact");
+    text.push('\n');
+}
+
+fn forces(text: &mut String, report: &Report) {
+    let solution = &report.balance.solution;
+    let x = without_noise(solution.force.x, solution.normalised.x);
+    let y = without_noise(solution.force.y, solution.normalised.y);
+    let lateral = format!("lateral {} kN, with the friction of the warm wheel", number(y / 1e3));
+    entry(text, "longitudinal force", x / 1e3, "kN", &lateral);
+    entry(text, "traction coefficient", solution.traction_coefficient, "", "|F|/N");
+    let creep = format!("creep power {} kW", number(solution.power.creep / 1e3));
+    entry(text, "friction power", solution.power.friction / 1e3, "kW", &creep);
+    text.push('\n');
+}
+
+fn status(text: &mut String, report: &Report) {
+    let balance = &report.balance;
+    let verdict = match balance.solution.status {
+        Status::Converged => "converged",
+        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
+    };
+    let imbalance = balance.surplus() / 1e3;
+    line(
+        text,
+        &format!(
+            "{verdict}: {} kW left over after {} steady states",
+            number(imbalance),
+            balance.iterations
+        ),
+    );
+    let warnings = &balance.solution.warnings;
+    for cause in warnings.iter().filter_map(|warning| reason(warning)) {
+        line(text, &format!("  {cause}"));
+    }
+    for warning in warnings.iter().filter(|warning| reason(warning).is_none()) {
+        line(text, &format!("warning: {warning}"));
+    }
+}

@@ -1,0 +1,81 @@
+//! A comparison for people: one table.
+
+use std::fmt::Write;
+
+use super::{Comparison, Entry};
+use crate::number::significant as number;
+use crate::summary::without_noise;
+
+/// Heading of a column, and how to get its number.
+type Column = (&'static str, fn(&Entry) -> f64);
+
+const COLUMNS: [Column; 7] = [
+    ("Fx (kN)", |e| without_noise(e.solution.force.x, e.solution.normalised.x) / 1e3),
+    ("Fy (kN)", |e| without_noise(e.solution.force.y, e.solution.normalised.y) / 1e3),
+    ("Mz (N m)", |e| without_noise(e.solution.force.moment_z, e.solution.normalised.moment_z)),
+    ("|F|/N", |e| e.solution.traction_coefficient),
+    ("rise (K)", |e| e.solution.temperature.max_rise),
+    ("time (ms)", |e| e.time * 1e3),
+    ("again (ms)", |e| e.time_again * 1e3),
+];
+
+/// Width of the names, in characters.
+const NAMES: usize = 24;
+
+/// All methods on a terminal: forces on the wheel, the largest temperature rise, times, and warnings.
+pub fn text(comparison: &Comparison) -> String {
+    let mut text = format!("{}\n\n", comparison.title);
+    if let Some(entry) = comparison.entries.first() {
+        conditions(&mut text, entry);
+    }
+    let headings = COLUMNS.iter().map(|(heading, _)| (*heading).to_owned());
+    row(&mut text, "on the wheel", headings, "");
+    for entry in &comparison.entries {
+        let remark = if entry.is_converged() { "" } else { "  NOT CONVERGED" };
+        let shown = |value: f64| if value.is_nan() { "–".to_owned() } else { number(value) };
+        row(&mut text, entry.name, COLUMNS.iter().map(|(_, value)| shown(value(entry))), remark);
+    }
+    text.push_str(
+        "time: from nothing, with set-up; again: forces once more, set-up there; –: not given\n",
+    );
+    for warning in comparison.entries.iter().flat_map(Entry::warnings) {
+        line(&mut text, &format!("warning: {warning}"));
+    }
+    text
+}
+
+fn conditions(text: &mut String, entry: &Entry) {
+    let (motion, normal) = (&entry.solution.kinematics, &entry.solution.normal);
+    let mut parts = vec![
+        format!("load {} kN", number(normal.load / 1e3)),
+        format!(
+            "semi-axes {} x {} mm",
+            number(normal.semi_axis_x * 1e3),
+            number(normal.semi_axis_y * 1e3)
+        ),
+        format!("speed {} m/s", number(motion.speed)),
+        format!("creepage_x {}", number(motion.creepage_x)),
+    ];
+    if motion.creepage_y != 0.0 {
+        parts.push(format!("creepage_y {}", number(motion.creepage_y)));
+    }
+    if motion.spin != 0.0 {
+        parts.push(format!("spin {} 1/m", number(motion.spin)));
+    }
+    line(text, &parts.join(", "));
+    text.push('\n');
+}
+
+fn row(text: &mut String, name: &str, entries: impl Iterator<Item = String>, remark: &str) {
+    // Writing to a String cannot fail.
+    let _ = write!(text, "{name:<NAMES$}");
+    for entry in entries {
+        let _ = write!(text, "{entry:>12}");
+    }
+    line(text, remark);
+}
+
+fn line(text: &mut String, line: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "{}", line.trim_end());
+}

@@ -1,0 +1,96 @@
+//! Temperatures along a row with its wake, and below a point.
+
+use schlupf::Status;
+
+use super::marks::{self, HEADING, short};
+use super::panels::{BLUE, Curve, GAP, Panel, Stack, VERMILION, WIDTH};
+use super::svg::Drawing;
+use crate::temperature::{Line, Temperatures};
+
+/// Height of each of the two panels.
+const HEIGHT: f64 = 280.0;
+/// Below the first panel, for its axis.
+const AXIS: f64 = 70.0;
+/// How strong the curves of the row are, from the surface down.
+const STRENGTHS: [f64; 3] = [1.0, 0.6, 0.35];
+
+/// The figure; `None` where there is nothing to draw.
+pub(super) fn draw(temperatures: &Temperatures) -> Option<String> {
+    let stacks = [row(temperatures)?, profile(temperatures)?];
+    let top = HEADING + 40.0;
+    let below = top + HEIGHT + GAP + AXIS;
+    let mut drawing = Drawing::new(WIDTH, below + HEIGHT + AXIS);
+    heading(&mut drawing, temperatures);
+    marks::rolling_direction(&mut drawing, [WIDTH - 116.0, HEADING + 14.0]);
+    let [first, second] = stacks;
+    first.draw(&mut drawing, top);
+    second.draw(&mut drawing, below);
+    Some(drawing.finish())
+}
+
+fn heading(drawing: &mut Drawing, temperatures: &Temperatures) {
+    let [x, y] = temperatures.request.point.map(|value| short(value / 1e-3));
+    let [wheel, rail] = temperatures.bulk.map(short);
+    let place = format!(
+        "row $y$ = {y} mm, profile below $x$ = {x} mm; bulk: wheel {wheel} °C, rail {rail} °C"
+    );
+    let converged = temperatures.status == Status::Converged;
+    let remark = if converged { "" } else { "not converged" };
+    let title = "Temperatures of wheel and rail";
+    marks::title_block(drawing, title, [&temperatures.title, &place], remark);
+}
+
+/// Over x, the contact shaded.
+fn row(temperatures: &Temperatures) -> Option<Stack> {
+    let mut curves = Vec::new();
+    for (row, strength) in temperatures.rows.iter().zip(STRENGTHS) {
+        let deep = format!("{} µm deep", short((row.depth / 1e-6).round()));
+        let names = if row.depth == 0.0 { ["wheel", "rail"] } else { [deep.as_str(), ""] };
+        curves.extend(both(&row.line, strength, names));
+    }
+    let [entry, exit] = temperatures.request.passage.map(|x| x / 1e-3);
+    Some(Stack {
+        x: range(&temperatures.rows.first()?.line)?,
+        label: "$x$ (mm)",
+        panels: vec![panel(curves)],
+        shaded: vec![[exit, entry]],
+        shading: "contact",
+    })
+}
+
+/// Over the depth.
+fn profile(temperatures: &Temperatures) -> Option<Stack> {
+    let line = &temperatures.profile;
+    Some(Stack {
+        x: range(line)?,
+        label: "depth (mm)",
+        panels: vec![panel(both(line, 1.0, ["wheel", "rail"]).into())],
+        shaded: Vec::new(),
+        shading: "",
+    })
+}
+
+fn panel(curves: Vec<Curve>) -> Panel {
+    Panel { label: "temperature (°C)".to_owned(), height: HEIGHT, curves }
+}
+
+/// Ends of a line, in mm.
+fn range(line: &Line) -> Option<[f64; 2]> {
+    let [start, end] = [line.position.first()? / 1e-3, line.position.last()? / 1e-3];
+    (start < end && start.is_finite() && end.is_finite()).then_some([start, end])
+}
+
+/// Wheel and rail; the rail is dashed, so that both are seen where they are the same.
+fn both(line: &Line, strength: f64, names: [&str; 2]) -> [Curve; 2] {
+    let points = |values: &[f64]| -> Vec<[f64; 2]> {
+        line.position.iter().zip(values).map(|(at, value)| [at / 1e-3, *value]).collect()
+    };
+    let faded = |curve: Curve| Curve {
+        stroke: format!(r#"{} stroke-opacity="{strength}""#, curve.stroke),
+        ..curve
+    };
+    [
+        faded(Curve::solid(points(&line.wheel), VERMILION, names[0])),
+        faded(Curve::dashed(points(&line.rail), BLUE, names[1])),
+    ]
+}

@@ -1,0 +1,120 @@
+//! Temperatures of wheel and rail below a point, and along its row with the wake: CSV, JSON and a summary. The
+//! figure is among the figures.
+
+pub mod csv;
+pub mod json;
+pub mod summary;
+
+use schlupf::solution::Status;
+use schlupf::temperature_field::{Side, TemperatureField};
+
+/// Where to look at the temperatures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// The point (x, y), in m.
+    pub point: [f64; 2],
+    /// Where its row enters the contact and where it leaves it, x in m.
+    pub passage: [f64; 2],
+    /// Depths between which the profile below the point runs, in m.
+    pub depth: [f64; 2],
+    /// Length behind the contact to which the row is followed, in m.
+    pub wake: f64,
+    /// Depths of the row below the surface, in m; the surface is always there.
+    pub row_depths: [f64; 2],
+    /// Points of every line, at least two.
+    pub points: usize,
+}
+
+/// Temperatures along a line.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Line {
+    /// Where, in m: depths, or x of a row.
+    pub position: Vec<f64>,
+    /// Temperature of the wheel, in degC.
+    pub wheel: Vec<f64>,
+    /// Temperature of the rail, in degC.
+    pub rail: Vec<f64>,
+}
+
+impl Line {
+    /// Samples the temperatures at positions; `place` makes x, y and depth of them.
+    fn sample(
+        field: &TemperatureField,
+        position: Vec<f64>,
+        place: impl Fn(f64) -> [f64; 3],
+    ) -> Self {
+        let of = |side| {
+            let value = |s: &f64| {
+                let [x, y, depth] = place(*s);
+                field.at(side, x, y, depth)
+            };
+            position.iter().map(value).collect()
+        };
+        Self { wheel: of(Side::Wheel), rail: of(Side::Rail), position }
+    }
+}
+
+/// Temperatures along a row of the patch and its wake, at a depth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Depth below the surface, in m.
+    pub depth: f64,
+    /// Temperatures over x.
+    pub line: Line,
+}
+
+/// The temperatures that were asked for.
+#[derive(Debug, Clone)]
+pub struct Temperatures {
+    /// Title of the case.
+    pub title: String,
+    /// Whether the rolling that they belong to converged.
+    pub status: Status,
+    /// Where they are.
+    pub request: Request,
+    /// Bulk temperatures of wheel and rail, in degC.
+    pub bulk: [f64; 2],
+    /// Below the point, over the depth.
+    pub profile: Line,
+    /// Along the row: on the surface, and below it.
+    pub rows: Vec<Row>,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<String>,
+}
+
+/// Part of the row ahead of the contact, where the bodies still have their bulk temperatures.
+const AHEAD: f64 = 0.08;
+
+impl Temperatures {
+    /// The profile below the point and the rows, from a field.
+    pub fn sample(field: &TemperatureField, request: &Request) -> (Line, Vec<Row>) {
+        let Request { point: [x, y], passage: [entry, exit], depth, wake, points, .. } = *request;
+        let profile = Line::sample(field, evenly(depth, points), |z| [x, y, z]);
+        let range = [exit - wake, entry + AHEAD * (entry - exit)];
+        let row = |depth: f64| Row {
+            depth,
+            line: Line::sample(field, row_positions(range, [exit, entry], points), |x| {
+                [x, y, depth]
+            }),
+        };
+        let depths = std::iter::once(0.0).chain(request.row_depths);
+        (profile, depths.map(row).collect())
+    }
+}
+
+/// Evenly from one end to the other.
+fn evenly([start, end]: [f64; 2], points: usize) -> Vec<f64> {
+    let last = points.max(2) - 1;
+    (0..=last).map(|k| start + (end - start) * k as f64 / last as f64).collect()
+}
+
+/// Evenly, and on both sides of the edges, where the temperature bends or jumps.
+fn row_positions(range: [f64; 2], edges: [f64; 2], points: usize) -> Vec<f64> {
+    let mut positions = evenly(range, points);
+    let nearby = 1e-9 * (range[1] - range[0]);
+    for edge in edges.into_iter().filter(|edge| (range[0]..range[1]).contains(edge)) {
+        positions.extend([edge - nearby, edge + nearby]);
+    }
+    positions.sort_by(f64::total_cmp);
+    positions
+}

@@ -1,0 +1,187 @@
+//! Stiffnesses with which the elastic layer answers like the half-space. Neuhaus and Sextro (2014) leave
+//! them open.
+//!
+//! First the displacements are fitted that the half-space has under the tractions of sticking and of full
+//! sliding ([`displacements`]), which is a good start; then creep forces and tractions of rolling
+//! under longitudinal, lateral and spin creepage, single and combined, in the limit of a stiff contact
+//! law. In units of the patch's size √(ab) and the shear modulus G the result depends on a/b and ν
+//! alone. The coupling along rolling and that across rolling are two constants for each component.
+
+pub mod displacements;
+mod rolling_fit;
+
+use std::sync::Arc;
+
+use crate::elasticity::Elasticity;
+use crate::elasticity::calibrated_layer::{RelativeStiffness, tabulated_stiffness};
+use crate::elasticity::elastic_layer::ElasticLayer;
+use crate::elasticity::winkler::Winkler;
+use crate::error::Error;
+use crate::least_squares::{Limits, Residuals, minimise};
+
+use rolling_fit::{Motions, SIZE};
+
+/// What a calibration found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Calibration {
+    /// Axes ratio a/b of the patch, dimensionless.
+    pub axis_ratio: f64,
+    /// Combined Poisson's ratio ν, dimensionless.
+    pub poisson_ratio: f64,
+    /// Stiffnesses for displacements along and across rolling.
+    pub stiffness: [RelativeStiffness; 2],
+    /// How far the layer is from the half-space.
+    pub layer: Deviation,
+    /// How far a bed of springs without coupling is, fitted to the same forces.
+    pub winkler: Deviation,
+    /// Bedding c √(ab)/G of that bed along and across rolling, dimensionless.
+    pub winkler_bedding: [f64; 2],
+    /// Whether the fits converged.
+    pub converged: bool,
+}
+
+/// Differences to the half-space over all motions.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Deviation {
+    /// Largest difference of the forces over μN under longitudinal and lateral creepage, dimensionless.
+    pub force: f64,
+    /// The same where spin takes part, dimensionless.
+    pub force_with_spin: f64,
+    /// Difference of the tractions relative to those of the half-space, ‖t − t_h‖₂/‖t_h‖₂, mean over
+    /// the motions without spin; dimensionless.
+    pub field: f64,
+    /// The same where spin takes part, dimensionless.
+    pub field_with_spin: f64,
+}
+
+/// How a calibration is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CalibrationOptions {
+    /// Cells across the patch in both directions.
+    pub cells: usize,
+    /// Most steps of each fit.
+    pub max_iterations: usize,
+}
+
+impl Default for CalibrationOptions {
+    fn default() -> Self {
+        Self { cells: 20, max_iterations: 40 }
+    }
+}
+
+/// Calibrates the layer for an axes ratio a/b and a combined Poisson's ratio (both dimensionless).
+///
+/// # Errors
+/// An axes ratio that is not positive, or a Poisson's ratio outside 0 to 0.5.
+pub fn calibrate(
+    axis_ratio: f64,
+    poisson_ratio: f64,
+    options: &CalibrationOptions,
+) -> Result<Calibration, Error> {
+    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells)?;
+    let limits = Limits { tolerance: 1e-4, max_iterations: options.max_iterations };
+    let mut fit = LayerFit { motions: &motions };
+    let start = motions.start()?;
+    let found = minimise(&mut fit, &start, &limits);
+    let mut uncoupled = WinklerFit { motions: &motions };
+    let bed = minimise(
+        &mut uncoupled,
+        &[motions.slope_bedding()[0].ln(), motions.slope_bedding()[1].ln()],
+        &limits,
+    );
+    let failed = || Error::Contradiction {
+        quantity: "calibration",
+        reason: format!("the motions of a/b = {axis_ratio} could not be solved"),
+    };
+    let (found, bed) = (found.ok_or_else(failed)?, bed.ok_or_else(failed)?);
+    let deviation = |elasticity: Option<Arc<dyn Elasticity>>| {
+        elasticity.and_then(|e| motions.deviation(&e)).ok_or_else(failed)
+    };
+    Ok(Calibration {
+        axis_ratio,
+        poisson_ratio,
+        stiffness: relative(&found.parameters),
+        layer: deviation(fit.layer(&found.parameters))?,
+        winkler: deviation(uncoupled.bed(&bed.parameters))?,
+        winkler_bedding: [bed.parameters[0].exp(), bed.parameters[1].exp()],
+        converged: found.converged && bed.converged,
+    })
+}
+
+/// How far the tabulated stiffnesses are from the half-space.
+///
+/// # Errors
+/// Ratios outside the table.
+pub fn deviation_of_table(
+    axis_ratio: f64,
+    poisson_ratio: f64,
+    options: &CalibrationOptions,
+) -> Result<Deviation, Error> {
+    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells)?;
+    let [x, y] = tabulated_stiffness(axis_ratio, poisson_ratio)?
+        .map(|relative| relative.absolute(motions.shear_modulus(), SIZE));
+    let layer: Arc<dyn Elasticity> = Arc::new(ElasticLayer::new(x, y, None)?);
+    motions.deviation(&layer).ok_or_else(|| Error::Contradiction {
+        quantity: "calibration",
+        reason: format!("the motions of a/b = {axis_ratio} could not be solved"),
+    })
+}
+
+/// Logarithms of the bedding and of the two reaches, for each component.
+fn relative(parameters: &[f64]) -> [RelativeStiffness; 2] {
+    [&parameters[..3], &parameters[3..]].map(|p| RelativeStiffness {
+        bedding: p[0].exp(),
+        reach_along_x: p[1].exp(),
+        reach_along_y: p[2].exp(),
+    })
+}
+
+/// Logarithms of the shortest and the longest reach that is tried.
+const REACH: [f64; 2] = [-4.0, 0.4];
+
+/// Residual of a difference of the two reaches' logarithms. It decides where forces and fields hardly
+/// depend on it, so that the stiffnesses change smoothly with a/b.
+const EVENNESS: f64 = 0.3;
+
+struct LayerFit<'a> {
+    motions: &'a Motions,
+}
+
+impl LayerFit<'_> {
+    fn layer(&self, parameters: &[f64]) -> Option<Arc<dyn Elasticity>> {
+        let [least, largest] = REACH;
+        let is_tried = |p: &f64| (least..=largest).contains(p);
+        let reaches = [1, 2, 4, 5].map(|k| parameters[k]);
+        if !reaches.iter().all(is_tried) {
+            return None;
+        }
+        let [x, y] = relative(parameters)
+            .map(|relative| relative.absolute(self.motions.shear_modulus(), SIZE));
+        Some(Arc::new(ElasticLayer::new(x, y, None).ok()?))
+    }
+}
+
+impl Residuals for LayerFit<'_> {
+    fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>> {
+        let mut residuals = self.motions.residuals(&self.layer(parameters)?, true)?;
+        residuals.extend([1, 4].map(|k| EVENNESS * (parameters[k] - parameters[k + 1])));
+        Some(residuals)
+    }
+}
+
+struct WinklerFit<'a> {
+    motions: &'a Motions,
+}
+
+impl WinklerFit<'_> {
+    fn bed(&self, parameters: &[f64]) -> Option<Arc<dyn Elasticity>> {
+        let [x, y] = [0, 1].map(|k| parameters[k].exp() * self.motions.shear_modulus() / SIZE);
+        Some(Arc::new(Winkler::new(x, y).ok()?))
+    }
+}
+
+impl Residuals for WinklerFit<'_> {
+    fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>> {
+        self.motions.residuals(&self.bed(parameters)?, false)
+    }
+}

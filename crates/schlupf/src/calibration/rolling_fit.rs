@@ -1,0 +1,234 @@
+//! Motions of a rolling patch, and what half-space and stand-ins answer to them.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use crate::elasticity::Elasticity;
+use crate::elasticity::half_space::HalfSpace;
+use crate::error::Error;
+use crate::heat::Heat;
+use crate::heat::partition::Partition;
+use crate::interface::contact_law::Incremental;
+use crate::interface::friction::Friction;
+use crate::interface::friction::constant::Constant;
+use crate::kalker_coefficients::creep_coefficients;
+use crate::kinematics::Kinematics;
+use crate::material::{Body, Material};
+use crate::normal::ellipse::Ellipse;
+use crate::problem::{Options, Problem};
+use crate::reference::kalker_linear::CreepCoefficients;
+use crate::rolling::steady::SteadySolver;
+use crate::solution::Solution;
+
+use super::Deviation;
+use super::displacements::{Sample, fit};
+
+/// √(ab), in m: any would do.
+pub(super) const SIZE: f64 = 6e-3;
+
+const PEAK_PRESSURE: f64 = 1e9;
+const FRICTION: f64 = 0.3;
+
+/// k_c, in 1/m: near to Coulomb's law.
+const STIFFNESS: f64 = 1e8;
+
+/// Creepages as parts of those that Kalker's linear theory needs for the force μN: along, across, spin.
+const MOTIONS: [[f64; 3]; 24] = [
+    [0.3, 0.0, 0.0],
+    [0.7, 0.0, 0.0],
+    [1.2, 0.0, 0.0],
+    [2.0, 0.0, 0.0],
+    [3.0, 0.0, 0.0],
+    [0.0, 0.3, 0.0],
+    [0.0, 0.7, 0.0],
+    [0.0, 1.2, 0.0],
+    [0.0, 2.0, 0.0],
+    [0.0, 3.0, 0.0],
+    [0.5, 0.5, 0.0],
+    [1.2, 0.8, 0.0],
+    [0.0, 0.0, 0.3],
+    [0.0, 0.0, 0.7],
+    [0.0, 0.0, 1.2],
+    [0.0, 0.0, 2.0],
+    [0.7, 0.0, 0.5],
+    [1.2, 0.0, 1.0],
+    [0.0, 0.7, 0.5],
+    [0.0, -0.7, 0.5],
+    [0.0, 1.2, 1.0],
+    [0.0, -1.2, 1.0],
+    [0.6, 0.6, 0.5],
+    [0.6, -0.6, 0.5],
+];
+
+/// Differences that weigh one in the fit: of forces over μN, without and with spin, and of fields.
+const FORCE: f64 = 0.01;
+const FORCE_WITH_SPIN: f64 = 0.02;
+const FIELD: f64 = 0.06;
+
+/// The motions of one ellipse, and the answers of the half-space.
+pub(super) struct Motions {
+    bodies: HalfSpace,
+    coefficients: CreepCoefficients,
+    semi_axis_x: f64,
+    problem: Problem,
+    motions: Vec<Kinematics>,
+    exact: Vec<Solution>,
+    options: Options,
+    solver: RefCell<SteadySolver>,
+}
+
+impl Motions {
+    pub fn new(axis_ratio: f64, poisson_ratio: f64, cells: usize) -> Result<Self, Error> {
+        let coefficients = creep_coefficients(axis_ratio, poisson_ratio)?;
+        let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
+        let material = Material { poisson_ratio, ..Material::STEEL };
+        let bodies = HalfSpace::new(&material, &material)?;
+        let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
+        let at_rest = Kinematics { speed: 1.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+        let problem = Problem {
+            kinematics: at_rest,
+            wheel: Body { material, ..Body::STEEL },
+            rail: Body { material, ..Body::STEEL },
+            normal: Arc::new(ellipse),
+            elasticity: Arc::new(bodies),
+            contact_law: Arc::new(Incremental::new(STIFFNESS)?),
+            friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
+            heat: Heat { model: None, partition: Partition::Given(0.5) },
+            history: None,
+            initial_state: None,
+        };
+        let options =
+            Options { cells_x: cells, cells_y: cells, tolerance: 1e-7, ..Options::default() };
+        // μN over C G s² and C G s³, N = (2/3) π s² p0.
+        let strain =
+            FRICTION * 2.0 / 3.0 * std::f64::consts::PI * PEAK_PRESSURE / bodies.shear_modulus();
+        let CreepCoefficients { c11, c22, c23, .. } = coefficients;
+        let motion = |[along, across, spin]: [f64; 3]| Kinematics {
+            speed: 1.0,
+            creepage_x: along * strain / c11,
+            creepage_y: across * strain / c22,
+            spin: spin * strain / (c23 * SIZE),
+        };
+        let motions: Vec<Kinematics> = MOTIONS.into_iter().map(motion).collect();
+        let solver = RefCell::new(SteadySolver::new(&options));
+        let mut this = Self {
+            bodies,
+            coefficients,
+            semi_axis_x: semi_axes[0],
+            problem,
+            motions,
+            exact: Vec::new(),
+            options,
+            solver,
+        };
+        let elasticity = Arc::clone(&this.problem.elasticity);
+        this.exact = this.answers(&elasticity).ok_or_else(|| Error::Contradiction {
+            quantity: "calibration",
+            reason: format!("the half-space of a/b = {axis_ratio} could not be solved"),
+        })?;
+        Ok(this)
+    }
+
+    pub fn shear_modulus(&self) -> f64 {
+        self.bodies.shear_modulus()
+    }
+
+    /// Beddings c s/G of a bed of springs with Kalker's C11 and C22: c = 3 C G/(8 a) (Kalker 1982).
+    pub fn slope_bedding(&self) -> [f64; 2] {
+        let CreepCoefficients { c11, c22, .. } = self.coefficients;
+        [c11, c22].map(|c| 3.0 * c * SIZE / (8.0 * self.semi_axis_x))
+    }
+
+    /// Logarithms of the stiffnesses that fit the half-space's displacements under the tractions of
+    /// nearly full stick and of full sliding.
+    pub fn start(&self) -> Result<Vec<f64>, Error> {
+        let sliding = [(0, 4), (5, 9)];
+        let mut start = Vec::with_capacity(6);
+        for (component, (stick, slide)) in sliding.into_iter().enumerate() {
+            let samples = [stick, slide].map(|k| Sample::of(&self.exact[k], component));
+            let guess = self.slope_bedding()[component] * self.shear_modulus() / SIZE;
+            let found = fit(&samples, guess)?;
+            let reach = |coupling: f64| (coupling / found.bedding).sqrt() / SIZE;
+            let bedding = found.bedding * SIZE / self.shear_modulus();
+            for (value, range) in [
+                (bedding, [f64::MIN_POSITIVE, f64::MAX]),
+                (reach(found.coupling_along_x), REACHES),
+                (reach(found.coupling_along_y), REACHES),
+            ] {
+                start.push(value.clamp(range[0], range[1]).ln());
+            }
+        }
+        Ok(start)
+    }
+
+    /// Solutions of all motions; nothing if one does not converge at once.
+    fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Option<Vec<Solution>> {
+        let mut solver = self.solver.borrow_mut();
+        *solver = SteadySolver::new(&self.options);
+        let base = Problem { elasticity: Arc::clone(elasticity), ..self.problem.clone() };
+        let solve = |kinematics: &Kinematics| {
+            let problem = Problem { kinematics: *kinematics, ..base.clone() };
+            let solution = solver.solve(&problem, &mut |_| ()).ok()?;
+            (solution.work.steps == 0).then_some(solution)
+        };
+        self.motions.iter().map(solve).collect()
+    }
+
+    /// Differences of forces, and of the tractions if they count, each over what weighs one.
+    pub fn residuals(&self, elasticity: &Arc<dyn Elasticity>, fields: bool) -> Option<Vec<f64>> {
+        let answers = self.answers(elasticity)?;
+        let mut residuals = Vec::new();
+        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.motions) {
+            let force = if motion.spin == 0.0 { FORCE } else { FORCE_WITH_SPIN };
+            residuals.push((answer.normalised.x - exact.normalised.x) / force);
+            residuals.push((answer.normalised.y - exact.normalised.y) / force);
+            if fields {
+                let weight = 1.0 / (FIELD * size_of(exact));
+                let (here, there) = (&answer.fields, &exact.fields);
+                let along = here.traction_x.iter().zip(&there.traction_x);
+                let across = here.traction_y.iter().zip(&there.traction_y);
+                residuals.extend(along.chain(across).map(|(t, u)| weight * (t - u)));
+            }
+        }
+        Some(residuals)
+    }
+
+    pub fn deviation(&self, elasticity: &Arc<dyn Elasticity>) -> Option<Deviation> {
+        let answers = self.answers(elasticity)?;
+        let mut deviation = Deviation::default();
+        let mut counts = [0.0; 2];
+        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.motions) {
+            let (one, other) = (answer.normalised, exact.normalised);
+            let force = (one.x - other.x).hypot(one.y - other.y);
+            let (here, there) = (&answer.fields, &exact.fields);
+            let squares = |one: &[f64], other: &[f64]| -> f64 {
+                one.iter().zip(other).map(|(t, u)| (t - u).powi(2)).sum()
+            };
+            let apart = squares(&here.traction_x, &there.traction_x)
+                + squares(&here.traction_y, &there.traction_y);
+            let field = apart.sqrt() / size_of(exact);
+            if motion.spin == 0.0 {
+                deviation.force = deviation.force.max(force);
+                deviation.field += field;
+                counts[0] += 1.0;
+            } else {
+                deviation.force_with_spin = deviation.force_with_spin.max(force);
+                deviation.field_with_spin += field;
+                counts[1] += 1.0;
+            }
+        }
+        deviation.field /= counts[0];
+        deviation.field_with_spin /= counts[1];
+        Some(deviation)
+    }
+}
+
+/// Reaches from which a fit starts.
+const REACHES: [f64; 2] = [0.05, 0.8];
+
+/// ‖t‖₂ over all cells, in Pa.
+fn size_of(solution: &Solution) -> f64 {
+    let fields = &solution.fields;
+    let squares = fields.traction_x.iter().chain(&fields.traction_y).map(|t| t * t);
+    squares.sum::<f64>().sqrt()
+}

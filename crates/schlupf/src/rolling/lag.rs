@@ -1,0 +1,109 @@
+//! The coefficient of friction of the cells in steady rolling, which may lag behind its law: what a
+//! cell leaves off with, the next one downstream begins with.
+
+use crate::interface::friction::FrictionResponse;
+use crate::interface::friction::memory::{FrictionMemory, Kept};
+use crate::patch::Patch;
+use crate::problem::Problem;
+
+/// Coefficients of friction of every cell, and their tangent.
+pub(super) struct Lag {
+    memory: Option<FrictionMemory>,
+    /// Coefficient of friction of each cell, dimensionless.
+    pub coefficient: Vec<f64>,
+    passages: Vec<Passage>,
+    /// Friction of the material that enters, for the first cell of each strip.
+    pub entry: Vec<FrictionResponse>,
+}
+
+/// How the friction of the material changes in a cell.
+#[derive(Debug, Clone, Copy, Default)]
+struct Passage {
+    /// What is kept of a difference on the way to the cell's point, and through the whole cell.
+    kept: [Kept; 2],
+    /// Coefficient on arrival less that of the law, dimensionless.
+    gap: f64,
+    /// Coefficient on leaving, dimensionless.
+    left: f64,
+}
+
+/// Small changes of what the friction of a cell depends on.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct LagCause {
+    /// Of the coefficient of the law, dimensionless.
+    pub law: f64,
+    /// Of the slip speed, in m/s.
+    pub slip_speed: f64,
+    /// Of the logarithm of the way through the cell, dimensionless.
+    pub way: f64,
+}
+
+impl Lag {
+    /// For so many cells; [`Self::set_problem`] says which friction.
+    pub fn new(cells: usize) -> Self {
+        Self {
+            memory: None,
+            coefficient: vec![0.0; cells],
+            passages: vec![Passage::default(); cells],
+            entry: vec![FrictionResponse::default(); cells],
+        }
+    }
+
+    /// Takes over another law.
+    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
+        self.memory = problem.friction_memory();
+        if self.memory.is_some() {
+            let conduction = problem.conduction(&problem.kinematics);
+            for strip in &patch.strips {
+                let first = strip.cells.start;
+                self.entry[first] = problem.entry_friction(&conduction, patch.cells[first].y);
+            }
+        }
+    }
+
+    /// Sets the coefficient of a cell where the law asks for `law` at a slip speed (in m/s), the times
+    /// to the cell's point and through the cell being `durations` (in s).
+    pub fn pass(
+        &mut self,
+        (k, is_first): (usize, bool),
+        law: f64,
+        slip_speed: f64,
+        durations: [f64; 2],
+    ) {
+        let Some(memory) = &self.memory else {
+            self.coefficient[k] = law;
+            return;
+        };
+        let arrived = if is_first { self.entry[k].coefficient } else { self.passages[k - 1].left };
+        let kept = durations.map(|duration| memory.kept(slip_speed, duration));
+        let gap = arrived - law;
+        self.coefficient[k] = law + gap * kept[0].part;
+        self.passages[k] = Passage { kept, gap, left: law + gap * kept[1].part };
+    }
+
+    /// Coefficient (dimensionless) with which the material leaves a cell, if it remembers.
+    pub fn on_leaving(&self, k: usize) -> Option<f64> {
+        self.memory.as_ref().map(|_| self.passages[k].left)
+    }
+
+    /// ∂μ/∂(coefficient of the law) in a cell, dimensionless.
+    pub fn follows(&self, k: usize) -> f64 {
+        if self.memory.is_some() { 1.0 - self.passages[k].kept[0].part } else { 1.0 }
+    }
+
+    /// Change of the coefficient in a cell (dimensionless). `carried` is that of the material on
+    /// arrival, and then that on leaving.
+    pub fn change(&self, k: usize, cause: &LagCause, carried: &mut f64) -> f64 {
+        if self.memory.is_none() {
+            return cause.law;
+        }
+        let Passage { kept, gap, .. } = &self.passages[k];
+        let arrived = *carried;
+        let [here, leaving] = kept.map(|kept| {
+            let faded = kept.by_slip_speed * cause.slip_speed + kept.by_duration * cause.way;
+            cause.law + (arrived - cause.law) * kept.part + gap * faded
+        });
+        *carried = leaving;
+        here
+    }
+}

@@ -1,0 +1,42 @@
+//! What the reader of the full solver's numbers must know.
+
+use crate::problem::{Options, Problem};
+use crate::summary::{self, snapshot::Snapshot};
+
+use super::contact::DiscreteContact;
+
+/// Largest displacement at the outer edge of the surroundings over the largest one.
+const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
+
+/// Largest part of the friction power that the bristles may return unmentioned.
+const LARGEST_RETURNED_POWER: f64 = 0.01;
+
+/// Whatever the reader must know.
+pub(super) fn warnings(
+    problem: &Problem,
+    options: &Options,
+    contact: &mut DiscreteContact,
+    now: &Snapshot,
+) -> Vec<String> {
+    let mut warnings: Vec<String> = problem.elasticity.caveat().into_iter().collect();
+    let edge = contact.edge_displacement(&now.traction);
+    if edge > LARGEST_EDGE_DISPLACEMENT {
+        warnings.push(format!(
+            "elasticity.margin: the displacement at the outer edge of the layer is {:.1} % of the \
+             largest; a larger margin is needed where that exceeds 1 %",
+            100.0 * edge
+        ));
+    }
+    let power = summary::power(&contact.patch, now, &summary::force(&contact.patch, now));
+    let limit = problem.friction.cold_coefficient() * contact.normal.load;
+    let noise = options.tolerance * limit * now.kinematics.speed;
+    if power.returned > (LARGEST_RETURNED_POWER * power.friction.abs()).max(noise) {
+        warnings.push(format!(
+            "contact_law: the bristles return {:.3e} W of {:.3e} W friction power; that part is cut \
+             off and does not cool. Where it is large in steady rolling, the grid is too coarse for \
+             the contact law",
+            power.returned, power.friction
+        ));
+    }
+    warnings
+}

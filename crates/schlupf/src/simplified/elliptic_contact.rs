@@ -1,0 +1,65 @@
+//! What the fast methods know of a contact: an ellipse, its load, and Kalker's coefficients.
+
+use std::f64::consts::PI;
+
+use crate::elasticity::half_space::HalfSpace;
+use crate::error::Error;
+use crate::kalker_coefficients::interpolated_coefficients;
+use crate::kinematics::Kinematics;
+use crate::normal::NormalSummary;
+use crate::problem::Problem;
+use crate::reference::kalker_linear::CreepCoefficients;
+use crate::solution::Resultant;
+
+/// An elliptic contact of two half-spaces. A patch that is no ellipse counts as one with its length and
+/// width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EllipticContact {
+    /// Load and semi-axes.
+    pub normal: NormalSummary,
+    /// Shear modulus G of both bodies, 1/G = ½ (1/G₁ + 1/G₂), in Pa.
+    pub shear_modulus: f64,
+    /// C11, C22, C23, C33.
+    pub coefficients: CreepCoefficients,
+}
+
+impl EllipticContact {
+    /// The contact of a problem.
+    pub fn new(problem: &Problem) -> Result<Self, Error> {
+        let normal = problem.normal.normal_contact(None)?.summary;
+        let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
+        let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
+        Ok(Self {
+            normal,
+            shear_modulus: bodies.shear_modulus(),
+            coefficients: interpolated_coefficients(axis_ratio, bodies.poisson_ratio())?,
+        })
+    }
+
+    /// Lever √(ab), in m.
+    pub fn lever(&self) -> f64 {
+        (self.normal.semi_axis_x * self.normal.semi_axis_y).sqrt()
+    }
+
+    /// Forces and moment on the wheel if nothing slid.
+    pub fn linear_force(&self, kinematics: &Kinematics) -> Resultant {
+        let semi_axes = [self.normal.semi_axis_x, self.normal.semi_axis_y];
+        self.coefficients.force(kinematics, semi_axes, self.shear_modulus)
+    }
+
+    /// Polach's gradient of the tangential stress in the area of adhesion, dimensionless, for a
+    /// friction limit μN in N: ε = G π a b √((C11 ξ)² + (C22 η)²)/(4 μN), spin left out.
+    pub fn stress_gradient(&self, kinematics: &Kinematics, limit: f64) -> f64 {
+        let force = self.linear_force(&Kinematics { spin: 0.0, ..*kinematics });
+        0.25 * PI * force.x.hypot(force.y) / limit
+    }
+}
+
+/// Limit μN of the force, in N: friction at the slip speed v0 √(ξ² + η²) of the contact as a whole,
+/// at y = 0, in material as warm as it enters.
+pub(super) fn friction_limit(problem: &Problem, load: f64) -> f64 {
+    let motion = &problem.kinematics;
+    let slip_speed = motion.speed * motion.creepage_x.hypot(motion.creepage_y);
+    let conduction = problem.conduction(motion);
+    load * problem.friction_response(&conduction, 0.0, slip_speed, 0.0).coefficient
+}

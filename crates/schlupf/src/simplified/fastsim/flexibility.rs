@@ -1,0 +1,95 @@
+//! The flexibilities of FASTSIM, from Kalker's coefficients.
+
+use std::f64::consts::PI;
+
+use crate::kinematics::Kinematics;
+use crate::method::{Brush, Flexibilities, SlopeReduction};
+use crate::patch::Travel;
+use crate::simplified::EllipticContact;
+
+/// L1, L2, L3 for longitudinal, lateral and spin creepage.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Flexibility {
+    /// L1, in m³/N.
+    pub longitudinal: f64,
+    /// L2, in m³/N.
+    pub lateral: f64,
+    /// L3, in m³/N.
+    pub spin: f64,
+}
+
+impl Flexibility {
+    /// L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23): with these a patch that sticks
+    /// has the forces of the linear theory (Kalker 1982).
+    fn three(contact: &EllipticContact) -> Self {
+        let a = contact.normal.semi_axis_x;
+        let per_modulus = a / contact.shear_modulus;
+        let c = &contact.coefficients;
+        Self {
+            longitudinal: 8.0 / 3.0 * per_modulus / c.c11,
+            lateral: 8.0 / 3.0 * per_modulus / c.c22,
+            spin: 0.25 * PI * per_modulus * a / (contact.lever() * c.c23),
+        }
+    }
+
+    /// The flexibilities of a motion: all three, or their mean
+    /// L = (|ξ| L1 + |η| L2 + c|φ| L3)/√(ξ² + η² + c²φ²) with c = √(ab) (Kalker 1982).
+    pub fn new(brush: Brush, contact: &EllipticContact, motion: &Kinematics) -> Self {
+        let three = Self::three(contact);
+        let Kinematics { creepage_x, creepage_y, spin, .. } = *motion;
+        let turning = contact.lever() * spin;
+        let total = creepage_x.hypot(creepage_y).hypot(turning);
+        if brush.flexibilities == Flexibilities::Three || total == 0.0 {
+            return three;
+        }
+        let sum = creepage_x.abs() * three.longitudinal
+            + creepage_y.abs() * three.lateral
+            + turning.abs() * three.spin;
+        let mean = sum / total;
+        Self { longitudinal: mean, lateral: mean, spin: mean }
+    }
+
+    /// Growth of the traction on the rail on a way on which it sticks, in Pa.
+    pub fn growth(&self, motion: &Kinematics, way: &Travel) -> [f64; 2] {
+        let turning = motion.spin / self.spin;
+        [
+            motion.creepage_x / self.longitudinal * way.distance - turning * way.moment_y,
+            motion.creepage_y / self.lateral * way.distance + turning * way.moment_x,
+        ]
+    }
+
+    /// The one flexibility (in m³/N) that makes slip out of traction (in Pa) that is cut off: that which
+    /// turns the growth of the traction into the rigid slip (in m) of the same way, as far as both have one
+    /// direction, but none beyond the largest and the smallest of the three.
+    pub fn along(&self, growth: [f64; 2], rigid_slip: [f64; 2]) -> f64 {
+        let Self { longitudinal, lateral, spin } = *self;
+        let smallest = longitudinal.min(lateral).min(spin);
+        let largest = longitudinal.max(lateral).max(spin);
+        let square = growth[0] * growth[0] + growth[1] * growth[1];
+        if square == 0.0 {
+            return smallest;
+        }
+        let product = growth[0] * rigid_slip[0] + growth[1] * rigid_slip[1];
+        (product / square).clamp(smallest, largest)
+    }
+
+    /// The same over k.
+    pub fn softened(self, reduction: f64) -> Self {
+        Self {
+            longitudinal: self.longitudinal / reduction,
+            lateral: self.lateral / reduction,
+            spin: self.spin / reduction,
+        }
+    }
+}
+
+/// k = k0 ((1 − α)/(1 + β ε) + α) of a [stress gradient](EllipticContact::stress_gradient) ε, all
+/// dimensionless.
+///
+/// Source: Spiryagin, Polach and Cole, Creep force modelling for rail traction vehicles based on the Fastsim algorithm, Vehicle
+/// System Dynamics 51 (2013) 1765–1783. Here ε is that of Kalker's coefficients without k0, and spin does not
+/// count in it.
+pub(super) fn slope_reduction(reduction: SlopeReduction, gradient: f64) -> f64 {
+    let SlopeReduction { initial, limit_ratio, decay } = reduction;
+    initial * ((1.0 - limit_ratio) / (1.0 + decay * gradient) + limit_ratio)
+}

@@ -1,0 +1,263 @@
+//! FASTSIM: the simplified theory of Kalker, a brush of bristles without coupling.
+//!
+//! The displacement of a point is proportional to its traction, u = L t, so a strip needs only one pass
+//! from its leading to its trailing edge: the traction on the rail grows on the way dx by
+//! (ξ/L1 − φ y/L3, η/L2 + φ x/L3) dx while it sticks, and is cut to μ pₙ where it slides. Friction may depend on
+//! slip speed and temperature, which are those of the same pass: each cell finds the coefficient that agrees
+//! with the slip and the heat it makes.
+//!
+//! Sources: Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System
+//! Dynamics 11 (1982) 1–13; L1, L2, L3 there from equal forces in full adhesion. The cells are those of the full
+//! solver, with exact ways and mean pressures where the edge of the patch cuts them, so the forces of full adhesion
+//! and of full sliding are exact on any grid. Limits: with three flexibilities the sliding direction at large
+//! creepage is that of (ξ/L1, η/L2), and the friction power differs from the creep power where spin takes part;
+//! one flexibility does without both, but has worse forces with spin.
+
+mod cell;
+mod common_coefficient;
+mod flexibility;
+mod passage;
+mod strip_heat;
+
+use std::f64::consts::FRAC_2_PI;
+
+use crate::error::Error;
+use crate::grid::Grid;
+use crate::kinematics::Kinematics;
+use crate::method::{Brush, SlopeReduction, TractionBound};
+use crate::normal::{NormalSummary, Pressure};
+use crate::patch::{Cell, Patch};
+use crate::problem::{Options, Problem};
+use crate::solution::Resultant;
+use crate::summary::snapshot::Snapshot;
+
+use super::elliptic_contact::{EllipticContact, friction_limit};
+use cell::{Carried, cut};
+use common_coefficient::common_coefficient;
+use flexibility::{Flexibility, slope_reduction};
+use passage::Passage;
+use strip_heat::StripHeat;
+
+/// A patch of bristles.
+#[derive(Debug)]
+pub(super) struct Fastsim {
+    brush: Brush,
+    reduction: Option<SlopeReduction>,
+    /// The cells, with the pressure that bounds the traction.
+    pub patch: Patch,
+    /// Traction on the rail, mean over the covered part of each cell, in Pa.
+    traction: Vec<[f64; 2]>,
+    /// Coefficient of friction, dimensionless.
+    friction: Vec<f64>,
+    flexibility: Flexibility,
+    heat: StripHeat,
+}
+
+impl Fastsim {
+    /// The patch of a problem; `reduction` makes it modified FASTSIM.
+    pub fn new(
+        problem: &Problem,
+        options: &Options,
+        (brush, reduction): (Brush, Option<SlopeReduction>),
+    ) -> Result<Self, Error> {
+        let normal = problem.normal.normal_contact(None)?;
+        let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
+        let mut patch = Patch::new(&normal, grid);
+        if brush.bound == TractionBound::Parabolic {
+            if matches!(normal.pressure, Pressure::Tabulated(..)) {
+                let reason = "a tabulated pressure has no paraboloid: it needs fastsim.bound = \
+                              \"elliptic\", with which the table bounds the traction";
+                return Err(Error::Contradiction {
+                    quantity: "fastsim.bound",
+                    reason: reason.to_owned(),
+                });
+            }
+            make_parabolic(&mut patch, &normal.summary);
+        }
+        let mut fastsim = Self {
+            brush,
+            reduction,
+            traction: vec![[0.0; 2]; patch.len()],
+            friction: vec![0.0; patch.len()],
+            flexibility: Flexibility::default(),
+            heat: StripHeat::new(&patch),
+            patch,
+        };
+        fastsim.set_friction(problem);
+        Ok(fastsim)
+    }
+
+    /// Takes over another law of friction.
+    pub fn set_friction(&mut self, problem: &Problem) {
+        let conduction = problem.conduction(&problem.kinematics);
+        for (friction, cell) in self.friction.iter_mut().zip(&self.patch.cells) {
+            *friction = problem.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
+        }
+    }
+
+    /// Takes over another load, under which all lengths and all pressures have changed by a factor.
+    pub fn rescale(&mut self, length: f64, pressure: f64) {
+        self.patch.rescale(length, pressure);
+        self.heat.forget();
+    }
+
+    /// Forces and moment on the wheel.
+    pub fn force(&mut self, problem: &Problem, contact: &EllipticContact) -> Resultant {
+        let motion = &problem.kinematics;
+        self.flexibility = Flexibility::new(self.brush, contact, motion);
+        if let Some(reduction) = self.reduction {
+            let limit = friction_limit(problem, contact.normal.load);
+            let factor = slope_reduction(reduction, contact.stress_gradient(motion, limit));
+            self.flexibility = self.flexibility.softened(factor);
+        }
+        if problem.friction.law.is_constant() {
+            self.pass(motion);
+        } else {
+            self.pass_with_friction(problem);
+        }
+        self.resultant()
+    }
+
+    /// From the leading to the trailing edges under the friction there is.
+    fn pass(&mut self, motion: &Kinematics) {
+        for strip in &self.patch.strips {
+            let mut carried = Carried::default();
+            for k in strip.cells.clone() {
+                let cell = &self.patch.cells[k];
+                let rigid = self.flexibility.growth(motion, &cell.way_in);
+                carried = carried.next(rigid, self.friction[k] * pressure(cell));
+                self.traction[k] = carried.traction;
+            }
+        }
+    }
+
+    /// The same where friction follows from slip and heat.
+    ///
+    /// A point that comes with more traction than its coefficient here would have let it have there
+    /// drops that part without slip and heat: see [`Self::way_in`].
+    fn pass_with_friction(&mut self, problem: &Problem) {
+        let Self { patch, traction, friction, flexibility, heat, .. } = self;
+        let motion = &problem.kinematics;
+        let conduction = problem.conduction(motion);
+        heat.prepare(problem.heat.model.as_ref(), patch, motion.speed);
+        let mut start = problem.friction.cold_coefficient();
+        for strip in &patch.strips {
+            let mut carried = Carried::default();
+            let mut pressure_before = 0.0;
+            for k in strip.cells.clone() {
+                let cell = &patch.cells[k];
+                let inherited = heat.inherited(k);
+                let growth = flexibility.growth(motion, &cell.way_in);
+                let arrive = |mu: f64| {
+                    let next = carried.next(growth, mu * pressure(cell));
+                    let ends = [cut(carried.traction, mu * pressure_before), next.traction];
+                    (next, Passage::new(flexibility, motion, &cell.way_in, ends))
+                };
+                let mu = common_coefficient(start, |mu| {
+                    let (_, passage) = arrive(mu);
+                    let rise = heat.rise(k, inherited, passage.heat());
+                    let slip_speed = passage.slip[0].hypot(passage.slip[1]);
+                    problem.friction_response(&conduction, rise, slip_speed, cell.y).coefficient
+                });
+                let (next, passage) = arrive(mu);
+                heat.release(k, passage.heat());
+                (start, friction[k], traction[k]) = (mu, mu, next.traction);
+                carried = next;
+                pressure_before = pressure(cell);
+            }
+        }
+    }
+
+    fn resultant(&self) -> Resultant {
+        let mut sum = Resultant::default();
+        for (cell, [px, py]) in self.patch.cells.iter().zip(&self.traction) {
+            sum.x -= cell.covered * px;
+            sum.y -= cell.covered * py;
+            sum.moment_z -= cell.covered * (cell.x * py - cell.y * px);
+        }
+        let area = self.patch.grid.cell_area();
+        Resultant { x: area * sum.x, y: area * sum.y, moment_z: area * sum.moment_z }
+    }
+
+    /// Everything in the cells after the last pass.
+    pub fn snapshot(&mut self, problem: &Problem) -> Snapshot {
+        let motion = &problem.kinematics;
+        let conduction = problem.conduction(motion);
+        let mut now = Snapshot::blank(*motion, conduction, self.patch.len());
+        now.friction.copy_from_slice(&self.friction);
+        let compliance = [self.flexibility.longitudinal, self.flexibility.lateral];
+        for (k, cell) in self.patch.cells.iter().enumerate() {
+            for (c, flexibility) in compliance.iter().enumerate() {
+                now.traction[2 * k + c] = cell.covered * self.traction[k][c];
+                now.displacement[2 * k + c] = flexibility * self.traction[k][c];
+            }
+        }
+        self.heat.prepare(problem.heat.model.as_ref(), &self.patch, motion.speed);
+        for strip in 0..self.patch.strips.len() {
+            self.warm(&mut now, strip);
+        }
+        now
+    }
+
+    /// Slip, friction power and temperatures of a strip.
+    fn warm(&mut self, now: &mut Snapshot, strip: usize) {
+        let strip = self.patch.strips[strip].clone();
+        let mut way_in = Passage::default();
+        for k in strip.cells.clone() {
+            let cell = self.patch.cells[k];
+            if k == strip.cells.start {
+                way_in = self.way_in(&now.kinematics, k, None);
+            }
+            let is_last = k + 1 == strip.cells.end;
+            let way_out = if is_last {
+                let ends = [self.traction[k], [0.0; 2]];
+                Passage::new(&self.flexibility, &now.kinematics, &strip.exit, ends)
+            } else {
+                self.way_in(&now.kinematics, k + 1, Some(k))
+            };
+            let heat = way_in.heat();
+            let inherited = self.heat.inherited(k);
+            now.rise[k] = self.heat.rise(k, inherited, heat);
+            self.heat.release(k, heat);
+            // Half of each way belongs to the cell, and all of that from or to an edge.
+            let shares = [
+                if k == strip.cells.start { 1.0 } else { 0.5 } * cell.way_in.distance,
+                if is_last { strip.exit.distance } else { 0.5 * way_out.distance },
+            ];
+            let mean = |of: fn(&Passage) -> f64| {
+                (shares[0] * of(&way_in) + shares[1] * of(&way_out)) / (shares[0] + shares[1])
+            };
+            now.slip[k] = [mean(|way| way.slip[0]), mean(|way| way.slip[1])];
+            now.friction_power[k] = cell.covered * mean(|way| way.power);
+            way_in = way_out;
+        }
+        now.exit_rise.push(self.heat.exit_rise(&strip, way_in.heat()));
+    }
+
+    /// The way into a cell, from the cell before if there is one.
+    ///
+    /// Where friction falls along the strip, a part of the traction is not held any more and springs back. How
+    /// much slip and heat that makes in a cell depends on the size of the cell, and so would friction that depends on
+    /// them; so that part does not count.
+    fn way_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
+        let held =
+            |j: usize| cut(self.traction[j], self.friction[k] * pressure(&self.patch.cells[j]));
+        let ends = [before.map_or([0.0; 2], held), self.traction[k]];
+        Passage::new(&self.flexibility, motion, &self.patch.cells[k].way_in, ends)
+    }
+}
+
+/// Pressure over the covered part of a cell, in Pa.
+fn pressure(cell: &Cell) -> f64 {
+    cell.pressure / cell.covered
+}
+
+/// Replaces the pressure by 2N/(πab) (1 − x²/a² − y²/b²). Its mean over the covered part of a cell follows
+/// from the moment of the way since entry, as 1 − x²/a² − y²/b² = (x_e² − x²)/a² with x_e(y) the leading edge.
+fn make_parabolic(patch: &mut Patch, normal: &NormalSummary) {
+    let (a, b) = (normal.semi_axis_x, normal.semi_axis_y);
+    let peak = FRAC_2_PI * normal.load / (a * b);
+    for cell in &mut patch.cells {
+        cell.pressure = peak * cell.covered * 2.0 * cell.since_entry.moment_x / (a * a);
+    }
+}

@@ -1,0 +1,40 @@
+//! What happens on the way from one cell to the next.
+
+use crate::kinematics::Kinematics;
+use crate::patch::Travel;
+
+use super::flexibility::Flexibility;
+
+/// A way with the slip and the friction power on it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Passage {
+    /// How long it is, in m.
+    pub distance: f64,
+    /// Slip velocity of the wheel over the rail, mean over the way, in m/s.
+    pub slip: [f64; 2],
+    /// Friction power over area, mean over the way, in W/m².
+    pub power: f64,
+}
+
+impl Passage {
+    /// A way with the tractions on the rail (in Pa) at both ends. Where these differ by what the
+    /// traction grows while it sticks, nothing slips.
+    pub fn new(
+        flexibility: &Flexibility,
+        motion: &Kinematics,
+        way: &Travel,
+        [from, to]: [[f64; 2]; 2],
+    ) -> Self {
+        let rate = motion.speed / way.distance;
+        let growth = flexibility.growth(motion, way);
+        let scale = rate * flexibility.along(growth, way.rigid_slip(motion));
+        let slip = [0, 1].map(|c| scale * (growth[c] - (to[c] - from[c])));
+        let power = 0.5 * ((from[0] + to[0]) * slip[0] + (from[1] + to[1]) * slip[1]);
+        Self { distance: way.distance, slip, power }
+    }
+
+    /// The heat released, in W/m².
+    pub fn heat(&self) -> f64 {
+        self.power.max(0.0)
+    }
+}

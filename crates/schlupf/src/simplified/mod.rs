@@ -1,0 +1,225 @@
+//! Fast methods for the forces of steady rolling, with the problems and solutions of the full solver: for
+//! multibody codes, and to compare with.
+//!
+//! | method | gives | cost |
+//! |---|---|---|
+//! | Kalker's linear theory | forces, moment | a tenth of a microsecond |
+//! | [`shen_hedrick_elkins`] | forces, moment | the same |
+//! | [`polach`] | forces | the same |
+//! | FASTSIM, modified FASTSIM | forces, moment, fields, temperatures | microseconds |
+//!
+//! All rest on Kalker's coefficients for the ellipse of the contact, which come from a table. A
+//! [`FastContact`] is set up once; forces for other motions and loads then allocate nothing.
+
+mod elliptic_contact;
+mod fastsim;
+pub mod polach;
+pub mod shen_hedrick_elkins;
+mod warnings;
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use crate::error::Error;
+use crate::grid::Grid;
+use crate::kinematics::Kinematics;
+use crate::method::Method;
+use crate::problem::{Options, Problem};
+use crate::solution::{
+    Area, Fields, Instant, Power, Resultant, Solution, Status, Temperature, Work,
+};
+use crate::state::State;
+use crate::summary;
+
+pub use elliptic_contact::EllipticContact;
+
+use elliptic_contact::friction_limit;
+use fastsim::Fastsim;
+
+/// What a method does not give.
+const UNKNOWN: f64 = f64::NAN;
+
+/// A contact that is set up for one of the fast methods.
+#[derive(Debug)]
+pub struct FastContact {
+    problem: Problem,
+    options: Options,
+    contact: EllipticContact,
+    fastsim: Option<Fastsim>,
+}
+
+impl FastContact {
+    /// Sets up a problem for the method of the options.
+    ///
+    /// # Errors
+    /// The full method, a history or an initial state, and whatever [`Problem::check`] and
+    /// [`Options::check`] refuse.
+    pub fn new(problem: &Problem, options: &Options) -> Result<Self, Error> {
+        options.check()?;
+        check(problem, options)?;
+        let fastsim = match options.method {
+            Method::Fastsim(brush) => Some((brush, None)),
+            Method::ModifiedFastsim(brush, reduction) => Some((brush, Some(reduction))),
+            _ => None,
+        };
+        let fastsim = fastsim.map(|brush| Fastsim::new(problem, options, brush)).transpose()?;
+        let contact = EllipticContact::new(problem)?;
+        Ok(Self { problem: problem.clone(), options: options.clone(), contact, fastsim })
+    }
+
+    /// The contact as the method sees it.
+    pub fn contact(&self) -> &EllipticContact {
+        &self.contact
+    }
+
+    /// Takes over another problem; the set-up stays where the bodies and the normal contact do.
+    pub fn set_problem(&mut self, problem: &Problem) -> Result<(), Error> {
+        let bodies = |problem: &Problem| [problem.wheel.material, problem.rail.material];
+        let fits = Arc::ptr_eq(&self.problem.normal, &problem.normal)
+            && bodies(&self.problem) == bodies(problem);
+        if !fits {
+            *self = Self::new(problem, &self.options)?;
+            return Ok(());
+        }
+        check(problem, &self.options)?;
+        self.problem.clone_from(problem);
+        if let Some(fastsim) = &mut self.fastsim {
+            fastsim.set_friction(&self.problem);
+        }
+        Ok(())
+    }
+
+    /// Takes over another load (in N); the patch grows as its source says.
+    pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
+        let normal = self.problem.normal.normal_contact(Some(load))?.summary;
+        let before = self.contact.normal;
+        if let Some(fastsim) = &mut self.fastsim {
+            fastsim.rescale(
+                normal.semi_axis_x / before.semi_axis_x,
+                normal.peak_pressure / before.peak_pressure,
+            );
+        }
+        self.contact.normal = normal;
+        Ok(())
+    }
+
+    /// Forces and moment on the wheel that moves like this; a moment that the method does not give is
+    /// NaN. Allocates nothing.
+    ///
+    /// # Errors
+    /// Whatever [`Kinematics::check`] refuses.
+    pub fn force(&mut self, motion: &Kinematics) -> Result<Resultant, Error> {
+        motion.check()?;
+        self.problem.kinematics = *motion;
+        Ok(self.present_force())
+    }
+
+    fn present_force(&mut self) -> Resultant {
+        let (problem, contact) = (&self.problem, &self.contact);
+        let motion = &problem.kinematics;
+        let limit = || friction_limit(problem, contact.normal.load);
+        match (self.options.method, &mut self.fastsim) {
+            (_, Some(fastsim)) => fastsim.force(problem, contact),
+            (Method::ShenHedrickElkins, _) => shen_hedrick_elkins::force(contact, motion, limit()),
+            (Method::Polach(reduction), _) => polach::force(contact, motion, limit(), reduction),
+            _ => contact.linear_force(motion),
+        }
+    }
+
+    /// The solution of the problem. Where the method has no fields there are no cells, and temperatures,
+    /// areas of stick and slip, and whatever else it does not know are NaN.
+    pub fn solution(&mut self) -> Solution {
+        let force = self.present_force();
+        let (problem, normal) = (&self.problem, &self.contact.normal);
+        let limit = friction_limit(problem, normal.load);
+        let warnings = warnings::of(problem, self.options.method, &force, limit);
+        let mut account = summary::Account {
+            method: self.options.method,
+            status: Status::Converged,
+            residual: 0.0,
+            history: Vec::new(),
+            warnings,
+            sensitivity: None,
+            work: Work::default(),
+            state: State { grid: Grid::default(), time: 0.0, elements: Vec::new() },
+        };
+        let mut instant = Instant {
+            time: 0.0,
+            kinematics: problem.kinematics,
+            load: normal.load,
+            force,
+            max_rise: f64::NAN,
+            newton_iterations: 0,
+            residual: 0.0,
+        };
+        if let Some(fastsim) = &mut self.fastsim {
+            let now = fastsim.snapshot(problem);
+            instant.max_rise = summary::temperature(&fastsim.patch, &now).max_rise;
+            account.history = vec![instant];
+            account.work.cells = fastsim.patch.len();
+            let patch = (normal, &fastsim.patch, &now);
+            let mut solution = summary::solution(problem, &self.options, patch, account);
+            if problem.heat.model.is_some() {
+                solution.warnings.extend(warnings::of_power(&solution.power));
+            }
+            return solution;
+        }
+        account.history = vec![instant];
+        self.without_fields(force, account)
+    }
+
+    fn without_fields(&self, force: Resultant, account: summary::Account) -> Solution {
+        let (problem, normal) = (&self.problem, self.contact.normal);
+        let motion = problem.kinematics;
+        let contact_area = PI * normal.semi_axis_x * normal.semi_axis_y;
+        // What is dissipated in steady rolling is what the creep forces put in.
+        let creep = summary::creep_power(&motion, &force);
+        let shares = problem.conduction(&motion).shares();
+        let [into_wheel, into_rail] = shares.map(|share| share * creep);
+        Solution {
+            method: account.method,
+            status: account.status,
+            residual: account.residual,
+            normal,
+            kinematics: motion,
+            force,
+            normalised: summary::normalised(problem, &normal, &force),
+            traction_coefficient: force.x.hypot(force.y) / normal.load,
+            power: Power { friction: creep, creep, returned: 0.0, into_wheel, into_rail },
+            t_gamma: summary::t_gamma(&motion, &force),
+            temperature: Temperature {
+                max_rise: UNKNOWN,
+                max_rise_wheel: UNKNOWN,
+                max_rise_rail: UNKNOWN,
+                max_wheel: UNKNOWN,
+                max_rail: UNKNOWN,
+                x: UNKNOWN,
+                y: UNKNOWN,
+            },
+            area: Area { contact: contact_area, stick: UNKNOWN, slip: UNKNOWN },
+            fields: Fields::default(),
+            history: account.history,
+            warnings: account.warnings,
+            sensitivity: None,
+            work: account.work,
+            state: account.state,
+        }
+    }
+}
+
+/// Checks what can be checked before the set-up.
+fn check(problem: &Problem, options: &Options) -> Result<(), Error> {
+    problem.check()?;
+    let refuse = |reason: String| Err(Error::Contradiction { quantity: "solver.method", reason });
+    let name = options.method.name();
+    if options.method == Method::Full {
+        return refuse("\"full\" is none of the fast methods".to_owned());
+    }
+    if problem.history.is_some() {
+        return refuse(format!("{name:?} is of steady rolling, but there is a history"));
+    }
+    if problem.initial_state.is_some() {
+        return refuse(format!("{name:?} is of steady rolling, but there is an initial state"));
+    }
+    Ok(())
+}

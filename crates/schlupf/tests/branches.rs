@@ -1,0 +1,78 @@
+//! Several steady states at one motion, where friction falls fast with the slip speed.
+
+mod common;
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::{cells, problem, rolling};
+use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::friction::linear::Linear;
+use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::problem::Branch;
+use schlupf::{Options, Problem, Solution, Status, rolling};
+
+/// Friction that has fallen from 0.4 to 0.05 at twice the half speed (in m/s).
+fn falling(creepage: f64, half_speed: f64) -> Problem {
+    let mut falling = problem(rolling(creepage, 0.0, 0.0));
+    falling.kinematics.speed = 15.0;
+    falling.contact_law = Arc::new(Incremental::new(1e8).unwrap());
+    let law = Linear(SlipTerms::new(0.4, 0.05, half_speed, None).unwrap());
+    falling.friction.law = Arc::new(law);
+    falling
+}
+
+fn on_branch(problem: &Problem, branch: Branch) -> Solution {
+    let options = Options { branch, ..cells(12) };
+    let solution = rolling::solve(problem, &options, &mut |_| ()).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    assert_eq!(solution.work.steps, 0, "marched");
+    solution
+}
+
+/// Friction that is gone at 8 mm/s, where the wheel slips by 10 mm/s: some cells can stick as well as
+/// slide. The result says which state it is and that there is another one, which is what the other
+/// branch gives.
+#[test]
+fn the_branch_is_said() {
+    let several = falling(0.0007, 0.004);
+    let low = on_branch(&several, Branch::LowSlip);
+    let high = on_branch(&several, Branch::HighSlip);
+    let limit = 0.4 * low.normal.load;
+    assert!((low.force.x - high.force.x).abs() > 1e-3 * limit, "{:?} {:?}", low.force, high.force);
+    for (solution, from, other) in [(&low, "low", &high), (&high, "high", &low)] {
+        let warning = solution.warnings.iter().find(|text| text.contains("several steady states"));
+        let warning = warning.unwrap();
+        assert!(warning.contains(&format!("reached from {from} slip")), "{warning}");
+        for force in [solution.force.x, other.force.x] {
+            assert!(
+                warning.contains(&format!("Fx = {force:.4e} N"))
+                    || warning.contains(&format!("{force:.4e} N")),
+                "{warning}"
+            );
+        }
+    }
+}
+
+/// With a fall that the bodies can follow both branches are one state, no branch is followed, and
+/// nothing is said.
+#[test]
+fn one_state_has_no_branches() {
+    let single = falling(0.002, 1.0);
+    let low = on_branch(&single, Branch::LowSlip);
+    let high = on_branch(&single, Branch::HighSlip);
+    assert_relative_eq!(low.force.x, high.force.x, max_relative = 1e-12);
+    assert!(low.warnings.iter().all(|text| !text.contains("steady states")), "{:?}", low.warnings);
+    assert!(low.work.newton_iterations < 40, "{:?}", low.work);
+}
+
+/// Where the fall is steep but the branches meet, they are followed and found to be one.
+#[test]
+fn steep_friction_with_one_state() {
+    let steep = falling(0.003, 0.02);
+    let low = on_branch(&steep, Branch::LowSlip);
+    let high = on_branch(&steep, Branch::HighSlip);
+    assert_relative_eq!(low.force.x, high.force.x, max_relative = 1e-5);
+    assert!(low.work.newton_iterations > 50, "followed: {:?}", low.work);
+    assert!(low.warnings.iter().all(|text| !text.contains("steady states")), "{:?}", low.warnings);
+}
