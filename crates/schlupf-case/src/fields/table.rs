@@ -1,5 +1,6 @@
 //! The table.
 
+mod contact_law;
 mod friction;
 mod solver;
 
@@ -56,7 +57,6 @@ const BEDDING: Requirement = Between(1.0, 1e20);
 const COUPLING: Requirement = Between(0.0, 1e18);
 const SPRING: Requirement = Between(1e-9, 1e18);
 const MARGIN: Requirement = Between(0.0, 1e3);
-const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
 
@@ -161,7 +161,12 @@ pub const SECTIONS: &[Section] = &[
     Section {
         name: "contact_law",
         doc: "How traction grows with the sliding of rough surfaces.",
-        fields: CONTACT_LAW,
+        fields: contact_law::FIELDS,
+    },
+    Section {
+        name: "contact_law.roughness",
+        doc: "Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files.",
+        fields: contact_law::ROUGHNESS,
     },
     Section {
         name: "friction",
@@ -426,28 +431,6 @@ const ELASTICITY: &[Field] = &[
     )
     .example("12 mm")
     .with(MODEL, LAYER),
-];
-
-const CONTACT_LAW: &[Field] = &[
-    field(
-        "contact_law.model",
-        Kind::Choice(&[
-            choice("incremental", "right for any path of sliding"),
-            choice("total-displacement", "Neuhaus and Sextro 2014, for sliding in one direction"),
-        ]),
-        Finite,
-        Text("incremental"),
-        "which sliding counts",
-    )
-    .with(solver::METHOD, solver::FULL),
-    field(
-        "contact_law.stiffness",
-        quantity(&Measure::PER_LENGTH),
-        CONTACT_STIFFNESS,
-        Text("5e6 1/m"),
-        "k_c, rate at which traction approaches the friction limit",
-    )
-    .with(solver::METHOD, solver::FULL),
 ];
 
 const HEAT: &[Field] = &[

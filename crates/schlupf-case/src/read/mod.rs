@@ -10,25 +10,39 @@ mod interface;
 mod kinematics;
 mod normal;
 mod options;
+mod roughness;
 
 use std::path::Path;
+use std::sync::Arc;
 
 use schlupf::{Options, Problem};
 
 pub use cooling::{cooling, missing as missing_cooling};
 
 use crate::error::CaseError;
+use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::settings::Settings;
+use roughness::Circumstances;
 
-/// The problem of a case; `folder` is where relative paths start.
-pub fn problem(settings: &Settings, folder: &Path) -> Result<Problem, CaseError> {
+/// The problem of a case, and where its k_c comes from; `folder` is where relative paths start, `solved` a
+/// micro model of a like case.
+pub fn problem(
+    settings: &Settings,
+    folder: &Path,
+    solved: Option<&Arc<MicroContact>>,
+) -> Result<(Problem, LawStiffness), CaseError> {
     let wheel = bodies::body(settings, &bodies::WHEEL)?;
     let rail = bodies::body(settings, &bodies::RAIL)?;
+    let kinematics = kinematics::kinematics(settings)?;
+    let materials = [&wheel.material, &rail.material];
+    let normal = normal::source(settings, folder, materials[0], materials[1])?;
+    let circumstances = Circumstances { folder, materials, normal: &*normal, solved };
+    let (contact_law, stiffness) = interface::contact_law(settings, &circumstances)?;
     let problem = Problem {
-        kinematics: kinematics::kinematics(settings)?,
-        normal: normal::source(settings, folder, &wheel.material, &rail.material)?,
-        elasticity: elasticity::model(settings, [&wheel.material, &rail.material])?,
-        contact_law: interface::contact_law(settings)?,
+        kinematics,
+        elasticity: elasticity::model(settings, materials)?,
+        normal,
+        contact_law,
         friction: friction::friction(settings, folder)?,
         heat: heat::heat(settings)?,
         history: history::history(settings, folder)?,
@@ -37,7 +51,7 @@ pub fn problem(settings: &Settings, folder: &Path) -> Result<Problem, CaseError>
         rail,
     };
     problem.check().map_err(|error| settings.explain(&error))?;
-    Ok(problem)
+    Ok((problem, stiffness))
 }
 
 /// The numerical options of a case.

@@ -2,6 +2,7 @@
 
 mod npy;
 mod points;
+mod source;
 mod x3p;
 
 use std::path::Path;
@@ -14,6 +15,8 @@ use schlupf::surface::{HeightMap, Lattice};
 use crate::error::{CaseError, Cause};
 use crate::place::Place;
 use crate::units::{Measure, parse_unit};
+
+pub use source::{RoughSurface, SurfaceOrigin, SurfaceSource, renamed};
 
 const FILE: &str = "surface.file";
 

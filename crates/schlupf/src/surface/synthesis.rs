@@ -15,9 +15,9 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use rustfft::num_complex::Complex;
 
 use super::spectrum::spectral_gradient;
-use super::{HeightMap, Lattice};
+use super::{HeightMap, LARGEST, Lattice};
 use crate::error::{Error, require, require_positive};
-use crate::fourier::RealTransform;
+use crate::fourier::{RealTransform, smooth_from};
 
 /// How rough a surface is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +44,25 @@ pub struct SelfAffine {
     pub shortest_wavelength: f64,
 }
 
+/// Of a suitable lattice: cells in the shortest wave, most of the longest waves along a side, and most
+/// cells along a side while the longest wave fits twice.
+const CELLS_IN_SHORTEST: f64 = 4.0;
+const LONGEST_WAVES: [f64; 2] = [2.0, 8.0];
+const MOST_CELLS: f64 = 1024.0;
+
 impl SelfAffine {
+    /// A square lattice that carries all waves: with four cells in the shortest one, and up to eight of
+    /// the longest along a side of at most 1024 cells. Where only two of them fit, the cells grow to half
+    /// the shortest wave; beyond that there are more cells.
+    pub fn suitable_lattice(&self) -> Lattice {
+        let ratio = (self.longest_wavelength / self.shortest_wavelength).max(1.0);
+        let [least, most] = LONGEST_WAVES;
+        let waves = (MOST_CELLS / (CELLS_IN_SHORTEST * ratio)).floor().clamp(least, most);
+        let wanted = (waves * ratio * CELLS_IN_SHORTEST).min(MOST_CELLS).max(2.0 * waves * ratio);
+        let cells = smooth_from((wanted * (1.0 - ROUNDING)).ceil().min(LARGEST as f64) as usize);
+        Lattice::square(cells, waves * self.longest_wavelength)
+    }
+
     /// A surface with mean height zero, of exactly the given roughness.
     pub fn surface(&self, lattice: Lattice, seed: u64) -> Result<HeightMap, Error> {
         lattice.check()?;
@@ -211,6 +229,26 @@ mod tests {
         let surface = |seed| SPECTRUM.surface(lattice, seed).unwrap();
         assert_eq!(surface(1), surface(1));
         assert_ne!(surface(1), surface(2));
+    }
+
+    #[test]
+    fn a_suitable_lattice_carries_all_waves() {
+        let of = |longest_wavelength: f64, shortest_wavelength: f64| {
+            let roll_off_wavelength = longest_wavelength;
+            let spectrum = SelfAffine {
+                longest_wavelength,
+                roll_off_wavelength,
+                shortest_wavelength,
+                ..SPECTRUM
+            };
+            let lattice = spectrum.suitable_lattice();
+            spectrum.check(&lattice).unwrap();
+            (lattice.columns, (lattice.length_x() / longest_wavelength).round())
+        };
+        assert_eq!(of(1e-4, 1e-5), (320, 8.0));
+        assert_eq!(of(1e-4, 2e-6), (1000, 5.0));
+        assert_eq!(of(1e-4, 5e-7), (1024, 2.0));
+        assert_eq!(of(1e-4, 1e-7).1, 2.0);
     }
 
     #[test]

@@ -59,26 +59,64 @@ impl MicroModel {
         let contact = RoughContact::new(distance, self.contact_modulus, Boundary::Periodic)?;
         let mut contact = contact.with_hardness(self.hardness)?;
         let normal = LoadCurve::compute(&mut contact, largest, options, each)?;
-        let tangential: Result<Vec<TangentialCurve>, Error> = self
-            .mean_pressures
-            .iter()
-            .map(|pressure| TangentialCurve::new(&normal, *pressure, &self.bodies))
-            .collect();
-        let tangential = tangential?;
+        MicroModelResult::new(statistics, normal, &self.bodies, &self.mean_pressures)
+    }
+}
+
+impl MicroModelResult {
+    /// From a normal contact that is solved: tangential curves at mean pressures (in Pa), and k_c.
+    pub fn new(
+        statistics: Statistics,
+        normal: LoadCurve,
+        bodies: &SimilarBodies,
+        mean_pressures: &[f64],
+    ) -> Result<Self, Error> {
+        let curve = |pressure: &f64| TangentialCurve::new(&normal, *pressure, bodies);
+        let tangential: Vec<TangentialCurve> =
+            mean_pressures.iter().map(curve).collect::<Result<_, _>>()?;
         let stiffness = ContactStiffness::fit(&tangential).ok_or(Error::Contradiction {
             quantity: "normal.pressure",
             reason: "at least one mean pressure is needed".to_owned(),
         })?;
         let height = statistics.root_mean_square_height;
         let exponential = normal.exponential_range();
-        Ok(MicroModelResult {
+        Ok(Self {
             statistics,
             gamma: exponential.map(|range| range.length / height),
             exponential,
             normal,
             tangential,
             stiffness,
-            closed_form: closed_form(&self.bodies, TYPICAL_GAMMA * height),
+            closed_form: closed_form(bodies, TYPICAL_GAMMA * height),
         })
+    }
+}
+
+/// Local pressures (in Pa) that stand for a Hertzian patch of a largest pressure p0 (in Pa): below them
+/// one sixth, one half and five sixths of the load are carried. Of the load, (p/p0)³ is carried at
+/// pressures below p.
+pub fn pressures_of_patch(peak_pressure: f64) -> [f64; 3] {
+    [1.0, 3.0, 5.0].map(|sixths: f64| peak_pressure * (sixths / 6.0).cbrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Goal: the shares of the load, by summing the pressure p0 √(1 − r²) over rings of the patch.
+    #[test]
+    fn the_pressures_of_a_patch_divide_its_load() {
+        let rings: Vec<[f64; 2]> = (0..100_000)
+            .map(|k| (f64::from(k) + 0.5) / 1e5)
+            .map(|r| [(1.0 - r * r).sqrt(), (1.0 - r * r).sqrt() * r])
+            .collect();
+        let load: f64 = rings.iter().map(|[_, force]| force).sum();
+        for (pressure, share) in pressures_of_patch(1.0).into_iter().zip([1.0, 3.0, 5.0]) {
+            let below = rings.iter().filter(|[p, _]| *p < pressure);
+            let carried: f64 = below.map(|[_, force]| force).sum();
+            assert_relative_eq!(carried / load, share / 6.0, max_relative = 1e-3);
+        }
     }
 }
