@@ -16,6 +16,8 @@ pub mod least_squares;
 pub mod material;
 pub mod kinematics;
 pub mod grid;
+mod fourier;
+pub mod surface;
 pub mod normal;
 pub mod patch;
 pub mod elasticity;

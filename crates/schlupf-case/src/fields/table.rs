@@ -1,5 +1,6 @@
 //! The table.
 
+mod contact_law;
 mod elasticity;
 mod friction;
 mod solver;
@@ -53,7 +54,6 @@ const LOAD: Requirement = Between(1e-3, 1e12);
 const PEAK_PRESSURE: Requirement = Between(1.0, 1e14);
 const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
-const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
 
@@ -158,7 +158,12 @@ pub const SECTIONS: &[Section] = &[
     Section {
         name: "contact_law",
         doc: "How traction grows with the sliding of rough surfaces.",
-        fields: CONTACT_LAW,
+        fields: contact_law::FIELDS,
+    },
+    Section {
+        name: "contact_law.roughness",
+        doc: "Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files.",
+        fields: contact_law::ROUGHNESS,
     },
     Section {
         name: "friction",
@@ -308,28 +313,6 @@ const NORMAL: &[Field] = &[
     )
     .example("0.5 mm")
     .with("normal.model", &["tabulated"]),
-];
-
-const CONTACT_LAW: &[Field] = &[
-    field(
-        "contact_law.model",
-        Kind::Choice(&[
-            choice("incremental", "right for any path of sliding"),
-            choice("total-displacement", "Neuhaus and Sextro 2014, for sliding in one direction"),
-        ]),
-        Finite,
-        Text("incremental"),
-        "which sliding counts",
-    )
-    .with(solver::METHOD, solver::FULL),
-    field(
-        "contact_law.stiffness",
-        quantity(&Measure::PER_LENGTH),
-        CONTACT_STIFFNESS,
-        Text("5e6 1/m"),
-        "k_c, rate at which traction approaches the friction limit",
-    )
-    .with(solver::METHOD, solver::FULL),
 ];
 
 const HEAT: &[Field] = &[

@@ -15,12 +15,12 @@ struct Given {
 }
 
 const fn plain(name: &'static str, requirement: Result<&'static str, Requirement>) -> Given {
-    Given { column: Column { name, measure: None, required: false }, requirement }
+    Given { column: Column { name, measure: None, required: false, holes: false }, requirement }
 }
 
 const fn quantity(name: &'static str, measure: &'static Measure, field: &'static str) -> Given {
     Given {
-        column: Column { name, measure: Some(measure), required: false },
+        column: Column { name, measure: Some(measure), required: false, holes: false },
         requirement: Ok(field),
     }
 }

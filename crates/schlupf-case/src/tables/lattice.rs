@@ -1,10 +1,8 @@
 //! Points of a table that fill a rectangle, in any order.
 
+use super::axis::{Axis, rounded};
 use super::columns::Columns;
 use crate::error::CaseError;
-
-/// Positions may differ from the lattice by this part of a spacing: text has few digits.
-const ROUNDING: f64 = 0.01;
 
 /// A lattice with more points than this for each row is no table with holes, but no table at all.
 const MAX_SPARSE: usize = 1000;
@@ -66,11 +64,6 @@ pub fn point(x: f64, y: f64) -> String {
     format!("x = {} mm, y = {} mm", rounded(x * 1e3), rounded(y * 1e3))
 }
 
-/// A length in mm without the digits that conversion adds.
-fn rounded(length: f64) -> f64 {
-    (length * 1e6).round() / 1e6
-}
-
 /// Points at the nearest line that was given in front of a hole, if any.
 fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Columns) -> CaseError {
     let (x, y) = axes;
@@ -83,66 +76,4 @@ fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Colu
     let before = lines[..hole].iter().rev().find(|line| **line != 0);
     let line = *before.unwrap_or(&columns.header_line);
     columns.error(line, message)
-}
-
-/// Equidistant positions.
-#[derive(Debug)]
-pub struct Axis {
-    /// The lowest, in m.
-    pub first: f64,
-    /// Their distance, in m.
-    pub spacing: f64,
-    /// How many there are.
-    pub count: usize,
-}
-
-impl Axis {
-    /// The lattice that positions in any order lie on.
-    fn of(name: &str, positions: &[f64], columns: &Columns) -> Result<Self, CaseError> {
-        let mut sorted = positions.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let widest = sorted.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else {
-            let file = columns.field();
-            let message =
-                format!("{file} must have at least two values of {name}, but has no rows");
-            return Err(columns.error(columns.header_line, message));
-        };
-        if widest <= 0.0 {
-            let message =
-                format!("{name} must have at least two values, but is the same everywhere");
-            return Err(columns.error(columns.header_line, message));
-        }
-        let steps = ((last - first) / widest).round();
-        let axis = Self { first, spacing: (last - first) / steps, count: 1 + steps as usize };
-        let stray = positions.iter().position(|x| !axis.holds(*x) || !steps.is_finite());
-        match stray {
-            None => Ok(axis),
-            Some(row) => {
-                let message = format!(
-                    "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
-                    rounded(positions[row] * 1e3),
-                    rounded(axis.spacing * 1e3)
-                );
-                Err(columns.error(columns.lines[row], message))
-            }
-        }
-    }
-
-    fn index(&self, position: f64) -> usize {
-        ((position - self.first) / self.spacing).round() as usize
-    }
-
-    fn position(&self, index: usize) -> f64 {
-        self.first + self.spacing * index as f64
-    }
-
-    /// All of them, in m.
-    pub fn positions(&self) -> Vec<f64> {
-        (0..self.count).map(|index| self.position(index)).collect()
-    }
-
-    fn holds(&self, position: f64) -> bool {
-        (position - self.position(self.index(position))).abs() <= ROUNDING * self.spacing
-    }
 }

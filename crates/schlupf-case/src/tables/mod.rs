@@ -2,11 +2,12 @@
 //! measured points of creep curves.
 
 mod across;
-mod columns;
+pub(crate) mod axis;
+pub(crate) mod columns;
 mod creep_data;
 mod displacements;
 mod lattice;
-mod npy;
+pub(crate) mod npy;
 mod pressure;
 mod time;
 

@@ -12,9 +12,9 @@ use crate::units::Measure;
 const FILE: &str = "normal.file";
 
 const COLUMNS: [Column; 3] = [
-    Column { name: "x", measure: Some(&Measure::LENGTH), required: true },
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: true },
-    Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true },
+    Column { name: "x", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true, holes: false },
 ];
 
 /// A table from a CSV file with columns x, y and pressure, its rows in any order.
@@ -97,7 +97,7 @@ mod tests {
             ("y [mm],", "", "p.csv:2:1: column `y` is missing"),
             ("y [mm]", "x [mm]", "p.csv:2:1: column `x` is given twice"),
             (GOOD, "# nothing", "p.csv:1:1: normal.file must have a header"),
-            (GOOD, "x [mm],y [mm],pressure [MPa]\n", "has no rows"),
+            (GOOD, "x [mm],y [mm],pressure [MPa]\n", "there are no rows"),
             (GOOD, "x [mm],y [mm],pressure [MPa]\n0,0,1\n1,0,1\n", "y must have at least two"),
         ];
         for (from, to, expected) in cases {

@@ -55,18 +55,3 @@ pub trait Compliance: Debug + Send {
         0.0
     }
 }
-
-/// The smallest product of 2, 3 and 5 that is not below `least`: lengths that the fast
-/// transforms like.
-pub(crate) fn smooth_from(least: usize) -> usize {
-    let is_smooth = |mut n: usize| {
-        for factor in [2, 3, 5] {
-            while n.is_multiple_of(factor) {
-                n /= factor;
-            }
-        }
-        n == 1
-    };
-    // A power of two is smooth, so the search ends.
-    (least..=2 * least).find(|n| is_smooth(*n)).unwrap_or(least)
-}

@@ -2,6 +2,7 @@
 
 pub mod contact_law;
 pub mod friction;
+pub mod roughness;
 
 use self::friction::constants::FrictionConstant;
 

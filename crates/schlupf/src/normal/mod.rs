@@ -3,6 +3,7 @@
 pub mod at_load;
 pub mod ellipse;
 pub mod hertz;
+pub mod rough_contact;
 pub mod tabulated;
 
 use std::fmt::Debug;
