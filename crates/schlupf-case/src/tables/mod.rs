@@ -1,12 +1,15 @@
-//! Files that a case names: tables of pressure, of friction over y, and of time.
+//! Files that a case names: tables of pressure, of undeformed distance, of friction over y, and of time.
 
 mod across;
 mod columns;
+mod distance;
+mod lattice;
 mod npy;
 mod pressure;
 mod time;
 
 pub use across::from_csv as variation_from_csv;
+pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy};
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};
 

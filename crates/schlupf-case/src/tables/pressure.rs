@@ -3,12 +3,10 @@
 use schlupf::normal::tabulated::PressureTable;
 
 use super::columns::{Column, Columns};
-use super::npy;
+use super::lattice::{self, FILE};
 use crate::error::CaseError;
 use crate::place::Place;
 use crate::units::Measure;
-
-const FILE: &str = "normal.file";
 
 const COLUMNS: [Column; 3] = [
     Column { name: "x", measure: Some(&Measure::LENGTH), required: true },
@@ -16,130 +14,22 @@ const COLUMNS: [Column; 3] = [
     Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true },
 ];
 
-/// Positions may differ from the lattice by this part of a spacing: text has few digits.
-const ROUNDING: f64 = 0.01;
-
-/// A lattice with more points than this for each row is no table with holes, but no table at all.
-const MAX_SPARSE: usize = 1000;
-
 /// A table from a CSV file with columns x, y and pressure, its rows in any order.
 pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError> {
     let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
     let [xs, ys, pressures] = &columns.values[..] else {
         return Err(columns.error(columns.header_line, "three columns are needed"));
     };
-    let x = Axis::of("x", xs, &columns)?;
-    let y = Axis::of("y", ys, &columns)?;
-    if x.count * y.count > MAX_SPARSE * columns.lines.len() {
-        let (nx, ny, rows) = (x.count, y.count, columns.lines.len());
+    if let Some(row) = pressures.iter().position(|pressure| *pressure < 0.0) {
+        let at = lattice::point(xs[row], ys[row]);
         let message =
-            format!("the points must fill a rectangle of {nx} by {ny}, but there are only {rows}");
-        return Err(columns.error(columns.header_line, message));
+            format!("pressure must not be negative, but is {} Pa at {at}", pressures[row]);
+        return Err(columns.error(columns.lines[row], message));
     }
-    let mut lines = vec![0; x.count * y.count];
-    let mut pressure = vec![0.0; lines.len()];
-    for (row, &line) in columns.lines.iter().enumerate() {
-        let cell = y.index(ys[row]) * x.count + x.index(xs[row]);
-        if lines[cell] != 0 {
-            let (first, at) = (lines[cell], point(xs[row], ys[row]));
-            let message =
-                format!("every point must be given once, but {at} stands in line {first} too");
-            return Err(columns.error(line, message));
-        }
-        if pressures[row] < 0.0 {
-            let at = point(xs[row], ys[row]);
-            let message =
-                format!("pressure must not be negative, but is {} Pa at {at}", pressures[row]);
-            return Err(columns.error(line, message));
-        }
-        lines[cell] = line;
-        pressure[cell] = pressures[row];
-    }
-    if let Some(hole) = lines.iter().position(|line| *line == 0) {
-        return Err(hole_error(hole, &lines, (&x, &y), &columns));
-    }
-    PressureTable::new(&x.positions(), &y.positions(), pressure)
+    let help = "give pressure 0 outside the contact";
+    let table = lattice::from_columns(&columns, [xs, ys, pressures], help)?;
+    PressureTable::new(&table.x, &table.y, table.values)
         .map_err(|error| columns.error(columns.header_line, error.to_string()))
-}
-
-fn point(x: f64, y: f64) -> String {
-    format!("x = {} mm, y = {} mm", rounded(x * 1e3), rounded(y * 1e3))
-}
-
-/// A length in mm without the digits that conversion adds.
-fn rounded(length: f64) -> f64 {
-    (length * 1e6).round() / 1e6
-}
-
-/// Points at the nearest line that was given in front of a hole, if any.
-fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Columns) -> CaseError {
-    let (x, y) = axes;
-    let at = point(x.position(hole % x.count), y.position(hole / x.count));
-    let holes = lines.iter().filter(|line| **line == 0).count();
-    let message = format!(
-        "the points must fill a rectangle of {} by {}, but {holes} of them are missing, the first at {at}",
-        x.count, y.count
-    );
-    let before = lines[..hole].iter().rev().find(|line| **line != 0);
-    let line = *before.unwrap_or(&columns.header_line);
-    columns.error(line, message).help("give pressure 0 outside the contact".to_owned())
-}
-
-/// Equidistant positions.
-#[derive(Debug)]
-struct Axis {
-    first: f64,
-    spacing: f64,
-    count: usize,
-}
-
-impl Axis {
-    /// The lattice that positions in any order lie on.
-    fn of(name: &str, positions: &[f64], columns: &Columns) -> Result<Self, CaseError> {
-        let mut sorted = positions.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let widest = sorted.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else {
-            let message =
-                format!("{FILE} must have at least two values of {name}, but has no rows");
-            return Err(columns.error(columns.header_line, message));
-        };
-        if widest <= 0.0 {
-            let message =
-                format!("{name} must have at least two values, but is the same everywhere");
-            return Err(columns.error(columns.header_line, message));
-        }
-        let steps = ((last - first) / widest).round();
-        let axis = Self { first, spacing: (last - first) / steps, count: 1 + steps as usize };
-        let stray = positions.iter().position(|x| !axis.holds(*x) || !steps.is_finite());
-        match stray {
-            None => Ok(axis),
-            Some(row) => {
-                let message = format!(
-                    "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
-                    rounded(positions[row] * 1e3),
-                    rounded(axis.spacing * 1e3)
-                );
-                Err(columns.error(columns.lines[row], message))
-            }
-        }
-    }
-
-    fn index(&self, position: f64) -> usize {
-        ((position - self.first) / self.spacing).round() as usize
-    }
-
-    fn position(&self, index: usize) -> f64 {
-        self.first + self.spacing * index as f64
-    }
-
-    fn positions(&self) -> Vec<f64> {
-        (0..self.count).map(|index| self.position(index)).collect()
-    }
-
-    fn holds(&self, position: f64) -> bool {
-        (position - self.position(self.index(position))).abs() <= ROUNDING * self.spacing
-    }
 }
 
 /// A table from an .npy file, centred on the origin. Spacings in m, pressures in Pa.
@@ -149,23 +39,11 @@ pub fn from_npy(
     spacings: [f64; 2],
     place: &Place,
 ) -> Result<PressureTable, CaseError> {
-    let error =
-        |message: String| CaseError::new(FILE, format!("{FILE}: {name} {message}"), place.clone());
-    let array = npy::parse(bytes).map_err(error)?;
-    let bad = |value: &f64| !value.is_finite() || *value < 0.0;
-    if let Some(cell) = array.values.iter().position(bad) {
-        let (row, column) = (cell / array.columns, cell % array.columns);
-        let value = array.values[cell];
-        return Err(error(format!(
-            "must hold finite pressures that are not negative, but is {value} in row {row}, column {column}"
-        )));
-    }
-    let axis = |count: usize, spacing: f64| -> Vec<f64> {
-        let middle = 0.5 * (count as f64 - 1.0);
-        (0..count).map(|index| (index as f64 - middle) * spacing).collect()
-    };
-    let (x, y) = (axis(array.columns, spacings[0]), axis(array.rows, spacings[1]));
-    PressureTable::new(&x, &y, array.values).map_err(|cause| error(format!("is no table: {cause}")))
+    let legal = |value: f64| value.is_finite() && value >= 0.0;
+    let requirement = "finite pressures that are not negative";
+    let table = lattice::from_npy(name, bytes, spacings, place, (legal, requirement))?;
+    PressureTable::new(&table.x, &table.y, table.values)
+        .map_err(|cause| lattice::npy_error(name, place, &format!("is no table: {cause}")))
 }
 
 #[cfg(test)]
