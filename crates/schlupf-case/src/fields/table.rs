@@ -253,6 +253,7 @@ const NORMAL: &[Field] = &[
             choice("hertz", "from the radii and the moduli of both bodies, and load"),
             choice("ellipse", "from semi_axis_x, semi_axis_y, and load or peak_pressure"),
             choice("tabulated", "from file, scaled to load if that is given"),
+            choice("profile", "from file, the undeformed distance of the bodies, and load"),
         ]),
         Finite,
         Text("hertz"),
@@ -291,10 +292,11 @@ const NORMAL: &[Field] = &[
         Kind::Path,
         Finite,
         Nothing,
-        "CSV with the header `x [mm],y [mm],pressure [MPa]` or .npy in Pa, each row along x",
+        "CSV with the header `x [mm],y [mm],pressure [MPa]`, or with \"profile\" `x [mm],y [mm],distance [um]` or \
+         `y [mm],distance [mm]` (across at x = 0); or .npy in Pa or m, each row along x",
     )
     .example("pressure.csv")
-    .with("normal.model", &["tabulated"]),
+    .with("normal.model", FILES),
     field(
         "normal.spacing_x",
         quantity(&Measure::LENGTH),
@@ -303,7 +305,7 @@ const NORMAL: &[Field] = &[
         "distance of the columns of an .npy file",
     )
     .example("0.5 mm")
-    .with("normal.model", &["tabulated"]),
+    .with("normal.model", FILES),
     field(
         "normal.spacing_y",
         quantity(&Measure::LENGTH),
@@ -312,8 +314,19 @@ const NORMAL: &[Field] = &[
         "distance of the rows of an .npy file",
     )
     .example("0.5 mm")
-    .with("normal.model", &["tabulated"]),
+    .with("normal.model", FILES),
+    field(
+        "normal.cells",
+        Kind::Count,
+        Between(16.0, 512.0),
+        Text("128"),
+        "cells across the contact each way, on which the pressure of a profile is found",
+    )
+    .with("normal.model", &["profile"]),
 ];
+
+/// Models that read a file.
+const FILES: &[&str] = &["tabulated", "profile"];
 
 const HEAT: &[Field] = &[
     field(

@@ -34,6 +34,8 @@ pub struct Columns {
     pub lines: Vec<usize>,
     /// One entry for each column that was asked for, empty where the file does not have it.
     pub values: Vec<Vec<f64>>,
+    /// Which of the columns that were asked for the file has.
+    present: Vec<bool>,
     field: &'static str,
 }
 
@@ -96,7 +98,13 @@ impl Columns {
         let text = text.trim_start_matches('\u{feff}').to_owned();
         let source = Arc::new(Source { name, text });
         let values = vec![Vec::new(); wanted.len()];
-        Ok(Self { source, header_line: 1, lines: Vec::new(), values, field })
+        let present = vec![false; wanted.len()];
+        Ok(Self { source, header_line: 1, lines: Vec::new(), values, present, field })
+    }
+
+    /// Whether the file has a column, by its number among those that were asked for.
+    pub fn has(&self, index: usize) -> bool {
+        self.present[index]
     }
 
     /// An error at a line of the file.
@@ -121,7 +129,9 @@ impl Columns {
             match &header {
                 None => {
                     self.header_line = line;
-                    header = Some(self.header(&cells, wanted)?);
+                    let assigned = self.header(&cells, wanted)?;
+                    assigned.iter().for_each(|column| self.present[column.index] = true);
+                    header = Some(assigned);
                 }
                 Some(header) => self.row(&cells, line, header, wanted)?,
             }

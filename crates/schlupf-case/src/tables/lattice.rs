@@ -1,8 +1,13 @@
-//! Points of a table that fill a rectangle, in any order.
+//! Points of a table that fill a rectangle: in any order from a CSV file, or from an .npy file.
 
 use super::axis::{Axis, rounded};
 use super::columns::Columns;
+use super::npy;
 use crate::error::CaseError;
+use crate::place::Place;
+
+/// The field that names the files of the normal contact.
+pub const FILE: &str = "normal.file";
 
 /// A lattice with more points than this for each row is no table with holes, but no table at all.
 const MAX_SPARSE: usize = 1000;
@@ -23,7 +28,7 @@ impl Lattice {
     pub fn of(xs: &[f64], ys: &[f64], columns: &Columns, advice: &str) -> Result<Self, CaseError> {
         let x = Axis::of("x", xs, columns)?;
         let y = Axis::of("y", ys, columns)?;
-        if x.count * y.count > MAX_SPARSE * columns.lines.len() {
+        if x.count.saturating_mul(y.count) > MAX_SPARSE * columns.lines.len() {
             let (nx, ny, rows) = (x.count, y.count, columns.lines.len());
             let message = format!(
                 "the points must fill a rectangle of {nx} by {ny}, but there are only {rows}"
@@ -59,9 +64,66 @@ impl Lattice {
     }
 }
 
+/// Values at the positions x × y, rows along x.
+#[derive(Debug)]
+pub struct Values {
+    /// In m, ascending.
+    pub x: Vec<f64>,
+    /// In m, ascending.
+    pub y: Vec<f64>,
+    /// One for each point.
+    pub values: Vec<f64>,
+}
+
+/// From the columns x, y (both in m) and a value, the rows in any order; `advice` is what to do about a hole.
+pub fn from_columns(
+    columns: &Columns,
+    [xs, ys, values]: [&[f64]; 3],
+    advice: &str,
+) -> Result<Values, CaseError> {
+    let lattice = Lattice::of(xs, ys, columns, advice)?;
+    let values = lattice.arranged(values);
+    Ok(Values { x: lattice.x.positions(), y: lattice.y.positions(), values })
+}
+
+/// From an .npy file, centred on the origin, spacings in m; each value must be `legal`, which `requirement` says
+/// in words.
+pub fn from_npy(
+    name: &str,
+    bytes: &[u8],
+    spacings: [f64; 2],
+    place: &Place,
+    (legal, requirement): (fn(f64) -> bool, &str),
+) -> Result<Values, CaseError> {
+    let array = npy::parse(bytes).map_err(|message| npy_error(name, place, &message))?;
+    if let Some(cell) = array.values.iter().position(|value| !legal(*value)) {
+        let (row, column) = (cell / array.columns, cell % array.columns);
+        let value = array.values[cell];
+        let message =
+            format!("must hold {requirement}, but is {value} in row {row}, column {column}");
+        return Err(npy_error(name, place, &message));
+    }
+    let axis = |count: usize, spacing: f64| -> Vec<f64> {
+        let middle = 0.5 * (count as f64 - 1.0);
+        (0..count).map(|index| (index as f64 - middle) * spacing).collect()
+    };
+    let (x, y) = (axis(array.columns, spacings[0]), axis(array.rows, spacings[1]));
+    Ok(Values { x, y, values: array.values })
+}
+
+/// An error of an .npy file; the message follows its name in a sentence.
+pub fn npy_error(name: &str, place: &Place, message: &str) -> CaseError {
+    CaseError::new(FILE, format!("{FILE}: {name} {message}"), place.clone())
+}
+
 /// A point for messages.
 pub fn point(x: f64, y: f64) -> String {
     format!("x = {} mm, y = {} mm", rounded(x * 1e3), rounded(y * 1e3))
+}
+
+/// A length (in m) in mm without the digits that conversion adds.
+pub fn millimetres(length: f64) -> f64 {
+    rounded(length * 1e3)
 }
 
 /// Points at the nearest line that was given in front of a hole, if any.

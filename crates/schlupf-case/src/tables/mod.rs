@@ -1,4 +1,4 @@
-//! Files that a case names: tables of pressure, of friction over y, and of time; displacements to calibrate with, and
+//! Files that a case names: tables of pressure, of undeformed distance, of friction over y, and of time; displacements to calibrate with, and
 //! measured points of creep curves.
 
 mod across;
@@ -6,6 +6,7 @@ pub(crate) mod axis;
 pub(crate) mod columns;
 mod creep_data;
 mod displacements;
+mod distance;
 mod lattice;
 pub(crate) mod npy;
 mod pressure;
@@ -14,6 +15,7 @@ mod time;
 pub use across::from_csv as variation_from_csv;
 pub use creep_data::from_csv as creep_data_from_csv;
 pub use displacements::{Displacements, read as read_displacements};
+pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy};
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};
 

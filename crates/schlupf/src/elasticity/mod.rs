@@ -22,6 +22,11 @@ pub trait Elasticity: Debug + Send + Sync {
     fn caveat(&self) -> Option<String> {
         None
     }
+
+    /// The same for a patch of several separate parts, where the model is made for one.
+    fn caveat_of_parts(&self, _parts: usize) -> Option<String> {
+        None
+    }
 }
 
 /// Displacement from traction on the cells of one grid; symmetric and not negative.

@@ -25,7 +25,7 @@ impl PressureSource for AtLoad {
         self.source.normal_contact(load.or(Some(self.load)))
     }
 
-    fn growth(&self) -> f64 {
+    fn growth(&self) -> Option<f64> {
         self.source.growth()
     }
 }

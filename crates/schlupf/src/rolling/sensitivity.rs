@@ -187,7 +187,7 @@ impl<'a> Derivatives<'a> {
 
     /// What changes with the logarithm of the load, if the elasticity knows how it grows.
     fn direct_by_load(&mut self, response: &[f64]) -> Option<Direct> {
-        let growth = self.problem.normal.growth();
+        let growth = self.problem.normal.growth()?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         let mut system = SteadyState::new(self.problem, self.levels);
         direct.response = vec![0.0; response.len()];
@@ -230,7 +230,7 @@ impl<'a> Derivatives<'a> {
     }
 
     fn by_load(&mut self, direct: &Direct) -> Option<Resultant> {
-        let growth = self.problem.normal.growth();
+        let growth = self.problem.normal.growth()?;
         let moved = self.by(direct)?;
         let Level { contact, traction, .. } = &self.levels[0];
         let whole = summary::resultant(&contact.patch, traction);

@@ -27,7 +27,11 @@ pub struct EllipticContact {
 impl EllipticContact {
     /// The contact of a problem.
     pub fn new(problem: &Problem) -> Result<Self, Error> {
-        let normal = problem.normal.normal_contact(None)?.summary;
+        Self::of(problem, problem.normal.normal_contact(None)?.summary)
+    }
+
+    /// The contact of a problem with these sizes.
+    pub(super) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
         let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
         let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
         Ok(Self {

@@ -178,6 +178,8 @@ mod tests {
                 semi_axis_y: 4e-3,
                 peak_pressure: 1.2e9,
                 approach: None,
+                origin: None,
+                parts: 1,
             },
             shear_modulus: 82e9,
             coefficients: CreepCoefficients { c11: 4.8, c22: 4.3, c23: 2.2, c33: 0.7 },
