@@ -74,8 +74,19 @@ impl Case {
 
     /// The same case with another field, `section.field=value`, that an option of the command line gives.
     pub fn with(&self, option: &'static str, assignment: &str) -> Result<Self, CaseErrors> {
+        self.with_all(option, &[assignment.to_owned()])
+    }
+
+    /// The same case with several other fields, which need to fit together only when all are in place.
+    pub fn with_all(
+        &self,
+        option: &'static str,
+        assignments: &[String],
+    ) -> Result<Self, CaseErrors> {
         let mut entries = self.entries.clone();
-        document::apply(&mut entries, option, assignment)?;
+        for assignment in assignments {
+            document::apply(&mut entries, option, assignment)?;
+        }
         let solved = self.micro_contact();
         Self::from_entries(entries, Vec::new(), (&self.name, &self.text, &self.folder), solved)
     }

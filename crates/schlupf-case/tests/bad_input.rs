@@ -196,6 +196,11 @@ fn contradictions_name_both_sides() {
             &["together with elasticity.bedding_x"],
         ),
         (
+            "[elasticity]\ncalibration = \"half-space\"\ncoupling_x_across = \"1e7 N/m\"",
+            "elasticity.coupling_x_across",
+            &["together with elasticity.calibration", "the calibration gives all stiffnesses"],
+        ),
+        (
             "[history]\nfile = \"h.csv\"\ntime = [\"0 s\", \"1 s\"]",
             "history.time",
             &["together with history.file"],
@@ -225,6 +230,16 @@ fn missing_fields_say_what_needs_them() {
             "[elasticity]\nspring_x = \"1e6 N/m\"",
             "elasticity.spring_coupling_x",
             &["is missing", "Δc_k"],
+        ),
+        (
+            "[elasticity]\nbedding_x = \"1e13 N/m^3\"",
+            "elasticity.coupling_x",
+            &["is missing", "coupling stiffness"],
+        ),
+        (
+            "[elasticity]\nmodel = \"winkler\"\nbedding_y = \"1e13 N/m^3\"",
+            "elasticity.bedding_x",
+            &["is missing", "elasticity.model = \"winkler\""],
         ),
         ("[history]\ncreepage_x = [0.0, 0.1]", "history.time", &["is missing"]),
     ]);

@@ -5,8 +5,12 @@ use std::fs;
 use std::path::Path;
 
 use approx::assert_relative_eq;
+use schlupf::calibration::kalker_bed;
+use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
+use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::heat::partition::Partition;
 use schlupf::interface::friction::FrictionState;
+use schlupf::material::Material;
 use schlupf_case::{Case, Place};
 
 fn read(text: &str, overrides: &[&str]) -> Case {
@@ -78,7 +82,8 @@ fn semi_axes_come_with_load_or_peak_pressure() {
 
 #[test]
 fn fields_of_another_model_are_noticed_unless_an_override_chose_the_model() {
-    let text = "[elasticity]\nmodel = \"winkler\"\ncoupling_x = \"3e7 N/m\"";
+    let text = "[elasticity]\nmodel = \"winkler\"\ncoupling_x = \"3e7 N/m\"\n\
+                bedding_x = \"1e13 N/m^3\"";
     let notices = read(text, &[]).notices;
     assert_eq!(
         notices,
@@ -87,6 +92,38 @@ fn fields_of_another_model_are_noticed_unless_an_override_chose_the_model() {
     let layer = text.replace("winkler", "elastic-layer");
     assert_eq!(read(&layer, &["elasticity.model=winkler"]).notices, [""; 0]);
     assert_eq!(read(&layer, &["heat.model=none", "heat.partition=0.4"]).notices.len(), 1);
+}
+
+/// What is not given along y is as along x, and what is not given across rolling as along it.
+#[test]
+fn couplings_across_rolling_may_be_their_own() {
+    let text = "[elasticity]\nbedding_x = \"1e13 N/m^3\"\ncoupling_x = \"4e7 N/m\"\n\
+                coupling_x_across = \"2e7 N/m\"\ncoupling_y = \"5e7 N/m\"";
+    let stiffness = |coupling_along_x: f64, coupling_along_y: f64| LayerStiffness {
+        bedding: 1e13,
+        coupling_along_x,
+        coupling_along_y,
+    };
+    let expected = ElasticLayer::new(stiffness(4e7, 2e7), stiffness(5e7, 5e7), None).unwrap();
+    let elasticity = read(text, &[]).problem.elasticity;
+    assert_eq!(format!("{elasticity:?}"), format!("{expected:?}"));
+}
+
+/// Without stiffnesses a Winkler bedding has Kalker's, for the patch of the case, of a history for the largest one.
+#[test]
+fn kalker_1982_a_bedding_without_stiffnesses() {
+    let steel = Material::STEEL;
+    let bodies = HalfSpace::new(&steel, &steel).unwrap();
+    let expect = |text: &str, load: Option<f64>| {
+        let problem = read(&format!("[elasticity]\nmodel = \"winkler\"\n{text}"), &[]).problem;
+        let patch = problem.normal.normal_contact(load).unwrap().summary;
+        let bed = kalker_bed(&bodies, [patch.semi_axis_x, patch.semi_axis_y]).unwrap();
+        assert_eq!(format!("{:?}", problem.elasticity), format!("{bed:?}"));
+    };
+    expect("", None);
+    expect("calibration = \"half-space\"\n[normal]\nload = \"60 kN\"", None);
+    let history = "[history]\ntime = [\"0 s\", \"1 ms\"]\nload = [\"90 kN\", \"60 kN\"]";
+    expect(history, Some(90e3));
 }
 
 #[test]
@@ -135,7 +172,9 @@ fn a_layer_may_end_at_the_patch() {
 
 #[test]
 fn the_effective_fields_tell_where_they_come_from() {
-    let case = read("title = \"x\"", &["normal.load=60 kN"]);
+    let text =
+        "title = \"x\"\n[elasticity]\nbedding_x = \"1.0e13 N/m^3\"\ncoupling_x = \"3e7 N/m\"";
+    let case = read(text, &["normal.load=60 kN"]);
     let effective = case.effective();
     let find = |path| effective.iter().find(|field| field.path == path).unwrap();
     assert!(matches!(find("title").place, Place::Text { .. }));

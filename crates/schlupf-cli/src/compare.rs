@@ -120,11 +120,9 @@ fn candidates(case: &Case) -> Result<Vec<Candidate>, Failure> {
 /// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
 /// default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c = 1/L.
 fn with_elasticity(case: &Case, model: &str) -> Result<Case, Failure> {
-    let mut case = case.with(COMPARE, &format!("{MODEL}={model}"))?;
-    for field in STIFFNESSES {
-        case = case.with(COMPARE, &format!("{field}="))?;
-    }
-    Ok(case)
+    let without = STIFFNESSES.map(|field| format!("{field}="));
+    let assignments = [&[format!("{MODEL}={model}")], &without[..]].concat();
+    Ok(case.with_all(COMPARE, &assignments)?)
 }
 
 /// Repetitions last so long, or are so many.

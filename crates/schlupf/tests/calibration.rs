@@ -9,14 +9,18 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::calibration::displacements::{Sample, fit};
+use schlupf::calibration::side_by_side::{Answer, Model, side_by_side};
 use schlupf::calibration::{
-    Calibration, CalibrationOptions, Deviation, calibrate, deviation_of_table,
+    Calibration, CalibrationOptions, Deviation, calibrate, deviation_of_table, kalker_bed,
 };
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::calibrated_layer::{CalibratedLayer, tabulated_stiffness};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
+use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::grid::{Extent, Grid, VectorField};
+use schlupf::interface::contact_law::Incremental;
 use schlupf::material::Material;
+use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling;
 
 /// The goal: forces within 2 % of μN, with spin 4 %.
@@ -134,6 +138,59 @@ fn the_calibrated_layer_knows_the_patch() {
     let explicit = layer.layer([6e-3, 5e-3]).unwrap();
     let same = solve(Arc::new(explicit));
     assert_relative_eq!(here.x, same.x, max_relative = 1e-9);
+}
+
+/// Kalker (1982): without sliding, a bed with c = 3 C G/(8a) has the forces of the linear theory. Coefficients as
+/// printed in Kalker 1990, Table E.3, for ν = 0.25 and a/b = 0.5, 1, 2; tolerance that of the print and of cells
+/// that the edge cuts.
+#[test]
+fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
+    let material = Material { poisson_ratio: 0.25, ..Material::STEEL };
+    let bodies = HalfSpace::new(&material, &material).unwrap();
+    for (axis_ratio, c11, c22) in [(0.5, 3.62, 3.01), (1.0, 4.12, 3.67), (2.0, 5.10, 4.90)] {
+        let (b, g): (f64, f64) = (5e-3, bodies.shear_modulus());
+        let a = axis_ratio * b;
+        let bed = kalker_bed(&bodies, [a, b]).unwrap();
+        let [x, y] = bed.bedding();
+        assert_relative_eq!(x, 3.0 * c11 * g / (8.0 * a), max_relative = 1e-2);
+        assert_relative_eq!(y, 3.0 * c22 * g / (8.0 * a), max_relative = 1e-2);
+        let stick = schlupf::Problem {
+            normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
+            elasticity: Arc::new(bed),
+            contact_law: Arc::new(Incremental::new(1e9).unwrap()),
+            ..problem(rolling(1e-6, 2e-6, 0.0))
+        };
+        let force = rolling::solve(&stick, &cells(40), &mut |_| ()).unwrap().force;
+        assert_relative_eq!(force.x, -c11 * g * a * b * 1e-6, max_relative = 2e-2);
+        assert_relative_eq!(force.y, -c22 * g * a * b * 2e-6, max_relative = 2e-2);
+    }
+}
+
+/// Half-space, layer, bed and FASTSIM side by side: on the way of the longitudinal creepage the layer is within 2 % of
+/// μN of the half-space at every point, and under spin within 4 %; all slide at the end, and all tractions obey friction.
+#[test]
+fn side_by_side_the_layer_is_near_the_half_space() {
+    let stiffness = tabulated_stiffness(1.0, 0.28).unwrap();
+    let sides = side_by_side(1.0, 0.28, stiffness).unwrap();
+    assert!(sides.is_converged());
+    for (course, tolerance) in [(&sides.longitudinal, 0.02), (&sides.spin, 0.04)] {
+        let [exact, layer, bed, fastsim] = &course.answers[..] else { panic!("four answers") };
+        assert_eq!(exact.model, Model::HalfSpace);
+        let apart = |one: &Answer| -> f64 {
+            let pairs = one.force.iter().zip(&exact.force);
+            pairs.map(|(f, g)| (f - g).abs()).fold(0.0, f64::max)
+        };
+        assert!(apart(layer) < tolerance, "{}", apart(layer));
+        assert!(apart(layer) < apart(bed) && apart(layer) < apart(fastsim));
+        for answer in [exact, layer, bed] {
+            let bound = |x: f64| (1.0 - x * x).max(0.0).sqrt();
+            let excess = answer.traction.iter().map(|[x, t]| t.abs() - bound(*x));
+            assert!(excess.fold(f64::MIN, f64::max) < 0.02, "{:?}", answer.model);
+        }
+    }
+    for answer in &sides.longitudinal.answers {
+        assert!((0.94..=1.0).contains(answer.force.last().unwrap()), "{answer:?}");
+    }
 }
 
 #[test]

@@ -5,7 +5,10 @@ mod common;
 use std::sync::Arc;
 
 use common::{half_space, problem, rolling};
+use schlupf::calibration::kalker_bed;
+use schlupf::elasticity::calibrated_layer::CalibratedLayer;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
+use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
 use schlupf::heat::constant_source::ConstantSource;
@@ -158,6 +161,35 @@ fn on_the_layer_and_the_half_space() {
 
 /// Where the interpolation at the leading edge is between cubic and linear, it depends on the stiffness
 /// of the bristles, and so do the forces.
+/// Stiffnesses that are calibrated change with the patch, and so with the load.
+#[test]
+fn on_calibrated_springs() {
+    let steel = Material::STEEL;
+    let bodies = HalfSpace::new(&steel, &steel).unwrap();
+    let layer = CalibratedLayer::new(&steel, &steel, None).unwrap();
+    let with_bed = |p: &Problem, load: f64| {
+        let normal = hertz(load);
+        let summary = normal.normal_contact(None).unwrap().summary;
+        let bed = kalker_bed(&bodies, [summary.semi_axis_x, summary.semi_axis_y]).unwrap();
+        Problem { normal, elasticity: Arc::new(bed), ..p.clone() }
+    };
+    let with_layer = |p: &Problem, load: f64| Problem {
+        normal: hertz(load),
+        elasticity: Arc::new(layer),
+        ..p.clone()
+    };
+    let models: [(&str, Setter); 2] = [("Winkler", &with_bed), ("layer", &with_layer)];
+    for (name, with) in models {
+        let solution = at(&with(&base(), LOAD));
+        let exact = solution.sensitivity.unwrap().load.unwrap();
+        let [x, y, _] = difference(&base(), with, [LOAD, LOAD], TOLERANCE);
+        for (exact, approximate) in [(exact.x, x), (exact.y, y)] {
+            let error = (exact - approximate).abs() / 0.4;
+            assert!(error < 2e-6, "{name}: {exact:e}, not {approximate:e}");
+        }
+    }
+}
+
 #[test]
 fn with_stiff_bristles() {
     let half = Problem { elasticity: half_space(), ..base() };

@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn each_defect_is_named_with_its_line() {
         let cases = [
-            ("1,0,10,2\n", "", "d.csv:2:1: the points must fill a rectangle of 3 by 2"),
+            ("1,0,10,2\n", "", "d.csv:3:1: the points must fill a rectangle of 3 by 2"),
             ("1,0,10,2", "0,0,10,2", "d.csv:4:1: every point must be given once"),
             ("1,0,10,2", "1,0,10,", "d.csv:3:1: displacement_x must be a finite number"),
             ("1,0,10,2", "1,0,0,2", "must not be zero everywhere"),
