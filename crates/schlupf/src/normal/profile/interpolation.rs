@@ -9,7 +9,7 @@ pub(super) struct Weights {
 }
 
 impl Weights {
-    /// The interpolated value.
+    /// The interpolated value, in the unit of the values; the weights are dimensionless.
     pub fn apply(&self, value: impl Fn(usize) -> f64) -> f64 {
         (0..self.count).map(|k| self.weights[k] * value(self.first + k)).sum()
     }
