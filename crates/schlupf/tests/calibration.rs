@@ -147,7 +147,7 @@ fn the_calibrated_layer_knows_the_patch() {
 fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
     let material = Material { poisson_ratio: 0.25, ..Material::STEEL };
     let bodies = HalfSpace::new(&material, &material).unwrap();
-    for (axis_ratio, c11, c22) in [(0.5, 3.65, 3.02), (1.0, 4.12, 3.67), (2.0, 5.01, 4.76)] {
+    for (axis_ratio, c11, c22) in [(0.5, 3.62, 3.01), (1.0, 4.12, 3.67), (2.0, 5.10, 4.90)] {
         let (b, g): (f64, f64) = (5e-3, bodies.shear_modulus());
         let a = axis_ratio * b;
         let bed = kalker_bed(&bodies, [a, b]).unwrap();
