@@ -7,8 +7,10 @@ use schlupf::bulk_temperature::Cooling;
 use schlupf::{Options, Problem};
 
 use crate::document::{self, Entry};
+use crate::edited;
 use crate::error::{CaseError, CaseErrors, Cause};
 use crate::fields;
+use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
 use crate::place::{Place, Source};
 use crate::read;
 use crate::settings::Settings;
@@ -25,9 +27,13 @@ pub struct Case {
     pub options: Options,
     /// What cools the wheel in the long run, where the case says so.
     pub cooling: Option<Cooling>,
-    /// What was given without effect, each with its place.
+    /// k_c of the contact law, and where it comes from.
+    pub law_stiffness: LawStiffness,
+    /// What was given without effect, each with its place, and what to know about a roughness.
     pub notices: Vec<String>,
     settings: Settings,
+    /// The text that was read, without overrides.
+    text: String,
     entries: Vec<Entry>,
     name: String,
     folder: PathBuf,
@@ -63,7 +69,7 @@ impl Case {
         for text in overrides {
             errors.extend(document::apply(&mut entries, "--set", text).err());
         }
-        Self::from_entries(entries, errors, name, folder)
+        Self::from_entries(entries, errors, (name, text, folder), None)
     }
 
     /// The same case with another field, `section.field=value`, that an option of the command line gives.
@@ -81,31 +87,48 @@ impl Case {
         for assignment in assignments {
             document::apply(&mut entries, option, assignment)?;
         }
-        Self::from_entries(entries, Vec::new(), &self.name, &self.folder)
+        let solved = self.micro_contact();
+        Self::from_entries(entries, Vec::new(), (&self.name, &self.text, &self.folder), solved)
     }
 
     fn from_entries(
         entries: Vec<Entry>,
         mut errors: Vec<CaseError>,
-        name: &str,
-        folder: &Path,
+        (name, text, folder): (&str, &str, &Path),
+        solved: Option<&Arc<MicroContact>>,
     ) -> Result<Self, CaseErrors> {
         let file = Place::File { name: name.to_owned() };
         let (settings, wrong_fields) = Settings::read(&entries, file);
         errors.extend(wrong_fields);
         errors.sort_by_key(|error| error.place.order());
         CaseErrors::check(errors)?;
+        let (problem, law_stiffness) = read::problem(&settings, folder, solved)?;
+        let mut notices = settings.idle();
+        if let StiffnessOrigin::MicroModel(micro) = &law_stiffness.origin {
+            let notice = |text| format!("contact_law.roughness: {text}");
+            notices.extend(micro.caveats().into_iter().map(notice));
+        }
         Ok(Self {
             title: settings.text("title")?,
-            problem: read::problem(&settings, folder)?,
+            problem,
             options: read::options(&settings)?,
             cooling: read::cooling(&settings)?,
-            notices: settings.idle(),
+            law_stiffness,
+            notices,
             settings,
+            text: text.to_owned(),
             entries,
             name: name.to_owned(),
             folder: folder.to_owned(),
         })
+    }
+
+    /// The micro model of its roughness, if it has one.
+    pub fn micro_contact(&self) -> Option<&Arc<MicroContact>> {
+        match &self.law_stiffness.origin {
+            StiffnessOrigin::MicroModel(micro) => Some(micro),
+            _ => None,
+        }
     }
 
     /// Reads a case file.
@@ -155,6 +178,18 @@ impl Case {
             .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
             .map(|(field, file)| (field, self.folder.join(file)))
             .collect()
+    }
+
+    /// The text of the case with other values of some fields (in SI units, or dimensionless) and all
+    /// overrides in it, comments and layout kept. Paths are those from `folder`, where the text is to be.
+    pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
+        let is_moved = edited::absolute(folder) != edited::absolute(&self.folder);
+        let mut text = edited::Edited::new(&self.text, &self.name)?;
+        text.take_over(&self.entries, is_moved.then_some(&self.folder))?;
+        for (path, value) in values {
+            text.set_number(path, *value)?;
+        }
+        Ok(text.finish())
     }
 
     /// All fields in effect, given or by default.

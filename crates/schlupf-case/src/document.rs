@@ -145,6 +145,11 @@ fn flatten(
         DeValue::Table(_) if fields::find(&path).is_none() => {
             errors.push(unknown_section(&path, origin.place(&key.span())));
         }
+        DeValue::String(_) if shorthand(&path).is_some() => {
+            let value = Value { content: convert(value.get_ref()), span: value.span() };
+            let path = shorthand(&path).unwrap_or_default();
+            entries.push(Entry { path, key: key.span(), value, origin: origin.clone() });
+        }
         _ if is_section => {
             let message = format!("{path} is a section, not a field");
             let error = CaseError::new(&path, message, origin.place(&key.span()));
@@ -155,6 +160,12 @@ fn flatten(
             entries.push(Entry { path, key: key.span(), value, origin: origin.clone() });
         }
     }
+}
+
+/// The field that a text in place of a section within a section stands for: its file.
+fn shorthand(path: &str) -> Option<String> {
+    let is_inner = path.contains('.') && fields::section(path).is_some();
+    is_inner.then(|| format!("{path}.file")).filter(|file| fields::find(file).is_some())
 }
 
 fn unknown_section(path: &str, place: Place) -> CaseError {
@@ -196,6 +207,12 @@ pub fn apply(entries: &mut Vec<Entry>, option: &'static str, text: &str) -> Resu
         return Err(CaseError::new("", message, place));
     };
     let (path, value) = (path.trim(), value.trim());
+    let file = shorthand(path);
+    if file.is_some() {
+        let within = format!("{path}.");
+        entries.retain(|entry| !entry.path.starts_with(&within));
+    }
+    let path = file.as_deref().unwrap_or(path);
     entries.retain(|entry| entry.path != path);
     // An unknown field stays in the list, to be reported with a suggestion.
     if !value.is_empty() || fields::find(path).is_none() {

@@ -26,6 +26,8 @@ pub enum Cause {
     Input,
     /// The file system did not give the case file.
     FileSystem,
+    /// The input may be right, but what follows from it was not found.
+    NotConverged,
 }
 
 impl CaseError {

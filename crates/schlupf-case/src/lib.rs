@@ -8,15 +8,19 @@
 
 mod case;
 pub mod document;
+mod edited;
 pub mod error;
 pub mod fields;
 pub mod place;
 mod family;
+pub mod identification;
+mod law_stiffness;
 mod range;
 mod read;
 mod schema;
 mod setting;
 mod settings;
+pub mod surface;
 mod tables;
 mod template;
 pub mod units;
@@ -24,6 +28,7 @@ pub mod units;
 pub use case::{Case, Effective};
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
+pub use law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin, caveats};
 pub use place::{Place, Source};
 pub use range::{depths, direction, length, position, range};
 pub use schema::schema;

@@ -12,7 +12,7 @@ pub fn schema() -> Value {
         if section.name.is_empty() {
             properties.extend(fields(section));
         } else {
-            properties.insert(section.name.to_owned(), section_schema(section));
+            insert(&mut properties, section.name, section_schema(section));
         }
     }
     json!({
@@ -22,6 +22,19 @@ pub fn schema() -> Value {
         "properties": properties,
         "additionalProperties": false,
     })
+}
+
+/// Puts the schema of a section in its place: one with a dotted name into the section before it.
+fn insert(properties: &mut Map<String, Value>, name: &str, schema: Value) {
+    let parent = name.split_once('.').and_then(|(parent, child)| {
+        Some((properties.get_mut(parent)?["properties"].as_object_mut()?, child))
+    });
+    match parent {
+        Some((properties, child)) => insert(properties, child, schema),
+        None => {
+            properties.insert(name.to_owned(), schema);
+        }
+    }
 }
 
 fn fields(section: &Section) -> Map<String, Value> {
@@ -132,7 +145,9 @@ mod tests {
         let schema = schema();
         for section in SECTIONS.iter().filter(|section| !section.name.is_empty()) {
             for field in section.fields {
-                let entry = &schema["properties"][section.name]["properties"][field.name()];
+                let within =
+                    section.name.split('.').fold(&schema, |s, name| &s["properties"][name]);
+                let entry = &within["properties"][field.name()];
                 assert!(entry["description"].is_string(), "{}", field.path);
             }
         }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::document::{Entry, Origin, Value};
-use crate::error::CaseError;
+use crate::error::{CaseError, Cause};
 use crate::fields::{self, ALTERNATIVES, Default, Field, UsedWith};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
@@ -182,19 +182,25 @@ impl Settings {
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
         let message = error.to_string();
         let (schlupf::Error::Invalid { quantity, .. }
-        | schlupf::Error::Contradiction { quantity, .. }) = error
+        | schlupf::Error::Contradiction { quantity, .. }
+        | schlupf::Error::NotConverged { quantity, .. }) = error
         else {
             return CaseError::new("", message, self.file.clone());
+        };
+        let cause = match error {
+            schlupf::Error::NotConverged { .. } => Cause::NotConverged,
+            _ => Cause::Input,
         };
         let mentioned = fields::all().map(|field| field.path).filter(|path| message.contains(path));
         let given = std::iter::once(*quantity)
             .chain(fields::related(quantity))
             .chain(mentioned)
             .find(|path| self.is_given(path));
-        match given {
+        let error = match given {
             Some(path) => self.error(path, message),
             None => CaseError::new(quantity, message, self.file.clone()),
-        }
+        };
+        CaseError { cause, ..error }
     }
 
     fn missing(&self, path: &str) -> CaseError {

@@ -7,6 +7,7 @@ use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use schlupf::calibration::CalibrationOptions;
 use schlupf::creep_curve::{MAX_POINTS, Sampling};
+use schlupf::identification::roughness::DEFAULT_GAMMA;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -45,6 +46,9 @@ pub enum Command {
     /// Stiffnesses of the elastic layer: from the table, calibrated anew, or fitted to displacements
     #[command(after_help = EXIT_CODES)]
     Calibrate(Box<CalibrateArguments>),
+    /// Find constants of friction and contact law from measured creep forces
+    #[command(after_help = EXIT_CODES)]
+    Fit(Box<FitArguments>),
     /// Check a case file and say what it would solve
     Check(CaseArguments),
     /// Write a commented case file to start from
@@ -227,6 +231,52 @@ pub struct CalibrateArguments {
     /// Print no summary
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// What to fit to which data, and where to write it.
+#[derive(Debug, Args)]
+pub struct FitArguments {
+    /// Which case; its values are those to start from.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Measured points (CSV): creepage_x, creepage_y or spin [1/m], force_ratio (-Fx/N over creepage_x,
+    /// -Fy/N over creepage_y) or force_ratio_x, force_ratio_y, and where they differ from the case speed
+    /// [m/s], load [kN]; standard_deviation where known
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub data: PathBuf,
+    /// What to find, such as friction.coefficient,contact_law.stiffness; contact_law.roughness is the
+    /// r.m.s. height of both surfaces together, in place of the stiffness
+    #[arg(long, value_name = "SECTION.FIELD,…")]
+    pub fit: String,
+    /// γ, for contact_law.roughness: the rough surfaces approach by γ times that height when the pressure
+    /// grows e-fold
+    #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_GAMMA, value_parser = gamma)]
+    pub gamma: f64,
+    /// Most steps of the fit
+    #[arg(long, value_name = "N", default_value_t = 100,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub max_steps: u32,
+    /// Write the results as JSON; `-` is standard output, then without the summary
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Write data, fit and residuals as CSV, one row for each measured force
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub csv: Option<PathBuf>,
+    /// Draw the figure `fit` (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+    /// Write the case with the values found, comments and layout kept
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub write_case: Option<PathBuf>,
+    /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// A γ that theory or measurement may have.
+fn gamma(text: &str) -> Result<f64, String> {
+    let gamma = text.parse().ok().filter(|gamma| (0.01..=10.0).contains(gamma));
+    gamma.ok_or_else(|| "must be a number between 0.01 and 10".to_owned())
 }
 
 /// What to compare, and where to write it.

@@ -37,11 +37,12 @@ impl Failure {
         Self::File { path: path.to_owned(), cause: cause.into() }
     }
 
-    /// Exit code: 1 for the file system, 2 for the input.
+    /// Exit code: 1 for the file system, 2 for the input, 3 where what it asks for was not found.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::File { .. } | Self::Figures(_) => 1,
             Self::Case(errors) if errors.first.cause == Cause::FileSystem => 1,
+            Self::Case(errors) if errors.first.cause == Cause::NotConverged => NOT_CONVERGED,
             Self::Case(_) | Self::Arguments(_) => 2,
         }
     }

@@ -9,6 +9,7 @@ mod commands;
 mod compare;
 mod curve;
 mod failure;
+mod fit;
 mod outputs;
 mod progress;
 mod report;
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Bulk(arguments) => bulk::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

@@ -1,6 +1,7 @@
 //! A table of work and times, as Markdown: `cargo xtask bench`.
 
 mod common;
+mod rough_contact;
 
 use std::fs;
 use std::hint::black_box;
@@ -75,6 +76,7 @@ fn main() {
     rows.iter().for_each(|row| println!("{}", row.line()));
     println!("\n{}\n\n{}", growth(&rows), against_the_paper(&rows));
     println!("\n{}", fast_methods());
+    println!("\n{}", rough_contact::table());
 }
 
 /// Motions of one round of a fast method.

@@ -25,6 +25,14 @@ pub enum Error {
         /// What contradicts what, with the values.
         reason: String,
     },
+    /// Something that must be known before the solution was not found.
+    #[error("{quantity}: {reason}")]
+    NotConverged {
+        /// The quantity from which it follows, by its dotted name in the case file.
+        quantity: &'static str,
+        /// What was not found, with the work that was done.
+        reason: String,
+    },
 }
 
 /// A value that must be positive and finite.

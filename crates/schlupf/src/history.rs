@@ -112,7 +112,9 @@ impl History {
 
 fn in_history(error: &Error, time: f64) -> Error {
     let quantity = match error {
-        Error::Invalid { quantity, .. } | Error::Contradiction { quantity, .. } => *quantity,
+        Error::Invalid { quantity, .. }
+        | Error::Contradiction { quantity, .. }
+        | Error::NotConverged { quantity, .. } => *quantity,
     };
     let quantity = match quantity {
         "kinematics.speed" => "history.speed",

@@ -16,6 +16,8 @@ pub mod least_squares;
 pub mod material;
 pub mod kinematics;
 pub mod grid;
+mod fourier;
+pub mod surface;
 pub mod normal;
 pub mod patch;
 pub mod elasticity;
@@ -36,6 +38,7 @@ pub mod temperature_field;
 pub mod bulk_temperature;
 pub mod creep_curve;
 pub mod calibration;
+pub mod identification;
 
 pub use error::Error;
 pub use method::Method;

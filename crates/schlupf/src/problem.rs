@@ -56,9 +56,21 @@ impl Problem {
         slip_speed: f64,
         y: f64,
     ) -> FrictionResponse {
+        let state = self.friction_state(conduction, rise_times_effusivity, slip_speed, y);
+        self.friction.law.respond(&state)
+    }
+
+    /// What the friction law is given there.
+    pub fn friction_state(
+        &self,
+        conduction: &Conduction,
+        rise_times_effusivity: f64,
+        slip_speed: f64,
+        y: f64,
+    ) -> FrictionState {
         let temperature = conduction.contact_temperature(rise_times_effusivity)
             - self.friction.reference_temperature;
-        self.friction.law.respond(&FrictionState { temperature, slip_speed, y })
+        FrictionState { temperature, slip_speed, y }
     }
 
     /// Friction of material at y (in m) when it enters the contact.

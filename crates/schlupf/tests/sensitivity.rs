@@ -14,17 +14,22 @@ use schlupf::heat::Heat;
 use schlupf::heat::constant_source::ConstantSource;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
+use schlupf::interface::InterfaceConstant;
 use schlupf::interface::contact_law::{Incremental, TotalDisplacement};
-use schlupf::interface::friction::FrictionLaw;
 use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::constants::Changes;
+use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::memory::FrictionMemory;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::product::Product;
+use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::interface::friction::{Friction, FrictionLaw};
 use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::normal::hertz::{Hertz, Radii};
+use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::{Resultant, Sensitivity};
 use schlupf::{Options, Problem, Solution, Status};
 
@@ -84,7 +89,6 @@ fn check_at(name: &str, base: &Problem, friction: Setter, (stiffness, k_c): (Set
     let Sensitivity { creepage_x, creepage_y, spin, load, friction_coefficient, contact_stiffness } =
         solution.sensitivity.unwrap();
     let k = base.kinematics;
-    let limit = 0.4 * LOAD;
     let parameters: [(&str, Resultant, Setter, f64, f64); 6] = [
         ("ξ", creepage_x, &|p, v| moved(p, |k| k.creepage_x = v), k.creepage_x, 1e-3),
         ("η", creepage_y, &|p, v| moved(p, |k| k.creepage_y = v), k.creepage_y, 1e-3),
@@ -95,16 +99,19 @@ fn check_at(name: &str, base: &Problem, friction: Setter, (stiffness, k_c): (Set
     ];
     for (parameter, exact, with, value, scale) in parameters {
         let approximate = difference(base, with, [value, scale], tolerance);
-        let lever = 5e-3;
-        let pairs = [exact.x, exact.y, exact.moment_z / lever].into_iter();
-        let pairs = pairs.zip([approximate[0], approximate[1], approximate[2] / lever]);
-        for (component, (exact, approximate)) in pairs.enumerate() {
-            let error = (exact - approximate).abs() * scale / limit;
-            assert!(
-                error < 2e-6,
-                "{name}, {parameter}, component {component}: {exact:e}, not {approximate:e}"
-            );
-        }
+        assert_alike(&format!("{name}, {parameter}"), &exact, approximate, scale);
+    }
+}
+
+/// Asserts that two derivatives of forces and moment, times the scale of the parameter, differ by less than
+/// 2e-6 of μN.
+fn assert_alike(name: &str, exact: &Resultant, approximate: [f64; 3], scale: f64) {
+    let (lever, limit) = (5e-3, 0.4 * LOAD);
+    let pairs = [exact.x, exact.y, exact.moment_z / lever].into_iter();
+    let pairs = pairs.zip([approximate[0], approximate[1], approximate[2] / lever]);
+    for (component, (exact, approximate)) in pairs.enumerate() {
+        let error = (exact - approximate).abs() * scale / limit;
+        assert!(error < 2e-6, "{name}, component {component}: {exact:e}, not {approximate:e}");
     }
 }
 
@@ -247,6 +254,62 @@ fn with_the_law_in_total_displacement() {
     };
     let base = total(&base(), 5e6);
     check("total displacement", &base, &constant, &total);
+}
+
+/// By the constants of the friction laws, through heat, slip and memory.
+#[test]
+fn by_the_constants_of_friction() {
+    let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    let mut hot = Problem { elasticity: half_space(), heat, ..base() };
+    hot.kinematics.creepage_x = 0.012;
+    hot.wheel.bulk_temperature = 120.0;
+    let by_heat: Arc<dyn FrictionLaw> = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.05).unwrap());
+    let polach: Arc<dyn FrictionLaw> = Arc::new(Polach::new(0.4, 0.4, 0.6).unwrap());
+    let product = Arc::new(Product::new(Arc::clone(&by_heat), Arc::clone(&polach)).unwrap());
+    let second = Some(SecondTerm { coefficient: 0.05, half_speed: 0.05 });
+    let terms = SlipTerms::new(0.4, 0.25, 0.5, second).unwrap();
+    let laws: [(&str, Arc<dyn FrictionLaw>); 5] = [
+        ("constant", Arc::new(Constant::new(0.4).unwrap())),
+        ("heat", by_heat),
+        ("Polach", polach),
+        ("two terms", Arc::new(Exponential(terms))),
+        ("product", Arc::new(Across::new(product, vec![-8e-3, 8e-3], vec![1.25, 0.75]).unwrap())),
+    ];
+    for (name, law) in laws {
+        let memory = (name == "product").then(|| FrictionMemory::new(3e-5, 1e-3).unwrap());
+        hot.friction = Friction { memory, ..Friction::new(law, 20.0) };
+        check_constants(name, &hot);
+    }
+}
+
+/// Compares the derivatives by all constants of friction and k_c with central differences.
+fn check_constants(name: &str, base: &Problem) {
+    let constants = base.friction.law.adjustable().unwrap().constants();
+    let mut wanted: Vec<InterfaceConstant> =
+        constants.iter().map(|(constant, _)| InterfaceConstant::Friction(*constant)).collect();
+    wanted.push(InterfaceConstant::ContactStiffness);
+    let options = Options { tolerance: TOLERANCE, cells_x: 14, cells_y: 14, ..Options::default() };
+    let mut solver = SteadySolver::new(&options);
+    let (_, found) = solver.solve_with_derivatives_by(base, &wanted).unwrap().unwrap();
+    for ((constant, value), exact) in constants.into_iter().zip(&found) {
+        if value == 0.05 && name != "two terms" {
+            // The floor is not reached.
+            assert_eq!([exact.x, exact.y, exact.moment_z], [0.0; 3]);
+            continue;
+        }
+        let with = |problem: &Problem, value: f64| {
+            let mut problem = problem.clone();
+            let law = base.friction.law.adjustable().unwrap();
+            problem.friction.law = law.with_constants(&Changes(&[(constant, value)])).unwrap();
+            problem
+        };
+        let approximate = difference(base, &with, [value, value], TOLERANCE);
+        assert_alike(&format!("{name}, {constant:?}"), exact, approximate, value);
+    }
+    let sensitivity = on_cells(base, 14, TOLERANCE).sensitivity.unwrap();
+    let by_stiffness = sensitivity.contact_stiffness;
+    let whole = [by_stiffness.x, by_stiffness.y, by_stiffness.moment_z];
+    assert_alike(&format!("{name}, k_c"), found.last().unwrap(), whole, 5e6);
 }
 
 /// With the size of the patch given, only the pressure grows with the load; beyond saturation the

@@ -11,6 +11,59 @@ pub struct Alternatives {
     pub reason: &'static str,
 }
 
+const HEIGHTS: &[&str] = &[
+    "contact_law.roughness.rms_height",
+    "contact_law.roughness.rms_height_wheel",
+    "contact_law.roughness.rms_height_rail",
+];
+
+/// Fields that ask for the micro model, without a file.
+pub const MICRO_MODEL: &[&str] = &[
+    "contact_law.roughness.longest_wavelength",
+    "contact_law.roughness.roll_off_wavelength",
+    "contact_law.roughness.shortest_wavelength",
+    "contact_law.roughness.rms_slope",
+    "contact_law.roughness.hurst",
+    "contact_law.roughness.cells",
+    "contact_law.roughness.seed",
+    "contact_law.roughness.hardness",
+    "contact_law.roughness.pressures",
+];
+
+/// Fields that go with a surface file.
+pub const OF_FILE: &[&str] = &[
+    "contact_law.roughness.second_file",
+    "contact_law.roughness.unit",
+    "contact_law.roughness.spacing",
+    "contact_law.roughness.form",
+    "contact_law.roughness.fill_holes",
+    "contact_law.roughness.square_cells",
+];
+
+/// All fields of the roughness.
+pub const ROUGHNESS: &[&str] = &[
+    "contact_law.roughness.rms_height",
+    "contact_law.roughness.rms_height_wheel",
+    "contact_law.roughness.rms_height_rail",
+    "contact_law.roughness.slope_factor",
+    "contact_law.roughness.rms_slope",
+    "contact_law.roughness.longest_wavelength",
+    "contact_law.roughness.roll_off_wavelength",
+    "contact_law.roughness.shortest_wavelength",
+    "contact_law.roughness.hurst",
+    "contact_law.roughness.file",
+    "contact_law.roughness.second_file",
+    "contact_law.roughness.unit",
+    "contact_law.roughness.spacing",
+    "contact_law.roughness.form",
+    "contact_law.roughness.fill_holes",
+    "contact_law.roughness.square_cells",
+    "contact_law.roughness.cells",
+    "contact_law.roughness.seed",
+    "contact_law.roughness.hardness",
+    "contact_law.roughness.pressures",
+];
+
 /// All pairs of groups that exclude each other.
 pub const ALTERNATIVES: &[Alternatives] = &[
     Alternatives {
@@ -60,6 +113,44 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "elasticity.spring_coupling_y",
         ],
         reason: "the calibration gives all stiffnesses",
+    },
+    Alternatives {
+        first: &["contact_law.stiffness"],
+        second: ROUGHNESS,
+        reason: "the roughness determines k_c",
+    },
+    Alternatives {
+        first: &["contact_law.roughness.rms_height"],
+        second: &[
+            "contact_law.roughness.rms_height_wheel",
+            "contact_law.roughness.rms_height_rail",
+        ],
+        reason: "h_rms is that of both surfaces together, or given for each of them",
+    },
+    Alternatives {
+        first: &["contact_law.roughness.rms_slope"],
+        second: HEIGHTS,
+        reason: "with its spectrum, the slope determines the height of a surface",
+    },
+    Alternatives {
+        first: &["contact_law.roughness.file", "contact_law.roughness.second_file"],
+        second: &[
+            "contact_law.roughness.rms_height",
+            "contact_law.roughness.rms_height_wheel",
+            "contact_law.roughness.rms_height_rail",
+            "contact_law.roughness.slope_factor",
+            "contact_law.roughness.rms_slope",
+            "contact_law.roughness.longest_wavelength",
+            "contact_law.roughness.roll_off_wavelength",
+            "contact_law.roughness.shortest_wavelength",
+            "contact_law.roughness.hurst",
+        ],
+        reason: "the surface comes from a file or from a spectrum",
+    },
+    Alternatives {
+        first: &["contact_law.roughness.slope_factor"],
+        second: MICRO_MODEL,
+        reason: "γ is of the closed form; the micro model finds its own",
     },
     Alternatives {
         first: &["history.file"],

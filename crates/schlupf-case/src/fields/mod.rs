@@ -7,7 +7,9 @@ mod requirement;
 mod suggestion;
 mod table;
 
-pub use alternatives::{ALTERNATIVES, Alternatives, companion, related};
+pub use alternatives::{
+    ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, companion, related,
+};
 pub use field::{Choice, Default, Field, Kind, Section, UsedWith};
 pub use requirement::{Requirement, readable};
 pub use suggestion::{closest, closest_path};

@@ -1,5 +1,6 @@
 //! The table.
 
+mod contact_law;
 mod elasticity;
 mod friction;
 mod solver;
@@ -53,7 +54,6 @@ const LOAD: Requirement = Between(1e-3, 1e12);
 const PEAK_PRESSURE: Requirement = Between(1.0, 1e14);
 const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
-const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
 
@@ -158,7 +158,12 @@ pub const SECTIONS: &[Section] = &[
     Section {
         name: "contact_law",
         doc: "How traction grows with the sliding of rough surfaces.",
-        fields: CONTACT_LAW,
+        fields: contact_law::FIELDS,
+    },
+    Section {
+        name: "contact_law.roughness",
+        doc: "Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files.",
+        fields: contact_law::ROUGHNESS,
     },
     Section {
         name: "friction",
@@ -248,6 +253,7 @@ const NORMAL: &[Field] = &[
             choice("hertz", "from the radii and the moduli of both bodies, and load"),
             choice("ellipse", "from semi_axis_x, semi_axis_y, and load or peak_pressure"),
             choice("tabulated", "from file, scaled to load if that is given"),
+            choice("profile", "from file, the undeformed distance of the bodies, and load"),
         ]),
         Finite,
         Text("hertz"),
@@ -286,10 +292,11 @@ const NORMAL: &[Field] = &[
         Kind::Path,
         Finite,
         Nothing,
-        "CSV with the header `x [mm],y [mm],pressure [MPa]` or .npy in Pa, each row along x",
+        "CSV with the header `x [mm],y [mm],pressure [MPa]`, or with \"profile\" `x [mm],y [mm],distance [um]` or \
+         `y [mm],distance [mm]` (across at x = 0); or .npy in Pa or m, each row along x",
     )
     .example("pressure.csv")
-    .with("normal.model", &["tabulated"]),
+    .with("normal.model", FILES),
     field(
         "normal.spacing_x",
         quantity(&Measure::LENGTH),
@@ -298,7 +305,7 @@ const NORMAL: &[Field] = &[
         "distance of the columns of an .npy file",
     )
     .example("0.5 mm")
-    .with("normal.model", &["tabulated"]),
+    .with("normal.model", FILES),
     field(
         "normal.spacing_y",
         quantity(&Measure::LENGTH),
@@ -307,30 +314,19 @@ const NORMAL: &[Field] = &[
         "distance of the rows of an .npy file",
     )
     .example("0.5 mm")
-    .with("normal.model", &["tabulated"]),
+    .with("normal.model", FILES),
+    field(
+        "normal.cells",
+        Kind::Count,
+        Between(16.0, 512.0),
+        Text("128"),
+        "cells across the contact each way, on which the pressure of a profile is found",
+    )
+    .with("normal.model", &["profile"]),
 ];
 
-const CONTACT_LAW: &[Field] = &[
-    field(
-        "contact_law.model",
-        Kind::Choice(&[
-            choice("incremental", "right for any path of sliding"),
-            choice("total-displacement", "Neuhaus and Sextro 2014, for sliding in one direction"),
-        ]),
-        Finite,
-        Text("incremental"),
-        "which sliding counts",
-    )
-    .with(solver::METHOD, solver::FULL),
-    field(
-        "contact_law.stiffness",
-        quantity(&Measure::PER_LENGTH),
-        CONTACT_STIFFNESS,
-        Text("5e6 1/m"),
-        "k_c, rate at which traction approaches the friction limit",
-    )
-    .with(solver::METHOD, solver::FULL),
-];
+/// Models that read a file.
+const FILES: &[&str] = &["tabulated", "profile"];
 
 const HEAT: &[Field] = &[
     field(

@@ -10,29 +10,40 @@ mod interface;
 mod kinematics;
 mod normal;
 mod options;
+mod roughness;
 
 use std::path::Path;
+use std::sync::Arc;
 
 use schlupf::{Options, Problem};
 
 pub use cooling::{cooling, missing as missing_cooling};
 
 use crate::error::CaseError;
+use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::settings::Settings;
+use roughness::Circumstances;
 
-/// The problem of a case; `folder` is where relative paths start.
-pub fn problem(settings: &Settings, folder: &Path) -> Result<Problem, CaseError> {
+/// The problem of a case, and where its k_c comes from; `folder` is where relative paths start, `solved` a
+/// micro model of a like case.
+pub fn problem(
+    settings: &Settings,
+    folder: &Path,
+    solved: Option<&Arc<MicroContact>>,
+) -> Result<(Problem, LawStiffness), CaseError> {
     let wheel = bodies::body(settings, &bodies::WHEEL)?;
     let rail = bodies::body(settings, &bodies::RAIL)?;
     let kinematics = kinematics::kinematics(settings)?;
-    let normal = normal::source(settings, folder, &wheel.material, &rail.material)?;
-    let history = history::history(settings, folder)?;
     let materials = [&wheel.material, &rail.material];
+    let normal = normal::source(settings, folder, materials[0], materials[1])?;
+    let history = history::history(settings, folder)?;
+    let circumstances = Circumstances { folder, materials, normal: &*normal, solved };
+    let (contact_law, stiffness) = interface::contact_law(settings, &circumstances)?;
     let problem = Problem {
         kinematics,
         elasticity: elasticity::model(settings, materials, &*normal, history.as_ref())?,
         normal,
-        contact_law: interface::contact_law(settings)?,
+        contact_law,
         friction: friction::friction(settings, folder)?,
         heat: heat::heat(settings)?,
         history,
@@ -41,7 +52,7 @@ pub fn problem(settings: &Settings, folder: &Path) -> Result<Problem, CaseError>
         rail,
     };
     problem.check().map_err(|error| settings.explain(&error))?;
-    Ok(problem)
+    Ok((problem, stiffness))
 }
 
 /// The numerical options of a case.

@@ -7,6 +7,7 @@ use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::hertz::Hertz;
+use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
@@ -14,6 +15,8 @@ use crate::error::CaseError;
 use crate::settings::Settings;
 use crate::tables;
 
+const FILE: &str = "normal.file";
+const LOAD: &str = "normal.load";
 const SPACINGS: [&str; 2] = ["normal.spacing_x", "normal.spacing_y"];
 
 /// The source of the normal pressure.
@@ -26,6 +29,7 @@ pub fn source(
     match settings.choice("normal.model")? {
         "ellipse" => Ok(Arc::new(ellipse(settings)?)),
         "tabulated" => Ok(Arc::new(tabulated(settings, folder)?)),
+        "profile" => Ok(Arc::new(profile(settings, folder, contact_modulus(wheel, rail))?)),
         _ => Ok(Arc::new(hertz(settings, contact_modulus(wheel, rail))?)),
     }
 }
@@ -53,22 +57,63 @@ fn tabulated(settings: &Settings, folder: &Path) -> Result<Tabulated, CaseError>
 }
 
 fn table(settings: &Settings, folder: &Path) -> Result<PressureTable, CaseError> {
-    let file = settings.text("normal.file")?;
-    let path = folder.join(&file);
-    let name = path.display().to_string();
-    let place = settings.place("normal.file");
-    let is_npy = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("npy"));
-    let bytes = tables::read_bytes(&path, "normal.file", place.clone())?;
-    if is_npy {
-        let spacings = [settings.number(SPACINGS[0])?, settings.number(SPACINGS[1])?];
-        return tables::pressure_from_npy(&name, &bytes, spacings, &place);
+    let File { name, bytes, spacings } = File::read(settings, folder)?;
+    match spacings {
+        Some(spacings) => tables::pressure_from_npy(&name, &bytes, spacings, &settings.place(FILE)),
+        None => tables::pressure_from_csv(name, bytes),
     }
-    if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(path)) {
-        let message = format!(
-            "{spacing} must be given with an .npy file only, but is {} with {file:?}, which holds its own positions",
-            settings.shown(spacing)
-        );
-        return Err(settings.error(spacing, message));
+}
+
+fn profile(settings: &Settings, folder: &Path, contact_modulus: f64) -> Result<Profile, CaseError> {
+    if !settings.is_given(LOAD) {
+        return Err(settings.missing_beside(LOAD, "normal.model"));
     }
-    tables::pressure_from_csv(name, bytes)
+    let distance = distance(settings, folder)?;
+    let (load, cells) = (settings.number(LOAD)?, settings.count("normal.cells")?);
+    Profile::new(distance, contact_modulus, load, cells).map_err(|error| settings.explain(&error))
+}
+
+fn distance(settings: &Settings, folder: &Path) -> Result<UndeformedDistance, CaseError> {
+    let File { name, bytes, spacings } = File::read(settings, folder)?;
+    match spacings {
+        Some(spacings) => tables::distance_from_npy(&name, &bytes, spacings, &settings.place(FILE)),
+        None => tables::distance_from_csv(name, bytes, || rolling_radius(settings)),
+    }
+}
+
+/// Relative radius along rolling of both bodies, in m.
+fn rolling_radius(settings: &Settings) -> Result<f64, CaseError> {
+    let radii = [radii(settings, &WHEEL)?, radii(settings, &RAIL)?];
+    relative_radius(radii.map(|body| body.x)).map_err(|error| settings.explain(&error))
+}
+
+/// A file with values on a lattice or a line.
+struct File {
+    name: String,
+    bytes: Vec<u8>,
+    /// Along x and y (in m), of an .npy file.
+    spacings: Option<[f64; 2]>,
+}
+
+impl File {
+    fn read(settings: &Settings, folder: &Path) -> Result<Self, CaseError> {
+        let file = settings.text(FILE)?;
+        let path = folder.join(&file);
+        let name = path.display().to_string();
+        let is_npy =
+            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("npy"));
+        let bytes = tables::read_bytes(&path, FILE, settings.place(FILE))?;
+        if is_npy {
+            let spacings = Some([settings.number(SPACINGS[0])?, settings.number(SPACINGS[1])?]);
+            return Ok(Self { name, bytes, spacings });
+        }
+        if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(path)) {
+            let message = format!(
+                "{spacing} must be given with an .npy file only, but is {} with {file:?}, which holds its own positions",
+                settings.shown(spacing)
+            );
+            return Err(settings.error(spacing, message));
+        }
+        Ok(Self { name, bytes, spacings: None })
+    }
 }

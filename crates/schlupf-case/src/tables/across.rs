@@ -8,8 +8,8 @@ use crate::units::Measure;
 const FILE: &str = "friction.variation_file";
 
 const COLUMNS: [Column; 2] = [
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: true },
-    Column { name: "factor", measure: None, required: true },
+    Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "factor", measure: None, required: true, holes: false },
 ];
 
 /// Fields whose arrays hold the same.

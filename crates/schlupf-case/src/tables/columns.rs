@@ -16,7 +16,12 @@ pub struct Column {
     pub measure: Option<&'static Measure>,
     /// Whether the file must have it.
     pub required: bool,
+    /// Whether a value may be missing: NaN.
+    pub holes: bool,
 }
+
+/// What instruments write where they measured nothing, in small letters.
+const HOLES: [&str; 6] = ["", "nan", "bad", "no data", "nodata", "---"];
 
 /// The columns of a file, in SI units.
 #[derive(Debug)]
@@ -29,6 +34,8 @@ pub struct Columns {
     pub lines: Vec<usize>,
     /// One entry for each column that was asked for, empty where the file does not have it.
     pub values: Vec<Vec<f64>>,
+    /// Which of the columns that were asked for the file has.
+    present: Vec<bool>,
     field: &'static str,
 }
 
@@ -46,6 +53,44 @@ impl Columns {
         field: &'static str,
         wanted: &[Column],
     ) -> Result<Self, CaseError> {
+        let mut columns = Self::empty(name, bytes, field, wanted)?;
+        columns.fill(wanted)?;
+        Ok(columns)
+    }
+
+    /// Reads a file without a header, its columns in the order of `wanted`, apart by spaces or tabs; what
+    /// more there is belongs to the last column. All are multiplied to SI alike.
+    pub fn read_bare(
+        name: String,
+        bytes: Vec<u8>,
+        field: &'static str,
+        wanted: &[Column],
+        convert: Conversion,
+    ) -> Result<Self, CaseError> {
+        let mut columns = Self::empty(name, bytes, field, wanted)?;
+        let header: Vec<Assigned> =
+            (0..wanted.len()).map(|index| Assigned { index, convert: Some(convert) }).collect();
+        let source = Arc::clone(&columns.source);
+        for (line, text) in (1..).zip(source.text.lines()) {
+            let text = text.trim();
+            if text.is_empty() || text.starts_with('#') {
+                continue;
+            }
+            let words: Vec<&str> = text.split_whitespace().collect();
+            let (first, last) = words.split_at(words.len().min(wanted.len()) - 1);
+            let last = last.join(" ");
+            let cells: Vec<&str> = first.iter().copied().chain([last.as_str()]).collect();
+            columns.row(&cells, line, &header, wanted)?;
+        }
+        Ok(columns)
+    }
+
+    fn empty(
+        name: String,
+        bytes: Vec<u8>,
+        field: &'static str,
+        wanted: &[Column],
+    ) -> Result<Self, CaseError> {
         let text = String::from_utf8(bytes).map_err(|_| {
             let message = format!("{field} must be a text file (UTF-8), but is not");
             CaseError::new(field, message, Place::File { name: name.clone() })
@@ -53,9 +98,13 @@ impl Columns {
         let text = text.trim_start_matches('\u{feff}').to_owned();
         let source = Arc::new(Source { name, text });
         let values = vec![Vec::new(); wanted.len()];
-        let mut columns = Self { source, header_line: 1, lines: Vec::new(), values, field };
-        columns.fill(wanted)?;
-        Ok(columns)
+        let present = vec![false; wanted.len()];
+        Ok(Self { source, header_line: 1, lines: Vec::new(), values, present, field })
+    }
+
+    /// Whether the file has a column, by its number among those that were asked for.
+    pub fn has(&self, index: usize) -> bool {
+        self.present[index]
     }
 
     /// An error at a line of the file.
@@ -80,7 +129,9 @@ impl Columns {
             match &header {
                 None => {
                     self.header_line = line;
-                    header = Some(self.header(&cells, wanted)?);
+                    let assigned = self.header(&cells, wanted)?;
+                    assigned.iter().for_each(|column| self.present[column.index] = true);
+                    header = Some(assigned);
                 }
                 Some(header) => self.row(&cells, line, header, wanted)?,
             }
@@ -171,16 +222,24 @@ impl Columns {
             return Err(self.error(line, message));
         }
         for (cell, column) in cells.iter().zip(header) {
-            let name = wanted[column.index].name;
-            let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
-            let number = number.ok_or_else(|| {
-                self.error(line, format!("{name} must be a finite number, but is {cell:?}"))
-            })?;
+            let number = self.number(cell, line, &wanted[column.index])?;
             let value = column.convert.map_or(number, |convert| convert.apply(number));
             self.values[column.index].push(value);
         }
         self.lines.push(line);
         Ok(())
+    }
+
+    fn number(&self, cell: &str, line: usize, column: &Column) -> Result<f64, CaseError> {
+        let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
+        if let Some(number) = number {
+            return Ok(number);
+        }
+        if column.holes && HOLES.contains(&cell.to_lowercase().as_str()) {
+            return Ok(f64::NAN);
+        }
+        let name = column.name;
+        Err(self.error(line, format!("{name} must be a finite number, but is {cell:?}")))
     }
 }
 

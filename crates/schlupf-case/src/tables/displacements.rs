@@ -5,14 +5,15 @@ use std::path::Path;
 use schlupf::calibration::displacements::Sample;
 use schlupf::grid::{BORDER, Grid};
 
+use super::axis::Axis;
 use super::columns::{Column, Columns};
-use super::lattice::{Axis, Lattice};
+use super::lattice::Lattice;
 use crate::error::{CaseError, Cause};
 use crate::place::Place;
 use crate::units::Measure;
 
 const fn column(name: &'static str, measure: &'static Measure, required: bool) -> Column {
-    Column { name, measure: Some(measure), required }
+    Column { name, measure: Some(measure), required, holes: false }
 }
 
 const COLUMNS: [Column; 6] = [

@@ -1,10 +1,13 @@
-//! Points of a table that fill a rectangle, in any order.
+//! Points of a table that fill a rectangle: in any order from a CSV file, or from an .npy file.
 
+use super::axis::{Axis, rounded};
 use super::columns::Columns;
+use super::npy;
 use crate::error::CaseError;
+use crate::place::Place;
 
-/// Positions may differ from the lattice by this part of a spacing: text has few digits.
-const ROUNDING: f64 = 0.01;
+/// The field that names the files of the normal contact.
+pub const FILE: &str = "normal.file";
 
 /// A lattice with more points than this for each row is no table with holes, but no table at all.
 const MAX_SPARSE: usize = 1000;
@@ -25,7 +28,7 @@ impl Lattice {
     pub fn of(xs: &[f64], ys: &[f64], columns: &Columns, advice: &str) -> Result<Self, CaseError> {
         let x = Axis::of("x", xs, columns)?;
         let y = Axis::of("y", ys, columns)?;
-        if x.count * y.count > MAX_SPARSE * columns.lines.len() {
+        if x.count.saturating_mul(y.count) > MAX_SPARSE * columns.lines.len() {
             let (nx, ny, rows) = (x.count, y.count, columns.lines.len());
             let message = format!(
                 "the points must fill a rectangle of {nx} by {ny}, but there are only {rows}"
@@ -61,14 +64,66 @@ impl Lattice {
     }
 }
 
+/// Values at the positions x × y, rows along x.
+#[derive(Debug)]
+pub struct Values {
+    /// In m, ascending.
+    pub x: Vec<f64>,
+    /// In m, ascending.
+    pub y: Vec<f64>,
+    /// One for each point.
+    pub values: Vec<f64>,
+}
+
+/// From the columns x, y (both in m) and a value, the rows in any order; `advice` is what to do about a hole.
+pub fn from_columns(
+    columns: &Columns,
+    [xs, ys, values]: [&[f64]; 3],
+    advice: &str,
+) -> Result<Values, CaseError> {
+    let lattice = Lattice::of(xs, ys, columns, advice)?;
+    let values = lattice.arranged(values);
+    Ok(Values { x: lattice.x.positions(), y: lattice.y.positions(), values })
+}
+
+/// From an .npy file, centred on the origin, spacings in m; each value must be `legal`, which `requirement` says
+/// in words.
+pub fn from_npy(
+    name: &str,
+    bytes: &[u8],
+    spacings: [f64; 2],
+    place: &Place,
+    (legal, requirement): (fn(f64) -> bool, &str),
+) -> Result<Values, CaseError> {
+    let array = npy::parse(bytes).map_err(|message| npy_error(name, place, &message))?;
+    if let Some(cell) = array.values.iter().position(|value| !legal(*value)) {
+        let (row, column) = (cell / array.columns, cell % array.columns);
+        let value = array.values[cell];
+        let message =
+            format!("must hold {requirement}, but is {value} in row {row}, column {column}");
+        return Err(npy_error(name, place, &message));
+    }
+    let axis = |count: usize, spacing: f64| -> Vec<f64> {
+        let middle = 0.5 * (count as f64 - 1.0);
+        (0..count).map(|index| (index as f64 - middle) * spacing).collect()
+    };
+    let (x, y) = (axis(array.columns, spacings[0]), axis(array.rows, spacings[1]));
+    Ok(Values { x, y, values: array.values })
+}
+
+/// An error of an .npy file; the message follows its name in a sentence.
+pub fn npy_error(name: &str, place: &Place, message: &str) -> CaseError {
+    CaseError::new(FILE, format!("{FILE}: {name} {message}"), place.clone())
+}
+
 /// A point for messages.
 pub fn point(x: f64, y: f64) -> String {
     format!("x = {} mm, y = {} mm", rounded(x * 1e3), rounded(y * 1e3))
 }
 
-/// A length in mm without the digits that conversion adds.
-fn rounded(length: f64) -> f64 {
-    (length * 1e6).round() / 1e6
+/// A length (in m) in mm without the digits that conversion adds.
+pub fn millimetres(length: f64) -> f64 {
+    rounded(length * 1e3)
 }
 
 /// Points at the nearest line that was given in front of a hole, if any.
@@ -83,66 +138,4 @@ fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Colu
     let before = lines[..hole].iter().rev().find(|line| **line != 0);
     let line = *before.unwrap_or(&columns.header_line);
     columns.error(line, message)
-}
-
-/// Equidistant positions.
-#[derive(Debug)]
-pub struct Axis {
-    /// The lowest, in m.
-    pub first: f64,
-    /// Their distance, in m.
-    pub spacing: f64,
-    /// How many there are.
-    pub count: usize,
-}
-
-impl Axis {
-    /// The lattice that positions in any order lie on.
-    fn of(name: &str, positions: &[f64], columns: &Columns) -> Result<Self, CaseError> {
-        let mut sorted = positions.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let widest = sorted.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else {
-            let file = columns.field();
-            let message =
-                format!("{file} must have at least two values of {name}, but has no rows");
-            return Err(columns.error(columns.header_line, message));
-        };
-        if widest <= 0.0 {
-            let message =
-                format!("{name} must have at least two values, but is the same everywhere");
-            return Err(columns.error(columns.header_line, message));
-        }
-        let steps = ((last - first) / widest).round();
-        let axis = Self { first, spacing: (last - first) / steps, count: 1 + steps as usize };
-        let stray = positions.iter().position(|x| !axis.holds(*x) || !steps.is_finite());
-        match stray {
-            None => Ok(axis),
-            Some(row) => {
-                let message = format!(
-                    "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
-                    rounded(positions[row] * 1e3),
-                    rounded(axis.spacing * 1e3)
-                );
-                Err(columns.error(columns.lines[row], message))
-            }
-        }
-    }
-
-    fn index(&self, position: f64) -> usize {
-        ((position - self.first) / self.spacing).round() as usize
-    }
-
-    fn position(&self, index: usize) -> f64 {
-        self.first + self.spacing * index as f64
-    }
-
-    /// All of them, in m.
-    pub fn positions(&self) -> Vec<f64> {
-        (0..self.count).map(|index| self.position(index)).collect()
-    }
-
-    fn holds(&self, position: f64) -> bool {
-        (position - self.position(self.index(position))).abs() <= ROUNDING * self.spacing
-    }
 }

@@ -1,15 +1,21 @@
-//! Files that a case names: tables of pressure, of friction over y, and of time; and displacements to calibrate with.
+//! Files that a case names: tables of pressure, of undeformed distance, of friction over y, and of time; displacements to calibrate with, and
+//! measured points of creep curves.
 
 mod across;
-mod columns;
+pub(crate) mod axis;
+pub(crate) mod columns;
+mod creep_data;
 mod displacements;
+mod distance;
 mod lattice;
-mod npy;
+pub(crate) mod npy;
 mod pressure;
 mod time;
 
 pub use across::from_csv as variation_from_csv;
+pub use creep_data::from_csv as creep_data_from_csv;
 pub use displacements::{Displacements, read as read_displacements};
+pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy};
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};
 

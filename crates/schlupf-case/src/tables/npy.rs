@@ -2,14 +2,14 @@
 
 /// An array with each row contiguous.
 #[derive(Debug, PartialEq)]
-pub(super) struct Array {
-    pub(super) rows: usize,
-    pub(super) columns: usize,
-    pub(super) values: Vec<f64>,
+pub(crate) struct Array {
+    pub(crate) rows: usize,
+    pub(crate) columns: usize,
+    pub(crate) values: Vec<f64>,
 }
 
 /// Reads a file; the error follows the name of the file in a sentence.
-pub(super) fn parse(bytes: &[u8]) -> Result<Array, String> {
+pub(crate) fn parse(bytes: &[u8]) -> Result<Array, String> {
     let not_npy = || "must be an .npy file, but is not".to_owned();
     let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(not_npy)?;
     let (&[major, _minor], rest) = rest.split_first_chunk().ok_or_else(not_npy)?;

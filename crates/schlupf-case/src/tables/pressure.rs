@@ -3,18 +3,15 @@
 use schlupf::normal::tabulated::PressureTable;
 
 use super::columns::{Column, Columns};
-use super::lattice::{Lattice, point};
-use super::npy;
+use super::lattice::{self, FILE};
 use crate::error::CaseError;
 use crate::place::Place;
 use crate::units::Measure;
 
-const FILE: &str = "normal.file";
-
 const COLUMNS: [Column; 3] = [
-    Column { name: "x", measure: Some(&Measure::LENGTH), required: true },
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: true },
-    Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true },
+    Column { name: "x", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true, holes: false },
 ];
 
 /// A table from a CSV file with columns x, y and pressure, its rows in any order.
@@ -23,15 +20,15 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError
     let [xs, ys, pressures] = &columns.values[..] else {
         return Err(columns.error(columns.header_line, "three columns are needed"));
     };
-    let lattice = Lattice::of(xs, ys, &columns, "give pressure 0 outside the contact")?;
     if let Some(row) = pressures.iter().position(|pressure| *pressure < 0.0) {
-        let at = point(xs[row], ys[row]);
+        let at = lattice::point(xs[row], ys[row]);
         let message =
             format!("pressure must not be negative, but is {} Pa at {at}", pressures[row]);
         return Err(columns.error(columns.lines[row], message));
     }
-    let pressure = lattice.arranged(pressures);
-    PressureTable::new(&lattice.x.positions(), &lattice.y.positions(), pressure)
+    let help = "give pressure 0 outside the contact";
+    let table = lattice::from_columns(&columns, [xs, ys, pressures], help)?;
+    PressureTable::new(&table.x, &table.y, table.values)
         .map_err(|error| columns.error(columns.header_line, error.to_string()))
 }
 
@@ -42,23 +39,11 @@ pub fn from_npy(
     spacings: [f64; 2],
     place: &Place,
 ) -> Result<PressureTable, CaseError> {
-    let error =
-        |message: String| CaseError::new(FILE, format!("{FILE}: {name} {message}"), place.clone());
-    let array = npy::parse(bytes).map_err(error)?;
-    let bad = |value: &f64| !value.is_finite() || *value < 0.0;
-    if let Some(cell) = array.values.iter().position(bad) {
-        let (row, column) = (cell / array.columns, cell % array.columns);
-        let value = array.values[cell];
-        return Err(error(format!(
-            "must hold finite pressures that are not negative, but is {value} in row {row}, column {column}"
-        )));
-    }
-    let axis = |count: usize, spacing: f64| -> Vec<f64> {
-        let middle = 0.5 * (count as f64 - 1.0);
-        (0..count).map(|index| (index as f64 - middle) * spacing).collect()
-    };
-    let (x, y) = (axis(array.columns, spacings[0]), axis(array.rows, spacings[1]));
-    PressureTable::new(&x, &y, array.values).map_err(|cause| error(format!("is no table: {cause}")))
+    let legal = |value: f64| value.is_finite() && value >= 0.0;
+    let requirement = "finite pressures that are not negative";
+    let table = lattice::from_npy(name, bytes, spacings, place, (legal, requirement))?;
+    PressureTable::new(&table.x, &table.y, table.values)
+        .map_err(|cause| lattice::npy_error(name, place, &format!("is no table: {cause}")))
 }
 
 #[cfg(test)]

@@ -10,12 +10,12 @@ use crate::units::Measure;
 const FILE: &str = "history.file";
 
 const COLUMNS: [Column; 6] = [
-    Column { name: "time", measure: Some(&Measure::TIME), required: true },
-    Column { name: "creepage_x", measure: None, required: false },
-    Column { name: "creepage_y", measure: None, required: false },
-    Column { name: "spin", measure: Some(&Measure::PER_LENGTH), required: false },
-    Column { name: "speed", measure: Some(&Measure::SPEED), required: false },
-    Column { name: "load", measure: Some(&Measure::FORCE), required: false },
+    Column { name: "time", measure: Some(&Measure::TIME), required: true, holes: false },
+    Column { name: "creepage_x", measure: None, required: false, holes: false },
+    Column { name: "creepage_y", measure: None, required: false, holes: false },
+    Column { name: "spin", measure: Some(&Measure::PER_LENGTH), required: false, holes: false },
+    Column { name: "speed", measure: Some(&Measure::SPEED), required: false, holes: false },
+    Column { name: "load", measure: Some(&Measure::FORCE), required: false, holes: false },
 ];
 
 /// What the numbers of a column must be: the same as in the array of its name.

@@ -1,4 +1,5 @@
-//! Figures of a solution, of creep curves, of temperatures below the surface or of a calibration, each as SVG and as PNG of the same drawing.
+//! Figures of a solution, of creep curves, of a fit, of temperatures below the surface or of a calibration, each as SVG and
+//! as PNG of the same drawing.
 //!
 //! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
@@ -9,6 +10,7 @@ mod comparison;
 mod contour;
 mod creep_curve;
 mod cut;
+mod fit;
 mod font;
 mod frame;
 mod history;
@@ -34,6 +36,7 @@ use schlupf::calibration::side_by_side::SideBySide;
 
 use crate::comparison::Comparison;
 use crate::creep_curve::CurveFamily;
+use crate::identification::FitReport;
 use crate::temperature::Temperatures;
 
 use map::Arrows;
@@ -60,6 +63,9 @@ pub enum FigureError {
     /// There is no creep curve with numbers to draw.
     #[error("there is no creep curve of finite numbers to draw")]
     NoCurve,
+    /// There are no measured points to draw.
+    #[error("there are no measured points over a range of creepages to draw")]
+    NoPoints,
     /// There are no temperatures to draw.
     #[error("there are no temperatures over a range of places to draw")]
     NoTemperature,
@@ -140,6 +146,21 @@ pub fn calibration(title: &str, sides: &SideBySide) -> Result<Figure, FigureErro
 /// The SVG document of layer and half-space.
 pub fn calibration_drawing(title: &str, sides: &SideBySide) -> Result<String, FigureError> {
     calibration::draw(title, sides).ok_or(FigureError::NoSides)
+}
+
+/// Name of the figure of a fit.
+pub const FIT: &str = "fit";
+
+/// The figure of a fit: measured forces with the fitted curves, and the residuals.
+pub fn fit(report: &FitReport) -> Result<Figure, FigureError> {
+    let svg = fit_drawing(report)?;
+    let png = raster::png(&svg, &font::database())?;
+    Ok(Figure { name: FIT.to_owned(), svg, png })
+}
+
+/// The SVG document of a fit.
+pub fn fit_drawing(report: &FitReport) -> Result<String, FigureError> {
+    fit::draw(report).ok_or(FigureError::NoPoints)
 }
 
 /// Names of all figures of a solution that there can be.

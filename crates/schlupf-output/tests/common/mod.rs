@@ -48,6 +48,8 @@ pub fn solution(recipe: Recipe) -> Solution {
         status: Status::Converged,
         residual: 3.2e-7,
         normal: NormalSummary {
+            origin: None,
+            parts: 1,
             load,
             semi_axis_x: a,
             semi_axis_y: b,

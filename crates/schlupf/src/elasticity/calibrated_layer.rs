@@ -88,7 +88,8 @@ fn cubic(position: f64, entries: usize) -> (usize, [f64; 4]) {
 ///
 /// Its stiffnesses follow from the size of the grid: a = half its length, b = half its width. On
 /// elliptic patches forces agree with those of the half-space as
-/// [`crate::calibration`] says; others are treated like the ellipse with the same extent.
+/// [`crate::calibration`] says; others, and several parts together, are treated like the ellipse with the same
+/// extent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CalibratedLayer {
     half_space: HalfSpace,
@@ -129,6 +130,16 @@ impl Elasticity for CalibratedLayer {
 
     fn caveat(&self) -> Option<String> {
         self.half_space.caveat()
+    }
+
+    fn caveat_of_parts(&self, parts: usize) -> Option<String> {
+        (parts > 1).then(|| {
+            format!(
+                "elasticity.calibration: the layer is calibrated for one elliptic patch; for the {parts} separate \
+                 parts of this one it takes the ellipse of their common extent, which is too soft; \
+                 elasticity.model = \"half-space\" needs no calibration"
+            )
+        })
     }
 }
 

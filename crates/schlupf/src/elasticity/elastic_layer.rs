@@ -13,8 +13,9 @@ use std::sync::Arc;
 
 use rustdct::{DctPlanner, TransformType2And3};
 
-use super::{Compliance, Elasticity, smooth_from};
+use super::{Compliance, Elasticity};
 use crate::error::{Error, require, require_positive};
+use crate::fourier::smooth_from;
 use crate::grid::{Grid, VectorField};
 
 /// Stiffnesses per area of the layer for one displacement component.

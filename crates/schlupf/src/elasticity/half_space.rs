@@ -19,8 +19,9 @@ use std::sync::Arc;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
-use super::{Compliance, Elasticity, smooth_from};
+use super::{Compliance, Elasticity};
 use crate::error::{Error, require_positive};
+use crate::fourier::{smooth_from, transpose, transpose_back};
 use crate::grid::{Grid, VectorField};
 use crate::material::Material;
 
@@ -346,41 +347,6 @@ impl Compliance for Convolution {
 
     fn couples_cells(&self) -> bool {
         true
-    }
-}
-
-/// Cells that are moved together, so that both sides stay in the cache.
-const TILE: usize = 16;
-
-/// Rows of `from` (each `columns` long) become the heads of the columns of `to` (each `stride`).
-fn transpose(
-    from: &[Complex<f64>],
-    to: &mut [Complex<f64>],
-    [columns, rows]: [usize; 2],
-    stride: usize,
-) {
-    for first in (0..rows).step_by(TILE) {
-        for i in 0..columns {
-            for j in first..rows.min(first + TILE) {
-                to[i * stride + j] = from[j * columns + i];
-            }
-        }
-    }
-}
-
-/// The reverse.
-fn transpose_back(
-    from: &[Complex<f64>],
-    to: &mut [Complex<f64>],
-    [columns, rows]: [usize; 2],
-    stride: usize,
-) {
-    for first in (0..columns).step_by(TILE) {
-        for j in 0..rows {
-            for i in first..columns.min(first + TILE) {
-                to[j * columns + i] = from[i * stride + j];
-            }
-        }
     }
 }
 

@@ -22,6 +22,11 @@ pub trait Elasticity: Debug + Send + Sync {
     fn caveat(&self) -> Option<String> {
         None
     }
+
+    /// The same for a patch of several separate parts, where the model is made for one.
+    fn caveat_of_parts(&self, _parts: usize) -> Option<String> {
+        None
+    }
 }
 
 /// Displacement from traction on the cells of one grid; symmetric and not negative.
@@ -54,19 +59,4 @@ pub trait Compliance: Debug + Send {
     fn edge_displacement(&mut self, _traction: &VectorField) -> f64 {
         0.0
     }
-}
-
-/// The smallest product of 2, 3 and 5 that is not below `least`: lengths that the fast
-/// transforms like.
-pub(crate) fn smooth_from(least: usize) -> usize {
-    let is_smooth = |mut n: usize| {
-        for factor in [2, 3, 5] {
-            while n.is_multiple_of(factor) {
-                n /= factor;
-            }
-        }
-        n == 1
-    };
-    // A power of two is smooth, so the search ends.
-    (least..=2 * least).find(|n| is_smooth(*n)).unwrap_or(least)
 }

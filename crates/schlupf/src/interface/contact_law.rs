@@ -4,6 +4,7 @@
 //! along the sliding of the wheel, so no signs are in the way.
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use crate::error::{Error, require_positive};
 
@@ -45,6 +46,11 @@ pub struct Response {
 pub trait ContactLaw: Debug + Send + Sync {
     /// Traction after the increment.
     fn respond(&self, slide: &Slide) -> Response;
+
+    /// The same law with another k_c (in 1/m); `None` where it has no such constant.
+    fn with_stiffness(&self, _stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
+        Ok(None)
+    }
 }
 
 /// Eq. (8) of Neuhaus and Sextro (2014) in terms of the total sliding distance δ since entry:
@@ -81,6 +87,10 @@ impl ContactLaw for TotalDisplacement {
         let along = k * (-z).exp();
         let traction = n.map(|n| saturation * n);
         Self::response(traction, direction_tensor(n, along, saturation / length))
+    }
+
+    fn with_stiffness(&self, stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
+        Ok(Some(Arc::new(Self::new(stiffness)?)))
     }
 }
 
@@ -133,6 +143,10 @@ impl ContactLaw for Incremental {
             by_traction: kept,
             ..Response::default()
         }
+    }
+
+    fn with_stiffness(&self, stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
+        Ok(Some(Arc::new(Self::new(stiffness)?)))
     }
 }
 

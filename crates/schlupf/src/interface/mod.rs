@@ -2,3 +2,15 @@
 
 pub mod contact_law;
 pub mod friction;
+pub mod roughness;
+
+use self::friction::constants::FrictionConstant;
+
+/// A constant of what happens between the surfaces, by which forces can be differentiated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InterfaceConstant {
+    /// One of the friction law.
+    Friction(FrictionConstant),
+    /// k_c of the contact law, in 1/m.
+    ContactStiffness,
+}

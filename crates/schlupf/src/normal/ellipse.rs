@@ -51,6 +51,8 @@ impl PressureSource for Ellipse {
             semi_axis_y: b,
             peak_pressure: 3.0 * load / (TAU * a * b),
             approach: None,
+            origin: None,
+            parts: 1,
         };
         Ok(NormalContact { summary, pressure: Pressure::Elliptic })
     }

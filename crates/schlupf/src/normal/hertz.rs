@@ -104,17 +104,19 @@ impl PressureSource for Hertz {
             semi_axis_y: b,
             peak_pressure: 3.0 * load / (TAU * a * b),
             approach: Some(approach),
+            origin: None,
+            parts: 1,
         };
         Ok(NormalContact { summary, pressure: Pressure::Elliptic })
     }
 
-    fn growth(&self) -> f64 {
-        1.0 / 3.0
+    fn growth(&self) -> Option<f64> {
+        Some(1.0 / 3.0)
     }
 }
 
 /// 1/R₁ + 1/R₂, in 1/m; positive.
-fn curvature_sum(radii: [(&'static str, f64); 2], plane: &str) -> Result<f64, Error> {
+pub(super) fn curvature_sum(radii: [(&'static str, f64); 2], plane: &str) -> Result<f64, Error> {
     for (quantity, radius) in radii {
         let legal = !radius.is_nan() && radius != 0.0;
         require(legal, quantity, "not zero and not NaN (inf where flat)", radius, "m")?;

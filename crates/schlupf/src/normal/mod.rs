@@ -1,7 +1,10 @@
 //! Normal contact: the pressure, an input of the tangential problem.
 
+pub mod at_load;
 pub mod ellipse;
 pub mod hertz;
+pub mod profile;
+pub mod rough_contact;
 pub mod tabulated;
 
 use std::fmt::Debug;
@@ -19,9 +22,10 @@ pub trait PressureSource: Debug + Send + Sync {
 
     /// With which power of the load the lengths of the patch grow (dimensionless), if the load is
     /// all that changes in the description of the source: 1/3 for two bodies of given curvature, 0
-    /// for a patch whose size is given.
-    fn growth(&self) -> f64 {
-        0.0
+    /// for a patch whose size is given. `None` where the patch changes its shape or this is not known; then there
+    /// are no derivatives by the load.
+    fn growth(&self) -> Option<f64> {
+        Some(0.0)
     }
 }
 
@@ -47,6 +51,11 @@ pub struct NormalSummary {
     pub peak_pressure: f64,
     /// Approach of distant points of the two bodies, in m, where the source knows it.
     pub approach: Option<f64>,
+    /// Where the origin of the contact frame lies in the coordinates of the file that the source comes from, x and y
+    /// in m; if it comes from one.
+    pub origin: Option<[f64; 2]>,
+    /// Number of separate parts of the patch.
+    pub parts: usize,
 }
 
 /// A distribution of normal pressure.

@@ -20,6 +20,8 @@ pub struct PressureTable {
     x: Axis,
     y: Axis,
     pressure: Vec<f64>,
+    /// The origin of these positions in those that were given, x and y in m.
+    origin: [f64; 2],
 }
 
 /// Equidistant positions.
@@ -75,6 +77,13 @@ impl PressureTable {
     /// Positions that are not equidistant, a wrong number of values, a value that is negative or
     /// not finite, or no positive value at all.
     pub fn new(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
+        let table = Self::where_it_is(x, y, pressure)?;
+        let Extent { x, y } = table.extent();
+        Ok(table.seen_from([0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])]))
+    }
+
+    /// The same with positions that count from where they were given, not from the middle of the patch.
+    pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
         let (x, y) = (Axis::from_positions(x)?, Axis::from_positions(y)?);
         let invalid = |requirement: String, value: String| Error::Invalid {
             quantity: "normal.file",
@@ -104,11 +113,48 @@ impl PressureTable {
         }
         let is_noise = |p: f64| p < NOISE * peak;
         let pressure = pressure.into_iter().map(|p| if is_noise(p) { 0.0 } else { p }).collect();
-        let mut table = Self { x, y, pressure };
-        let Extent { x, y } = table.extent();
-        table.x.start -= 0.5 * (x[0] + x[1]);
-        table.y.start -= 0.5 * (y[0] + y[1]);
-        Ok(table)
+        Ok(Self { x, y, pressure, origin: [0.0; 2] })
+    }
+
+    /// The same with positions that count from `origin` (in m).
+    pub(crate) fn seen_from(&self, origin: [f64; 2]) -> Self {
+        let mut table = self.clone();
+        table.x.start -= origin[0];
+        table.y.start -= origin[1];
+        table.origin = [table.origin[0] + origin[0], table.origin[1] + origin[1]];
+        table
+    }
+
+    /// Where the origin of the table lies in the positions that were given, x and y in m.
+    pub fn origin(&self) -> [f64; 2] {
+        self.origin
+    }
+
+    /// Number of separate parts of the positive pressure; samples that touch at a corner belong together.
+    pub fn parts(&self) -> usize {
+        let (columns, rows) = (self.x.count, self.y.count);
+        let mut is_open: Vec<bool> = self.pressure.iter().map(|p| *p > 0.0).collect();
+        let mut parts = 0;
+        let mut reached = Vec::new();
+        for start in 0..is_open.len() {
+            if !std::mem::take(&mut is_open[start]) {
+                continue;
+            }
+            parts += 1;
+            reached.push(start);
+            while let Some(cell) = reached.pop() {
+                let (i, j) = (cell % columns, cell / columns);
+                for row in j.saturating_sub(1)..(j + 2).min(rows) {
+                    for column in i.saturating_sub(1)..(i + 2).min(columns) {
+                        let next = row * columns + column;
+                        if std::mem::take(&mut is_open[next]) {
+                            reached.push(next);
+                        }
+                    }
+                }
+            }
+        }
+        parts
     }
 
     /// ∫ p dA of the table, in N.
@@ -268,6 +314,8 @@ impl PressureSource for Tabulated {
             semi_axis_y: half(extent.y),
             peak_pressure: factor * self.table.peak(),
             approach: None,
+            origin: Some(self.table.origin()),
+            parts: self.table.parts(),
         };
         let pressure = Pressure::Tabulated(Arc::clone(&self.table), factor);
         Ok(NormalContact { summary, pressure })

@@ -6,3 +6,4 @@ pub mod haines_ollerton;
 pub mod kalker_linear;
 pub mod moving_source;
 pub mod winkler_strip;
+pub mod westergaard;

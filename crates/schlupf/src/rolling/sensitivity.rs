@@ -6,7 +6,9 @@
 //! lengths. A load that makes the patch grow scales all lengths.
 
 use crate::equilibrium::{Equilibrium, Gmres, add_scaled, norm};
+use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
+use crate::interface::friction::constants::FrictionConstant;
 use crate::kinematics::Kinematics;
 use crate::patch::Cell;
 use crate::problem::Problem;
@@ -39,21 +41,22 @@ pub(super) fn sensitivity(
     response: &[f64],
     tolerance: f64,
 ) -> (Option<Sensitivity>, usize) {
-    let size = levels[0].size();
-    let [least, largest] = ACCURACY_RANGE;
-    let dimension = (MAX_SIZE / (size + response.len())).clamp(60, MAX_DIMENSION);
-    let mut derivatives = Derivatives {
-        accuracy: (ACCURACY * tolerance).clamp(least, largest),
-        by_bristles: None,
-        problem,
-        levels,
-        krylov: Gmres::new(dimension),
-        products: 0,
-        step: vec![0.0; size],
-        response_step: vec![0.0; response.len()],
-        change: vec![0.0; size],
-    };
+    let mut derivatives = Derivatives::new(problem, levels, response.len(), tolerance);
     let found = derivatives.all(response);
+    (found, derivatives.products)
+}
+
+/// The same by some constants of the interface only, one derivative for each; `response_size` is the
+/// size of the linear response.
+pub(super) fn by_constants(
+    problem: &Problem,
+    levels: &mut [Level],
+    response_size: usize,
+    tolerance: f64,
+    constants: &[InterfaceConstant],
+) -> (Option<Vec<Resultant>>, usize) {
+    let mut derivatives = Derivatives::new(problem, levels, response_size, tolerance);
+    let found = constants.iter().map(|constant| derivatives.by_constant(*constant)).collect();
     (found, derivatives.products)
 }
 
@@ -70,10 +73,31 @@ struct Derivatives<'a> {
     change: Vec<f64>,
 }
 
-impl Derivatives<'_> {
+impl<'a> Derivatives<'a> {
+    fn new(
+        problem: &'a Problem,
+        levels: &'a mut [Level],
+        response_size: usize,
+        tolerance: f64,
+    ) -> Self {
+        let size = levels[0].size();
+        let [least, largest] = ACCURACY_RANGE;
+        let dimension = (MAX_SIZE / (size + response_size)).clamp(60, MAX_DIMENSION);
+        let by_bristles = SteadyState::new(problem, levels).response_by_stiffness();
+        Self {
+            accuracy: (ACCURACY * tolerance).clamp(least, largest),
+            products: usize::from(by_bristles.is_some()),
+            by_bristles,
+            problem,
+            levels,
+            krylov: Gmres::new(dimension),
+            step: vec![0.0; size],
+            response_step: vec![0.0; response_size],
+            change: vec![0.0; size],
+        }
+    }
+
     fn all(&mut self, response: &[f64]) -> Option<Sensitivity> {
-        self.by_bristles = SteadyState::new(self.problem, self.levels).response_by_stiffness();
-        self.products += usize::from(self.by_bristles.is_some());
         let [slowness_x, slowness_y] = self.problem.kinematics.slowness_by_creepage();
         let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
         let along_y = Kinematics { creepage_y: 1.0, ..standing(self.problem) };
@@ -89,6 +113,33 @@ impl Derivatives<'_> {
             friction_coefficient: self.by(&self.by_friction())?,
             contact_stiffness: self.by_stiffness()?,
         })
+    }
+
+    fn by_constant(&mut self, constant: InterfaceConstant) -> Option<Resultant> {
+        match constant {
+            InterfaceConstant::ContactStiffness => self.by_stiffness(),
+            InterfaceConstant::Friction(FrictionConstant::ColdCoefficient) => {
+                self.by(&self.by_friction())
+            }
+            InterfaceConstant::Friction(constant) => {
+                let direct = self.by_friction_constant(constant)?;
+                self.by(&direct)
+            }
+        }
+    }
+
+    /// What changes with a constant of the friction law other than μ0.
+    fn by_friction_constant(&self, constant: FrictionConstant) -> Option<Direct> {
+        let law = self.problem.friction.law.adjustable()?;
+        let Level { contact, friction, .. } = &self.levels[0];
+        let mut direct = Direct::nothing(self.levels[0].strips.len());
+        for k in 0..contact.patch.len() {
+            let states = friction.states(self.problem, &contact.patch, k);
+            let [here, entry] = states.map(|state| law.by_constant(constant, &state));
+            direct.friction.law[k] = here;
+            direct.friction.entry[k] = entry;
+        }
+        Some(direct)
     }
 
     /// What changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`.
@@ -136,7 +187,7 @@ impl Derivatives<'_> {
 
     /// What changes with the logarithm of the load, if the elasticity knows how it grows.
     fn direct_by_load(&mut self, response: &[f64]) -> Option<Direct> {
-        let growth = self.problem.normal.growth();
+        let growth = self.problem.normal.growth()?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         let mut system = SteadyState::new(self.problem, self.levels);
         direct.response = vec![0.0; response.len()];
@@ -179,7 +230,7 @@ impl Derivatives<'_> {
     }
 
     fn by_load(&mut self, direct: &Direct) -> Option<Resultant> {
-        let growth = self.problem.normal.growth();
+        let growth = self.problem.normal.growth()?;
         let moved = self.by(direct)?;
         let Level { contact, traction, .. } = &self.levels[0];
         let whole = summary::resultant(&contact.patch, traction);

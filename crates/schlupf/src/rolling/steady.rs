@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
+use crate::interface::InterfaceConstant;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
 use crate::simplified::FastContact;
-use crate::solution::{Instant, Solution, Status, Work};
+use crate::solution::{Instant, Resultant, Solution, Status, Work};
 use crate::state::State;
 use crate::summary::{self, snapshot::Snapshot};
 
@@ -17,7 +18,7 @@ use super::Progress;
 use super::branches;
 use super::level::{self, Level};
 use super::marching;
-use super::sensitivity::sensitivity;
+use super::sensitivity::{by_constants, sensitivity};
 use super::steady_state::SteadyState;
 use super::warnings;
 
@@ -88,19 +89,21 @@ impl SteadySolver {
             report(Progress { step: 1, steps: Some(1), change: 0.0 });
             return Ok(solution);
         }
-        let outcome = match self.solve_at_once(problem, self.options.sensitivity)? {
-            Ok(solution) => {
-                report(Progress { step: 1, steps: Some(1), change: solution.residual });
-                return Ok(solution);
-            }
-            Err(outcome) => outcome,
-        };
+        let Failure { outcome, warning } =
+            match self.solve_at_once(problem, self.options.sensitivity)? {
+                Ok(solution) => {
+                    report(Progress { step: 1, steps: Some(1), change: solution.residual });
+                    return Ok(solution);
+                }
+                Err(failure) => failure,
+            };
         let mut marched = marching::march(problem, &self.options, report)?;
         marched.warnings.push(format!(
             "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
              this is the end of a march, without derivatives",
             outcome.residual, outcome.iterations
         ));
+        marched.warnings.extend(warning);
         Ok(marched)
     }
 
@@ -124,6 +127,25 @@ impl SteadySolver {
         self.solve_at_once(problem, true).map(Result::ok)
     }
 
+    /// The steady state with the derivatives of forces and moment by some constants of contact law and
+    /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
+    /// have has no effect. Nothing where Newton's method or a linear system fails, and with a fast method.
+    pub fn solve_with_derivatives_by(
+        &mut self,
+        problem: &Problem,
+        constants: &[InterfaceConstant],
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        if self.options.method != Method::Full {
+            return Ok(None);
+        }
+        let Ok(mut solution) = self.solve_at_once(problem, false)? else { return Ok(None) };
+        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
+        let (size, tolerance) = (self.newton.response().len(), self.options.tolerance);
+        let (found, products) = by_constants(problem, levels, size, tolerance, constants);
+        solution.work.sensitivity_products = products;
+        Ok(found.map(|derivatives| (solution, derivatives)))
+    }
+
     /// Forgets all solutions, but not the set-up.
     pub fn forget(&mut self) {
         if let Some(setup) = &mut self.setup {
@@ -136,7 +158,7 @@ impl SteadySolver {
         &mut self,
         problem: &Problem,
         with_derivatives: bool,
-    ) -> Result<Result<Solution, Outcome>, Error> {
+    ) -> Result<Result<Solution, Failure>, Error> {
         problem.check()?;
         self.options.check()?;
         refuse_transient(problem)?;
@@ -165,7 +187,7 @@ impl SteadySolver {
             }
             Ok(solution)
         } else {
-            Err(outcome)
+            Err(Failure { outcome, warning })
         };
         self.setup = Some(setup);
         Ok(result)
@@ -186,6 +208,12 @@ impl SteadySolver {
             );
         }
     }
+}
+
+/// How far Newton's method got, and what is to be said beside.
+struct Failure {
+    outcome: Outcome,
+    warning: Option<String>,
 }
 
 /// What problems with one normal contact and elasticity share.
@@ -286,26 +314,31 @@ impl Setup {
         };
         let mut follow = |branch| {
             self.earlier.clear();
-            let mut outcome = Outcome::default();
+            let mut outcome = None;
             for kinematics in branches::way_to(&problem.kinematics, branch) {
                 let on_the_way = Problem { kinematics, ..problem.clone() };
-                outcome = self.find(&on_the_way, options, newton, work);
+                let found = self.find(&on_the_way, options, newton, work);
+                outcome = Some(found).filter(|found| found.converged);
+                outcome?;
             }
             let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
-            outcome.converged.then_some((outcome, force))
+            outcome.map(|outcome| (outcome, force))
         };
         let elsewhere = follow(other);
         let (Some((outcome, force)), Some((_, other))) = (follow(options.branch), elsewhere) else {
             self.earlier.clear();
             return (self.find(problem, options, newton, work), Some(branches::LOST.to_owned()));
         };
-        let limit = problem.friction.cold_coefficient() * self.levels[0].contact.normal.load;
-        let apart = (force.x - other.x).hypot(force.y - other.y);
-        let warning = (apart > branches::DISTINCT * limit).then(|| {
+        let normal = &self.levels[0].contact.normal;
+        let limit = problem.friction.cold_coefficient() * normal.load;
+        let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
+        let turned = (force.moment_z - other.moment_z) / lever;
+        let apart = (force.x - other.x).hypot(force.y - other.y).hypot(turned);
+        let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
             format!(
                 "friction falls so fast that there are several steady states: this one is reached \
-                 from {here} slip, with Fx = {:.4e} N and Fy = {:.4e} N; from {there} slip they \
-                 are {:.4e} N and {:.4e} N",
+                 from {here} slip, with Fx = {:.6e} N and Fy = {:.6e} N; from {there} slip they \
+                 are {:.6e} N and {:.6e} N",
                 force.x, force.y, other.x, other.y
             )
         });

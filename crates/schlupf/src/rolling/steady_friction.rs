@@ -6,7 +6,7 @@
 //! is the power of the creep forces. The heat is released on the way through the cell, evenly.
 
 use crate::heat::{HeatStep, partition::Conduction};
-use crate::interface::friction::FrictionResponse;
+use crate::interface::friction::{FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
@@ -141,6 +141,13 @@ impl SteadyFriction {
         let row = &mut self.weights[self.rows[k]..][..=k - self.first[k]];
         model.derivatives(&self.record, row);
         row.reverse();
+    }
+
+    /// What the law is given in a cell, and for the material that enters at its y.
+    pub fn states(&self, problem: &Problem, patch: &Patch, k: usize) -> [FrictionState; 2] {
+        let y = patch.cells[k].y;
+        let given = [[self.rise[k], speed_of(self.slip[k])], [0.0; 2]];
+        given.map(|[rise, slip]| problem.friction_state(&self.conduction, rise, slip, y))
     }
 
     fn respond(&mut self, problem: &Problem, patch: &Patch, k: usize) {

@@ -19,6 +19,7 @@ pub(super) fn warnings(
     now: &Snapshot,
 ) -> Vec<String> {
     let mut warnings: Vec<String> = problem.elasticity.caveat().into_iter().collect();
+    warnings.extend(problem.elasticity.caveat_of_parts(contact.normal.parts));
     let edge = contact.edge_displacement(&now.traction);
     if edge > LARGEST_EDGE_DISPLACEMENT {
         warnings.push(format!(

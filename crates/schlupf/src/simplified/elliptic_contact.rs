@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use crate::elasticity::half_space::HalfSpace;
 use crate::error::Error;
+use crate::interface::friction::FrictionState;
 use crate::kalker_coefficients::interpolated_coefficients;
 use crate::kinematics::Kinematics;
 use crate::normal::NormalSummary;
@@ -26,7 +27,11 @@ pub struct EllipticContact {
 impl EllipticContact {
     /// The contact of a problem.
     pub fn new(problem: &Problem) -> Result<Self, Error> {
-        let normal = problem.normal.normal_contact(None)?.summary;
+        Self::of(problem, problem.normal.normal_contact(None)?.summary)
+    }
+
+    /// The contact of a problem with these sizes.
+    pub(super) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
         let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
         let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
         Ok(Self {
@@ -58,8 +63,12 @@ impl EllipticContact {
 /// Limit μN of the force, in N: friction at the slip speed v0 √(ξ² + η²) of the contact as a whole,
 /// at y = 0, in material as warm as it enters.
 pub(super) fn friction_limit(problem: &Problem, load: f64) -> f64 {
+    load * problem.friction.law.respond(&friction_state(problem)).coefficient
+}
+
+/// What friction is given there.
+pub fn friction_state(problem: &Problem) -> FrictionState {
     let motion = &problem.kinematics;
     let slip_speed = motion.speed * motion.creepage_x.hypot(motion.creepage_y);
-    let conduction = problem.conduction(motion);
-    load * problem.friction_response(&conduction, 0.0, slip_speed, 0.0).coefficient
+    problem.friction_state(&problem.conduction(motion), 0.0, slip_speed, 0.0)
 }

@@ -24,6 +24,7 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
+use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::solution::{
     Area, Fields, Instant, Power, Resultant, Solution, Status, Temperature, Work,
@@ -31,7 +32,7 @@ use crate::solution::{
 use crate::state::State;
 use crate::summary;
 
-pub use elliptic_contact::EllipticContact;
+pub use elliptic_contact::{EllipticContact, friction_state};
 
 use elliptic_contact::friction_limit;
 use fastsim::Fastsim;
@@ -62,8 +63,10 @@ impl FastContact {
             Method::ModifiedFastsim(brush, reduction) => Some((brush, Some(reduction))),
             _ => None,
         };
-        let fastsim = fastsim.map(|brush| Fastsim::new(problem, options, brush)).transpose()?;
-        let contact = EllipticContact::new(problem)?;
+        let normal = problem.normal.normal_contact(None)?;
+        let set_up = |kind| Fastsim::new(problem, options, kind, &normal);
+        let fastsim = fastsim.map(set_up).transpose()?;
+        let contact = EllipticContact::of(problem, normal.summary)?;
         Ok(Self { problem: problem.clone(), options: options.clone(), contact, fastsim })
     }
 
@@ -89,10 +92,14 @@ impl FastContact {
         Ok(())
     }
 
-    /// Takes over another load (in N); the patch grows as its source says.
+    /// Takes over another load (in N); the patch grows as its source says. Allocates nothing, unless that
+    /// changes its shape.
     pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
-        let normal = self.problem.normal.normal_contact(Some(load))?.summary;
-        let before = self.contact.normal;
+        let contact = self.problem.normal.normal_contact(Some(load))?;
+        if self.problem.normal.growth().is_none() {
+            return self.set_contact(&contact);
+        }
+        let (normal, before) = (contact.summary, self.contact.normal);
         if let Some(fastsim) = &mut self.fastsim {
             fastsim.rescale(
                 normal.semi_axis_x / before.semi_axis_x,
@@ -100,6 +107,15 @@ impl FastContact {
             );
         }
         self.contact.normal = normal;
+        Ok(())
+    }
+
+    /// Takes over a normal contact of another shape.
+    fn set_contact(&mut self, contact: &NormalContact) -> Result<(), Error> {
+        self.contact = EllipticContact::of(&self.problem, contact.summary)?;
+        if let Some(fastsim) = &mut self.fastsim {
+            *fastsim = Fastsim::new(&self.problem, &self.options, fastsim.kind(), contact)?;
+        }
         Ok(())
     }
 

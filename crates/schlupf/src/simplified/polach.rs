@@ -44,6 +44,64 @@ pub fn force(
     Resultant { x: -force * xi / nu_c, y: -(force * eta + spin_force) / nu_c, moment_z: f64::NAN }
 }
 
+/// The forces with their derivatives, for identification.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Differentiated {
+    /// (Fx, Fy) on the wheel, in N.
+    pub force: [f64; 2],
+    /// Their derivatives by the friction limit μN, dimensionless.
+    pub by_limit: [f64; 2],
+    /// Their derivatives by k_A, in N.
+    pub by_area_adhesion: [f64; 2],
+    /// Their derivatives by k_S, in N.
+    pub by_area_slip: [f64; 2],
+}
+
+/// The same as [`force`], with its derivatives by the friction limit (in N) and the reductions.
+pub fn differentiated_force(
+    contact: &EllipticContact,
+    kinematics: &Kinematics,
+    limit: f64,
+    reduction: AreaReduction,
+) -> Differentiated {
+    let Kinematics { creepage_x: xi, creepage_y: eta, spin, .. } = *kinematics;
+    let whole = force(contact, kinematics, limit, reduction);
+    let a = contact.normal.semi_axis_x;
+    let with_spin = eta + spin * a;
+    let eta_c = if with_spin.abs() > eta.abs() { with_spin } else { eta };
+    let (nu, nu_c) = (xi.hypot(eta), xi.hypot(eta_c));
+    let force = [whole.x, whole.y];
+    if nu_c == 0.0 {
+        let nothing = [0.0; 2];
+        return Differentiated {
+            force,
+            by_limit: nothing,
+            by_area_adhesion: nothing,
+            by_area_slip: nothing,
+        };
+    }
+    let (mut by_limit, mut by_reductions) = (0.0, [0.0; 2]);
+    if nu > 0.0 {
+        let gradient = contact.stress_gradient(kinematics, limit) * nu_c / nu;
+        let [adhesion, slip] = [reduction.area_adhesion, reduction.area_slip].map(|k| k * gradient);
+        let bell = (1.0 - adhesion * adhesion) / (1.0 + adhesion * adhesion).powi(2);
+        let lorentz = 1.0 / (1.0 + slip * slip);
+        // The gradient goes with 1/μN.
+        let by_gradient = FRAC_2_PI * (adhesion * bell + slip * lorentz);
+        by_limit = curve(gradient, reduction) - by_gradient;
+        by_reductions = [bell, lorentz].map(|shape| limit * FRAC_2_PI * gradient * shape);
+    }
+    let along = |change: f64| [-change * xi / nu_c, -change * eta / nu_c];
+    let [by_limit_x, by_limit_y] = along(by_limit);
+    let by_spin = spin_share_by_limit(contact, eta_c, limit) * spin / nu_c;
+    Differentiated {
+        force,
+        by_limit: [by_limit_x, by_limit_y - by_spin],
+        by_area_adhesion: along(by_reductions[0]),
+        by_area_slip: along(by_reductions[1]),
+    }
+}
+
 /// F/μN of creepage alone, dimensionless.
 fn curve(gradient: f64, AreaReduction { area_adhesion, area_slip }: AreaReduction) -> f64 {
     let adhesion = area_adhesion * gradient;
@@ -52,11 +110,23 @@ fn curve(gradient: f64, AreaReduction { area_adhesion, area_slip }: AreaReductio
 
 /// (9/16) a K_M (1 + 6.3 (1 − e^(−a/b))), in m.
 fn spin_share(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
+    let [lever, gradient] = spin_gradient(contact, eta_c, limit);
+    lever * spin_saturation(gradient)
+}
+
+/// Derivative of μN times that by μN, in m.
+fn spin_share_by_limit(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
+    let [lever, gradient] = spin_gradient(contact, eta_c, limit);
+    lever * (spin_saturation(gradient) - gradient * spin_saturation_slope(gradient))
+}
+
+/// (9/16) a (1 + 6.3 (1 − e^(−a/b))), in m, and ε_s.
+fn spin_gradient(contact: &EllipticContact, eta_c: f64, limit: f64) -> [f64; 2] {
     let (a, b) = (contact.normal.semi_axis_x, contact.normal.semi_axis_y);
     let shape = 1.0 + 6.3 * (1.0 - (-a / b).exp());
     let unit = contact.shear_modulus * b * contact.lever() * contact.coefficients.c23;
     let gradient = 8.0 / 3.0 * unit * eta_c.abs() / (limit * shape);
-    9.0 / 16.0 * a * shape * spin_saturation(gradient)
+    [9.0 / 16.0 * a * shape, gradient]
 }
 
 /// K_M, dimensionless. With 1 − δ = 2/(1 + ε²) the first term is ε (1 − δ)² (1 + 2δ)/6, in which nothing
@@ -68,9 +138,23 @@ fn spin_saturation(gradient: f64) -> f64 {
     root.powi(3) / 3.0 - gradient * rest * rest * (1.0 + 2.0 * delta) / 6.0
 }
 
+/// dK_M/dε_s, dimensionless.
+fn spin_saturation_slope(gradient: f64) -> f64 {
+    let rest = 2.0 / (1.0 + gradient * gradient);
+    let delta = 1.0 - rest;
+    let root = gradient * rest;
+    let rest_slope = -gradient * rest * rest;
+    let root_slope = rest + gradient * rest_slope;
+    let product = rest * rest * (1.0 + 2.0 * delta);
+    let product_slope = 2.0 * rest * rest_slope * (delta - rest + 1.0 + delta);
+    root * root * root_slope - (product + gradient * product_slope) / 6.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::normal::NormalSummary;
+    use crate::reference::kalker_linear::CreepCoefficients;
     use approx::assert_relative_eq;
 
     /// Polach 1999, K_M as printed, where it can be computed so.
@@ -83,6 +167,53 @@ mod tests {
             assert_relative_eq!(spin_saturation(gradient), printed, max_relative = 1e-10);
         }
         assert_relative_eq!(spin_saturation(1e-4), 2.0 / 3.0 * 1e-4, max_relative = 1e-3);
+    }
+
+    #[test]
+    fn derivatives_are_those_of_central_differences() {
+        let contact = EllipticContact {
+            normal: NormalSummary {
+                load: 82e3,
+                semi_axis_x: 8e-3,
+                semi_axis_y: 4e-3,
+                peak_pressure: 1.2e9,
+                approach: None,
+                origin: None,
+                parts: 1,
+            },
+            shear_modulus: 82e9,
+            coefficients: CreepCoefficients { c11: 4.8, c22: 4.3, c23: 2.2, c33: 0.7 },
+        };
+        let dry = AreaReduction { area_adhesion: 0.9, area_slip: 0.4 };
+        for (xi, eta, spin) in [
+            (3e-3, 0.0, 0.0),
+            (1e-3, -2e-3, 0.4),
+            (0.0, 6e-4, 0.6),
+            (2e-3, 0.0, -0.3),
+            (0.0, 0.0, 0.5),
+        ] {
+            let motion = Kinematics { speed: 20.0, creepage_x: xi, creepage_y: eta, spin };
+            let at = |limit: f64, area_adhesion: f64, area_slip: f64| {
+                let reduction = AreaReduction { area_adhesion, area_slip };
+                let found = force(&contact, &motion, limit, reduction);
+                [found.x, found.y]
+            };
+            let (limit, part) = (3e4, 1e-5);
+            let exact = differentiated_force(&contact, &motion, limit, dry);
+            assert_eq!(exact.force, at(limit, 0.9, 0.4));
+            let rows = [
+                (exact.by_limit, [1.0 + part, 1.0 - part].map(|f| at(f * limit, 0.9, 0.4)), limit),
+                (exact.by_area_adhesion, [0.9 + part, 0.9 - part].map(|k| at(limit, k, 0.4)), 1.0),
+                (exact.by_area_slip, [0.4 + part, 0.4 - part].map(|k| at(limit, 0.9, k)), 1.0),
+            ];
+            for (exact, [plus, minus], scale) in rows {
+                for c in 0..2 {
+                    let difference = (plus[c] - minus[c]) / (2.0 * part);
+                    let error = (exact[c] * scale - difference).abs();
+                    assert!(error < 1e-8 * limit, "{motion:?}: {exact:?} {difference}");
+                }
+            }
+        }
     }
 
     /// k_A = k_S = 1: the slope is 4/π, that of the linear theory, and the limit is μN.

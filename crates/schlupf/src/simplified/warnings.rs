@@ -13,16 +13,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn of(problem: &Problem, method: Method, force: &Resultant, limit: f64) -> Vec<String> {
     let mut warnings = Vec::new();
     let name = method.name();
-    let is_table = problem
-        .normal
-        .normal_contact(None)
-        .is_ok_and(|normal| matches!(normal.pressure, Pressure::Tabulated(..)));
-    if is_table {
-        warnings.push(format!(
-            "solver.method: {name:?} takes Kalker's coefficients of the ellipse with the length and \
-             width of the pressure table"
-        ));
-    }
+    warnings.extend(of_shape(problem, name));
     if problem.friction_memory().is_some() {
         warnings.push(format!(
             "friction.memory_distance: {name:?} knows no memory; friction follows its law at once"
@@ -48,6 +39,26 @@ pub(super) fn of(problem: &Problem, method: Method, force: &Resultant, limit: f6
         ));
     }
     warnings
+}
+
+/// A patch that is no ellipse counts as one.
+fn of_shape(problem: &Problem, name: &str) -> Option<String> {
+    let normal = problem.normal.normal_contact(None).ok()?;
+    let is_table = matches!(normal.pressure, Pressure::Tabulated(..));
+    let parts = normal.summary.parts;
+    let apart = if parts > 1 {
+        format!(
+            "; here that ellipse spans {parts} separate parts, and the gaps between them count as contact"
+        )
+    } else {
+        String::new()
+    };
+    is_table.then(|| {
+        format!(
+            "solver.method: {name:?} takes Kalker's coefficients of the ellipse with the length and \
+             width of the patch{apart}"
+        )
+    })
 }
 
 /// Part of the creep power by which the friction power may differ unmentioned.

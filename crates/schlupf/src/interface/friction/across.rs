@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState};
 use crate::error::Error;
 
@@ -104,6 +105,29 @@ impl FrictionLaw for Across {
 
     fn temperature_limit(&self) -> f64 {
         self.law.temperature_limit()
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        self.law.adjustable().map(|_| self as &dyn AdjustableFriction)
+    }
+}
+
+impl AdjustableFriction for Across {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        self.law.adjustable().map_or_else(Vec::new, AdjustableFriction::constants)
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        let law = match self.law.adjustable() {
+            Some(law) => law.with_constants(changes)?,
+            None => Arc::clone(&self.law),
+        };
+        Ok(Arc::new(Self { law, ..self.clone() }))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        let [factor, _] = self.factor_at(state.y);
+        self.law.adjustable().map_or(0.0, |law| factor * law.by_constant(constant, state))
     }
 }
 

@@ -1,5 +1,8 @@
 //! Constant friction.
 
+use std::sync::Arc;
+
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::Error;
 
@@ -28,5 +31,24 @@ impl FrictionLaw for Constant {
 
     fn is_constant(&self) -> bool {
         true
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        Some(self)
+    }
+}
+
+impl AdjustableFriction for Constant {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        vec![(FrictionConstant::ColdCoefficient, self.coefficient)]
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        let coefficient = changes.of(FrictionConstant::ColdCoefficient, self.coefficient);
+        Ok(Arc::new(Self::new(coefficient)?))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, _state: &FrictionState) -> f64 {
+        if constant == FrictionConstant::ColdCoefficient { 1.0 } else { 0.0 }
     }
 }

@@ -1,7 +1,11 @@
 //! Friction that falls exponentially with the slip speed.
 
+use std::sync::Arc;
+
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
+use crate::error::Error;
 
 /// μ = μ_kin + μ1 2^(−s/s1) + μ2 2^(−s/s2), s the slip speed, μ1 = μ0 − μ_kin − μ2; each term halves
 /// with every further s1 or s2.
@@ -15,6 +19,24 @@ pub struct Exponential(pub SlipTerms);
 impl FrictionLaw for Exponential {
     fn respond(&self, state: &FrictionState) -> FrictionResponse {
         self.0.respond(state.slip_speed, [halving; 2])
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        Some(self)
+    }
+}
+
+impl AdjustableFriction for Exponential {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        self.0.constants()
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        Ok(Arc::new(Self(self.0.with_constants(changes)?)))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        self.0.by_constant(constant, state.slip_speed, [halving; 2])
     }
 }
 

@@ -1,7 +1,11 @@
 //! Friction that falls linearly with the slip speed, to a floor.
 
+use std::sync::Arc;
+
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
+use crate::error::Error;
 
 /// μ = μ_kin + μ1 max(0, 1 − s/2s1) + μ2 max(0, 1 − s/2s2), s the slip speed, μ1 = μ0 − μ_kin − μ2; the
 /// terms have halved at s1 and s2 and vanish at twice these speeds, where μ_kin is left.
@@ -14,6 +18,24 @@ pub struct Linear(pub SlipTerms);
 impl FrictionLaw for Linear {
     fn respond(&self, state: &FrictionState) -> FrictionResponse {
         self.0.respond(state.slip_speed, [ramp; 2])
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        Some(self)
+    }
+}
+
+impl AdjustableFriction for Linear {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        self.0.constants()
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        Ok(Arc::new(Self(self.0.with_constants(changes)?)))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        self.0.by_constant(constant, state.slip_speed, [ramp; 2])
     }
 }
 

@@ -7,6 +7,7 @@
 
 pub mod across;
 pub mod constant;
+pub mod constants;
 pub mod exponential;
 pub mod linear;
 pub mod memory;
@@ -22,6 +23,7 @@ use std::sync::Arc;
 
 use crate::error::{Error, require, require_finite};
 
+use self::constants::AdjustableFriction;
 use self::memory::FrictionMemory;
 
 /// What a coefficient of friction may depend on.
@@ -66,6 +68,11 @@ pub trait FrictionLaw: Debug + Send + Sync {
     /// enters the contact.
     fn temperature_limit(&self) -> f64 {
         f64::INFINITY
+    }
+
+    /// The law as one whose constants can be fitted to measurements, if it is one.
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        None
     }
 }
 
@@ -130,6 +137,7 @@ fn require_below(quantity: &'static str, value: f64, coefficient: f64) -> Result
 mod tests {
     use super::across::Across;
     use super::constant::Constant;
+    use super::constants::{Changes, FrictionConstant};
     use super::exponential::Exponential;
     use super::linear::Linear;
     use super::polach::Polach;
@@ -209,6 +217,32 @@ mod tests {
                 let [plus, minus] = [&more, &less].map(|laws| laws[k].respond(&state).coefficient);
                 let by_cold = (plus - minus) / (2e-5 * mu0);
                 assert_close(response.by_cold_coefficient, by_cold, law, &state);
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_by_constants_are_those_of_central_differences() {
+        const PART: f64 = 1e-5;
+        for law in laws(0.4) {
+            let adjustable = law.adjustable().unwrap();
+            let constants = adjustable.constants();
+            for constant in FrictionConstant::ALL {
+                let own = constants.iter().find(|(own, _)| *own == constant);
+                for state in states() {
+                    let exact = adjustable.by_constant(constant, &state);
+                    let Some((_, value)) = own else {
+                        assert_eq!(exact, 0.0, "{constant:?} {law:?}");
+                        continue;
+                    };
+                    let [plus, minus] = [1.0 + PART, 1.0 - PART].map(|part| {
+                        let changes = [(constant, part * value)];
+                        let changed = adjustable.with_constants(&Changes(&changes)).unwrap();
+                        changed.respond(&state).coefficient
+                    });
+                    let difference = (plus - minus) / (2.0 * PART * value);
+                    assert_close(exact * value, difference * value, &law, &state);
+                }
             }
         }
     }

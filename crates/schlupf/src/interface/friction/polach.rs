@@ -1,5 +1,8 @@
 //! Friction that falls exponentially with the slip speed, with the parameters of Polach.
 
+use std::sync::Arc;
+
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::{Error, require, require_positive};
 
@@ -42,6 +45,39 @@ impl FrictionLaw for Polach {
             by_slip_speed: -self.coefficient * self.decay * falling,
             by_cold_coefficient: ratio,
             ..FrictionResponse::default()
+        }
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        Some(self)
+    }
+}
+
+impl AdjustableFriction for Polach {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        vec![
+            (FrictionConstant::ColdCoefficient, self.coefficient),
+            (FrictionConstant::LimitRatio, self.limit_ratio),
+            (FrictionConstant::Decay, self.decay),
+        ]
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        Ok(Arc::new(Self::new(
+            changes.of(FrictionConstant::ColdCoefficient, self.coefficient),
+            changes.of(FrictionConstant::LimitRatio, self.limit_ratio),
+            changes.of(FrictionConstant::Decay, self.decay),
+        )?))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        let fade = (-self.decay * state.slip_speed).exp();
+        let fall = (1.0 - self.limit_ratio) * fade;
+        match constant {
+            FrictionConstant::ColdCoefficient => fall + self.limit_ratio,
+            FrictionConstant::LimitRatio => self.coefficient * (1.0 - fade),
+            FrictionConstant::Decay => -self.coefficient * state.slip_speed * fall,
+            _ => 0.0,
         }
     }
 }

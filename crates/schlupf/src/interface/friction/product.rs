@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState};
 use crate::error::Error;
 
@@ -63,6 +64,49 @@ impl FrictionLaw for Product {
 
     fn temperature_limit(&self) -> f64 {
         self.temperature.temperature_limit().min(self.slip_speed.temperature_limit())
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        self.factors().map(|_| self as &dyn AdjustableFriction)
+    }
+}
+
+impl Product {
+    /// Both laws, if their constants can be changed.
+    fn factors(&self) -> Option<[&dyn AdjustableFriction; 2]> {
+        Some([self.temperature.adjustable()?, self.slip_speed.adjustable()?])
+    }
+}
+
+impl AdjustableFriction for Product {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        let Some([temperature, slip_speed]) = self.factors() else { return Vec::new() };
+        let mut constants = temperature.constants();
+        let own = slip_speed.constants().into_iter();
+        constants.extend(own.filter(|(name, _)| *name != FrictionConstant::ColdCoefficient));
+        constants
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        let Some([temperature, slip_speed]) = self.factors() else {
+            return Ok(Arc::new(self.clone()));
+        };
+        let laws = [temperature.with_constants(changes)?, slip_speed.with_constants(changes)?];
+        let [temperature, slip_speed] = laws;
+        Ok(Arc::new(Self::new(temperature, slip_speed)?))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        let Some([temperature, slip_speed]) = self.factors() else { return 0.0 };
+        let [a, b] =
+            [&self.temperature, &self.slip_speed].map(|law| law.respond(state).coefficient);
+        let by = |law: &dyn AdjustableFriction| law.by_constant(constant, state);
+        let by_factors = (by(temperature) * b + a * by(slip_speed)) / self.coefficient;
+        if constant == FrictionConstant::ColdCoefficient {
+            by_factors - a * b / self.coefficient.powi(2)
+        } else {
+            by_factors
+        }
     }
 }
 

@@ -1,7 +1,11 @@
 //! Friction that falls as a rational function of the slip speed.
 
+use std::sync::Arc;
+
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
+use crate::error::Error;
 
 /// μ = μ_kin + μ1/(1 + s/s1) + μ2/(1 + (s/s2)²), s the slip speed, μ1 = μ0 − μ_kin − μ2; the terms have
 /// halved at s1 and s2.
@@ -15,6 +19,24 @@ pub struct Rational(pub SlipTerms);
 impl FrictionLaw for Rational {
     fn respond(&self, state: &FrictionState) -> FrictionResponse {
         self.0.respond(state.slip_speed, [hyperbola, bell])
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        Some(self)
+    }
+}
+
+impl AdjustableFriction for Rational {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        self.0.constants()
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        Ok(Arc::new(Self(self.0.with_constants(changes)?)))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        self.0.by_constant(constant, state.slip_speed, [hyperbola, bell])
     }
 }
 

@@ -1,5 +1,6 @@
 //! Two terms that fall with the slip speed, as three laws of friction have them.
 
+use super::constants::{Changes, FrictionConstant};
 use super::{FrictionResponse, require_below, require_coefficient};
 use crate::error::{Error, require, require_positive};
 
@@ -67,6 +68,58 @@ impl SlipTerms {
                 + second * second_slope / self.second.half_speed,
             by_cold_coefficient: shape,
             ..FrictionResponse::default()
+        }
+    }
+
+    /// The constants by name; those of the second term only where there is one.
+    pub(super) fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        let mut constants = vec![
+            (FrictionConstant::ColdCoefficient, self.coefficient),
+            (FrictionConstant::KineticCoefficient, self.kinetic_coefficient),
+            (FrictionConstant::HalfSpeed, self.half_speed),
+        ];
+        if self.second.coefficient > 0.0 {
+            constants.push((FrictionConstant::SecondCoefficient, self.second.coefficient));
+            constants.push((FrictionConstant::SecondHalfSpeed, self.second.half_speed));
+        }
+        constants
+    }
+
+    /// The same with other values.
+    pub(super) fn with_constants(&self, changes: &Changes) -> Result<Self, Error> {
+        let Self { second, .. } = self;
+        let second = SecondTerm {
+            coefficient: changes.of(FrictionConstant::SecondCoefficient, second.coefficient),
+            half_speed: changes.of(FrictionConstant::SecondHalfSpeed, second.half_speed),
+        };
+        Self::new(
+            changes.of(FrictionConstant::ColdCoefficient, self.coefficient),
+            changes.of(FrictionConstant::KineticCoefficient, self.kinetic_coefficient),
+            changes.of(FrictionConstant::HalfSpeed, self.half_speed),
+            Some(second),
+        )
+    }
+
+    /// Derivative of the law by a constant, at a slip speed in m/s.
+    pub(super) fn by_constant(
+        &self,
+        constant: FrictionConstant,
+        slip_speed: f64,
+        shapes: [Shape; 2],
+    ) -> f64 {
+        let first = self.coefficient - self.kinetic_coefficient - self.second.coefficient;
+        let [x, second_x] = [slip_speed / self.half_speed, slip_speed / self.second.half_speed];
+        let [shape, slope] = shapes[0](x);
+        let [second_shape, second_slope] = shapes[1](second_x);
+        match constant {
+            FrictionConstant::ColdCoefficient => shape,
+            FrictionConstant::KineticCoefficient => 1.0 - shape,
+            FrictionConstant::HalfSpeed => -first.max(0.0) * slope * x / self.half_speed,
+            FrictionConstant::SecondCoefficient => second_shape - shape,
+            FrictionConstant::SecondHalfSpeed => {
+                -self.second.coefficient * second_slope * second_x / self.second.half_speed
+            }
+            _ => 0.0,
         }
     }
 }

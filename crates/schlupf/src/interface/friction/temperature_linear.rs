@@ -1,5 +1,8 @@
 //! Friction that falls linearly with the contact temperature; Eq. (23).
 
+use std::sync::Arc;
+
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_below, require_coefficient};
 use crate::error::{Error, require_positive};
 
@@ -45,6 +48,43 @@ impl FrictionLaw for TemperatureLinear {
     fn temperature_limit(&self) -> f64 {
         let vanishes = self.minimum_coefficient == 0.0;
         if vanishes { self.temperature_at_zero_friction } else { f64::INFINITY }
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        Some(self)
+    }
+}
+
+impl AdjustableFriction for TemperatureLinear {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        vec![
+            (FrictionConstant::ColdCoefficient, self.coefficient),
+            (FrictionConstant::TemperatureAtZeroFriction, self.temperature_at_zero_friction),
+            (FrictionConstant::MinimumCoefficient, self.minimum_coefficient),
+        ]
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        let vanishes = FrictionConstant::TemperatureAtZeroFriction;
+        Ok(Arc::new(Self::new(
+            changes.of(FrictionConstant::ColdCoefficient, self.coefficient),
+            changes.of(vanishes, self.temperature_at_zero_friction),
+            changes.of(FrictionConstant::MinimumCoefficient, self.minimum_coefficient),
+        )?))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        let part = state.temperature / self.temperature_at_zero_friction;
+        let is_at_floor = self.coefficient * (1.0 - part) < self.minimum_coefficient;
+        match constant {
+            FrictionConstant::MinimumCoefficient if is_at_floor => 1.0,
+            _ if is_at_floor => 0.0,
+            FrictionConstant::ColdCoefficient => 1.0 - part,
+            FrictionConstant::TemperatureAtZeroFriction => {
+                self.coefficient * part / self.temperature_at_zero_friction
+            }
+            _ => 0.0,
+        }
     }
 }
 

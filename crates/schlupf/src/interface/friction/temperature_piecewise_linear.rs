@@ -1,5 +1,8 @@
 //! Friction that falls, or rises, linearly between two temperatures.
 
+use std::sync::Arc;
+
+use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::{Error, require, require_positive};
 
@@ -44,6 +47,40 @@ impl FrictionLaw for TemperaturePiecewiseLinear {
 
     fn temperature_limit(&self) -> f64 {
         if self.hot_coefficient > 0.0 { f64::INFINITY } else { self.temperature_range }
+    }
+
+    fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
+        Some(self)
+    }
+}
+
+impl AdjustableFriction for TemperaturePiecewiseLinear {
+    fn constants(&self) -> Vec<(FrictionConstant, f64)> {
+        vec![
+            (FrictionConstant::ColdCoefficient, self.coefficient),
+            (FrictionConstant::HotCoefficient, self.hot_coefficient),
+            (FrictionConstant::TemperatureRange, self.temperature_range),
+        ]
+    }
+
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error> {
+        Ok(Arc::new(Self::new(
+            changes.of(FrictionConstant::ColdCoefficient, self.coefficient),
+            changes.of(FrictionConstant::HotCoefficient, self.hot_coefficient),
+            changes.of(FrictionConstant::TemperatureRange, self.temperature_range),
+        )?))
+    }
+
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
+        let share = (state.temperature / self.temperature_range).clamp(0.0, 1.0);
+        match constant {
+            FrictionConstant::ColdCoefficient => 1.0 - share,
+            FrictionConstant::HotCoefficient => share,
+            FrictionConstant::TemperatureRange if share < 1.0 => {
+                (self.coefficient - self.hot_coefficient) * share / self.temperature_range
+            }
+            _ => 0.0,
+        }
     }
 }
 

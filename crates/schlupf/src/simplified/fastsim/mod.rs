@@ -25,7 +25,7 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
-use crate::normal::{NormalSummary, Pressure};
+use crate::normal::{NormalContact, NormalSummary, Pressure};
 use crate::patch::{Cell, Patch};
 use crate::problem::{Options, Problem};
 use crate::solution::Resultant;
@@ -37,6 +37,9 @@ use common_coefficient::common_coefficient;
 use flexibility::{Flexibility, slope_reduction};
 use passage::Passage;
 use strip_heat::StripHeat;
+
+/// Bristles, and how modified FASTSIM softens them.
+type Kind = (Brush, Option<SlopeReduction>);
 
 /// A patch of bristles.
 #[derive(Debug)]
@@ -54,19 +57,19 @@ pub(super) struct Fastsim {
 }
 
 impl Fastsim {
-    /// The patch of a problem; `reduction` makes it modified FASTSIM.
+    /// The patch of a normal contact of a problem; `reduction` makes it modified FASTSIM.
     pub fn new(
         problem: &Problem,
         options: &Options,
-        (brush, reduction): (Brush, Option<SlopeReduction>),
+        (brush, reduction): Kind,
+        normal: &NormalContact,
     ) -> Result<Self, Error> {
-        let normal = problem.normal.normal_contact(None)?;
         let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
-        let mut patch = Patch::new(&normal, grid);
+        let mut patch = Patch::new(normal, grid);
         if brush.bound == TractionBound::Parabolic {
             if matches!(normal.pressure, Pressure::Tabulated(..)) {
-                let reason = "a tabulated pressure has no paraboloid: it needs fastsim.bound = \
-                              \"elliptic\", with which the table bounds the traction";
+                let reason = "the pressure of a table or a profile has no paraboloid: it needs \
+                              fastsim.bound = \"elliptic\", with which it bounds the traction itself";
                 return Err(Error::Contradiction {
                     quantity: "fastsim.bound",
                     reason: reason.to_owned(),
@@ -85,6 +88,11 @@ impl Fastsim {
         };
         fastsim.set_friction(problem);
         Ok(fastsim)
+    }
+
+    /// Bristles and whether they soften.
+    pub fn kind(&self) -> Kind {
+        (self.brush, self.reduction)
     }
 
     /// Takes over another law of friction.

@@ -1,0 +1,186 @@
+//! A case file with other values, its comments and layout kept.
+
+use std::path::{Path, PathBuf};
+
+use toml_edit::{Array, DocumentMut, Item, Table, Value};
+
+use crate::document::{Content, Entry, Origin};
+use crate::error::CaseError;
+use crate::fields::{self, Kind, readable};
+use crate::place::Place;
+
+/// A text that is being edited.
+pub struct Edited {
+    document: DocumentMut,
+    name: String,
+}
+
+impl Edited {
+    /// The text of a case file; `name` is for messages.
+    pub fn new(text: &str, name: &str) -> Result<Self, CaseError> {
+        let place = || Place::File { name: name.to_owned() };
+        let document = text
+            .parse()
+            .map_err(|error| CaseError::new("", format!("not TOML: {error}"), place()))?;
+        Ok(Self { document, name: name.to_owned() })
+    }
+
+    /// Makes the text give these entries and no others. `folder` is where relative paths start, if the
+    /// text goes to another folder.
+    pub fn take_over(
+        &mut self,
+        entries: &[Entry],
+        folder: Option<&PathBuf>,
+    ) -> Result<(), CaseError> {
+        for field in fields::all() {
+            let is_given = entries.iter().any(|entry| entry.path == field.path);
+            if !is_given {
+                self.remove(field.path);
+            }
+        }
+        for entry in entries {
+            let is_path =
+                fields::find(&entry.path).is_some_and(|field| matches!(field.kind, Kind::Path));
+            match (&entry.value.content, folder) {
+                (Content::Text(file), Some(folder)) if is_path => {
+                    let file = absolute(&folder.join(file)).display().to_string();
+                    self.set(&entry.path, file.into())?;
+                }
+                (content, _) if matches!(entry.origin, Origin::Override { .. }) => {
+                    self.set(&entry.path, value_of(content))?;
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets a field to a number in its SI unit, to six digits.
+    pub fn set_number(&mut self, path: &str, number: f64) -> Result<(), CaseError> {
+        let text = readable(number);
+        let unit = fields::find(path).map_or("", |field| field.kind.unit());
+        let value = if unit.is_empty() {
+            text.parse::<f64>().unwrap_or(number).into()
+        } else {
+            format!("{text} {unit}").into()
+        };
+        self.set(path, value)
+    }
+
+    /// The text.
+    pub fn finish(self) -> String {
+        self.document.to_string()
+    }
+
+    fn set(&mut self, path: &str, mut value: Value) -> Result<(), CaseError> {
+        let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
+        let root = self.document.as_table_mut();
+        let table = if section.is_empty() {
+            Some(root as &mut dyn toml_edit::TableLike)
+        } else {
+            root.entry(section).or_insert(Item::Table(Table::new())).as_table_like_mut()
+        };
+        let Some(table) = table else {
+            let place = Place::File { name: self.name.clone() };
+            return Err(CaseError::new(path, format!("{section} is no section"), place));
+        };
+        match table.get_mut(name).and_then(Item::as_value_mut) {
+            Some(old) => {
+                // Blanks before and a comment behind.
+                *value.decor_mut() = old.decor().clone();
+                *old = value;
+            }
+            None => {
+                table.insert(name, Item::Value(value));
+            }
+        }
+        Ok(())
+    }
+
+    fn remove(&mut self, path: &str) {
+        let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
+        let root = self.document.as_table_mut();
+        if section.is_empty() {
+            root.remove(name);
+        } else if let Some(table) = root.get_mut(section).and_then(Item::as_table_like_mut) {
+            table.remove(name);
+        }
+    }
+}
+
+fn value_of(content: &Content) -> Value {
+    match content {
+        Content::Text(text) => text.as_str().into(),
+        Content::Integer(number) => (*number).into(),
+        Content::Float(number) => (*number).into(),
+        Content::Flag(flag) => (*flag).into(),
+        Content::Array(entries) => {
+            Value::Array(entries.iter().map(|entry| value_of(&entry.content)).collect::<Array>())
+        }
+        // No field takes it, so no case that was read has it.
+        Content::Other(name) => (*name).into(),
+    }
+}
+
+/// The path from the root, as far as it can be known.
+pub fn absolute(path: &Path) -> PathBuf {
+    let path = if path == Path::new("") { Path::new(".") } else { path };
+    std::fs::canonicalize(path)
+        .or_else(|_| std::path::absolute(path))
+        .unwrap_or_else(|_| path.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Case;
+    use std::path::Path;
+
+    fn edited(text: &str, overrides: &[&str], values: &[(&str, f64)], folder: &str) -> String {
+        let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
+        let case = Case::from_str(text, "case.toml", Path::new("here"), &overrides).unwrap();
+        let text = case.edited(values, Path::new(folder)).unwrap();
+        Case::from_str(&text, "again.toml", Path::new(folder), &[]).unwrap();
+        text
+    }
+
+    #[test]
+    fn comments_and_layout_stay() {
+        let text = "# mine\ntitle = \"a\"\n\n[friction]   # law\ncoefficient  = 0.40  # guessed\n\n[grid]\ncells_x = 8\ncells_y = 9\n";
+        let values = [
+            ("friction.coefficient", 0.330_236_480_8),
+            ("friction.temperature_at_zero_friction", 1853.087),
+            ("contact_law.stiffness", 4.871_234_5e6),
+        ];
+        assert_eq!(
+            edited(text, &["grid.cells_x=10", "grid.cells_y="], &values, "here"),
+            "# mine\ntitle = \"a\"\n\n[friction]   # law\ncoefficient  = 0.330236  # guessed\n\
+             temperature_at_zero_friction = \"1853.09 K\"\n\n[grid]\ncells_x = 10\n\n\
+             [contact_law]\nstiffness = \"4.87123e6 1/m\"\n"
+        );
+    }
+
+    #[test]
+    fn inline_tables_and_dotted_keys_are_edited_in_place() {
+        let values = [("friction.coefficient", 0.3)];
+        let text = "friction = { coefficient = 0.4 }\n";
+        assert_eq!(edited(text, &[], &values, "here"), "friction = { coefficient = 0.3 }\n");
+        let text = "friction.model = \"constant\"\n";
+        let new = "friction.model = \"constant\"\nfriction.coefficient = 0.3\n";
+        assert_eq!(edited(text, &[], &values, "here"), new);
+    }
+
+    #[test]
+    fn paths_lead_to_the_same_files_from_another_folder() {
+        let folder = std::env::temp_dir();
+        let text = "[friction]\nmodel = \"constant\"\nvariation_file = \"f.csv\"\n";
+        let case = |text: &str, folder: &Path| Case::from_str(text, "case.toml", folder, &[]);
+        let place = folder.join(format!("schlupf-{}", std::process::id()));
+        std::fs::create_dir(&place).unwrap();
+        std::fs::write(place.join("f.csv"), "y [mm],factor\n-1,1\n1,1\n").unwrap();
+        let read = case(text, &place).unwrap();
+        assert_eq!(read.edited(&[], &place).unwrap(), text);
+        let moved = read.edited(&[], &folder).unwrap();
+        case(&moved, &folder).unwrap();
+        std::fs::remove_dir_all(&place).unwrap();
+    }
+}

@@ -1,0 +1,83 @@
+//! What `schlupf fit` is given: parameters, and measured points.
+
+use std::path::Path;
+
+use schlupf::identification::{DataPoint, Parameter};
+use schlupf::kinematics::Kinematics;
+
+use crate::error::{CaseError, Cause};
+use crate::fields::closest;
+use crate::place::Place;
+use crate::tables;
+
+/// The parameters that an option lists, such as
+/// `friction.coefficient,friction.temperature_at_zero_friction`.
+pub fn parameters(option: &'static str, text: &str) -> Result<Vec<Parameter>, CaseError> {
+    let place = || Place::Override { option, text: text.to_owned() };
+    let mut parameters = Vec::new();
+    for name in text.split(',').map(str::trim) {
+        let Some(parameter) = Parameter::all().find(|parameter| parameter.name() == name) else {
+            let names = || Parameter::all().map(Parameter::name);
+            let short = |full: &&str| full.rsplit('.').next() == name.rsplit('.').next();
+            let meant = closest(name, names()).or_else(|| names().find(short));
+            let help = match meant {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("what can be fitted: {}", names().collect::<Vec<_>>().join(", ")),
+            };
+            let message = format!("{option} must list what can be fitted, but has {name:?}");
+            return Err(CaseError::new(name, message, place()).help(help));
+        };
+        if parameters.contains(&parameter) {
+            let message = format!("{option} must list a parameter once, but has {name} twice");
+            return Err(CaseError::new(name, message, place()));
+        }
+        parameters.push(parameter);
+    }
+    Ok(parameters)
+}
+
+/// The measured points of a CSV file that `option` names. What it has no column for is that of
+/// `kinematics` and of the case's load.
+pub fn read_data(
+    option: &'static str,
+    path: &Path,
+    kinematics: &Kinematics,
+) -> Result<Vec<DataPoint>, CaseError> {
+    let name = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|error| CaseError {
+        cause: Cause::FileSystem,
+        ..CaseError::new(
+            "",
+            format!("the measured points cannot be read: {error}"),
+            Place::File { name: name.clone() },
+        )
+    })?;
+    tables::creep_data_from_csv(option, name, bytes, kinematics)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parameters_are_named_as_in_the_case_file() {
+        let names = "friction.coefficient, contact_law.stiffness";
+        let read: Vec<&str> =
+            parameters("--fit", names).unwrap().into_iter().map(Parameter::name).collect();
+        assert_eq!(read, ["friction.coefficient", "contact_law.stiffness"]);
+        for parameter in Parameter::all() {
+            assert_eq!(parameters("--fit", parameter.name()), Ok(vec![parameter]));
+        }
+    }
+
+    #[test]
+    fn other_names_are_refused_with_a_suggestion() {
+        let message = |text| parameters("--fit", text).unwrap_err().to_string();
+        assert!(message("friction.coeficient").contains("did you mean `friction.coefficient`?"));
+        assert!(message("stiffness").contains("did you mean `contact_law.stiffness`?"));
+        assert!(message("normal.load").contains("what can be fitted: friction.coefficient, "));
+        let twice = message("friction.decay,friction.decay");
+        assert!(twice.contains("but has friction.decay twice"), "{twice}");
+        assert!(message("").contains("but has \"\""));
+    }
+}

@@ -1,0 +1,77 @@
+//! Points x, y, height as text: CSV with units in its header, and .xyz without.
+
+use schlupf::surface::Lattice;
+
+use super::{FILE, SurfaceData, SurfaceOptions, finish, refusal, unit};
+use crate::error::CaseError;
+use crate::tables::axis::{Axis, rounded};
+use crate::tables::columns::{Column, Columns};
+use crate::units::Measure;
+
+const fn length(name: &'static str, required: bool, holes: bool) -> Column {
+    Column { name, measure: Some(&Measure::LENGTH), required, holes }
+}
+
+/// Without y it is a profile.
+const COLUMNS: [Column; 3] =
+    [length("x", true, false), length("y", false, false), length("height", true, true)];
+
+/// A lattice with more points than this for each row is no map with holes, but no map at all.
+const MAX_SPARSE: usize = 4;
+
+/// From a CSV file with the columns x, y and height, its rows in any order.
+pub fn from_csv(
+    name: String,
+    bytes: Vec<u8>,
+    options: &SurfaceOptions,
+) -> Result<SurfaceData, CaseError> {
+    from_columns(&Columns::read(name, bytes, FILE, &COLUMNS)?, options)
+}
+
+/// From lines `x y z` in the unit of the options.
+pub fn from_xyz(
+    name: String,
+    bytes: Vec<u8>,
+    options: &SurfaceOptions,
+) -> Result<SurfaceData, CaseError> {
+    let convert = unit(&name, options)?;
+    from_columns(&Columns::read_bare(name, bytes, FILE, &COLUMNS, convert)?, options)
+}
+
+fn from_columns(columns: &Columns, options: &SurfaceOptions) -> Result<SurfaceData, CaseError> {
+    let name = &columns.source.name;
+    let [xs, ys, heights] = &columns.values[..] else {
+        return Err(refusal(name, "must have three columns"));
+    };
+    let x = Axis::of("x", xs, columns)?;
+    let is_line = ys.windows(2).all(|pair| pair[0] == pair[1]);
+    let y = if is_line { None } else { Some(Axis::of("y", ys, columns)?) };
+    let rows = y.as_ref().map_or(1, |y| y.count);
+    if x.count.saturating_mul(rows) > MAX_SPARSE * xs.len() {
+        let message = format!(
+            "the points must fill a rectangle of {} by {rows}, but there are only {}",
+            x.count,
+            xs.len()
+        );
+        return Err(columns.error(columns.header_line, message));
+    }
+    let mut lines = vec![0; x.count * rows];
+    let mut map = vec![f64::NAN; lines.len()];
+    for (k, (&line, &height)) in columns.lines.iter().zip(heights).enumerate() {
+        let row = y.as_ref().map_or(0, |y| y.index(ys[k]));
+        let cell = row * x.count + x.index(xs[k]);
+        if lines[cell] != 0 {
+            let at = rounded(xs[k] * 1e3);
+            let first = lines[cell];
+            let message = format!(
+                "every point must be given once, but that at x = {at} mm stands in line {first} too"
+            );
+            return Err(columns.error(line, message));
+        }
+        lines[cell] = line;
+        map[cell] = height;
+    }
+    let spacing_y = y.as_ref().map_or(x.spacing, |y| y.spacing);
+    let lattice = Lattice { columns: x.count, rows, spacing_x: x.spacing, spacing_y };
+    finish(name, lattice, map, options)
+}

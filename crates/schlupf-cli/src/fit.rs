@@ -1,0 +1,203 @@
+//! `schlupf fit`.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use schlupf::identification::{
+    self, CreepForceModel, Fit, Parameter, PolachModel, RollingContactModel, sample_curves,
+};
+use schlupf::{Error, Method, Status};
+use schlupf_case::identification::{parameters, read_data};
+use schlupf_case::{Case, CaseErrors};
+use schlupf_output::figures;
+use schlupf_output::identification::{FitReport, FittedRoughness, csv, json, summary};
+
+use crate::arguments::FitArguments;
+use crate::commands::read_case;
+use crate::failure::{Failure, NOT_CONVERGED};
+use crate::outputs::{self, Input};
+use crate::progress::Progress;
+use crate::solve::{figure_files, is_stdout};
+use crate::{report, stdout};
+
+const DATA: &str = "--data";
+const FIT: &str = "--fit";
+
+/// Points of a curve in the figure.
+const CURVE_POINTS: usize = 41;
+
+/// Finds the parameters and writes them.
+pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
+    let case = read_case(&arguments.case)?;
+    let parameters = parameters(FIT, &arguments.fit).map_err(CaseErrors::from)?;
+    let data =
+        read_data(DATA, &arguments.data, &case.problem.kinematics).map_err(CaseErrors::from)?;
+    let explain = |error: Error| explain(arguments, &case, &error);
+    let mut model = Model::new(&case, &parameters, arguments.gamma).map_err(explain)?;
+    identification::check(model.creep_forces(), &data).map_err(explain)?;
+    let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
+    check_outputs(arguments, &case)?;
+    let progress = Progress::start();
+    progress.stage("fitting");
+    let steps = arguments.max_steps as usize;
+    let mut fit =
+        identification::fit(model.creep_forces(), &data, steps, &mut |_| ()).map_err(explain)?;
+    fit.warnings.extend(case.notices.iter().cloned());
+    let points = if arguments.figures.is_some() { CURVE_POINTS } else { 0 };
+    let curves = sample_curves(model.creep_forces(), &data, points).map_err(explain)?;
+    let contact_stiffness = model.contact_stiffness();
+    let roughness = parameters
+        .contains(&Parameter::Roughness)
+        .then_some(FittedRoughness { gamma: arguments.gamma, contact_stiffness });
+    let report = FitReport {
+        title: case.title.clone(),
+        data: arguments.data.display().to_string(),
+        load,
+        fit,
+        curves,
+        roughness,
+    };
+    let mut files = files(arguments, &report, &progress)?;
+    if let Some(path) = &arguments.write_case {
+        let text = fitted_case(&case, &report.fit, contact_stiffness, path)?;
+        files.push((path.clone(), text.into_bytes()));
+    }
+    drop(progress);
+    outputs::write(&files, arguments.figures.as_deref())?;
+    print(arguments, &report)?;
+    match report.fit.status {
+        Status::Converged => Ok(ExitCode::SUCCESS),
+        Status::NotConverged => {
+            let failures = report.fit.warnings.iter();
+            failures
+                .filter(|text| text.starts_with("not converged: "))
+                .for_each(|t| report::warn(t));
+            Ok(ExitCode::from(NOT_CONVERGED))
+        }
+    }
+}
+
+/// What is fitted.
+enum Model {
+    Full(Box<RollingContactModel>),
+    Polach(Box<PolachModel>),
+}
+
+impl Model {
+    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Self, Error> {
+        let Case { problem, options, .. } = case;
+        match options.method {
+            Method::Polach(_) => PolachModel::new(problem, options, parameters)
+                .map(|model| Self::Polach(Box::new(model))),
+            _ => RollingContactModel::new(problem, options, parameters, gamma)
+                .map(|model| Self::Full(Box::new(model))),
+        }
+    }
+
+    fn creep_forces(&mut self) -> &mut dyn CreepForceModel {
+        match self {
+            Self::Full(model) => &mut **model,
+            Self::Polach(model) => &mut **model,
+        }
+    }
+
+    /// k_c at the present values (in 1/m), where there is one.
+    fn contact_stiffness(&self) -> f64 {
+        match self {
+            Self::Full(model) => model.contact_stiffness(),
+            Self::Polach(_) => f64::NAN,
+        }
+    }
+}
+
+/// An error of the core: of the data and what they are to determine, or of the case.
+fn explain(arguments: &FitArguments, case: &Case, error: &Error) -> Failure {
+    let (Error::Invalid { quantity, .. } | Error::Contradiction { quantity, .. }) = error else {
+        return Failure::Case(case.explain(error).into());
+    };
+    let is_fitted = arguments.fit.split(',').any(|name| name.trim() == *quantity);
+    let is_of_data = ["force_ratio", "standard_deviation", "gamma"].contains(quantity);
+    if is_fitted || is_of_data {
+        let data = arguments.data.display();
+        Failure::Arguments(format!("{FIT} {} {DATA} {data}: {error}", arguments.fit))
+    } else {
+        Failure::Case(case.explain(error).into())
+    }
+}
+
+/// The text of the case with the values found.
+fn fitted_case(
+    case: &Case,
+    fit: &Fit,
+    contact_stiffness: f64,
+    path: &Path,
+) -> Result<String, Failure> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let values: Vec<(&str, f64)> = fit
+        .estimates
+        .iter()
+        .map(|estimate| match estimate.parameter {
+            // k_c is what a case has.
+            Parameter::Roughness => (Parameter::ContactStiffness.name(), contact_stiffness),
+            parameter => (parameter.name(), estimate.value),
+        })
+        .collect();
+    let text = case.edited(&values, folder).map_err(CaseErrors::from)?;
+    // What is written can be read again.
+    Case::from_str(&text, &path.display().to_string(), folder, &[])?;
+    Ok(text)
+}
+
+fn check_outputs(arguments: &FitArguments, case: &Case) -> Result<(), Failure> {
+    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let outputs: Vec<(&str, &Path)> = [
+        ("--json", json),
+        ("--csv", arguments.csv.as_deref()),
+        ("--write-case", arguments.write_case.as_deref()),
+    ]
+    .into_iter()
+    .filter_map(|(option, path)| Some((option, path?)))
+    .collect();
+    let mut inputs = Input::of_case(&arguments.case, case);
+    inputs.push(Input { what: DATA.to_owned(), path: arguments.data.clone(), except: None });
+    match &arguments.figures {
+        None => outputs::check(&outputs, &inputs),
+        Some(directory) => {
+            let names = figure_files(figures::FIT);
+            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
+        }
+    }
+}
+
+/// All files but the case in memory: what cannot be made is known before the first one is written.
+fn files(
+    arguments: &FitArguments,
+    report: &FitReport,
+    progress: &Progress,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    let mut files = Vec::new();
+    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+        files.push((path.to_owned(), json::document(report).into_bytes()));
+    }
+    if let Some(path) = &arguments.csv {
+        files.push((path.clone(), csv::table(report).into_bytes()));
+    }
+    if let Some(directory) = &arguments.figures {
+        progress.stage("drawing figures");
+        let figure = figures::fit(report)?;
+        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
+        files.push((svg, figure.svg.into_bytes()));
+        files.push((png, figure.png));
+    }
+    Ok(files)
+}
+
+fn print(arguments: &FitArguments, report: &FitReport) -> Result<(), Failure> {
+    if arguments.json.as_deref().is_some_and(is_stdout) {
+        stdout::write(&json::document(report))
+    } else if arguments.quiet {
+        Ok(())
+    } else {
+        stdout::write(&summary::text(report))
+    }
+}

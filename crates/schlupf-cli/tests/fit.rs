@@ -1,0 +1,160 @@
+//! `schlupf fit` as a user runs it.
+
+mod support;
+
+use support::{Bench, Run};
+
+const CASE: &str = "\
+title = \"brushes\"   # soft
+
+[normal]
+model = \"ellipse\"
+semi_axis_x = \"6 mm\"
+semi_axis_y = \"5 mm\"
+load = \"60 kN\"
+
+[elasticity]
+model = \"rigid\"     # so that everything is known in closed form
+
+[contact_law]
+stiffness = \"1e6 1/m\"
+
+[friction]
+model = \"constant\"
+coefficient = 0.4
+
+[heat]
+model = \"none\"
+
+[grid]
+cells_x = 20
+cells_y = 20
+";
+
+const BOTH: &str = "friction.coefficient,contact_law.stiffness";
+
+/// Creepages and F/N of rigid bodies with bristles, μ = 0.3 and k_c = 5e5/m: a point has slid ξ (x_e − x) since
+/// it entered, so F = μ ∫ pₙ (1 − e^(−k_c ξ (x_e − x))) dA; integrated with SciPy over the Hertz pressure.
+const POINTS: [[f64; 2]; 9] = [
+    [2e-5, 0.0154],
+    [5e-5, 0.0366],
+    [1e-4, 0.0676],
+    [2e-4, 0.1165],
+    [3.5e-4, 0.1668],
+    [6e-4, 0.2155],
+    [1e-3, 0.2520],
+    [2e-3, 0.2807],
+    [5e-3, 0.2948],
+];
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("case.toml", CASE);
+    bench.write("data.csv", &data());
+    bench
+}
+
+fn data() -> String {
+    let rows = POINTS.iter().map(|[creepage, ratio]| format!("{creepage},{ratio}\n"));
+    let header = "# a = 6 mm, b = 5 mm\ncreepage_x,force_ratio\n".to_owned();
+    rows.fold(header, |text, row| text + &row)
+}
+
+fn fit(bench: &Bench, parameters: &str, more: &[&str]) -> Run {
+    let mut all = vec!["fit", "case.toml", "--data", "data.csv", "--fit", parameters];
+    all.extend(more);
+    bench.run(&all)
+}
+
+/// Independent integration of the same law: the constants come back, and all outputs hold them.
+#[test]
+fn bristles_on_rigid_bodies_come_back() {
+    let bench = bench();
+    let outputs = ["--json", "r.json", "--csv", "r.csv", "--write-case", "new.toml"];
+    let run = fit(&bench, BOTH, &[&outputs[..], &["--figures", "figures"]].concat());
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+    assert!(run.stdout.contains("r.m.s. residual of F/N"), "{}", run.stdout);
+    let result: serde_json::Value = serde_json::from_str(&bench.read("r.json")).unwrap();
+    assert_eq!(result["status"], "converged");
+    for (k, (name, value)) in
+        [("friction.coefficient", 0.3), ("contact_law.stiffness", 5e5)].into_iter().enumerate()
+    {
+        let found = &result["parameters"][k];
+        assert_eq!(found["name"], name);
+        let error = found["value"].as_f64().unwrap() / value - 1.0;
+        assert!(error.abs() < 0.005, "{found}");
+    }
+    assert_eq!(result["points"]["fitted"].as_array().unwrap().len(), POINTS.len());
+    let table = bench.read("r.csv");
+    assert!(table.starts_with("# units: 1, 1, 1/m, m/s, N, x or y, "), "{table}");
+    assert_eq!(table.lines().count(), 2 + POINTS.len());
+    let new = bench.read("new.toml");
+    assert!(new.starts_with("title = \"brushes\"   # soft\n"), "{new}");
+    assert!(new.contains("coefficient = 0.3") && new.contains("stiffness = \"5"), "{new}");
+    assert!(bench.path("figures/fit.svg").exists() && bench.path("figures/fit.png").exists());
+    // The new case starts where the fit ended.
+    let again = bench.run(&["fit", "new.toml", "--data", "data.csv", "--fit", BOTH]);
+    assert!(again.stdout.contains("converged, 1 steps"), "{}", again.stdout);
+}
+
+#[test]
+fn json_on_standard_output_stands_alone() {
+    let run = fit(&bench(), "friction.coefficient,contact_law.roughness", &["--json", "-"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let result: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    // k_c = 2 (1 − ν)/(μ0 (2 − ν) γ h), ν = 0.28, γ = 0.45.
+    let height = 1.44 / (0.3 * 1.72 * 0.45 * 5e5);
+    let found = result["parameters"][1]["value"].as_f64().unwrap();
+    assert!((found / height - 1.0).abs() < 0.01, "{found} {height}");
+    assert_eq!(result["roughness"]["gamma"], 0.45);
+}
+
+#[test]
+fn a_fit_that_is_cut_short_is_marked() {
+    let bench = bench();
+    let run = fit(&bench, BOTH, &["--max-steps", "1", "--json", "r.json"]);
+    assert_eq!(run.code, Some(3));
+    assert!(run.stdout.contains("NOT CONVERGED"), "{}", run.stdout);
+    assert!(run.stderr.contains("warning: not converged: after 1 steps"), "{}", run.stderr);
+    assert!(bench.read("r.json").contains("\"not-converged\""));
+}
+
+#[test]
+fn what_the_data_leave_open_is_refused_and_nothing_is_written() {
+    let bench = bench();
+    bench.write("data.csv", "creepage_x,force_ratio\n1e-6,0.0004\n2e-6,0.0008\n4e-6,0.0016\n");
+    let run = fit(&bench, BOTH, &["--json", "r.json"]);
+    assert_eq!(run.code, Some(2), "{}", run.stdout);
+    let expected = "--data data.csv: friction.coefficient: the data do not determine it";
+    assert!(run.stderr.contains(expected), "{}", run.stderr);
+    assert_eq!(bench.list(), ["case.toml", "data.csv"]);
+}
+
+#[test]
+fn bad_requests_are_refused() {
+    let rows: &[(&str, &[&str], i32, &str)] = &[
+        ("friction.coeficient", &[], 2, "did you mean `friction.coefficient`?"),
+        ("friction.decay", &[], 2, "it is no constant of the friction law in use"),
+        (BOTH, &["--data", "none.csv"], 2, "cannot be used multiple times"),
+        (BOTH, &["--gamma", "0"], 2, "between 0.01 and 10"),
+        (BOTH, &["--max-steps", "0"], 2, "--max-steps"),
+        (BOTH, &["--csv", "data.csv"], 2, "--csv must name a file of its own"),
+        (BOTH, &["--write-case", "case.toml"], 2, "that of the case file, too"),
+        (BOTH, &["--set", "friction.coefficient=5"], 2, "for a fit to start from"),
+    ];
+    for (parameters, more, code, part) in rows {
+        let bench = bench();
+        let run = fit(&bench, parameters, more);
+        assert_eq!(run.code, Some(*code), "{parameters} {more:?}: {}", run.stderr);
+        assert!(run.stderr.contains(part), "{part:?} is not in\n{}", run.stderr);
+        assert_eq!(bench.list(), ["case.toml", "data.csv"]);
+    }
+    let bench = bench();
+    let run = bench.run(&["fit", "case.toml", "--data", "none.csv", "--fit", BOTH]);
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    bench.write("data.csv", "creepage_x,force_ratio\n0.001,21000\n");
+    let run = fit(&bench, BOTH, &[]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("data.csv:2:1: force_ratio must be"), "{}", run.stderr);
+    assert!(run.stderr.contains("neither in N nor in per cent"), "{}", run.stderr);
+}

@@ -1,0 +1,108 @@
+//! A fit to measured creep curves: JSON, CSV and a summary. The figure is among the figures.
+
+pub mod csv;
+pub mod json;
+pub mod summary;
+
+use schlupf::identification::{Component, Fit, FittedCurves, FittedPoint, Parameter};
+
+use crate::number::significant;
+
+/// A fit with what it was made for.
+#[derive(Debug, Clone)]
+pub struct FitReport {
+    /// Title of the case.
+    pub title: String,
+    /// Where the data come from.
+    pub data: String,
+    /// Load of the case, in N: that of points without one of their own.
+    pub load: f64,
+    /// The fit.
+    pub fit: Fit,
+    /// The model between the points.
+    pub curves: FittedCurves,
+    /// γ and the k_c (in 1/m) that follows, where the roughness was fitted.
+    pub roughness: Option<FittedRoughness>,
+}
+
+/// What a fitted height of the roughness gives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedRoughness {
+    /// γ, dimensionless.
+    pub gamma: f64,
+    /// k_c, in 1/m.
+    pub contact_stiffness: f64,
+}
+
+impl FitReport {
+    /// Load of a point, in N.
+    fn load_of(&self, point: &FittedPoint) -> f64 {
+        point.data.condition.load.unwrap_or(self.load)
+    }
+}
+
+/// A component as results name it.
+pub(crate) fn component(component: Component) -> &'static str {
+    match component {
+        Component::Longitudinal => "x",
+        Component::Lateral => "y",
+    }
+}
+
+/// A value and the half-width of its interval in the unit that people use for the parameter.
+pub(crate) fn in_usual_unit(parameter: Parameter, number: f64) -> (f64, &'static str) {
+    match parameter {
+        Parameter::Roughness => (number / 1e-6, "µm"),
+        _ => (number, parameter.unit()),
+    }
+}
+
+/// A value with the digits that its uncertainty leaves, and the uncertainty with two; without an
+/// uncertainty to speak of, the value with six.
+pub(crate) fn with_uncertainty(value: f64, half_width: f64) -> [String; 2] {
+    let is_known = half_width > 1e-5 * value.abs() && half_width.is_finite();
+    if !is_known || value == 0.0 {
+        return [six_digits(value), significant(half_width)];
+    }
+    // Decimal places of the second digit of the uncertainty.
+    let last = half_width.abs().log10().floor() as i32 - 1;
+    if value.abs() >= 1e5 {
+        let exponent = value.abs().log10().floor() as i32;
+        let scale = 10.0_f64.powi(exponent);
+        let places = (exponent - last).clamp(0, 6) as usize;
+        return [value, half_width].map(|number| format!("{:.places$}e{exponent}", number / scale));
+    }
+    let places = (-last).clamp(0, 12) as usize;
+    let step = 10.0_f64.powi(last);
+    [value, half_width].map(|number| format!("{:.places$}", (number / step).round() * step))
+}
+
+fn six_digits(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-4..1e6).contains(&rounded.abs()) || rounded == 0.0 {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_uncertainty;
+
+    #[test]
+    fn digits_follow_the_uncertainty() {
+        let rows = [
+            (0.330_236, 0.000_684, ["0.33024", "0.00068"]),
+            (1853.087, 54.29, ["1853", "54"]),
+            (1853.087, 5.429, ["1853.1", "5.4"]),
+            (15_853.087, 542.9, ["15850", "540"]),
+            (4.871_23e6, 1.234e5, ["4.87e6", "0.12e6"]),
+            (0.33, 1e-9, ["0.33", "1e-9"]),
+            (0.45, f64::NAN, ["0.45", "n/a"]),
+        ];
+        for (value, half_width, expected) in rows {
+            assert_eq!(with_uncertainty(value, half_width), expected);
+        }
+    }
+}

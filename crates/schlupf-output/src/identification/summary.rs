@@ -1,0 +1,110 @@
+//! A fit on a terminal.
+
+use schlupf::identification::Estimate;
+use schlupf::solution::Status;
+
+use super::{FitReport, in_usual_unit, with_uncertainty};
+use crate::number::significant as number;
+use crate::summary::{line, reason};
+
+/// The parameters with their intervals and correlations, how well the model follows the data, status and
+/// warnings.
+pub fn text(report: &FitReport) -> String {
+    let mut text = format!("{}\n\n", report.title);
+    let fit = &report.fit;
+    line(&mut text, &format!("{} measured forces of {}", fit.points.len(), report.data));
+    text.push('\n');
+    line(
+        &mut text,
+        &format!(
+            "{:<38}{:<6}{:>12}{:>12} {:<5}{:>10}",
+            "parameter", "", "value", "± 95 %", "", "start"
+        ),
+    );
+    for estimate in &fit.estimates {
+        parameter(&mut text, estimate);
+    }
+    if let Some(roughness) = report.roughness {
+        let gamma = number(roughness.gamma);
+        let stiffness = number(roughness.contact_stiffness);
+        line(&mut text, &format!("  so contact_law.stiffness = {stiffness} 1/m, with γ = {gamma}"));
+    }
+    correlations(&mut text, report);
+    quality(&mut text, report);
+    status(&mut text, report);
+    text
+}
+
+fn parameter(text: &mut String, estimate: &Estimate) {
+    let parameter = estimate.parameter;
+    let usual = |value| in_usual_unit(parameter, value);
+    let (value, unit) = usual(estimate.value);
+    let (half_width, start) = (usual(estimate.half_width).0, usual(estimate.start).0);
+    let [value, half_width] = with_uncertainty(value, half_width);
+    line(
+        text,
+        &format!(
+            "{:<38}{:<6}{value:>12}{half_width:>12} {unit:<5}{:>10}",
+            parameter.name(),
+            parameter.symbol(),
+            number(start)
+        ),
+    );
+}
+
+fn correlations(text: &mut String, report: &FitReport) {
+    let estimates = &report.fit.estimates;
+    if estimates.len() < 2 {
+        text.push('\n');
+        return;
+    }
+    let symbols = || estimates.iter().map(|estimate| estimate.parameter.symbol());
+    let header: Vec<String> = symbols().map(|symbol| format!("{symbol:>9}")).collect();
+    line(text, &format!("\n{:<16}{}", "correlation", header.concat()));
+    for (symbol, row) in symbols().zip(&report.fit.correlation) {
+        let entries: Vec<String> = row.iter().map(|entry| format!("{entry:>9.3}")).collect();
+        line(text, &format!("  {symbol:<14}{}", entries.concat()));
+    }
+    text.push('\n');
+}
+
+fn quality(text: &mut String, report: &FitReport) {
+    let fit = &report.fit;
+    let largest = fit.points.iter().map(|point| point.residual().abs()).fold(0.0, f64::max);
+    line(
+        text,
+        &format!(
+            "r.m.s. residual of F/N  {}, largest {}",
+            number(fit.rms_residual),
+            number(largest)
+        ),
+    );
+    line(text, &format!("R²                      {:.5}", fit.r_squared));
+    if let Some(reduced) = fit.reduced_chi_squared {
+        let freedom = fit.degrees_of_freedom;
+        line(text, &format!("χ² over {freedom} degrees of freedom  {}", number(reduced)));
+    }
+}
+
+fn status(text: &mut String, report: &FitReport) {
+    let fit = &report.fit;
+    let verdict = match fit.status {
+        Status::Converged => "converged",
+        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
+    };
+    line(
+        text,
+        &format!(
+            "{verdict}, {} steps, {} Newton iterations, {} products",
+            fit.iterations,
+            fit.work.newton_iterations,
+            number(fit.work.operator_products + fit.work.sensitivity_products as f64)
+        ),
+    );
+    for reason in fit.warnings.iter().filter_map(|warning| reason(warning)) {
+        line(text, &format!("  {reason}"));
+    }
+    for warning in fit.warnings.iter().filter(|warning| reason(warning).is_none()) {
+        line(text, &format!("warning: {warning}"));
+    }
+}

@@ -1,0 +1,137 @@
+//! JSON, CSV, summary and figure of a made-up fit.
+
+use schlupf::Status;
+use schlupf::creep_curve::Abscissa;
+use schlupf::identification::{
+    Component, Condition, DataPoint, Estimate, Fit, FittedCurves, FittedPoint, Parameter, Series,
+};
+use schlupf::interface::friction::constants::FrictionConstant;
+use schlupf::kinematics::Kinematics;
+use schlupf::solution::Work;
+use schlupf_output::figures::{FigureError, fit, fit_drawing};
+use schlupf_output::identification::{FitReport, FittedRoughness, csv as table, json, summary};
+
+const SPEEDS: [f64; 2] = [10.0, 30.0];
+const CREEPAGES: [f64; 4] = [-0.01, 0.002, 0.01, 0.05];
+
+fn condition(speed: f64, creepage_x: f64) -> Condition {
+    let kinematics = Kinematics { speed, creepage_x, creepage_y: 0.0, spin: 0.0 };
+    Condition { kinematics, load: (speed > 20.0).then_some(60e3) }
+}
+
+fn curve(creepage: f64) -> f64 {
+    0.3 * (200.0 * creepage).tanh()
+}
+
+fn report(status: Status) -> FitReport {
+    let mut points = Vec::new();
+    let mut series = Vec::new();
+    for speed in SPEEDS {
+        let first = points.len();
+        for (k, creepage) in CREEPAGES.into_iter().enumerate() {
+            let data = DataPoint {
+                condition: condition(speed, creepage),
+                component: Component::Longitudinal,
+                force_ratio: curve(creepage) + 1e-3 * (k as f64 - 1.5),
+                standard_deviation: Some(2e-3),
+            };
+            points.push(FittedPoint { data, fitted: curve(creepage) });
+        }
+        series.push(Series {
+            component: Component::Longitudinal,
+            condition: condition(speed, 0.0),
+            members: (first..points.len()).collect(),
+            curve: (-10..=50).map(|k| 1e-3 * f64::from(k)).map(|x| [x, curve(x)]).collect(),
+        });
+    }
+    let cold = Parameter::Friction(FrictionConstant::ColdCoefficient);
+    let estimate = |parameter, value: f64| Estimate {
+        parameter,
+        start: 1.5 * value,
+        value,
+        standard_error: 0.01 * value,
+        half_width: 0.02 * value,
+    };
+    let fit = Fit {
+        status,
+        estimates: vec![estimate(cold, 0.3), estimate(Parameter::Roughness, 5e-7)],
+        correlation: vec![vec![1.0, -0.25], vec![-0.25, 1.0]],
+        points,
+        rms_residual: 1.1e-3,
+        r_squared: 0.999,
+        reduced_chi_squared: Some(0.4),
+        degrees_of_freedom: 6,
+        iterations: 5,
+        warnings: vec!["not converged: for a reason".to_owned(), "beware".to_owned()],
+        work: Work { newton_iterations: 50, operator_products: 400.5, ..Work::default() },
+    };
+    FitReport {
+        title: "a <made-up> fit".to_owned(),
+        data: "points.csv".to_owned(),
+        load: 80e3,
+        fit,
+        curves: FittedCurves { abscissa: Abscissa::CreepageX, series },
+        roughness: Some(FittedRoughness { gamma: 0.45, contact_stiffness: 1.2e7 }),
+    }
+}
+
+#[test]
+fn json_has_parameters_intervals_and_points() {
+    let value: serde_json::Value =
+        serde_json::from_str(&json::document(&report(Status::Converged))).unwrap();
+    assert_eq!(value["status"], "converged");
+    assert_eq!(value["parameters"][0]["name"], "friction.coefficient");
+    assert_eq!(value["parameters"][1]["half_width_95"], 1e-8);
+    assert_eq!(value["correlation"][0][1], -0.25);
+    assert_eq!(value["roughness"]["contact_stiffness"], 1.2e7);
+    let points = &value["points"];
+    assert_eq!(points["load"].as_array().unwrap().len(), 8);
+    assert_eq!((&points["load"][0], &points["load"][4]), (&80e3.into(), &60e3.into()));
+    assert_eq!(points["component"][0], "x");
+}
+
+#[test]
+fn the_table_has_a_row_for_each_force() {
+    let text = table::table(&report(Status::Converged));
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 8);
+    for row in rows {
+        let [measured, fitted, residual] = [6, 7, 8].map(|k| row[k].parse::<f64>().unwrap());
+        assert!((measured - fitted - residual).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn the_summary_shows_values_with_their_digits() {
+    let text = summary::text(&report(Status::NotConverged));
+    assert!(text.contains("0.3000      0.0060"), "{text}");
+    assert!(text.contains("0.500       0.010 µm"), "{text}");
+    assert!(text.contains("contact_law.stiffness = 1.2e7 1/m, with γ = 0.45"), "{text}");
+    assert!(text.contains("NOT CONVERGED"), "{text}");
+    assert!(text.contains("\n  for a reason\n") && text.contains("\nwarning: beware\n"), "{text}");
+}
+
+#[test]
+fn the_figure_shows_all_points_in_both_panels() {
+    let svg = fit_drawing(&report(Status::NotConverged)).unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let dots = document.descendants().filter(|node| node.has_tag_name("circle")).count();
+    // And one in the legend.
+    assert_eq!(dots, 2 * 8 + 1);
+    let text: String = document.descendants().filter_map(|node| node.text()).collect();
+    for part in ["a <made-up> fit", "not converged", "10 m/s", "60 kN", "measured", "0.3000"] {
+        assert!(text.contains(part), "{part:?} is not in {text}");
+    }
+    assert!(!svg.contains("NaN"), "{svg}");
+    assert!(fit(&report(Status::Converged)).unwrap().png.starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn without_a_range_of_creepages_there_is_no_figure() {
+    let mut flat = report(Status::Converged);
+    for point in &mut flat.fit.points {
+        point.data.condition.kinematics.creepage_x = 0.0;
+    }
+    assert_eq!(fit_drawing(&flat).unwrap_err(), FigureError::NoPoints);
+}

@@ -1,0 +1,80 @@
+//! What the models have in common: how constants of a problem are read and changed, and other loads.
+
+use std::sync::Arc;
+
+use crate::error::Error;
+use crate::interface::friction::Friction;
+use crate::interface::friction::constants::{AdjustableFriction, Changes, FrictionConstant};
+use crate::normal::PressureSource;
+use crate::normal::at_load::AtLoad;
+use crate::problem::Problem;
+
+use super::parameter::Parameter;
+
+pub(super) fn refuse<T>(quantity: &'static str, reason: String) -> Result<T, Error> {
+    Err(Error::Contradiction { quantity, reason })
+}
+
+/// The value of a constant of a friction law, in its SI unit if it is not dimensionless.
+pub(super) fn friction_constant(
+    friction: &Friction,
+    wanted: FrictionConstant,
+) -> Result<f64, Error> {
+    let law = friction.law.adjustable();
+    let constants = law.map_or_else(Vec::new, AdjustableFriction::constants);
+    if let Some((_, value)) = constants.iter().find(|(name, _)| *name == wanted) {
+        return Ok(*value);
+    }
+    let names: Vec<_> = constants.iter().map(|(name, _)| name.field()).collect();
+    let names = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+    let reason = format!("it is no constant of the friction law in use, which has {names}");
+    refuse(wanted.field(), reason)
+}
+
+/// Friction with those of the parameters that are constants of its law at new values (in their SI units, or
+/// dimensionless).
+pub(super) fn adjusted_friction(
+    friction: &Friction,
+    parameters: &[Parameter],
+    values: &[f64],
+) -> Result<Friction, Error> {
+    let changes: Vec<(FrictionConstant, f64)> = parameters
+        .iter()
+        .zip(values)
+        .filter_map(|(parameter, value)| match parameter {
+            Parameter::Friction(constant) => Some((*constant, *value)),
+            _ => None,
+        })
+        .collect();
+    let mut friction = friction.clone();
+    if let Some(law) = friction.law.adjustable() {
+        friction.law = law.with_constants(&Changes(&changes))?;
+    }
+    Ok(friction)
+}
+
+/// The normal contact of a problem under a load (in N), or under its own.
+pub(super) fn loaded(
+    problem: &Problem,
+    load: Option<f64>,
+) -> Result<Arc<dyn PressureSource>, Error> {
+    let own = Arc::clone(&problem.normal);
+    Ok(match load {
+        Some(load) => Arc::new(AtLoad::new(own, load)?),
+        None => own,
+    })
+}
+
+/// Creep curves are of steady rolling.
+pub(super) fn refuse_transient(problem: &Problem) -> Result<(), Error> {
+    let transient = |quantity, what: &str| {
+        refuse(quantity, format!("a creep curve is of steady rolling, but there is {what}"))
+    };
+    if problem.history.is_some() {
+        return transient("history.time", "a history");
+    }
+    if problem.initial_state.is_some() {
+        return transient("solver.initial_state", "an initial state");
+    }
+    Ok(())
+}

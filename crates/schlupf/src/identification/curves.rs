@@ -1,0 +1,138 @@
+//! The fitted model between the data, to draw it.
+
+use crate::creep_curve::Abscissa;
+use crate::error::Error;
+use crate::kinematics::Kinematics;
+
+use super::data::{Component, Condition, DataPoint};
+use super::model::CreepForceModel;
+
+/// Data over one creepage, and the model between them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedCurves {
+    /// The creepage that varies most.
+    pub abscissa: Abscissa,
+    /// Points that differ in it only, series by series.
+    pub series: Vec<Series>,
+}
+
+/// Points that differ in one creepage only.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Their component.
+    pub component: Component,
+    /// Their condition, but for the creepage that varies.
+    pub condition: Condition,
+    /// Which of the data they are.
+    pub members: Vec<usize>,
+    /// The model: creepage (dimensionless, or in 1/m for spin) and force over load (dimensionless). Empty
+    /// where there is but one point; a force that was not found is NaN.
+    pub curve: Vec<[f64; 2]>,
+}
+
+/// Most series that are computed: beyond it every point has a condition of its own.
+const MOST_SERIES: usize = 12;
+
+/// The series of the data with curves of the model, at its present values, of so many points each (none
+/// where that is zero) besides those of the data. Where there are too many series for curves, none has one.
+///
+/// # Errors
+/// Conditions that cannot be.
+pub fn sample_curves(
+    model: &mut dyn CreepForceModel,
+    data: &[DataPoint],
+    points: usize,
+) -> Result<FittedCurves, Error> {
+    let abscissa = abscissa(data);
+    let mut series = group(data, abscissa);
+    if series.len() > MOST_SERIES || points == 0 {
+        return Ok(FittedCurves { abscissa, series });
+    }
+    for one in &mut series {
+        let values = || one.members.iter().map(|k| value(abscissa, &data[*k].condition.kinematics));
+        let (low, high) = (
+            values().fold(f64::INFINITY, f64::min).min(0.0),
+            values().fold(f64::NEG_INFINITY, f64::max).max(0.0),
+        );
+        if one.members.len() < 2 || low >= high {
+            continue;
+        }
+        let mut places: Vec<f64> = (0..points).map(|k| place(low, high, k, points)).collect();
+        let apart = 1e-9 * (high - low);
+        places.retain(|at| values().all(|value| (value - at).abs() > apart));
+        places.extend(values());
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        for at in places {
+            let mut condition = one.condition;
+            set(abscissa, &mut condition.kinematics, at);
+            let force = model.force_ratio(&condition)?;
+            let ratio = force.map_or(f64::NAN, |force| force.value[one.component.index()]);
+            one.curve.push([at, ratio]);
+        }
+    }
+    Ok(FittedCurves { abscissa, series })
+}
+
+/// Finer near zero, where creep curves bend.
+fn place(low: f64, high: f64, k: usize, points: usize) -> f64 {
+    let root = |x: f64| x.signum() * x.abs().sqrt();
+    let share = k as f64 / (points - 1).max(1) as f64;
+    let rooted = root(low) + share * (root(high) - root(low));
+    rooted * rooted.abs()
+}
+
+/// The creepage that varies most.
+fn abscissa(data: &[DataPoint]) -> Abscissa {
+    /// A typical lever √(ab), in m.
+    const LEVER: f64 = 5e-3;
+    let range = |abscissa: Abscissa| {
+        let values = || data.iter().map(|point| value(abscissa, &point.condition.kinematics));
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    let ranges = [
+        (Abscissa::CreepageX, range(Abscissa::CreepageX)),
+        (Abscissa::CreepageY, range(Abscissa::CreepageY)),
+        (Abscissa::Spin, LEVER * range(Abscissa::Spin)),
+    ];
+    let larger = |one: (Abscissa, f64), next: (Abscissa, f64)| {
+        if next.1 > one.1 { next } else { one }
+    };
+    ranges.into_iter().fold((Abscissa::CreepageX, 0.0), larger).0
+}
+
+fn value(abscissa: Abscissa, kinematics: &Kinematics) -> f64 {
+    match abscissa {
+        Abscissa::CreepageY => kinematics.creepage_y,
+        Abscissa::Spin => kinematics.spin,
+        _ => kinematics.creepage_x,
+    }
+}
+
+fn set(abscissa: Abscissa, kinematics: &mut Kinematics, at: f64) {
+    match abscissa {
+        Abscissa::CreepageY => kinematics.creepage_y = at,
+        Abscissa::Spin => kinematics.spin = at,
+        _ => kinematics.creepage_x = at,
+    }
+}
+
+fn group(data: &[DataPoint], abscissa: Abscissa) -> Vec<Series> {
+    let mut series: Vec<Series> = Vec::new();
+    for (k, point) in data.iter().enumerate() {
+        let mut condition = point.condition;
+        set(abscissa, &mut condition.kinematics, 0.0);
+        let fits =
+            |one: &&mut Series| one.condition == condition && one.component == point.component;
+        match series.iter_mut().find(fits) {
+            Some(one) => one.members.push(k),
+            None => series.push(Series {
+                component: point.component,
+                condition,
+                members: vec![k],
+                curve: Vec::new(),
+            }),
+        }
+    }
+    series
+}

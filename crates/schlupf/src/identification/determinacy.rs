@@ -1,0 +1,264 @@
+//! Whether the data determine the parameters at all.
+
+use faer::{Mat, Side};
+
+use crate::error::Error;
+use crate::interface::friction::constants::FrictionConstant;
+use crate::least_squares::Minimum;
+
+use super::fit::FittedPoint;
+use super::parameter::Parameter;
+
+/// Forces are never measured better than to this part of the largest one: of data without scatter this
+/// is what the intervals are judged by (not what they are).
+pub(super) const LEAST_SCATTER: f64 = 1e-3;
+
+/// Half-width of a 95 % interval, over the size of the parameter, from which on it counts as open.
+const WIDEST: f64 = 1.0;
+
+/// Correlation from which on two parameters are one.
+const INSEPARABLE: f64 = 0.999;
+
+/// Correlation from which on another parameter is named as a reason.
+const RELATED: f64 = 0.9;
+
+/// Part of a parameter in a combination that no force depends on, from which on it is named.
+const TAKES_PART: f64 = 0.1;
+
+/// The parameters and their values at the end of a fit, in SI units.
+pub(super) type Values<'a> = &'a [(Parameter, f64)];
+
+/// Checks that there are enough points.
+pub(super) fn check_count(
+    parameters: &[Parameter],
+    points: usize,
+    knows_scatter: bool,
+) -> Result<(), Error> {
+    let (count, needed) = (parameters.len(), parameters.len() + usize::from(!knows_scatter));
+    let Some(first) = parameters.first() else {
+        return Err(Error::Contradiction {
+            quantity: "parameters",
+            reason: "there is nothing to fit".to_owned(),
+        });
+    };
+    if points >= needed {
+        return Ok(());
+    }
+    let names: Vec<_> = parameters.iter().map(|parameter| parameter.name()).collect();
+    let why = if points == count {
+        ": with as many points as parameters nothing is left to tell the scatter from, unless the \
+         data have standard deviations"
+    } else {
+        ""
+    };
+    Err(Error::Contradiction {
+        quantity: first.name(),
+        reason: format!(
+            "{count} parameter{} ({}) cannot be determined from {points} measured force{}{why}",
+            plural(count),
+            names.join(", "),
+            plural(points)
+        ),
+    })
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+/// (JᵀJ)⁻¹ of a minimum, or which parameters no force tells apart.
+pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, Error> {
+    let jacobian = &minimum.jacobian;
+    let norm = |column: usize| {
+        (0..jacobian.nrows()).map(|row| jacobian[(row, column)].powi(2)).sum::<f64>().sqrt()
+    };
+    let norms: Vec<f64> = (0..jacobian.ncols()).map(norm).collect();
+    if let Some(k) = norms.iter().position(|norm| *norm == 0.0 || !norm.is_finite()) {
+        let (parameter, value) = values[k];
+        let reason = format!(
+            "the data do not determine it: near {} no measured force depends on it; {}",
+            shown(parameter, value),
+            parameter.advice()
+        );
+        return Err(Error::Contradiction { quantity: parameter.name(), reason });
+    }
+    minimum.covariance().ok_or_else(|| inseparable(&loosest(jacobian, &norms), values))
+}
+
+/// The combination of parameters that the forces depend on least, of length one.
+fn loosest(jacobian: &Mat<f64>, norms: &[f64]) -> Vec<f64> {
+    let normal = jacobian.transpose() * jacobian;
+    let n = norms.len();
+    let scaled = Mat::from_fn(n, n, |i, j| normal[(i, j)] / (norms[i] * norms[j]));
+    match scaled.self_adjoint_eigen(Side::Lower) {
+        Ok(eigen) => (0..n).map(|i| eigen.U()[(i, 0)]).collect(),
+        Err(_) => vec![1.0; n],
+    }
+}
+
+fn inseparable(combination: &[f64], values: Values) -> Error {
+    let pairs = values.iter().zip(combination);
+    let named: Vec<&str> = pairs
+        .filter(|(_, part)| part.abs() > TAKES_PART)
+        .map(|((parameter, _), _)| parameter.name())
+        .collect();
+    let quantity = values.iter().map(|(parameter, _)| parameter.name());
+    let quantity = quantity.clone().find(|name| named.contains(name)).or(quantity.clone().next());
+    Error::Contradiction {
+        quantity: quantity.unwrap_or("parameters"),
+        reason: format!(
+            "the data do not tell {} apart: another choice of them gives the same forces; fit one of \
+             them less, or add points at other creepages or speeds",
+            named.join(" and ")
+        ),
+    }
+}
+
+/// Forces up to this part of μ0 N, and in proportion to the creepage within this factor, are in the linear
+/// range.
+const LINEAR_RANGE: (f64, f64) = (0.5, 1.1);
+
+/// Checks that μ0, if it is looked for, is not concluded from the initial slope: there it is a factor of the
+/// stiffness of the bristles μ0 k_c pₙ, and friction itself is not seen.
+pub(super) fn check_range(values: Values, points: &[FittedPoint]) -> Result<(), Error> {
+    let cold = Parameter::Friction(FrictionConstant::ColdCoefficient);
+    let Some((_, coefficient)) = values.iter().find(|(parameter, _)| *parameter == cold) else {
+        return Ok(());
+    };
+    let share = |point: &FittedPoint| point.fitted.abs() / coefficient;
+    let largest = points.iter().map(share).fold(0.0, f64::max);
+    let slope = |point: &FittedPoint| {
+        let motion = &point.data.condition.kinematics;
+        let creepage = [motion.creepage_x, motion.creepage_y][point.data.component.index()];
+        (point.fitted / creepage).abs()
+    };
+    let steepest = points.iter().map(slope).fold(0.0, f64::max);
+    let flattest = points.iter().map(slope).fold(f64::INFINITY, f64::min);
+    let (part, factor) = LINEAR_RANGE;
+    // Without creepage, where spin makes the force, the slope is infinite or not a number.
+    let is_linear = largest < part && steepest < factor * flattest && steepest.is_finite();
+    if !is_linear {
+        return Ok(());
+    }
+    Err(Error::Contradiction {
+        quantity: cold.name(),
+        reason: format!(
+            "the data do not determine it: all forces are in proportion to the creepage, the largest is \
+             {largest:.2} μ0 N; {}",
+            cold.advice()
+        ),
+    })
+}
+
+/// Checks intervals and correlations. `half_widths` are those of the parameters' 95 % intervals, in
+/// their SI units.
+pub(super) fn check(
+    values: Values,
+    half_widths: &[f64],
+    correlation: &[Vec<f64>],
+) -> Result<(), Error> {
+    let relative = |k: usize| half_widths[k] / values[k].0.size(values[k].1);
+    let by_width = |i: &usize, j: &usize| relative(*i).total_cmp(&relative(*j));
+    let Some(widest) = (0..values.len()).max_by(by_width) else { return Ok(()) };
+    if relative(widest) > WIDEST {
+        return Err(open(values, widest, relative(widest), correlation));
+    }
+    for (i, row) in correlation.iter().enumerate() {
+        if let Some(j) = (0..i).find(|j| row[*j].abs() > INSEPARABLE) {
+            let mut combination = vec![0.0; values.len()];
+            (combination[i], combination[j]) = (1.0, 1.0);
+            return Err(inseparable(&combination, values));
+        }
+    }
+    Ok(())
+}
+
+/// A parameter of which the interval is too wide.
+fn open(values: Values, k: usize, relative: f64, correlation: &[Vec<f64>]) -> Error {
+    let (parameter, value) = values[k];
+    let others = (0..values.len()).filter(|other| *other != k);
+    let related = others
+        .filter(|other| correlation[k][*other].abs() > RELATED)
+        .map(|other| {
+            format!("{} (correlation {:.3})", values[other].0.name(), correlation[k][other])
+        })
+        .collect::<Vec<_>>();
+    let with = if related.is_empty() {
+        String::new()
+    } else {
+        format!(" together with {}", related.join(" and "))
+    };
+    let width = if relative < 1e3 {
+        format!("±{:.0} %", 100.0 * relative)
+    } else {
+        "more than ±100000 %".to_owned()
+    };
+    Error::Contradiction {
+        quantity: parameter.name(),
+        reason: format!(
+            "the data do not determine it{with}: at {} its 95 % interval is {width}; {}; add such \
+             points, or do not fit it",
+            shown(parameter, value),
+            parameter.advice()
+        ),
+    }
+}
+
+fn shown(parameter: Parameter, value: f64) -> String {
+    let value: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    let number =
+        if (1e-3..1e5).contains(&value) { value.to_string() } else { format!("{value:e}") };
+    format!("{number} {}", parameter.unit()).trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
+
+    fn minimum(jacobian: Mat<f64>) -> Minimum {
+        let rows = jacobian.nrows();
+        Minimum {
+            parameters: vec![0.0; jacobian.ncols()],
+            residuals: vec![0.0; rows],
+            jacobian,
+            converged: true,
+            iterations: 1,
+        }
+    }
+
+    #[test]
+    fn what_is_open_is_named_with_its_reason() {
+        let values = [(COLD, 0.4), (Parameter::ContactStiffness, 5e6)];
+        let nothing = Mat::from_fn(3, 2, |i, j| if j == 0 { 0.0 } else { i as f64 });
+        let message = covariance(&minimum(nothing), &values).unwrap_err().to_string();
+        assert!(message.starts_with("friction.coefficient: "), "{message}");
+        assert!(message.contains("near 0.4 no measured force depends on it"), "{message}");
+        let alike = Mat::from_fn(3, 2, |i, _| 1.0 + i as f64);
+        let message = covariance(&minimum(alike), &values).unwrap_err().to_string();
+        let both = "tell friction.coefficient and contact_law.stiffness apart";
+        assert!(message.contains(both), "{message}");
+        let correlation = vec![vec![1.0, -0.97], vec![-0.97, 1.0]];
+        let message = check(&values, &[0.1, 1e7], &correlation).unwrap_err().to_string();
+        assert!(message.starts_with("contact_law.stiffness: "), "{message}");
+        assert!(message.contains("friction.coefficient (correlation -0.970)"), "{message}");
+        assert!(message.contains("at 5e6 1/m its 95 % interval is ±200 %;"), "{message}");
+        check(&values, &[0.1, 1e6], &correlation).unwrap();
+        let correlation = vec![vec![1.0, 0.9995], vec![0.9995, 1.0]];
+        let message = check(&values, &[0.1, 1e6], &correlation).unwrap_err().to_string();
+        assert!(message.contains(both), "{message}");
+    }
+
+    #[test]
+    fn there_must_be_more_points_than_parameters() {
+        let parameters = [COLD, Parameter::ContactStiffness];
+        let message = |points, known| check_count(&parameters, points, known).unwrap_err();
+        assert!(message(1, true).to_string().contains("2 parameters (friction.coefficient, "));
+        assert!(message(1, true).to_string().contains("from 1 measured force"));
+        assert!(message(2, false).to_string().contains("unless the data have standard deviations"));
+        check_count(&parameters, 2, true).unwrap();
+        check_count(&parameters, 3, false).unwrap();
+        assert!(check_count(&[], 3, false).is_err());
+    }
+}

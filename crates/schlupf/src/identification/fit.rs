@@ -1,0 +1,373 @@
+//! The fit, its intervals, and what is said about it.
+
+use faer::Mat;
+
+use crate::error::Error;
+use crate::least_squares::{self, Limits, Minimum};
+use crate::solution::{Status, Work};
+
+use super::confidence::students_t;
+use super::data::{self, Condition, DataPoint};
+use super::determinacy::{self, LEAST_SCATTER};
+use super::model::CreepForceModel;
+use super::parameter::Parameter;
+use super::residuals::{Failure, Weighted, order};
+use super::statistics::{autocorrelation, r_squared, rms, sum_of_squares};
+
+/// A fit ends where no parameter moves by more than this part of itself.
+const TOLERANCE: f64 = 1e-6;
+
+/// A step from the end may be this part of the standard error: more is no minimum.
+const STATIONARY: f64 = 0.02;
+
+/// How far a fit has got.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Forces computed so far.
+    pub solved: usize,
+}
+
+/// A parameter that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// Which one.
+    pub parameter: Parameter,
+    /// Where the fit started, in its SI unit, if it is not dimensionless.
+    pub start: f64,
+    /// Its value, in its SI unit, if it is not dimensionless.
+    pub value: f64,
+    /// Standard error, in its SI unit, if it is not dimensionless.
+    pub standard_error: f64,
+    /// Half-width of its 95 % confidence interval, in its SI unit, if it is not dimensionless.
+    pub half_width: f64,
+}
+
+/// A measured point and what the model says there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedPoint {
+    /// What was measured.
+    pub data: DataPoint,
+    /// Computed force on the rail over the load, dimensionless.
+    pub fitted: f64,
+}
+
+impl FittedPoint {
+    /// Measured less computed force over the load, dimensionless.
+    pub fn residual(&self) -> f64 {
+        self.data.force_ratio - self.fitted
+    }
+}
+
+/// A fit.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// Whether to trust it: `NotConverged` is no minimum.
+    pub status: Status,
+    /// The parameters.
+    pub estimates: Vec<Estimate>,
+    /// Correlations of the parameters, row by row, dimensionless.
+    pub correlation: Vec<Vec<f64>>,
+    /// The points, in the order of the data.
+    pub points: Vec<FittedPoint>,
+    /// Root of the mean squared residual of F/N, dimensionless.
+    pub rms_residual: f64,
+    /// R², the part of the variance of the data that the model explains; dimensionless.
+    pub r_squared: f64,
+    /// χ² over the degrees of freedom where standard deviations are given, dimensionless.
+    pub reduced_chi_squared: Option<f64>,
+    /// Points less parameters.
+    pub degrees_of_freedom: usize,
+    /// Steps of the fit.
+    pub iterations: usize,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<String>,
+    /// How much work all solutions were.
+    pub work: Work,
+}
+
+/// Checks whatever can be checked before anything is computed.
+///
+/// # Errors
+/// A motion or load that cannot be, forces that are not finite or of the wrong sign, standard deviations
+/// of some points only, too few points.
+pub fn check(model: &dyn CreepForceModel, data: &[DataPoint]) -> Result<(), Error> {
+    data::check(data)?;
+    determinacy::check_count(model.parameters(), data.len(), knows_scatter(data))?;
+    for (parameter, start) in model.parameters().iter().zip(model.start()) {
+        let [low, high] = parameter.bounds();
+        crate::error::require(
+            (low..=high).contains(&start),
+            parameter.name(),
+            &format!("between {low} and {high} {} for a fit to start from", parameter.unit()),
+            start,
+            parameter.unit(),
+        )?;
+    }
+    Ok(())
+}
+
+fn knows_scatter(data: &[DataPoint]) -> bool {
+    data.iter().all(|point| point.standard_deviation.is_some())
+}
+
+/// Fits the parameters of a model to measured points, at most so many steps. The model has the values
+/// found at the end. `report` is called before every solution.
+///
+/// The parameters θ make Σ ((F/N)_computed − (F/N)_measured)²/σ² smallest, in the logarithms of those that are positive.
+/// Their covariance is s² (JᵀJ)⁻¹ with the variance of the residuals s² = Σr²/(n − p), and intervals are
+/// those of Student's t with n − p degrees of freedom; with given standard deviations s is one, and
+/// intervals are normal. They count scatter only: a model that cannot follow the data has other errors,
+/// and a warning says so.
+///
+/// # Errors
+/// Whatever [`check`] refuses; start values without a solution; and data that leave a parameter open:
+/// no force depends on it, μ0 is looked for in forces that are in proportion to the creepage, its 95 % interval is wider than itself on each side (for a parameter that may
+/// be zero, at least 0.1), or it goes with another one at a correlation above 0.999. For this, scatter is taken to
+/// be at least 10⁻³ of the largest force.
+pub fn fit(
+    model: &mut dyn CreepForceModel,
+    data: &[DataPoint],
+    max_iterations: usize,
+    report: &mut dyn FnMut(Progress),
+) -> Result<Fit, Error> {
+    check(model, data)?;
+    let mut weighted = Weighted::new(model, data, report);
+    let start = vec![0.0; weighted.coordinates.len()];
+    let limits = Limits { tolerance: TOLERANCE, max_iterations };
+    let Some(minimum) = least_squares::minimise(&mut weighted, &start, &limits) else {
+        return Err(no_start(&weighted));
+    };
+    let Some(values) = weighted.values(&minimum.parameters) else {
+        return Err(no_start(&weighted));
+    };
+    let (coordinates, failure) = (weighted.coordinates.clone(), weighted.failure.clone());
+    model.set(&values)?;
+    let parameters: Vec<(Parameter, f64)> =
+        coordinates.iter().map(|coordinate| coordinate.parameter).zip(values).collect();
+    let found = Found { data, minimum, parameters };
+    let points = found.points();
+    determinacy::check_range(&found.parameters, &points)?;
+    let unscaled = determinacy::covariance(&found.minimum, &found.parameters)?;
+    let slopes = coordinates.iter().zip(&found.parameters);
+    let slopes: Vec<f64> = slopes.map(|(c, (_, value))| c.scale.slope(*value)).collect();
+    let errors = |scatter: f64| -> Vec<f64> {
+        let of = |(k, slope): (usize, &f64)| scatter * slope * unscaled[(k, k)].sqrt();
+        slopes.iter().enumerate().map(of).collect()
+    };
+    let correlation = correlation(&unscaled);
+    let quantile = students_t((!knows_scatter(data)).then_some(found.degrees_of_freedom()));
+    let judged: Vec<f64> =
+        errors(found.judged_scatter()).into_iter().map(|error| quantile * error).collect();
+    determinacy::check(&found.parameters, &judged, &correlation)?;
+    let standard_errors = errors(found.scatter());
+    let converged = found.minimum.converged && found.is_stationary(&unscaled);
+    let mut warnings = found.warnings(&correlation);
+    if !converged {
+        warnings.insert(0, found.why_not_converged(failure.as_ref()));
+    }
+    let estimates = (0..coordinates.len()).map(|k| Estimate {
+        parameter: coordinates[k].parameter,
+        start: coordinates[k].start,
+        value: found.parameters[k].1,
+        standard_error: standard_errors[k],
+        half_width: quantile * standard_errors[k],
+    });
+    let estimates = estimates.collect();
+    let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
+    let measured: Vec<f64> = data.iter().map(|point| point.force_ratio).collect();
+    Ok(Fit {
+        status: if converged { Status::Converged } else { Status::NotConverged },
+        estimates,
+        correlation,
+        rms_residual: rms(&residuals),
+        r_squared: r_squared(&measured, &residuals),
+        reduced_chi_squared: found.reduced_chi_squared(),
+        degrees_of_freedom: found.degrees_of_freedom(),
+        iterations: found.minimum.iterations,
+        points,
+        warnings,
+        work: model.work(),
+    })
+}
+
+/// Why there is nothing to begin with.
+fn no_start(weighted: &Weighted) -> Error {
+    let quantity =
+        weighted.coordinates.first().map_or("parameters", |first| first.parameter.name());
+    match &weighted.failure {
+        Some(Failure::Refused(error)) => error.clone(),
+        Some(Failure::NotFound(condition)) => Error::Contradiction {
+            quantity,
+            reason: format!(
+                "with the values to start from no force was found {}: start from others",
+                place(condition)
+            ),
+        },
+        Some(Failure::Outside) | None => Error::Contradiction {
+            quantity,
+            reason: "the values to start from are out of range".to_owned(),
+        },
+    }
+}
+
+fn place(condition: &Condition) -> String {
+    let motion = &condition.kinematics;
+    format!(
+        "at creepage_x = {}, creepage_y = {}, spin = {} 1/m, speed {} m/s",
+        motion.creepage_x, motion.creepage_y, motion.spin, motion.speed
+    )
+}
+
+/// Correlations from a covariance.
+fn correlation(covariance: &Mat<f64>) -> Vec<Vec<f64>> {
+    let n = covariance.nrows();
+    let root = |k: usize| covariance[(k, k)].sqrt();
+    let entry = |i: usize, j: usize| {
+        if i == j { 1.0 } else { covariance[(i, j)] / (root(i) * root(j)) }
+    };
+    (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
+}
+
+/// The end of a fit.
+struct Found<'a> {
+    data: &'a [DataPoint],
+    minimum: Minimum,
+    parameters: Vec<(Parameter, f64)>,
+}
+
+impl Found<'_> {
+    fn degrees_of_freedom(&self) -> usize {
+        self.data.len() - self.parameters.len()
+    }
+
+    fn points(&self) -> Vec<FittedPoint> {
+        let pairs = self.data.iter().zip(&self.minimum.residuals);
+        pairs
+            .map(|(point, residual)| FittedPoint {
+                data: *point,
+                fitted: point.force_ratio + residual * point.standard_deviation.unwrap_or(1.0),
+            })
+            .collect()
+    }
+
+    /// Standard deviation of the weighted residuals.
+    fn scatter(&self) -> f64 {
+        if knows_scatter(self.data) {
+            return 1.0;
+        }
+        (self.minimum.sum_of_squares() / self.degrees_of_freedom() as f64).sqrt()
+    }
+
+    /// The same, but no less than what a measurement has.
+    fn judged_scatter(&self) -> f64 {
+        if knows_scatter(self.data) {
+            return 1.0;
+        }
+        let largest = self.data.iter().map(|point| point.force_ratio.abs()).fold(0.0, f64::max);
+        self.scatter().max(LEAST_SCATTER * largest)
+    }
+
+    fn reduced_chi_squared(&self) -> Option<f64> {
+        let freedom = self.degrees_of_freedom();
+        (knows_scatter(self.data) && freedom > 0)
+            .then(|| self.minimum.sum_of_squares() / freedom as f64)
+    }
+
+    /// Whether a full step of Gauss and Newton from here would be next to nothing.
+    fn is_stationary(&self, unscaled: &Mat<f64>) -> bool {
+        let Minimum { jacobian, residuals, .. } = &self.minimum;
+        let residual = Mat::from_fn(residuals.len(), 1, |row, _| residuals[row]);
+        let step = unscaled * (jacobian.transpose() * residual);
+        (0..step.nrows()).all(|k| {
+            let error = self.scatter() * unscaled[(k, k)].sqrt();
+            step[(k, 0)].abs() <= STATIONARY * error + 10.0 * TOLERANCE
+        })
+    }
+
+    fn why_not_converged(&self, failure: Option<&Failure>) -> String {
+        let iterations = self.minimum.iterations;
+        let at_bound = self.parameters.iter().find(|(parameter, value)| {
+            let [low, high] = parameter.bounds();
+            let near = |bound: f64| (value - bound).abs() <= 0.01 * parameter.size(bound);
+            near(low) || near(high)
+        });
+        let cause = match (at_bound, failure) {
+            (Some((parameter, value)), _) => {
+                let unit = parameter.unit();
+                let end = format!("it ran to the end of the range, {value:.4e} {unit}");
+                format!("{}: {}", parameter.name(), end.trim_end())
+            }
+            (None, Some(Failure::NotFound(condition))) => {
+                format!("in its way was a force that was not found, {}", place(condition))
+            }
+            (None, Some(Failure::Refused(error))) => format!("in its way was: {error}"),
+            _ => "other values to start from may help".to_owned(),
+        };
+        format!("not converged: after {iterations} steps the fit is at no minimum; {cause}")
+    }
+
+    fn warnings(&self, correlation: &[Vec<f64>]) -> Vec<String> {
+        /// Correlation from which on two parameters are hard to tell apart.
+        const STRONG: f64 = 0.95;
+        let mut warnings = Vec::new();
+        for (i, row) in correlation.iter().enumerate() {
+            for (j, r) in row.iter().enumerate().take(i).filter(|(_, r)| r.abs() > STRONG) {
+                let [one, other] = [j, i].map(|k| self.parameters[k].0.name());
+                warnings.push(format!(
+                    "{one} and {other} go together (correlation {r:.3}): each by itself is less certain \
+                     than both"
+                ));
+            }
+        }
+        warnings.extend(self.no_reduction());
+        warnings.extend(self.misfit());
+        warnings.extend(self.excess());
+        warnings
+    }
+
+    /// A reduction of the slope that enlarges it.
+    fn no_reduction(&self) -> Option<String> {
+        let is_above = |(parameter, value): &&(Parameter, f64)| {
+            matches!(parameter, Parameter::AreaAdhesion | Parameter::AreaSlip) && *value > 1.0
+        };
+        let (parameter, value) = self.parameters.iter().find(is_above)?;
+        let name = parameter.name();
+        Some(format!(
+            "{name} is {value:.4}, but a reduction is at most 1: hold it there, do not fit it"
+        ))
+    }
+
+    /// Residuals that are no scatter.
+    fn misfit(&self) -> Option<String> {
+        /// Correlation of neighbours, and points it takes to see it.
+        const SYSTEMATIC: f64 = 0.5;
+        const ENOUGH: usize = 8;
+        /// Residuals below this part of the largest force do not matter.
+        const SMALL: f64 = 1e-4;
+        let points = self.points();
+        let residuals: Vec<f64> =
+            order(self.data).into_iter().map(|k| points[k].residual()).collect();
+        let largest = self.data.iter().map(|point| point.force_ratio.abs()).fold(0.0, f64::max);
+        let is_seen = self.degrees_of_freedom() >= ENOUGH && rms(&residuals) > SMALL * largest;
+        (is_seen && autocorrelation(&residuals) > SYSTEMATIC).then(|| {
+            "the residuals are no scatter, neighbours have the same sign: the model does not follow \
+             the data, and the parameters are less certain than their intervals say"
+                .to_owned()
+        })
+    }
+
+    /// Residuals beyond the standard deviations.
+    fn excess(&self) -> Option<String> {
+        /// Standard deviations of χ² from which on it is too large.
+        const FAR: f64 = 3.0;
+        let reduced = self.reduced_chi_squared()?;
+        let limit = 1.0 + FAR * (2.0 / self.degrees_of_freedom() as f64).sqrt();
+        (reduced > limit).then(|| {
+            format!(
+                "the residuals are {:.1} times what the standard deviations of the data allow: the \
+                 intervals are too narrow",
+                (sum_of_squares(&self.minimum.residuals) / self.degrees_of_freedom() as f64).sqrt()
+            )
+        })
+    }
+}

@@ -1,0 +1,29 @@
+//! Identification: constants of friction and contact law from measured creep curves.
+//!
+//! [`fit`] makes the sum of the squared differences between measured and computed forces smallest
+//! (Levenberg–Marquardt). A [`CreepForceModel`] gives forces with their exact derivatives;
+//! [`RollingContactModel`] is that of the steady solver, [`PolachModel`] that of Polach's method. What is found comes with confidence intervals
+//! and correlations, and data that leave a parameter open are refused.
+
+mod adjustment;
+mod confidence;
+mod curves;
+mod data;
+mod determinacy;
+mod fit;
+mod model;
+mod parameter;
+mod polach_method;
+mod residuals;
+mod rolling_contact;
+mod statistics;
+pub mod roughness;
+
+pub use confidence::students_t;
+pub use curves::{FittedCurves, Series, sample_curves};
+pub use data::{Component, Condition, DataPoint};
+pub use fit::{Estimate, Fit, FittedPoint, Progress, check, fit};
+pub use model::{CreepForceModel, ForceRatio};
+pub use parameter::Parameter;
+pub use polach_method::PolachModel;
+pub use rolling_contact::RollingContactModel;

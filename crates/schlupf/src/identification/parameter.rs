@@ -1,0 +1,186 @@
+//! What can be fitted.
+
+use crate::interface::friction::constants::FrictionConstant;
+
+/// A constant to find.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameter {
+    /// A constant of the friction law.
+    Friction(FrictionConstant),
+    /// k_c of the contact law, in 1/m.
+    ContactStiffness,
+    /// r.m.s. height of the roughness of both surfaces together, from which k_c follows, in m.
+    Roughness,
+    /// k_A of Polach's method, dimensionless.
+    AreaAdhesion,
+    /// k_S of Polach's method, dimensionless.
+    AreaSlip,
+}
+
+/// How a fit moves in a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Scale {
+    /// By factors: it is positive.
+    Logarithmic,
+    /// By differences: it may be zero.
+    Linear,
+}
+
+/// Below this a dimensionless parameter that may be zero counts as zero.
+const NEXT_TO_NOTHING: f64 = 0.1;
+
+impl Parameter {
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let friction = FrictionConstant::ALL.into_iter().map(Self::Friction);
+        friction.chain([
+            Self::ContactStiffness,
+            Self::Roughness,
+            Self::AreaAdhesion,
+            Self::AreaSlip,
+        ])
+    }
+
+    /// Its dotted name in a case file; that of the roughness is no field of one.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Friction(constant) => constant.field(),
+            Self::ContactStiffness => "contact_law.stiffness",
+            Self::Roughness => "contact_law.roughness",
+            Self::AreaAdhesion => "solver.polach_area_adhesion",
+            Self::AreaSlip => "solver.polach_area_slip",
+        }
+    }
+
+    /// Its symbol.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Friction(constant) => match constant {
+                FrictionConstant::ColdCoefficient => "μ0",
+                FrictionConstant::TemperatureAtZeroFriction => "T_E",
+                FrictionConstant::MinimumCoefficient => "μ_min",
+                FrictionConstant::HotCoefficient => "μ_hot",
+                FrictionConstant::TemperatureRange => "ΔT",
+                FrictionConstant::KineticCoefficient => "μ_kin",
+                FrictionConstant::HalfSpeed => "s1",
+                FrictionConstant::SecondCoefficient => "μ2",
+                FrictionConstant::SecondHalfSpeed => "s2",
+                FrictionConstant::LimitRatio => "A",
+                FrictionConstant::Decay => "B",
+            },
+            Self::ContactStiffness => "k_c",
+            Self::Roughness => "h_rms",
+            Self::AreaAdhesion => "k_A",
+            Self::AreaSlip => "k_S",
+        }
+    }
+
+    /// Its SI unit; empty where it is dimensionless.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Friction(constant) => match constant {
+                FrictionConstant::TemperatureAtZeroFriction
+                | FrictionConstant::TemperatureRange => "K",
+                FrictionConstant::HalfSpeed | FrictionConstant::SecondHalfSpeed => "m/s",
+                FrictionConstant::Decay => "s/m",
+                _ => "",
+            },
+            Self::ContactStiffness => "1/m",
+            Self::Roughness => "m",
+            Self::AreaAdhesion | Self::AreaSlip => "",
+        }
+    }
+
+    /// Least and largest value that a fit looks at, in its SI unit if it is not dimensionless: no
+    /// contact of wheel and rail is near either.
+    pub fn bounds(self) -> [f64; 2] {
+        match self {
+            Self::Friction(constant) => match constant {
+                FrictionConstant::ColdCoefficient => [1e-3, 3.0],
+                FrictionConstant::TemperatureAtZeroFriction
+                | FrictionConstant::TemperatureRange => [1.0, 1e5],
+                FrictionConstant::HalfSpeed | FrictionConstant::SecondHalfSpeed => [1e-4, 1e3],
+                FrictionConstant::Decay => [1e-4, 1e4],
+                FrictionConstant::LimitRatio => [0.0, 1.0],
+                _ => [0.0, 3.0],
+            },
+            Self::ContactStiffness => [1e3, 1e11],
+            Self::Roughness => [1e-10, 1e-2],
+            // Reductions are at most one; scatter may put their estimates above.
+            Self::AreaAdhesion | Self::AreaSlip => [1e-3, 5.0],
+        }
+    }
+
+    pub(super) fn scale(self) -> Scale {
+        if self.bounds()[0] > 0.0 { Scale::Logarithmic } else { Scale::Linear }
+    }
+
+    /// What an uncertainty of it is measured by, in its unit: its value, or what is next to nothing.
+    pub(super) fn size(self, value: f64) -> f64 {
+        match self.scale() {
+            Scale::Logarithmic => value,
+            Scale::Linear => value.max(NEXT_TO_NOTHING),
+        }
+    }
+
+    /// Which points of a creep curve depend on it.
+    pub(super) fn advice(self) -> &'static str {
+        match self {
+            Self::Friction(constant) => match constant {
+                FrictionConstant::ColdCoefficient => {
+                    "it shows where the force bends over and at its maximum"
+                }
+                FrictionConstant::TemperatureAtZeroFriction
+                | FrictionConstant::MinimumCoefficient
+                | FrictionConstant::HotCoefficient
+                | FrictionConstant::TemperatureRange => {
+                    "it shows at creepages and speeds that make the contact hot"
+                }
+                _ => "it shows at slip speeds over which friction falls",
+            },
+            Self::ContactStiffness | Self::Roughness | Self::AreaAdhesion => {
+                "it shows at small creepages and where the force bends over"
+            }
+            Self::AreaSlip => "it shows at small creepages and on the way to the maximum",
+        }
+    }
+}
+
+impl Scale {
+    /// The value for a number that the fit moves, which is dimensionless and zero at the start.
+    pub fn value(self, moved: f64, start: f64) -> f64 {
+        match self {
+            Self::Logarithmic => start * moved.exp(),
+            Self::Linear => start + moved,
+        }
+    }
+
+    /// Derivative of the value with respect to it, in the unit of the value if that is not
+    /// dimensionless.
+    pub fn slope(self, value: f64) -> f64 {
+        match self {
+            Self::Logarithmic => value,
+            Self::Linear => 1.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slope_of_the_scale_is_that_of_its_value() {
+        for parameter in Parameter::all() {
+            let scale = parameter.scale();
+            let [low, high] = parameter.bounds();
+            let start = 0.9 * low + 0.1 * high;
+            assert_eq!(scale.value(0.0, start), start, "{parameter:?}");
+            let (at, step) = (0.3, 1e-6);
+            let [plus, minus] = [at + step, at - step].map(|moved| scale.value(moved, start));
+            let slope = (plus - minus) / (2.0 * step);
+            let exact = scale.slope(scale.value(at, start));
+            assert!((slope / exact - 1.0).abs() < 1e-8, "{parameter:?}");
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Differences between computed and measured forces, as least squares has them.
+
+use faer::Mat;
+
+use crate::error::Error;
+use crate::least_squares::Residuals;
+
+use super::data::{Condition, DataPoint};
+use super::fit::Progress;
+use super::model::{CreepForceModel, ForceRatio};
+use super::parameter::{Parameter, Scale};
+
+/// A parameter as the fit moves it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coordinate {
+    pub parameter: Parameter,
+    pub scale: Scale,
+    /// In the SI unit of the parameter, if that is not dimensionless.
+    pub start: f64,
+}
+
+impl Coordinate {
+    pub fn new(parameter: Parameter, start: f64) -> Self {
+        Self { parameter, scale: parameter.scale(), start }
+    }
+
+    /// The value (in its SI unit) of a moved coordinate, if it is within the bounds.
+    fn value(&self, moved: f64) -> Option<f64> {
+        let value = self.scale.value(moved, self.start);
+        let [low, high] = self.parameter.bounds();
+        (low..=high).contains(&value).then_some(value)
+    }
+}
+
+/// Residuals (computed less measured, over the standard deviation if there is one) and their
+/// derivatives by the moved coordinates.
+pub(super) struct Weighted<'a> {
+    pub model: &'a mut dyn CreepForceModel,
+    data: &'a [DataPoint],
+    pub coordinates: Vec<Coordinate>,
+    /// The points in the order of solution.
+    order: Vec<usize>,
+    jacobian: Mat<f64>,
+    /// Why the last residuals could not be computed.
+    pub failure: Option<Failure>,
+    report: &'a mut dyn FnMut(Progress),
+    solved: usize,
+}
+
+/// Why there are no residuals.
+#[derive(Debug, Clone)]
+pub(super) enum Failure {
+    /// The model cannot have these values, or not this condition.
+    Refused(Error),
+    /// The force was not found under this condition.
+    NotFound(Condition),
+    /// A parameter is outside its bounds.
+    Outside,
+}
+
+impl<'a> Weighted<'a> {
+    pub fn new(
+        model: &'a mut dyn CreepForceModel,
+        data: &'a [DataPoint],
+        report: &'a mut dyn FnMut(Progress),
+    ) -> Self {
+        let pairs = model.parameters().iter().zip(model.start());
+        let coordinates = pairs.map(|(parameter, start)| Coordinate::new(*parameter, start));
+        let coordinates = coordinates.collect();
+        Self {
+            model,
+            data,
+            coordinates,
+            order: order(data),
+            jacobian: Mat::new(),
+            failure: None,
+            report,
+            solved: 0,
+        }
+    }
+
+    /// Values (in SI units, or dimensionless) of moved coordinates, if all are within the bounds.
+    pub fn values(&self, moved: &[f64]) -> Option<Vec<f64>> {
+        let pairs = self.coordinates.iter().zip(moved);
+        pairs.map(|(coordinate, moved)| coordinate.value(*moved)).collect()
+    }
+
+    fn evaluate(&mut self, moved: &[f64]) -> Result<Vec<f64>, Failure> {
+        let values = self.values(moved).ok_or(Failure::Outside)?;
+        self.model.set(&values).map_err(Failure::Refused)?;
+        let mut residuals = vec![0.0; self.data.len()];
+        self.jacobian = Mat::zeros(self.data.len(), values.len());
+        let mut last: Option<(Condition, ForceRatio)> = None;
+        for row in self.order.clone() {
+            let point = &self.data[row];
+            let force = match last.take() {
+                // Both components of one measurement.
+                Some((condition, force)) if condition == point.condition => force,
+                _ => self.solve(&point.condition)?,
+            };
+            let component = point.component.index();
+            let weight = point.standard_deviation.map_or(1.0, f64::recip);
+            residuals[row] = weight * (force.value[component] - point.force_ratio);
+            for (column, by) in force.by_parameter.iter().enumerate() {
+                let slope = self.coordinates[column].scale.slope(values[column]);
+                self.jacobian[(row, column)] = weight * slope * by[component];
+            }
+            last = Some((point.condition, force));
+        }
+        Ok(residuals)
+    }
+
+    fn solve(&mut self, condition: &Condition) -> Result<ForceRatio, Failure> {
+        self.solved += 1;
+        (self.report)(Progress { solved: self.solved });
+        match self.model.force_ratio(condition) {
+            Ok(Some(force)) => Ok(force),
+            Ok(None) => Err(Failure::NotFound(*condition)),
+            Err(error) => Err(Failure::Refused(error)),
+        }
+    }
+}
+
+impl Residuals for Weighted<'_> {
+    fn residuals(&mut self, moved: &[f64]) -> Option<Vec<f64>> {
+        match self.evaluate(moved) {
+            Ok(residuals) => Some(residuals),
+            Err(failure) => {
+                self.failure = Some(failure);
+                None
+            }
+        }
+    }
+
+    /// That of the last residuals: least squares asks for it where it has just asked for those.
+    fn jacobian(&mut self, _moved: &[f64], _residuals: &[f64]) -> Option<Mat<f64>> {
+        Some(self.jacobian.clone())
+    }
+}
+
+/// The points, so that each is close to the one before: load by load, speed by speed, from small to
+/// large creepages on either side of zero.
+pub(super) fn order(data: &[DataPoint]) -> Vec<usize> {
+    /// Some lever that makes a creepage of spin.
+    const LEVER: f64 = 5e-3;
+    let key = |point: &DataPoint| {
+        let Condition { kinematics, load } = &point.condition;
+        let parts = [kinematics.creepage_x, kinematics.creepage_y, LEVER * kinematics.spin];
+        let size: f64 = parts.iter().map(|part| part.abs()).sum();
+        let side = f64::from(parts.iter().sum::<f64>() < 0.0);
+        let [x, y, z] = parts;
+        [load.unwrap_or(0.0), kinematics.speed, side, size, x, y, z]
+    };
+    let mut order: Vec<usize> = (0..data.len()).collect();
+    let compare = |one: &usize, other: &usize| {
+        let pairs = key(&data[*one]).into_iter().zip(key(&data[*other]));
+        pairs.map(|(a, b)| a.total_cmp(&b)).find(|o| o.is_ne()).unwrap_or(one.cmp(other))
+    };
+    order.sort_by(compare);
+    order
+}

@@ -1,0 +1,238 @@
+//! Creep forces of the steady solver, as a model to fit.
+
+use std::sync::Arc;
+
+use crate::error::Error;
+use crate::interface::InterfaceConstant;
+use crate::interface::contact_law::Slide;
+use crate::interface::friction::constants::FrictionConstant;
+use crate::method::Method;
+use crate::normal::PressureSource;
+use crate::problem::{Options, Problem};
+use crate::rolling::steady::SteadySolver;
+use crate::solution::{Resultant, Work};
+
+use super::adjustment::{adjusted_friction, friction_constant, loaded, refuse, refuse_transient};
+use super::data::Condition;
+use super::model::{CreepForceModel, ForceRatio};
+use super::parameter::Parameter;
+use super::roughness;
+
+/// Steady rolling contact with unknown constants of friction and contact law.
+///
+/// Points under one load share one solver, so each starts from the solutions before.
+pub struct RollingContactModel {
+    problem: Problem,
+    options: Options,
+    parameters: Vec<Parameter>,
+    start: Vec<f64>,
+    /// By which constants the solver differentiates.
+    constants: Vec<InterfaceConstant>,
+    /// μ0 k_c h_rms, dimensionless.
+    roughness_number: f64,
+    /// μ0 (dimensionless) and k_c (in 1/m) at the present values.
+    coefficient: f64,
+    stiffness: f64,
+    contacts: Vec<LoadedContact>,
+    work: Work,
+}
+
+/// A solver for one load.
+struct LoadedContact {
+    load: Option<f64>,
+    normal: Arc<dyn PressureSource>,
+    /// The load, in N.
+    value: f64,
+    solver: SteadySolver,
+}
+
+const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
+
+impl RollingContactModel {
+    /// A problem whose parameters start at their present values. `gamma` (dimensionless) is how the
+    /// approach of rough surfaces goes with their height, see [`roughness`]; it counts for
+    /// [`Parameter::Roughness`] only.
+    ///
+    /// # Errors
+    /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it together, a
+    /// fast method, a history, and whatever [`Problem::check`] and [`Options::check`] refuse.
+    pub fn new(
+        problem: &Problem,
+        options: &Options,
+        parameters: &[Parameter],
+        gamma: f64,
+    ) -> Result<Self, Error> {
+        problem.check()?;
+        options.check()?;
+        refuse_transient(problem)?;
+        if options.method != Method::Full {
+            let name = options.method.name();
+            let reason = format!(
+                "what can be fitted is \"full\" and \"polach\", but the method is {name:?}"
+            );
+            return refuse("solver.method", reason);
+        }
+        let materials = [&problem.wheel.material, &problem.rail.material];
+        let number = roughness::stiffness_number(materials[0], materials[1], gamma)?;
+        let mut model = Self {
+            problem: problem.clone(),
+            options: Options { sensitivity: false, ..options.clone() },
+            parameters: parameters.to_vec(),
+            start: Vec::new(),
+            constants: Vec::new(),
+            roughness_number: number,
+            coefficient: problem.friction.cold_coefficient(),
+            stiffness: problem.contact_law.respond(&Slide::default()).by_increment[0][0],
+            contacts: Vec::new(),
+            work: Work::default(),
+        };
+        let starts = parameters.iter().map(|parameter| model.present(*parameter));
+        model.start = starts.collect::<Result<_, _>>()?;
+        let of_both = |parameter: &&Parameter| {
+            matches!(parameter, Parameter::ContactStiffness | Parameter::Roughness)
+        };
+        if parameters.iter().filter(of_both).count() > 1 {
+            let reason = "it cannot be fitted together with the roughness that determines it";
+            return refuse("contact_law.stiffness", reason.to_owned());
+        }
+        model.constants = parameters.iter().filter_map(|parameter| constant(*parameter)).collect();
+        Ok(model)
+    }
+
+    /// The problem with the present values.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// k_c at the present values, in 1/m.
+    pub fn contact_stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// The value of a parameter in the problem, in its SI unit.
+    fn present(&self, parameter: Parameter) -> Result<f64, Error> {
+        match parameter {
+            Parameter::Friction(constant) => friction_constant(&self.problem.friction, constant),
+            Parameter::AreaAdhesion | Parameter::AreaSlip => refuse(
+                parameter.name(),
+                "it is a constant of solver.method = \"polach\", but the method is \"full\""
+                    .to_owned(),
+            ),
+            _ if self.problem.contact_law.with_stiffness(self.stiffness)?.is_none() => {
+                let reason = "the contact law in use has no such constant".to_owned();
+                refuse("contact_law.stiffness", reason)
+            }
+            Parameter::ContactStiffness => Ok(self.stiffness),
+            Parameter::Roughness => Ok(self.roughness_number / (self.coefficient * self.stiffness)),
+        }
+    }
+
+    /// The place of the solver for a load.
+    fn contact(&mut self, load: Option<f64>) -> Result<usize, Error> {
+        if let Some(k) = self.contacts.iter().position(|contact| contact.load == load) {
+            return Ok(k);
+        }
+        let normal = loaded(&self.problem, load)?;
+        let value = normal.normal_contact(None)?.summary.load;
+        let solver = SteadySolver::new(&self.options);
+        self.contacts.push(LoadedContact { load, normal, value, solver });
+        Ok(self.contacts.len() - 1)
+    }
+
+    /// Derivatives of the force (in N) by a parameter, `by` being those by the constants asked for.
+    fn by_parameter(&self, k: usize, by: &[Resultant]) -> [f64; 2] {
+        let pair = |force: &Resultant| [force.x, force.y];
+        let own = pair(&by[k]);
+        let roughness = self.parameters.iter().position(|p| *p == Parameter::Roughness);
+        match (self.parameters[k], roughness) {
+            // k_c ∝ 1/(μ0 h_rms).
+            (Parameter::Roughness, _) => {
+                let height = self.roughness_number / (self.coefficient * self.stiffness);
+                own.map(|by_stiffness| -by_stiffness * self.stiffness / height)
+            }
+            (COLD, Some(r)) => {
+                let softer = self.stiffness / self.coefficient;
+                let by_stiffness = pair(&by[r]);
+                [own[0] - softer * by_stiffness[0], own[1] - softer * by_stiffness[1]]
+            }
+            _ => own,
+        }
+    }
+}
+
+/// By what the solver differentiates for a parameter.
+fn constant(parameter: Parameter) -> Option<InterfaceConstant> {
+    match parameter {
+        Parameter::Friction(constant) => Some(InterfaceConstant::Friction(constant)),
+        Parameter::ContactStiffness | Parameter::Roughness => {
+            Some(InterfaceConstant::ContactStiffness)
+        }
+        Parameter::AreaAdhesion | Parameter::AreaSlip => None,
+    }
+}
+
+impl CreepForceModel for RollingContactModel {
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    fn start(&self) -> Vec<f64> {
+        self.start.clone()
+    }
+
+    fn set(&mut self, values: &[f64]) -> Result<(), Error> {
+        let (mut stiffness, mut height) = (self.stiffness, None);
+        for (parameter, value) in self.parameters.iter().zip(values) {
+            match parameter {
+                Parameter::ContactStiffness => stiffness = *value,
+                Parameter::Roughness => height = Some(*value),
+                _ => {}
+            }
+        }
+        let friction = adjusted_friction(&self.problem.friction, &self.parameters, values)?;
+        let coefficient = friction.cold_coefficient();
+        if let Some(height) = height {
+            stiffness = self.roughness_number / (coefficient * height);
+        }
+        let mut problem = Problem { friction, ..self.problem.clone() };
+        if let Some(law) = self.problem.contact_law.with_stiffness(stiffness)? {
+            problem.contact_law = law;
+        }
+        problem.check()?;
+        self.problem = problem;
+        (self.coefficient, self.stiffness) = (coefficient, stiffness);
+        for contact in &mut self.contacts {
+            contact.solver.forget();
+        }
+        Ok(())
+    }
+
+    fn force_ratio(&mut self, condition: &Condition) -> Result<Option<ForceRatio>, Error> {
+        let k = self.contact(condition.load)?;
+        let LoadedContact { normal, value: load, solver, .. } = &mut self.contacts[k];
+        let (normal, load) = (Arc::clone(normal), *load);
+        let kinematics = condition.kinematics;
+        let problem = Problem { kinematics, normal, ..self.problem.clone() };
+        let found = solver.solve_with_derivatives_by(&problem, &self.constants)?;
+        let Some((solution, by)) = found else { return Ok(None) };
+        add(&mut self.work, &solution.work);
+        let ratio = |force: [f64; 2]| force.map(|component| -component / load);
+        let derivatives = (0..by.len()).map(|k| ratio(self.by_parameter(k, &by)));
+        Ok(Some(ForceRatio {
+            value: ratio([solution.force.x, solution.force.y]),
+            by_parameter: derivatives.collect(),
+        }))
+    }
+
+    fn work(&self) -> Work {
+        self.work
+    }
+}
+
+fn add(total: &mut Work, work: &Work) {
+    total.newton_iterations += work.newton_iterations;
+    total.operator_products += work.operator_products;
+    total.sensitivity_products += work.sensitivity_products;
+    total.outer_iterations += work.outer_iterations;
+    total.cells = work.cells;
+}

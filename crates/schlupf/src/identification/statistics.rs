@@ -1,0 +1,43 @@
+//! What the residuals say of the fit as a whole.
+
+/// Sum of the squared residuals over that of the data about their mean, taken from one; dimensionless.
+/// NaN where all data are the same.
+pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> f64 {
+    let mean = data.iter().sum::<f64>() / data.len() as f64;
+    let total: f64 = data.iter().map(|value| (value - mean).powi(2)).sum();
+    if total == 0.0 { f64::NAN } else { 1.0 - sum_of_squares(residuals) / total }
+}
+
+pub(super) fn sum_of_squares(values: &[f64]) -> f64 {
+    values.iter().map(|value| value * value).sum()
+}
+
+/// Root of the mean square; dimensionless as the values are.
+pub(super) fn rms(values: &[f64]) -> f64 {
+    (sum_of_squares(values) / values.len() as f64).sqrt()
+}
+
+/// Correlation of each residual with the next one, dimensionless: near zero where they are scatter.
+pub(super) fn autocorrelation(residuals: &[f64]) -> f64 {
+    let products: f64 = residuals.windows(2).map(|pair| pair[0] * pair[1]).sum();
+    products / sum_of_squares(residuals)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn residuals_of_one_sign_hang_together_and_alternating_ones_do_not() {
+        assert!(autocorrelation(&[1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0]) > 0.5);
+        assert!(autocorrelation(&[1.0, -1.0, 1.0, -1.0]) < -0.5);
+    }
+
+    #[test]
+    fn r_squared_is_one_for_a_perfect_fit_and_zero_for_the_mean() {
+        let data = [1.0, 2.0, 3.0];
+        assert_eq!(r_squared(&data, &[0.0; 3]), 1.0);
+        assert_eq!(r_squared(&data, &[-1.0, 0.0, 1.0]), 0.0);
+        assert!((rms(&[3.0, 4.0]) - 12.5_f64.sqrt()).abs() < 1e-15);
+    }
+}

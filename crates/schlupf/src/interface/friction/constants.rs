@@ -1,0 +1,92 @@
+//! Constants of the friction laws, by name: what a measurement may determine.
+
+use std::sync::Arc;
+
+use super::{FrictionLaw, FrictionState};
+use crate::error::Error;
+
+/// A constant of a friction law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrictionConstant {
+    /// μ0, of every law.
+    ColdCoefficient,
+    /// T_E, in K.
+    TemperatureAtZeroFriction,
+    /// Floor of a law that falls with the temperature.
+    MinimumCoefficient,
+    /// μ_hot.
+    HotCoefficient,
+    /// ΔT, in K.
+    TemperatureRange,
+    /// μ_kin.
+    KineticCoefficient,
+    /// s1, in m/s.
+    HalfSpeed,
+    /// μ2.
+    SecondCoefficient,
+    /// s2, in m/s.
+    SecondHalfSpeed,
+    /// A of Polach.
+    LimitRatio,
+    /// B of Polach, in s/m.
+    Decay,
+}
+
+impl FrictionConstant {
+    /// All of them.
+    pub const ALL: [Self; 11] = [
+        Self::ColdCoefficient,
+        Self::TemperatureAtZeroFriction,
+        Self::MinimumCoefficient,
+        Self::HotCoefficient,
+        Self::TemperatureRange,
+        Self::KineticCoefficient,
+        Self::HalfSpeed,
+        Self::SecondCoefficient,
+        Self::SecondHalfSpeed,
+        Self::LimitRatio,
+        Self::Decay,
+    ];
+
+    /// Its dotted name in a case file.
+    pub fn field(self) -> &'static str {
+        match self {
+            Self::ColdCoefficient => "friction.coefficient",
+            Self::TemperatureAtZeroFriction => "friction.temperature_at_zero_friction",
+            Self::MinimumCoefficient => "friction.minimum_coefficient",
+            Self::HotCoefficient => "friction.hot_coefficient",
+            Self::TemperatureRange => "friction.temperature_range",
+            Self::KineticCoefficient => "friction.kinetic_coefficient",
+            Self::HalfSpeed => "friction.half_speed",
+            Self::SecondCoefficient => "friction.second_coefficient",
+            Self::SecondHalfSpeed => "friction.second_half_speed",
+            Self::LimitRatio => "friction.limit_ratio",
+            Self::Decay => "friction.decay",
+        }
+    }
+}
+
+/// New values of some constants, in SI units or dimensionless.
+#[derive(Debug, Clone, Copy)]
+pub struct Changes<'a>(pub &'a [(FrictionConstant, f64)]);
+
+impl Changes<'_> {
+    /// The new value of a constant (in its SI unit, or dimensionless), or the one it has.
+    pub fn of(&self, constant: FrictionConstant, otherwise: f64) -> f64 {
+        let change = self.0.iter().find(|(changed, _)| *changed == constant);
+        change.map_or(otherwise, |(_, value)| *value)
+    }
+}
+
+/// A friction law whose constants can be read and changed.
+pub trait AdjustableFriction {
+    /// Its constants with their values, in SI units or dimensionless.
+    fn constants(&self) -> Vec<(FrictionConstant, f64)>;
+
+    /// The same law with other values. Constants that it does not have do not count.
+    fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error>;
+
+    /// ∂μ/∂constant while the other constants stay, in the reciprocal of its unit or dimensionless;
+    /// zero for a constant that it does not have.
+    fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64;
+}

@@ -1,0 +1,297 @@
+//! Approach of two rough bodies over their load, d(P).
+
+use crate::error::{Error, require_positive};
+use crate::normal::rough_contact::{RoughContact, RoughContactOptions, RoughContactSolution};
+
+/// A rough contact at one load. Everything is per nominal area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadPoint {
+    /// Mean pressure over the nominal area, in Pa.
+    pub mean_pressure: f64,
+    /// Approach since the first touch, in m.
+    pub approach: f64,
+    /// Mean gap, in m.
+    pub mean_gap: f64,
+    /// Real over nominal area of contact, dimensionless.
+    pub contact_fraction: f64,
+    /// The same with the perimeter corrected for, dimensionless (Yastrebov et al. 2017).
+    pub corrected_contact_fraction: f64,
+    /// Part of the nominal area that yields, dimensionless.
+    pub plastic_fraction: f64,
+    /// Whether the solution converged.
+    pub is_converged: bool,
+    /// Iterations of the solution.
+    pub iterations: usize,
+}
+
+/// At which loads to solve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadCurveOptions {
+    /// How far the smallest mean pressure lies below the largest one, dimensionless.
+    pub range: f64,
+    /// Ratio of two neighbouring pressures, dimensionless.
+    pub ratio: f64,
+    /// For each load.
+    pub contact: RoughContactOptions,
+}
+
+impl Default for LoadCurveOptions {
+    /// Three decades with eight points each.
+    fn default() -> Self {
+        Self { range: 1e3, ratio: 10_f64.powf(0.125), contact: RoughContactOptions::default() }
+    }
+}
+
+/// The approach over the load, with its points by growing pressure.
+///
+/// Between its points it is a monotone cubic of ln p (Fritsch and Carlson 1980); below the first one
+/// d ∝ p^(2/3), a single summit in Hertz contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadCurve {
+    points: Vec<LoadPoint>,
+    /// dd/d ln p at the points.
+    slopes: Vec<f64>,
+}
+
+/// Where the load grows exponentially with the approach, p ∝ exp(d/ℓ).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExponentialRange {
+    /// Length ℓ = γ h_rms in which the load grows by a factor of e, in m.
+    pub length: f64,
+    /// Smallest and largest mean pressure of the range, in Pa.
+    pub mean_pressure: [f64; 2],
+    /// Root mean square deviation of ln p from the straight line, dimensionless.
+    pub deviation: f64,
+}
+
+/// Real over nominal area of contact, dimensionless, between which the load is exponential: at less a
+/// few summits decide, at more the valleys close.
+pub const EXPONENTIAL_RANGE: [f64; 2] = [0.01, 0.2];
+
+impl LoadCurve {
+    /// Solves the contact from the largest mean pressure (in Pa) down; `each` sees every point.
+    pub fn compute(
+        contact: &mut RoughContact,
+        largest: f64,
+        options: &LoadCurveOptions,
+        each: &mut dyn FnMut(&LoadPoint),
+    ) -> Result<Self, Error> {
+        require_positive("normal.pressure", largest, "Pa")?;
+        let steps = (options.range.ln() / options.ratio.ln()).ceil().max(2.0) as usize;
+        let mut points = Vec::with_capacity(steps + 1);
+        for step in 0..=steps {
+            let pressure = largest * options.range.powf(-(step as f64) / steps as f64);
+            let solution = contact.press(pressure, &options.contact)?;
+            let point = LoadPoint::of(&solution, contact.distance().lattice().area());
+            each(&point);
+            points.push(point);
+        }
+        points.reverse();
+        Self::new(points)
+    }
+
+    /// From points of a computation or a measurement: at least three, pressure and approach growing.
+    pub fn new(points: Vec<LoadPoint>) -> Result<Self, Error> {
+        let grows = |pair: &[LoadPoint]| {
+            pair[1].mean_pressure > pair[0].mean_pressure && pair[1].approach > pair[0].approach
+        };
+        let is_positive = points.first().is_some_and(|p| p.mean_pressure > 0.0 && p.approach > 0.0);
+        if points.len() < 3 || !is_positive || !points.windows(2).all(grows) {
+            return Err(Error::Contradiction {
+                quantity: "surface.heights",
+                reason: format!(
+                    "approach and mean pressure must be positive and grow over at least three \
+                     points, but do not over {} points",
+                    points.len()
+                ),
+            });
+        }
+        let slopes = slopes(&points);
+        Ok(Self { points, slopes })
+    }
+
+    /// Its points by growing pressure.
+    pub fn points(&self) -> &[LoadPoint] {
+        &self.points
+    }
+
+    /// Whether all points converged.
+    pub fn is_converged(&self) -> bool {
+        self.points.iter().all(|point| point.is_converged)
+    }
+
+    /// Largest mean pressure, in Pa.
+    pub fn largest_pressure(&self) -> f64 {
+        self.points.last().map_or(0.0, |point| point.mean_pressure)
+    }
+
+    /// Approach (in m) under a mean pressure (in Pa), and its derivative dd/d ln p (in m).
+    pub fn approach(&self, mean_pressure: f64) -> [f64; 2] {
+        let above = self.points.partition_point(|point| point.mean_pressure < mean_pressure);
+        let above = above.min(self.points.len() - 1);
+        let Some(below) = above.checked_sub(1) else {
+            let first = &self.points[0];
+            let approach =
+                first.approach * (mean_pressure / first.mean_pressure).powf(HERTZ_EXPONENT);
+            return [approach, HERTZ_EXPONENT * approach];
+        };
+        let [low, high] = [self.points[below], self.points[above]];
+        let width = (high.mean_pressure / low.mean_pressure).ln();
+        let t = (mean_pressure / low.mean_pressure).ln() / width;
+        let [from, to] = [self.slopes[below] * width, self.slopes[above] * width];
+        let rise = high.approach - low.approach;
+        // Hermite's cubic
+        let bend = from + to - 2.0 * rise;
+        let square = 3.0 * rise - 2.0 * from - to;
+        [
+            low.approach + t * (from + t * (square + t * bend)),
+            (from + t * (2.0 * square + t * 3.0 * bend)) / width,
+        ]
+    }
+
+    /// Real over nominal area of contact (dimensionless) under a mean pressure (in Pa), by powers of
+    /// the pressure between the points.
+    pub fn contact_fraction(&self, mean_pressure: f64) -> f64 {
+        let fraction = |point: &LoadPoint| point.contact_fraction;
+        let above = self.points.partition_point(|point| point.mean_pressure < mean_pressure);
+        let above = above.min(self.points.len() - 1);
+        let Some(below) = above.checked_sub(1) else {
+            let first = &self.points[0];
+            return fraction(first) * (mean_pressure / first.mean_pressure).powf(HERTZ_EXPONENT);
+        };
+        let [low, high] = [&self.points[below], &self.points[above]];
+        let t = (mean_pressure / low.mean_pressure).ln()
+            / (high.mean_pressure / low.mean_pressure).ln();
+        fraction(low) * (fraction(high) / fraction(low)).powf(t)
+    }
+
+    /// The straight line ln p over d that fits best in [`EXPONENTIAL_RANGE`]; nothing with fewer than
+    /// three points in it.
+    pub fn exponential_range(&self) -> Option<ExponentialRange> {
+        let [least, most] = EXPONENTIAL_RANGE;
+        let is_in = |point: &&LoadPoint| (least..=most).contains(&point.contact_fraction);
+        let points: Vec<&LoadPoint> = self.points.iter().filter(is_in).collect();
+        let (first, last) = (points.first()?, points.last()?);
+        if points.len() < 3 {
+            return None;
+        }
+        let count = points.len() as f64;
+        let mean = |value: &dyn Fn(&LoadPoint) -> f64| {
+            points.iter().map(|point| value(point)).sum::<f64>() / count
+        };
+        let log = |point: &LoadPoint| point.mean_pressure.ln();
+        let (middle, level) = (mean(&|point| point.approach), mean(&log));
+        let square = mean(&|point| (point.approach - middle).powi(2));
+        let product = mean(&|point| (point.approach - middle) * (log(point) - level));
+        let slope = product / square;
+        let deviation =
+            mean(&|point| (log(point) - level - slope * (point.approach - middle)).powi(2)).sqrt();
+        Some(ExponentialRange {
+            length: slope.recip(),
+            mean_pressure: [first.mean_pressure, last.mean_pressure],
+            deviation,
+        })
+    }
+}
+
+/// d ∝ p^(2/3) and A ∝ p^(2/3) (Hertz 1882).
+const HERTZ_EXPONENT: f64 = 2.0 / 3.0;
+
+/// Derivatives dd/d ln p at the points: of the parabola through three of them, and so small that the
+/// cubics are monotone. At the first point that of Hertz contact.
+fn slopes(points: &[LoadPoint]) -> Vec<f64> {
+    let widths: Vec<f64> =
+        points.windows(2).map(|p| (p[1].mean_pressure / p[0].mean_pressure).ln()).collect();
+    let secants: Vec<f64> = points
+        .windows(2)
+        .zip(&widths)
+        .map(|(p, width)| (p[1].approach - p[0].approach) / width)
+        .collect();
+    let last = points.len() - 1;
+    let slope = |k: usize| {
+        if k == 0 {
+            return (HERTZ_EXPONENT * points[0].approach).min(3.0 * secants[0]);
+        }
+        if k == last {
+            let bend =
+                (secants[last - 1] - secants[last - 2]) / (widths[last - 1] + widths[last - 2]);
+            let end = secants[last - 1] + bend * widths[last - 1];
+            return end.clamp(0.0, 3.0 * secants[last - 1]);
+        }
+        let mean =
+            (widths[k] * secants[k - 1] + widths[k - 1] * secants[k]) / (widths[k - 1] + widths[k]);
+        mean.min(3.0 * secants[k - 1].min(secants[k]))
+    };
+    (0..=last).map(slope).collect()
+}
+
+impl LoadPoint {
+    /// Of a solution over a nominal area, in m².
+    fn of(solution: &RoughContactSolution, area: f64) -> Self {
+        Self {
+            mean_pressure: solution.load / area,
+            approach: solution.approach,
+            mean_gap: solution.mean_gap,
+            contact_fraction: solution.contact_area / area,
+            corrected_contact_fraction: solution.corrected_contact_area / area,
+            plastic_fraction: solution.plastic_area / area,
+            is_converged: solution.is_converged,
+            iterations: solution.iterations,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Points of a curve d(p), in contact between 0.1 % and all of it.
+    pub(super) fn points(approach: impl Fn(f64) -> f64) -> Vec<LoadPoint> {
+        let pressures = (0..=24).map(|k| 1e9 * 10_f64.powf(f64::from(k - 24) / 8.0));
+        let point = |mean_pressure: f64| LoadPoint {
+            mean_pressure,
+            approach: approach(mean_pressure),
+            mean_gap: 1e-6 - approach(mean_pressure),
+            contact_fraction: 0.3 * mean_pressure / 1e9,
+            corrected_contact_fraction: 0.3 * mean_pressure / 1e9,
+            plastic_fraction: 0.0,
+            is_converged: true,
+            iterations: 1,
+        };
+        pressures.map(point).collect()
+    }
+
+    /// Hertz 1882: the interpolation keeps d ∝ p^(2/3) between the points and below them.
+    #[test]
+    fn hertz_1882_between_the_points() {
+        let hertz = |p: f64| 1e-6 * (p / 1e9).powf(2.0 / 3.0);
+        let curve = LoadCurve::new(points(hertz)).unwrap();
+        for p in [1e3, 0.9e6, 1.01e6, 3.3e7, 7.7e8, 0.99e9, 1e9] {
+            let [approach, slope] = curve.approach(p);
+            assert_relative_eq!(approach, hertz(p), max_relative = 1e-3);
+            assert_relative_eq!(slope, 2.0 / 3.0 * hertz(p), max_relative = 2e-2);
+        }
+        assert_eq!(curve.approach(0.0), [0.0, 0.0]);
+        assert_relative_eq!(curve.contact_fraction(1e8), 0.03, max_relative = 1e-12);
+    }
+
+    /// An exponential is found with its length, from 1 to 20 % of contact.
+    #[test]
+    fn an_exponential_has_its_length() {
+        let curve = LoadCurve::new(points(|p| 3e-7 * (p / 1e5).ln())).unwrap();
+        let range = curve.exponential_range().unwrap();
+        assert_relative_eq!(range.length, 3e-7, max_relative = 1e-9);
+        assert!(range.deviation < 1e-9 && range.mean_pressure[0] > 3e7);
+        assert!(range.mean_pressure[1] < 0.67e9);
+    }
+
+    #[test]
+    fn a_curve_that_does_not_grow_is_refused() {
+        let message = LoadCurve::new(points(|_| 1e-6)).unwrap_err().to_string();
+        assert!(message.contains("must be positive and grow"), "{message}");
+        let few = points(|p| p)[..2].to_vec();
+        assert!(LoadCurve::new(few).is_err());
+    }
+}

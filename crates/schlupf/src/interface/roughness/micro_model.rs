@@ -1,0 +1,122 @@
+//! The micro model in one: surface in, k_c out.
+
+use super::load_curve::{ExponentialRange, LoadCurve, LoadCurveOptions, LoadPoint};
+use super::stiffness::{ContactStiffness, TYPICAL_GAMMA, closed_form};
+use super::tangential_curve::{SimilarBodies, TangentialCurve};
+use crate::error::{Error, require_positive};
+use crate::normal::rough_contact::{Boundary, RoughContact};
+use crate::surface::HeightMap;
+use crate::surface::statistics::Statistics;
+
+/// Two rough bodies.
+#[derive(Debug, Clone)]
+pub struct MicroModel {
+    /// Heights of both surfaces together, without form, continued periodically.
+    pub surface: HeightMap,
+    /// Contact modulus E*, in Pa.
+    pub contact_modulus: f64,
+    /// Friction and Poisson's ratio.
+    pub bodies: SimilarBodies,
+    /// Hardness of the softer body, in Pa; infinite for elastic bodies.
+    pub hardness: f64,
+    /// Mean pressures of the tangential curves, in Pa.
+    pub mean_pressures: Vec<f64>,
+}
+
+/// What the micro model finds.
+#[derive(Debug, Clone)]
+pub struct MicroModelResult {
+    /// Of the surface.
+    pub statistics: Statistics,
+    /// Approach over load.
+    pub normal: LoadCurve,
+    /// A curve for each mean pressure.
+    pub tangential: Vec<TangentialCurve>,
+    /// k_c.
+    pub stiffness: ContactStiffness,
+    /// Where the load grows exponentially, if the pressures reach it.
+    pub exponential: Option<ExponentialRange>,
+    /// γ = ℓ/h_rms of that range, dimensionless.
+    pub gamma: Option<f64>,
+    /// k_c = 2(1 − ν)/(μ(2 − ν) γ h_rms) with [`TYPICAL_GAMMA`], in 1/m.
+    pub closed_form: f64,
+}
+
+impl MicroModel {
+    /// Solves the normal contact over the load (`each` sees every point) and fits k_c.
+    pub fn solve(
+        &self,
+        options: &LoadCurveOptions,
+        each: &mut dyn FnMut(&LoadPoint),
+    ) -> Result<MicroModelResult, Error> {
+        self.bodies.check()?;
+        let statistics = Statistics::of(&self.surface)?;
+        for pressure in &self.mean_pressures {
+            require_positive("normal.pressure", *pressure, "Pa")?;
+        }
+        let largest = self.mean_pressures.iter().copied().fold(0.0, f64::max);
+        let distance = self.surface.distance_to_plane();
+        let contact = RoughContact::new(distance, self.contact_modulus, Boundary::Periodic)?;
+        let mut contact = contact.with_hardness(self.hardness)?;
+        let normal = LoadCurve::compute(&mut contact, largest, options, each)?;
+        MicroModelResult::new(statistics, normal, &self.bodies, &self.mean_pressures)
+    }
+}
+
+impl MicroModelResult {
+    /// From a normal contact that is solved: tangential curves at mean pressures (in Pa), and k_c.
+    pub fn new(
+        statistics: Statistics,
+        normal: LoadCurve,
+        bodies: &SimilarBodies,
+        mean_pressures: &[f64],
+    ) -> Result<Self, Error> {
+        let curve = |pressure: &f64| TangentialCurve::new(&normal, *pressure, bodies);
+        let tangential: Vec<TangentialCurve> =
+            mean_pressures.iter().map(curve).collect::<Result<_, _>>()?;
+        let stiffness = ContactStiffness::fit(&tangential).ok_or(Error::Contradiction {
+            quantity: "normal.pressure",
+            reason: "at least one mean pressure is needed".to_owned(),
+        })?;
+        let height = statistics.root_mean_square_height;
+        let exponential = normal.exponential_range();
+        Ok(Self {
+            statistics,
+            gamma: exponential.map(|range| range.length / height),
+            exponential,
+            normal,
+            tangential,
+            stiffness,
+            closed_form: closed_form(bodies, TYPICAL_GAMMA * height),
+        })
+    }
+}
+
+/// Local pressures (in Pa) that stand for a Hertzian patch of a largest pressure p0 (in Pa): below them
+/// one sixth, one half and five sixths of the load are carried. Of the load, (p/p0)³ is carried at
+/// pressures below p.
+pub fn pressures_of_patch(peak_pressure: f64) -> [f64; 3] {
+    [1.0, 3.0, 5.0].map(|sixths: f64| peak_pressure * (sixths / 6.0).cbrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Goal: the shares of the load, by summing the pressure p0 √(1 − r²) over rings of the patch.
+    #[test]
+    fn the_pressures_of_a_patch_divide_its_load() {
+        let rings: Vec<[f64; 2]> = (0..100_000)
+            .map(|k| (f64::from(k) + 0.5) / 1e5)
+            .map(|r| [(1.0 - r * r).sqrt(), (1.0 - r * r).sqrt() * r])
+            .collect();
+        let load: f64 = rings.iter().map(|[_, force]| force).sum();
+        for (pressure, share) in pressures_of_patch(1.0).into_iter().zip([1.0, 3.0, 5.0]) {
+            let below = rings.iter().filter(|[p, _]| *p < pressure);
+            let carried: f64 = below.map(|[_, force]| force).sum();
+            assert_relative_eq!(carried / load, share / 6.0, max_relative = 1e-3);
+        }
+    }
+}

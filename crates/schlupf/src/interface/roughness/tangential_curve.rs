@@ -1,0 +1,135 @@
+//! Tangential force over displacement of a rough contact, Figure 3 of Neuhaus and Sextro (2014).
+//!
+//! For similar elastic bodies with Coulomb friction in every spot, the traction under a tangential force
+//! Q is that of full sliding under P less that of full sliding under P*, whose contact still sticks
+//! (Ciavarella 1998, Int. J. Solids Struct. 35, 2349; Jäger 1998, Arch. Appl. Mech. 68, 23):
+//!
+//! Q = μ (P − P*),  u = μ c (d(P) − d(P*)),  c = (2 − ν)/(2 (1 − ν)).
+//!
+//! P* falls from P (all sticks) to 0 (all slides, at a finite displacement). Exact for ν = 0; else the
+//! small displacement across the force is neglected, and c is that of circular spots.
+
+use super::load_curve::LoadCurve;
+use crate::error::{Error, require, require_positive};
+
+/// Friction and elasticity of the two bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SimilarBodies {
+    /// Coefficient of friction μ, dimensionless.
+    pub friction_coefficient: f64,
+    /// Poisson's ratio ν of both bodies, dimensionless.
+    pub poisson_ratio: f64,
+}
+
+impl SimilarBodies {
+    /// Tangential over normal compliance c = (2 − ν)/(2 (1 − ν)), dimensionless (Mindlin 1949).
+    pub fn compliance_ratio(&self) -> f64 {
+        (2.0 - self.poisson_ratio) / (2.0 * (1.0 - self.poisson_ratio))
+    }
+
+    /// Checks that both are possible.
+    pub fn check(&self) -> Result<(), Error> {
+        require_positive("friction.coefficient", self.friction_coefficient, "")?;
+        let ratio = self.poisson_ratio;
+        let is_legal = (0.0..=0.5).contains(&ratio);
+        require(is_legal, "wheel.poisson_ratio", "between 0 and 0.5", ratio, "")
+    }
+}
+
+/// A point of the curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TangentialPoint {
+    /// Tangential displacement of the two bodies against each other, in m.
+    pub displacement: f64,
+    /// Tangential force over the nominal area, in Pa.
+    pub traction: f64,
+    /// The same over that of full sliding, Q/(μP), dimensionless.
+    pub normalised_traction: f64,
+    /// Displacement over that from which on all slides, dimensionless.
+    pub normalised_displacement: f64,
+    /// Slope of the traction, in Pa/m.
+    pub stiffness: f64,
+    /// Part of the displacement that comes from sliding of spots, u − q/k(0), in m.
+    pub micro_slip: f64,
+    /// Part of the contact that slides, dimensionless.
+    pub sliding_fraction: f64,
+}
+
+/// The curve at one mean pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TangentialCurve {
+    /// Mean pressure over the nominal area, in Pa.
+    pub mean_pressure: f64,
+    /// Traction of full sliding μp, in Pa.
+    pub limit: f64,
+    /// Displacement from which on all slides, in m.
+    pub full_sliding_displacement: f64,
+    /// Slope while all sticks, per area, in Pa/m.
+    pub initial_stiffness: f64,
+    /// From rest to full sliding, and one point beyond.
+    pub points: Vec<TangentialPoint>,
+}
+
+/// Points up to full sliding, and how far the last one lies beyond.
+const POINTS: usize = 100;
+const BEYOND: f64 = 1.25;
+
+impl TangentialCurve {
+    /// The curve at a mean pressure (in Pa) within those of the normal curve.
+    pub fn new(
+        normal: &LoadCurve,
+        mean_pressure: f64,
+        bodies: &SimilarBodies,
+    ) -> Result<Self, Error> {
+        bodies.check()?;
+        let largest = normal.largest_pressure();
+        let limit = format!("positive and at most {largest} Pa, the largest one computed");
+        let is_within = mean_pressure > 0.0 && mean_pressure <= largest * (1.0 + 1e-12);
+        require(is_within, "normal.pressure", &limit, mean_pressure, "Pa")?;
+        let factor = bodies.friction_coefficient * bodies.compliance_ratio();
+        let limit = bodies.friction_coefficient * mean_pressure;
+        let [approach, slope] = normal.approach(mean_pressure);
+        let mut curve = Self {
+            mean_pressure,
+            limit,
+            full_sliding_displacement: factor * approach,
+            initial_stiffness: limit / (factor * slope),
+            points: Vec::with_capacity(POINTS + 2),
+        };
+        let area = normal.contact_fraction(mean_pressure);
+        for k in 0..=POINTS {
+            // Even steps of the displacement of a sphere.
+            let share = (1.0 - k as f64 / POINTS as f64).powf(1.5);
+            let sticking = share * mean_pressure;
+            let [still, slope] = normal.approach(sticking);
+            let displacement = factor * (approach - still);
+            let stiffness = if share > 0.0 { limit * share / (factor * slope) } else { 0.0 };
+            let sliding_fraction = 1.0 - normal.contact_fraction(sticking) / area;
+            curve.push(displacement, 1.0 - share, stiffness, sliding_fraction);
+        }
+        curve.push(BEYOND * curve.full_sliding_displacement, 1.0, 0.0, 1.0);
+        Ok(curve)
+    }
+
+    fn push(&mut self, displacement: f64, share: f64, stiffness: f64, sliding_fraction: f64) {
+        let traction = share * self.limit;
+        self.points.push(TangentialPoint {
+            displacement,
+            traction,
+            normalised_traction: share,
+            normalised_displacement: displacement / self.full_sliding_displacement,
+            stiffness,
+            micro_slip: displacement - traction / self.initial_stiffness,
+            sliding_fraction,
+        });
+    }
+
+    /// Q/(μP) (dimensionless) at a displacement (in m), between the points in straight lines.
+    pub fn normalised_traction(&self, displacement: f64) -> f64 {
+        let above = self.points.partition_point(|point| point.displacement < displacement);
+        let Some(high) = self.points.get(above) else { return 1.0 };
+        let Some(low) = above.checked_sub(1).map(|below| &self.points[below]) else { return 0.0 };
+        let t = (displacement - low.displacement) / (high.displacement - low.displacement);
+        low.normalised_traction + t * (high.normalised_traction - low.normalised_traction)
+    }
+}

@@ -1,0 +1,52 @@
+//! A normal contact under another load than its own.
+
+use std::sync::Arc;
+
+use super::{NormalContact, PressureSource};
+use crate::error::{Error, require_positive};
+
+/// A source of pressure whose own load is another one.
+#[derive(Debug, Clone)]
+pub struct AtLoad {
+    source: Arc<dyn PressureSource>,
+    load: f64,
+}
+
+impl AtLoad {
+    /// The source under a load N, in N; the patch grows as the source says.
+    pub fn new(source: Arc<dyn PressureSource>, load: f64) -> Result<Self, Error> {
+        require_positive("normal.load", load, "N")?;
+        Ok(Self { source, load })
+    }
+}
+
+impl PressureSource for AtLoad {
+    fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
+        self.source.normal_contact(load.or(Some(self.load)))
+    }
+
+    fn growth(&self) -> Option<f64> {
+        self.source.growth()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::hertz::{Hertz, Radii};
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Hertz 1882: eight times the load, twice the length.
+    #[test]
+    fn hertz_1882_grows_with_the_cubic_root() {
+        let round = Radii { x: 0.5, y: 0.5 };
+        let flat = Radii { x: f64::INFINITY, y: f64::INFINITY };
+        let own: Arc<dyn PressureSource> = Arc::new(Hertz::new(round, flat, 1e11, 1e4).unwrap());
+        let size =
+            |source: &dyn PressureSource| source.normal_contact(None).unwrap().summary.semi_axis_x;
+        let heavier = AtLoad::new(Arc::clone(&own), 8e4).unwrap();
+        assert_relative_eq!(size(&heavier), 2.0 * size(&*own), max_relative = 1e-12);
+        assert_eq!(heavier.normal_contact(Some(1e4)).unwrap().summary.load, 1e4);
+        assert!(AtLoad::new(own, 0.0).is_err());
+    }
+}

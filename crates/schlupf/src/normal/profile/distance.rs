@@ -1,0 +1,171 @@
+//! Undeformed distance of two bodies: given at points, cubic in between.
+//!
+//! Between two points the distance is Hermite's cubic with the slopes of the parabolas through three
+//! neighbours (Bessel): exact for parabolas on any spacing, with an error of third order in the spacing
+//! elsewhere, and it does not swing beyond two intervals. On equidistant points these are the cubics of
+//! Catmull and Rom (1974).
+
+use super::interpolation::{Weights, weights_at};
+use crate::error::{Error, require_positive};
+
+/// Undeformed distance of two bodies (profile of the wheel less that of the rail) around their contact.
+/// Only differences count, so it may be measured from anywhere.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UndeformedDistance {
+    pub(super) shape: Shape,
+}
+
+/// How it is given.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Shape {
+    /// d(y) + x²/(2R).
+    Across { y: Vec<f64>, distance: Vec<f64>, radius: f64 },
+    /// On the points x × y, rows along x.
+    Lattice { x: Vec<f64>, y: Vec<f64>, distance: Vec<f64> },
+}
+
+/// Points in each direction: fewer make no shape.
+const FEWEST: usize = 4;
+
+/// What a line along which the distance is given must have.
+const ASCENDING: &str = "ascending positions";
+
+impl UndeformedDistance {
+    /// From the distance across at x = 0, `distance` (in m) at the positions `y` (in m, ascending), and the
+    /// relative radius of rolling R (in m), 1/R = 1/R_wheel + 1/R_rail: d(y) + x²/(2R).
+    pub fn across(y: Vec<f64>, distance: Vec<f64>, relative_radius: f64) -> Result<Self, Error> {
+        require_positive("wheel.radius_x", relative_radius, "m")?;
+        check_positions("y", &y)?;
+        check_values(&distance, y.len())?;
+        Ok(Self { shape: Shape::Across { y, distance, radius: relative_radius } })
+    }
+
+    /// From the distance (in m) at the positions `x` × `y` (in m, ascending), rows along x: the value at
+    /// (i, j) is `distance[j * x.len() + i]`.
+    pub fn on_lattice(x: Vec<f64>, y: Vec<f64>, distance: Vec<f64>) -> Result<Self, Error> {
+        check_positions("x", &x)?;
+        check_positions("y", &y)?;
+        check_values(&distance, x.len() * y.len())?;
+        Ok(Self { shape: Shape::Lattice { x, y, distance } })
+    }
+
+    /// The rectangle on which the distance is known, in m; without end along x where only a profile
+    /// across is given.
+    pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
+        let ends = |v: &[f64]| [v[0], v[v.len() - 1]];
+        match &self.shape {
+            Shape::Across { y, .. } => [[f64::NEG_INFINITY, f64::INFINITY], ends(y)],
+            Shape::Lattice { x, y, .. } => [ends(x), ends(y)],
+        }
+    }
+
+    /// Distance (in m) at the positions `x` × `y` (in m), rows along x.
+    pub(super) fn sample(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
+        match &self.shape {
+            Shape::Across { y: nodes, distance, radius } => {
+                let rolling: Vec<f64> = x.iter().map(|x| 0.5 * x * x / radius).collect();
+                let across = y.iter().map(|y| weights_at(nodes, *y).apply(|j| distance[j]));
+                across.flat_map(|d| rolling.iter().map(move |r| d + r)).collect()
+            }
+            Shape::Lattice { x: columns, y: rows, distance } => {
+                let along: Vec<Weights> = x.iter().map(|x| weights_at(columns, *x)).collect();
+                let across = y.iter().map(|y| weights_at(rows, *y));
+                let lines = across.map(|weights| -> Vec<f64> {
+                    let at = |i: usize| weights.apply(|j| distance[j * columns.len() + i]);
+                    (0..columns.len()).map(at).collect()
+                });
+                lines
+                    .flat_map(|line| along.iter().map(|w| w.apply(|i| line[i])).collect::<Vec<_>>())
+                    .collect()
+            }
+        }
+    }
+
+    /// Smallest distance at a given point, in m.
+    pub(super) fn lowest(&self) -> f64 {
+        let (Shape::Across { distance, .. } | Shape::Lattice { distance, .. }) = &self.shape;
+        distance.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+}
+
+fn invalid(requirement: String, value: String) -> Error {
+    Error::Invalid { quantity: "normal.file", requirement, value }
+}
+
+fn check_positions(name: &str, positions: &[f64]) -> Result<(), Error> {
+    if positions.len() < FEWEST {
+        return Err(invalid(
+            format!("a file with at least {FEWEST} values of {name}"),
+            format!("one with {}", positions.len()),
+        ));
+    }
+    let is_ascending = |pair: &[f64]| pair[0] < pair[1] && (pair[1] - pair[0]).is_finite();
+    match positions.windows(2).find(|pair| !is_ascending(pair)) {
+        None => Ok(()),
+        Some(pair) => Err(invalid(
+            format!("a file with {ASCENDING} {name}"),
+            format!("one with {} m after {} m", pair[1], pair[0]),
+        )),
+    }
+}
+
+fn check_values(distance: &[f64], count: usize) -> Result<(), Error> {
+    if distance.len() != count {
+        let found = distance.len();
+        return Err(invalid(format!("a file of {count} distances"), format!("one of {found}")));
+    }
+    match distance.iter().position(|d| !d.is_finite()) {
+        None => Ok(()),
+        Some(k) => Err(invalid(
+            "a file of finite distances".to_owned(),
+            format!("one with {} m in place {k}", distance[k]),
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Both ways to give a parabola are exact, between the points and up to the edge.
+    #[test]
+    fn a_parabola_is_exact() {
+        let y: Vec<f64> = (0..9).map(|k| 1e-3 * (f64::from(k) + 0.2 * f64::from(k % 3))).collect();
+        let x: Vec<f64> = (0..7).map(|k| 2e-3 * f64::from(k) - 6e-3).collect();
+        let across = |y: f64| 3e-6 - 2e-3 * y + 1.5 * y * y;
+        let radius = 0.4;
+        let plane = |x: f64, y: f64| across(y) + 0.5 * x * x / radius;
+        let line = y.iter().map(|y| across(*y)).collect();
+        let field = y.iter().flat_map(|y| x.iter().map(|x| plane(*x, *y))).collect();
+        let places = ([-5.7e-3, 0.1e-3, 3.3e-3], [y[0], 0.3e-3, 4.4e-3, y[8]]);
+        for distance in [
+            UndeformedDistance::across(y.clone(), line, radius).unwrap(),
+            UndeformedDistance::on_lattice(x, y, field).unwrap(),
+        ] {
+            let values = distance.sample(&places.0, &places.1);
+            for (k, value) in values.iter().enumerate() {
+                let expected = plane(places.0[k % 3], places.1[k / 3]);
+                assert_relative_eq!(*value, expected, max_relative = 1e-12, epsilon = 1e-18);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_shape_is_refused_by_name() {
+        let y = vec![0.0, 1.0, 2.0, 3.0];
+        let across =
+            |y: &[f64], d: &[f64], r: f64| UndeformedDistance::across(y.to_vec(), d.to_vec(), r);
+        let cases = [
+            (across(&y[..3], &y[..3], 1.0), "at least 4 values of y, but is one with 3"),
+            (across(&[0.0, 2.0, 1.0, 3.0], &y, 1.0), "ascending positions y, but is one with 1 m"),
+            (across(&y, &y[..3], 1.0), "4 distances, but is one of 3"),
+            (across(&y, &[0.0, 1.0, f64::NAN, 0.0], 1.0), "NaN m in place 2"),
+            (across(&y, &y, -1.0), "wheel.radius_x must be positive"),
+        ];
+        for (result, expected) in cases {
+            let message = result.unwrap_err().to_string();
+            assert!(message.contains(expected), "{message}");
+        }
+    }
+}

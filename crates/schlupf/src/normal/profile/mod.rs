@@ -1,0 +1,146 @@
+//! Pressure from the shape of both bodies: a wheel's profile over that of a rail, new or worn.
+//!
+//! The undeformed distance h(x, y) of the bodies and their load N make a normal contact of two elastic
+//! half-spaces, gap = h + u − δ ≥ 0, p ≥ 0, gap p = 0, ∫ p dA = N, which [`super::rough_contact`] solves on
+//! cells. The patch may have any shape and several separate parts.
+//!
+//! The contact is first looked for on a coarse lattice, from a rectangle that surely holds it inwards; then
+//! it is solved on a lattice of [`Profile::DEFAULT_CELLS`] cells across it, along x and y. The
+//! pressure of that lattice is used as a [`PressureTable`]. On a Hertzian contact with the default, semi-axes,
+//! peak pressure, approach and creep forces are within 0.3 % of the exact ones.
+//!
+//! The origin of the contact frame is the middle of the rectangle that the patch spans under the source's own
+//! load, and stays there when the load changes. Semi-axes are half the sides of that rectangle.
+//!
+//! Limits: half-spaces, and one tangent plane for all parts of the patch (no flange with a steep contact
+//! angle, no conformal throat); tangential tractions do not change the pressure (similar materials). Between the
+//! points of a file the distance is cubic; roughness and rounding in it are part of the shape, and show in the
+//! pressure: a wave of amplitude Δ and length λ makes one of π E* Δ/λ.
+
+mod distance;
+mod interpolation;
+mod search;
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::hertz::curvature_sum;
+use super::tabulated::PressureTable;
+use super::{NormalContact, NormalSummary, Pressure, PressureSource};
+use crate::error::{Error, require, require_positive};
+use crate::grid::Extent;
+
+pub use distance::UndeformedDistance;
+
+use search::{Search, Solved};
+
+/// Contact of two bodies of given shape under a load.
+#[derive(Debug)]
+pub struct Profile {
+    distance: UndeformedDistance,
+    contact_modulus: f64,
+    load: f64,
+    cells: usize,
+    /// Loads that were solved, in N, and their contacts, the latest last.
+    solved: Mutex<Vec<(f64, Placed)>>,
+}
+
+/// A solved contact in the coordinates of the distance.
+#[derive(Debug, Clone)]
+struct Placed {
+    approach: f64,
+    extent: Extent,
+    table: Arc<PressureTable>,
+}
+
+/// A history may come back to so many loads without solving them again.
+const KEPT: usize = 256;
+
+/// Cells across a contact: less is no shape, more takes too long.
+const CELLS_RANGE: [usize; 2] = [16, 512];
+
+impl Profile {
+    /// Cells across the contact each way that are enough for a smooth profile.
+    pub const DEFAULT_CELLS: usize = 128;
+
+    /// From the undeformed distance, the contact modulus E* (in Pa), the load (in N), and the number of cells across
+    /// the contact each way on which it is solved.
+    pub fn new(
+        distance: UndeformedDistance,
+        contact_modulus: f64,
+        load: f64,
+        cells: usize,
+    ) -> Result<Self, Error> {
+        require_positive("normal.load", load, "N")?;
+        require_positive("wheel.young_modulus", contact_modulus, "Pa")?;
+        let [least, most] = CELLS_RANGE;
+        let range = format!("between {least} and {most}");
+        require((least..=most).contains(&cells), "normal.cells", &range, cells as f64, "cells")?;
+        Ok(Self { distance, contact_modulus, load, cells, solved: Mutex::default() })
+    }
+
+    fn contact(&self, load: f64) -> Result<Placed, Error> {
+        let known = self.kept().iter().find(|(at, _)| *at == load).map(|(_, c)| c.clone());
+        if let Some(contact) = known {
+            return Ok(contact);
+        }
+        let search = Search {
+            distance: &self.distance,
+            contact_modulus: self.contact_modulus,
+            load,
+            cells: self.cells,
+        };
+        let contact = placed(search.solve()?)?;
+        let mut kept = self.kept();
+        if kept.len() >= KEPT {
+            kept.remove(0);
+        }
+        kept.push((load, contact.clone()));
+        Ok(contact)
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Vec<(f64, Placed)>> {
+        // Whole entries are put in and taken out, so whoever failed left nothing half done.
+        self.solved.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// 1/R = 1/R_wheel + 1/R_rail (in m) from the radii along rolling of wheel and rail (in m): positive where convex,
+/// negative where concave, infinite where flat.
+pub fn relative_radius(radii: [f64; 2]) -> Result<f64, Error> {
+    let radii = [("wheel.radius_x", radii[0]), ("rail.radius_x", radii[1])];
+    let curvature = curvature_sum(radii, "along rolling (wheel.radius_x, rail.radius_x)")?;
+    Ok(curvature.recip())
+}
+
+fn placed(solved: Solved) -> Result<Placed, Error> {
+    let Solved { x, y, pressure, approach } = solved;
+    let table = PressureTable::where_it_is(&x, &y, pressure)?;
+    Ok(Placed { approach, extent: table.extent(), table: Arc::new(table) })
+}
+
+impl PressureSource for Profile {
+    fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
+        let load = load.unwrap_or(self.load);
+        require_positive("normal.load", load, "N")?;
+        let own = self.contact(self.load)?.extent;
+        let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
+        let origin = [middle(own.x), middle(own.y)];
+        let Placed { approach, extent, table } = self.contact(load)?;
+        let half = |[from, to]: [f64; 2]| 0.5 * (to - from);
+        let summary = NormalSummary {
+            load,
+            semi_axis_x: half(extent.x),
+            semi_axis_y: half(extent.y),
+            peak_pressure: table.peak(),
+            approach: Some(approach),
+            origin: Some(origin),
+            parts: table.parts(),
+        };
+        let table = Arc::new(table.seen_from(origin));
+        Ok(NormalContact { summary, pressure: Pressure::Tabulated(table, 1.0) })
+    }
+
+    fn growth(&self) -> Option<f64> {
+        None
+    }
+}

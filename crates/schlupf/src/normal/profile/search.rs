@@ -1,0 +1,419 @@
+//! Where the bodies touch, and the pressure there.
+
+use super::distance::{Shape, UndeformedDistance};
+use crate::error::Error;
+use crate::normal::rough_contact::{
+    Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
+};
+use crate::surface::{HeightMap, Lattice};
+
+/// What is solved.
+pub(super) struct Search<'a> {
+    pub distance: &'a UndeformedDistance,
+    /// E*, in Pa.
+    pub contact_modulus: f64,
+    /// N, in N.
+    pub load: f64,
+    /// Across the contact each way.
+    pub cells: usize,
+}
+
+/// A pressure on equidistant positions, in the coordinates of the distance.
+pub(super) struct Solved {
+    /// In m.
+    pub x: Vec<f64>,
+    /// In m.
+    pub y: Vec<f64>,
+    /// Rows along x, in Pa.
+    pub pressure: Vec<f64>,
+    /// In m.
+    pub approach: f64,
+}
+
+/// Side of a rectangle, from and to, in m.
+type Side = [f64; 2];
+
+/// A rectangle: its sides along x and y.
+type Rectangle = [Side; 2];
+
+/// A contact solved on a rectangle.
+struct Pressed {
+    lattice: Lattice,
+    rectangle: Rectangle,
+    solution: RoughContactSolution,
+    /// h in each cell, in m.
+    distance: Vec<f64>,
+}
+
+/// What a body carries at the least over E* δ √A, dimensionless.
+const LEAST_CARRIED: f64 = 0.3;
+
+/// Cells each way of the lattices on which the contact is looked for.
+const COARSE: usize = 64;
+
+/// Looking for the contact ends when it takes this part of the rectangle each way, dimensionless.
+const TIGHT: f64 = 0.5;
+
+/// Rounds in which rectangles close in on the contact; each may shrink by more than ten.
+const MOST_ROUNDS: usize = 24;
+
+/// Where several parts lie side by side there are more cells, so that the widest one has as many as a single
+/// contact would; but not more than so many times as many each way.
+const MOST_REFINED: f64 = 4.0;
+
+const SEARCHING: RoughContactOptions = RoughContactOptions { tolerance: 1e-4, max_iterations: 300 };
+const SOLVING: RoughContactOptions = RoughContactOptions { tolerance: 1e-8, max_iterations: 1000 };
+
+impl Search<'_> {
+    pub fn solve(&self) -> Result<Solved, Error> {
+        let (mut touched, widest) = self.locate()?;
+        let mut rectangle = touched.map(|side| padded(side, 2.0 * length(side) / COARSE as f64));
+        for _ in 0..MOST_ROUNDS {
+            rectangle = self.within_bounds(rectangle);
+            let cells = [0, 1].map(|k| {
+                let parts = (length(touched[k]) / widest[k]).clamp(1.0, MOST_REFINED);
+                let spacing = length(touched[k]) / (parts * self.cells as f64);
+                (length(rectangle[k]) / spacing).ceil() as usize
+            });
+            let pressed = self.press(rectangle, cells, &SOLVING)?;
+            pressed.require_convergence()?;
+            let (again, missed) = (pressed.touched(), self.pressed_in_outside(&pressed));
+            let next = self.widened(rectangle, again, missed);
+            if next == rectangle {
+                self.refuse_edge(&pressed, again)?;
+                return Ok(pressed.solved());
+            }
+            (touched, rectangle) = (again, next);
+        }
+        Err(lost(rectangle))
+    }
+
+    /// The rectangle that the contact spans, to a few hundredths of its sides, and the width along x and y of
+    /// its widest part.
+    fn locate(&self) -> Result<(Rectangle, [f64; 2]), Error> {
+        let mut rectangle = self.within_bounds(self.overlap(self.greatest_approach()));
+        // Parts that a lattice so coarse may pass over.
+        let mut beside: Option<Rectangle> = None;
+        for _ in 0..MOST_ROUNDS {
+            let pressed = self.press(rectangle, [COARSE; 2], &SEARCHING)?;
+            let missed = self.pressed_in_outside(&pressed);
+            beside = union(beside, missed);
+            let touched = beside.map_or(pressed.touched(), |r| joined(pressed.touched(), r));
+            let next = self.widened(rectangle, touched, missed);
+            let is_tight = (0..2).all(|k| length(touched[k]) >= TIGHT * length(rectangle[k]));
+            if next == rectangle && is_tight {
+                self.refuse_edge(&pressed, touched)?;
+                return Ok((touched, pressed.widest_parts()));
+            }
+            rectangle = if next == rectangle {
+                let cells = [pressed.lattice.spacing_x, pressed.lattice.spacing_y];
+                let pad = |k: usize| cells[k] + 0.1 * length(touched[k]);
+                self.within_bounds([0, 1].map(|k| padded(touched[k], pad(k))))
+            } else {
+                next
+            };
+        }
+        Err(lost(rectangle))
+    }
+
+    /// An approach (in m) that is hardly less than that under the load, and not much more.
+    ///
+    /// With the area A that lies within δ of first contact, a flat punch carries 1.1 E* δ √A, a sphere half as
+    /// much, a cone 0.36 E* δ √A.
+    fn greatest_approach(&self) -> f64 {
+        let [_, across] = self.distance.bounds();
+        let carries = |approach: f64| {
+            LEAST_CARRIED * self.contact_modulus * approach * self.area(approach).sqrt()
+        };
+        let mut approach = 1e-6 * self.load / (self.contact_modulus * length(across));
+        while carries(approach) < self.load && approach < length(across) {
+            approach *= 1.5;
+        }
+        approach
+    }
+
+    /// Area within an approach (in m) of first contact, in m².
+    fn area(&self, approach: f64) -> f64 {
+        let level = self.distance.lowest() + approach;
+        match &self.distance.shape {
+            Shape::Across { y, distance, radius } => {
+                let chord = |d: f64| 2.0 * (2.0 * radius * (level - d).max(0.0)).sqrt();
+                distance.iter().enumerate().map(|(j, d)| chord(*d) * share(y, j)).sum()
+            }
+            Shape::Lattice { x, y, distance } => {
+                let cell = |k: usize| share(x, k % x.len()) * share(y, k / x.len());
+                (0..distance.len()).filter(|k| distance[*k] < level).map(cell).sum()
+            }
+        }
+    }
+
+    /// The rectangle that holds all points within an approach (in m) of first contact. The contact lies in it,
+    /// because pressure moves the surfaces apart everywhere.
+    fn overlap(&self, approach: f64) -> Rectangle {
+        let level = self.distance.lowest() + approach;
+        match &self.distance.shape {
+            Shape::Across { y, distance, radius } => {
+                let half = (2.0 * radius * approach).sqrt();
+                [[-half, half], spanned(y, |j| distance[j] < level)]
+            }
+            Shape::Lattice { x, y, distance } => {
+                let n = x.len();
+                let column = |i: usize| (0..y.len()).any(|j| distance[j * n + i] < level);
+                let row = |j: usize| (0..n).any(|i| distance[j * n + i] < level);
+                [spanned(x, column), spanned(y, row)]
+            }
+        }
+    }
+
+    fn within_bounds(&self, rectangle: Rectangle) -> Rectangle {
+        let bounds = self.distance.bounds();
+        [0, 1].map(|k| [rectangle[k][0].max(bounds[k][0]), rectangle[k][1].min(bounds[k][1])])
+    }
+
+    fn press(
+        &self,
+        rectangle: Rectangle,
+        cells: [usize; 2],
+        options: &RoughContactOptions,
+    ) -> Result<Pressed, Error> {
+        let [columns, rows] = cells;
+        let lattice = Lattice {
+            columns,
+            rows,
+            spacing_x: length(rectangle[0]) / columns as f64,
+            spacing_y: length(rectangle[1]) / rows as f64,
+        };
+        let [x, y] = positions(&lattice, rectangle);
+        let distance = self.distance.sample(&x, &y);
+        let map = HeightMap::new(lattice, distance.clone())?;
+        let mut contact = RoughContact::new(map, self.contact_modulus, Boundary::Free)?;
+        let solution = contact.solve(self.load, options)?;
+        Ok(Pressed { lattice, rectangle, solution, distance })
+    }
+
+    /// The rectangle grown to where the contact goes on; itself where it holds all of the contact.
+    fn widened(
+        &self,
+        rectangle: Rectangle,
+        touched: Rectangle,
+        missed: Option<Rectangle>,
+    ) -> Rectangle {
+        let bounds = self.distance.bounds();
+        let grown = [0, 1].map(|k| {
+            let [mut from, mut to] = rectangle[k];
+            let more = 0.5 * length(rectangle[k]);
+            if touched[k][0] <= from && from > bounds[k][0] {
+                from -= more;
+            }
+            if touched[k][1] >= to && to < bounds[k][1] {
+                to += more;
+            }
+            [from, to]
+        });
+        self.within_bounds(missed.map_or(grown, |missed| joined(grown, missed)))
+    }
+
+    /// The rectangle of the given points outside of the lattice at which the bodies would overlap.
+    fn pressed_in_outside(&self, pressed: &Pressed) -> Option<Rectangle> {
+        let level = pressed.level();
+        let forces = pressed.forces();
+        let [columns, rows] = pressed.rectangle;
+        let is_outside =
+            |x: f64, y: f64| x < columns[0] || x > columns[1] || y < rows[0] || y > rows[1];
+        let over = (std::f64::consts::PI * self.contact_modulus).recip();
+        let is_pressed_in = |x: f64, y: f64, distance: f64| {
+            if distance >= level || !is_outside(x, y) {
+                return false;
+            }
+            let moved: f64 = forces.iter().map(|[fx, fy, f]| f / (x - fx).hypot(y - fy)).sum();
+            distance + over * moved < level - NEGLIGIBLE * pressed.solution.approach
+        };
+        match &self.distance.shape {
+            Shape::Across { y, distance, .. } => {
+                let is_hit: Vec<bool> =
+                    (0..y.len()).map(|j| is_pressed_in(0.0, y[j], distance[j])).collect();
+                let is_any = is_hit.iter().any(|hit| *hit);
+                is_any.then(|| [columns, spanned(y, |j| is_hit[j])])
+            }
+            Shape::Lattice { x, y, distance } => {
+                let n = x.len();
+                let is_hit: Vec<bool> = (0..distance.len())
+                    .map(|k| is_pressed_in(x[k % n], y[k / n], distance[k]))
+                    .collect();
+                let is_any = is_hit.iter().any(|hit| *hit);
+                let column = |i: usize| (0..y.len()).any(|j| is_hit[j * n + i]);
+                let row = |j: usize| (0..n).any(|i| is_hit[j * n + i]);
+                is_any.then(|| [spanned(x, column), spanned(y, row)])
+            }
+        }
+    }
+
+    /// Refuses a contact that reaches to where the distance is not known any more.
+    fn refuse_edge(&self, pressed: &Pressed, touched: Rectangle) -> Result<(), Error> {
+        let bounds = self.distance.bounds();
+        for (k, name) in ["x", "y"].into_iter().enumerate() {
+            for end in 0..2 {
+                let edge = bounds[k][end];
+                let is_there = pressed.rectangle[k][end] == edge && touched[k][end] == edge;
+                if is_there {
+                    return Err(Error::Contradiction {
+                        quantity: "normal.file",
+                        reason: format!(
+                            "under {} N the contact reaches the edge of the distance that is given, at {name} = \
+                             {:.6} mm: it must go on until the bodies are clear of each other (or its sign is \
+                             wrong: it is wheel minus rail, largest where they are farthest apart)",
+                            self.load,
+                            1e3 * edge
+                        ),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What overlaps outside of the lattice by less than this part of the approach carries nothing that would be
+/// seen.
+const NEGLIGIBLE: f64 = 1e-3;
+
+impl Pressed {
+    /// The rectangle of the cells in contact. Its sides are exactly those of the lattice where it reaches them.
+    fn touched(&self) -> Rectangle {
+        let Lattice { columns, rows, .. } = self.lattice;
+        let is_contact = |i: usize, j: usize| self.solution.pressure[j * columns + i] > 0.0;
+        let counts = [columns, rows];
+        let is_line = [
+            (0..columns).map(|i| (0..rows).any(|j| is_contact(i, j))).collect::<Vec<_>>(),
+            (0..rows).map(|j| (0..columns).any(|i| is_contact(i, j))).collect(),
+        ];
+        [0, 1].map(|k| {
+            let [from, to] = self.rectangle[k];
+            let first = is_line[k].iter().position(|is| *is).unwrap_or(0);
+            let end = is_line[k].iter().rposition(|is| *is).unwrap_or(0) + 1;
+            let at = |edge: usize| {
+                if edge == counts[k] {
+                    to
+                } else {
+                    from + (to - from) * edge as f64 / counts[k] as f64
+                }
+            };
+            [at(first), at(end)]
+        })
+    }
+
+    /// Longest run of lines along x and along y that the contact takes without a break, in m.
+    fn widest_parts(&self) -> [f64; 2] {
+        let Lattice { columns, rows, spacing_x, spacing_y } = self.lattice;
+        let is_contact = |i: usize, j: usize| self.solution.pressure[j * columns + i] > 0.0;
+        let longest = |count: usize, is_line: &dyn Fn(usize) -> bool| {
+            let runs = (0..count).scan(0_usize, |run, k| {
+                *run = if is_line(k) { *run + 1 } else { 0 };
+                Some(*run)
+            });
+            runs.max().unwrap_or(0) as f64
+        };
+        let column = |i: usize| (0..rows).any(|j| is_contact(i, j));
+        let row = |j: usize| (0..columns).any(|i| is_contact(i, j));
+        [spacing_x * longest(columns, &column), spacing_y * longest(rows, &row)]
+    }
+
+    /// δ on the scale of the distance, in m.
+    fn level(&self) -> f64 {
+        self.solution.approach + self.distance.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The pressure as forces (in N) at places x and y (in m), one for each block of cells that carries.
+    fn forces(&self) -> Vec<[f64; 3]> {
+        let Lattice { columns, rows, .. } = self.lattice;
+        let [x, y] = positions(&self.lattice, self.rectangle);
+        let block = [columns, rows].map(|count| count.div_ceil(BLOCKS));
+        let mut forces = vec![[0.0; 3]; BLOCKS * BLOCKS];
+        for (k, pressure) in self.solution.pressure.iter().enumerate() {
+            let (i, j) = (k % columns, k / columns);
+            let force = pressure * self.lattice.cell_area();
+            let sums = &mut forces[j / block[1] * BLOCKS + i / block[0]];
+            for (sum, add) in sums.iter_mut().zip([force * x[i], force * y[j], force]) {
+                *sum += add;
+            }
+        }
+        let carrying = forces.into_iter().filter(|[_, _, force]| *force > 0.0);
+        carrying.map(|[x, y, force]| [x / force, y / force, force]).collect()
+    }
+
+    fn require_convergence(&self) -> Result<(), Error> {
+        if self.solution.is_converged {
+            return Ok(());
+        }
+        Err(Error::NotConverged {
+            quantity: "normal.file",
+            reason: format!(
+                "the normal contact does not converge: after {} iterations its residual is {:.1e}, above {:.1e}",
+                self.solution.iterations, self.solution.residual, SOLVING.tolerance
+            ),
+        })
+    }
+
+    fn solved(self) -> Solved {
+        let [x, y] = positions(&self.lattice, self.rectangle);
+        let RoughContactSolution { pressure, approach, .. } = self.solution;
+        Solved { x, y, pressure, approach }
+    }
+}
+
+/// Blocks of cells each way, whose forces act as one far away.
+const BLOCKS: usize = 16;
+
+/// Middles of the columns and rows of a lattice on a rectangle, in m.
+fn positions(lattice: &Lattice, rectangle: Rectangle) -> [Vec<f64>; 2] {
+    let middle = |side: Side| 0.5 * (side[0] + side[1]);
+    [
+        (0..lattice.columns).map(|i| middle(rectangle[0]) + lattice.x(i)).collect(),
+        (0..lattice.rows).map(|j| middle(rectangle[1]) + lattice.y(j)).collect(),
+    ]
+}
+
+fn length(side: Side) -> f64 {
+    side[1] - side[0]
+}
+
+/// The smallest rectangle that holds both.
+fn joined(p: Rectangle, q: Rectangle) -> Rectangle {
+    [0, 1].map(|k| [p[k][0].min(q[k][0]), p[k][1].max(q[k][1])])
+}
+
+fn union(p: Option<Rectangle>, q: Option<Rectangle>) -> Option<Rectangle> {
+    match (p, q) {
+        (Some(p), Some(q)) => Some(joined(p, q)),
+        _ => p.or(q),
+    }
+}
+
+fn padded(side: Side, by: f64) -> Side {
+    [side[0] - by, side[1] + by]
+}
+
+/// Length that a point stands for, in its unit.
+fn share(points: &[f64], k: usize) -> f64 {
+    let (before, after) = (k.saturating_sub(1), (k + 1).min(points.len() - 1));
+    0.5 * (points[after] - points[before])
+}
+
+/// From the point before the first one that counts to the one after the last.
+fn spanned(points: &[f64], counts: impl Fn(usize) -> bool) -> Side {
+    let first = (0..points.len()).position(&counts).unwrap_or(0);
+    let last = (0..points.len()).rposition(&counts).unwrap_or(0);
+    [points[first.saturating_sub(1)], points[(last + 1).min(points.len() - 1)]]
+}
+
+fn lost(rectangle: Rectangle) -> Error {
+    let [x, y] = rectangle.map(|side| side.map(|at| 1e3 * at));
+    Error::NotConverged {
+        quantity: "normal.file",
+        reason: format!(
+            "the contact was not found in {MOST_ROUNDS} rounds; the last one looked at x = {:.6} to {:.6} mm, y = \
+             {:.6} to {:.6} mm",
+            x[0], x[1], y[0], y[1]
+        ),
+    }
+}

@@ -1,0 +1,198 @@
+//! Normal contact of two elastic bodies of any shape: rough surfaces, or profiles of wheel and rail.
+//!
+//! With the undeformed distance h(x, y), the displacement u = S p of both bodies and the approach δ,
+//!
+//! gap g = h + u − δ ≥ 0,  p ≥ 0,  g p = 0,  ∫ p dA = N.
+//!
+//! That is the minimum of ½ pᵀSp + pᵀh under p ≥ 0 and the load, found by conjugate gradients with
+//! constraints (Polonsky and Keer 1999, Wear 231, 206), which are preconditioned (Vollebregt 2014, J.
+//! Tribol. 136, 021402) and kept when the contact changes; see `conjugate_gradients.rs`. With a hardness
+//! H also p ≤ H, and where p = H the material yields, g ≤ 0 being the depth that is flattened
+//! (elastic–perfectly plastic cut-off; Almqvist et al. 2007, J. Tribol. 129, 306).
+//!
+//! Limits: half-spaces, slopes small against one, no friction in the normal problem.
+
+mod area;
+mod compliance;
+mod conjugate_gradients;
+
+use crate::error::{Error, require, require_positive};
+use crate::surface::{HeightMap, Lattice};
+
+use compliance::NormalCompliance;
+use conjugate_gradients::{Equilibrium, Outcome};
+
+/// What lies around the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Boundary {
+    /// The same surface again and again: a piece of a large rough surface.
+    Periodic,
+    /// Nothing: all of a contact, such as a sphere or the patch of wheel and rail.
+    Free,
+}
+
+/// How exactly to solve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoughContactOptions {
+    /// Relative error of the energy to reach, dimensionless; in practice that of the pressure.
+    pub tolerance: f64,
+    /// Most iterations.
+    pub max_iterations: usize,
+}
+
+impl Default for RoughContactOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-6, max_iterations: 500 }
+    }
+}
+
+/// Two bodies that can be pressed together. Each solution starts from the one before.
+#[derive(Debug)]
+pub struct RoughContact {
+    distance: HeightMap,
+    contact_modulus: f64,
+    boundary: Boundary,
+    hardness: f64,
+    compliance: NormalCompliance,
+    /// The last pressure; empty at first.
+    pressure: Vec<f64>,
+}
+
+/// A solved normal contact. Fields are row after row, as the heights.
+#[derive(Debug, Clone)]
+pub struct RoughContactSolution {
+    /// Whether the residual is below the tolerance.
+    pub is_converged: bool,
+    /// Duality gap over the elastic energy, dimensionless: it bounds the error of the energy.
+    pub residual: f64,
+    /// Iterations.
+    pub iterations: usize,
+    /// Products with the compliance or its approximate inverse.
+    pub products: usize,
+    /// Normal load N, in N.
+    pub load: f64,
+    /// Pressure, in Pa.
+    pub pressure: Vec<f64>,
+    /// Gap, in m; zero in contact, not positive where the material yields.
+    pub gap: Vec<f64>,
+    /// By how much the bodies have approached since they first touched, in m: distant points, or mean
+    /// planes of a periodic surface.
+    pub approach: f64,
+    /// Mean gap, in m: the distance of the mean planes.
+    pub mean_gap: f64,
+    /// Area of all cells in contact, in m².
+    pub contact_area: f64,
+    /// The same corrected for the cells on the edge of the spots, in m² (Yastrebov et al. 2017).
+    pub corrected_contact_area: f64,
+    /// Area of all cells that yield, in m².
+    pub plastic_area: f64,
+    /// Whether the contact reaches the edge of the lattice: with free boundaries it is cut off there.
+    pub touches_edge: bool,
+}
+
+impl RoughContact {
+    /// From the undeformed distance (see [`HeightMap::distance_to_plane`]) and the contact modulus E*
+    /// (in Pa, see [`crate::material::contact_modulus`]).
+    pub fn new(
+        distance: HeightMap,
+        contact_modulus: f64,
+        boundary: Boundary,
+    ) -> Result<Self, Error> {
+        require_positive("wheel.young_modulus", contact_modulus, "Pa")?;
+        if boundary == Boundary::Periodic {
+            // Nothing else would decide where such a contact carries.
+            distance.require_rough()?;
+        }
+        let compliance = NormalCompliance::new(distance.lattice(), contact_modulus, boundary);
+        let (hardness, pressure) = (f64::INFINITY, Vec::new());
+        Ok(Self { distance, contact_modulus, boundary, hardness, compliance, pressure })
+    }
+
+    /// The same with a largest pressure: the hardness H of the softer body, in Pa.
+    pub fn with_hardness(self, hardness: f64) -> Result<Self, Error> {
+        let legal = hardness > 0.0;
+        require(legal, "surface.hardness", "positive", hardness, "Pa")?;
+        Ok(Self { hardness, ..self })
+    }
+
+    /// The undeformed distance.
+    pub fn distance(&self) -> &HeightMap {
+        &self.distance
+    }
+
+    /// Combined modulus E*, in Pa.
+    pub fn contact_modulus(&self) -> f64 {
+        self.contact_modulus
+    }
+
+    /// What lies around the surface.
+    pub fn boundary(&self) -> Boundary {
+        self.boundary
+    }
+
+    /// Presses the bodies together with a mean pressure over the whole lattice, in Pa.
+    pub fn press(
+        &mut self,
+        mean_pressure: f64,
+        options: &RoughContactOptions,
+    ) -> Result<RoughContactSolution, Error> {
+        require_positive("normal.pressure", mean_pressure, "Pa")?;
+        self.solve(mean_pressure * self.distance.lattice().area(), options)
+    }
+
+    /// Presses the bodies together with a load, in N.
+    pub fn solve(
+        &mut self,
+        load: f64,
+        options: &RoughContactOptions,
+    ) -> Result<RoughContactSolution, Error> {
+        require_positive("normal.load", load, "N")?;
+        require_positive("solver.tolerance", options.tolerance, "")?;
+        let largest = self.hardness * self.distance.lattice().area();
+        let limit = format!("positive and below what the hardness can carry, {largest} N");
+        require(load < largest, "normal.load", &limit, load, "N")?;
+        let mean_pressure = load / self.distance.lattice().area();
+        let mut equilibrium = Equilibrium {
+            distance: self.distance.heights(),
+            total: load / self.distance.lattice().cell_area(),
+            hardness: self.hardness,
+            compliance: &mut self.compliance,
+        };
+        let start = if self.pressure.is_empty() {
+            vec![mean_pressure; self.distance.lattice().len()]
+        } else {
+            std::mem::take(&mut self.pressure)
+        };
+        let outcome = equilibrium.solve(start, options);
+        self.pressure.clone_from(&outcome.pressure);
+        Ok(self.solution(load, outcome, options))
+    }
+
+    fn solution(
+        &self,
+        load: f64,
+        outcome: Outcome,
+        options: &RoughContactOptions,
+    ) -> RoughContactSolution {
+        let lattice: &Lattice = self.distance.lattice();
+        let is_contact = |cell: usize| outcome.pressure[cell] > 0.0;
+        let [contact_area, corrected_contact_area] =
+            area::contact_area(lattice, is_contact, self.boundary);
+        let plastic = outcome.pressure.iter().filter(|pressure| **pressure >= self.hardness);
+        RoughContactSolution {
+            is_converged: outcome.residual <= options.tolerance,
+            residual: outcome.residual,
+            iterations: outcome.iterations,
+            products: outcome.products,
+            load,
+            approach: outcome.level - self.distance.range()[0],
+            mean_gap: outcome.gap.iter().sum::<f64>() / lattice.len() as f64,
+            contact_area,
+            corrected_contact_area,
+            plastic_area: plastic.count() as f64 * lattice.cell_area(),
+            touches_edge: area::touches_edge(lattice, is_contact),
+            pressure: outcome.pressure,
+            gap: outcome.gap,
+        }
+    }
+}

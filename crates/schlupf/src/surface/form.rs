@@ -1,0 +1,304 @@
+//! Removal of form: the plane, cylinder or sphere that fits a surface best (ISO 25178-2, F-operator).
+//!
+//! The sum of the squared vertical deviations is least. Cylinder and sphere are the quadric
+//!
+//! n·r = ½ κ (|r|² − (t·r)²)
+//!
+//! with r = (x, y, z − c), the unit normal n in the middle of the surface, the curvature κ, and the
+//! direction t of the axis (t = 0 for a sphere). Their parameters are well defined for a flat piece
+//! too, where the centre is at infinity. They are found by Levenberg's and Marquardt's method, from
+//! the best paraboloid.
+
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
+use super::HeightMap;
+use crate::error::Error;
+
+/// A nominal form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A tilted plane.
+    Plane,
+    /// A circular cylinder in any direction.
+    Cylinder,
+    /// A sphere.
+    Sphere,
+}
+
+/// A surface and the form that was taken off it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FormRemoval {
+    /// What is left: the vertical deviations.
+    pub surface: HeightMap,
+    /// Slope of the form along x and y in the middle, dimensionless.
+    pub slope: [f64; 2],
+    /// Radius of the form (in m), positive where convex; infinite for a plane.
+    pub radius: f64,
+    /// Angle of a cylinder's axis from x (in rad), from −π/2 to π/2; zero for other forms.
+    pub axis: f64,
+}
+
+impl HeightMap {
+    /// Takes a form off.
+    pub fn without_form(&self, form: Form) -> Result<FormRemoval, Error> {
+        let lattice = self.lattice();
+        let scale = 0.5 * lattice.length_x().hypot(lattice.length_y());
+        let fit = Fit {
+            points: lattice.points().map(|[x, y]| [x / scale, y / scale]).collect(),
+            heights: self.heights().iter().map(|height| height / scale).collect(),
+        };
+        let parameters = match form {
+            Form::Plane => fit.polynomial(3).map(|p| vec![p[0], p[1], p[2], 0.0]),
+            Form::Cylinder | Form::Sphere => {
+                fit.polynomial(6).and_then(|p| fit.quadric(start(&p, form)))
+            }
+        };
+        let parameters = parameters.ok_or_else(|| Error::Contradiction {
+            quantity: "surface.form",
+            reason: format!("no {form:?} fits the surface").to_lowercase(),
+        })?;
+        let deviations = fit.points.iter().zip(&fit.heights);
+        let deviations = deviations.map(|(at, z)| scale * (z - height(&parameters, *at)));
+        Ok(FormRemoval {
+            surface: Self::new(*lattice, deviations.collect())?,
+            slope: [parameters[1], parameters[2]],
+            radius: -scale / parameters[3],
+            axis: parameters.get(4).map_or(0.0, |angle| half_turn(*angle)),
+        })
+    }
+}
+
+/// The same direction of a line between −π/2 and π/2.
+fn half_turn(angle: f64) -> f64 {
+    use std::f64::consts::PI;
+    angle - PI * (angle / PI).round()
+}
+
+/// Parameters of the quadric, all lengths over the scale: height c and slopes in the middle, curvature
+/// κ (negative where convex), and the angle of a cylinder's axis. From the best paraboloid
+/// 1, x, y, x², xy, y².
+fn start(paraboloid: &[f64], form: Form) -> Vec<f64> {
+    let [c, slope_x, slope_y, xx, xy, yy] = [0, 1, 2, 3, 4, 5].map(|k| paraboloid[k]);
+    let mut parameters = vec![c, slope_x, slope_y, xx + yy];
+    if form == Form::Cylinder {
+        let turn = xy.hypot(xx - yy);
+        // The axis lies across the direction of the larger curvature.
+        let (curvature, sign) =
+            if xx + yy >= 0.0 { (xx + yy + turn, 1.0) } else { (xx + yy - turn, -1.0) };
+        let steepest = 0.5 * (sign * xy).atan2(sign * (xx - yy));
+        parameters[3] = curvature;
+        parameters.push(steepest + std::f64::consts::FRAC_PI_2);
+    }
+    parameters
+}
+
+/// Height of the quadric at a point; NaN where it does not reach so far.
+fn height(parameters: &[f64], [x, y]: [f64; 2]) -> f64 {
+    let [c, slope_x, slope_y, curvature] = [0, 1, 2, 3].map(|k| parameters[k]);
+    let length = (1.0 + slope_x * slope_x + slope_y * slope_y).sqrt();
+    let n = [-slope_x / length, -slope_y / length, length.recip()];
+    let t = parameters.get(4).map_or([0.0; 3], |angle| tangent(n, *angle));
+    // a z² + b z + d = 0
+    let along = t[0] * x + t[1] * y;
+    let a = -0.5 * curvature * (1.0 - t[2] * t[2]);
+    let b = n[2] + curvature * t[2] * along;
+    let d = n[0] * x + n[1] * y - 0.5 * curvature * (x * x + y * y - along * along);
+    c - 2.0 * d / (b + (b * b - 4.0 * a * d).sqrt())
+}
+
+/// The unit vector across n at an angle from the x-direction.
+fn tangent(n: [f64; 3], angle: f64) -> [f64; 3] {
+    let length = n[0].hypot(n[2]);
+    let first = [n[2] / length, 0.0, -n[0] / length];
+    // n × first
+    let second = [
+        n[1] * first[2] - n[2] * first[1],
+        n[2] * first[0] - n[0] * first[2],
+        n[0] * first[1] - n[1] * first[0],
+    ];
+    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+    [0, 1, 2].map(|k| cosine * first[k] + sine * second[k])
+}
+
+/// Points and heights over the scale.
+struct Fit {
+    points: Vec<[f64; 2]>,
+    heights: Vec<f64>,
+}
+
+const STEPS: usize = 100;
+
+/// Change of the parameters at which they have settled; step for the derivatives.
+const SETTLED: f64 = 1e-12;
+const DIFFERENCE: f64 = 1e-6;
+
+impl Fit {
+    /// Coefficients of the first terms of 1, x, y, x², xy, y².
+    fn polynomial(&self, terms: usize) -> Option<Vec<f64>> {
+        let mut equations = NormalEquations::new(terms);
+        for ([x, y], z) in self.points.iter().zip(&self.heights) {
+            equations.add(&[1.0, *x, *y, x * x, x * y, y * y][..terms], *z);
+        }
+        equations.solve(0.0)
+    }
+
+    /// Sum of squared deviations from a quadric.
+    fn cost(&self, parameters: &[f64]) -> f64 {
+        let pairs = self.points.iter().zip(&self.heights);
+        pairs.map(|(at, z)| (z - height(parameters, *at)).powi(2)).sum()
+    }
+
+    /// The best quadric.
+    fn quadric(&self, start: Vec<f64>) -> Option<Vec<f64>> {
+        let mut parameters = start;
+        let mut cost = self.cost(&parameters);
+        while !cost.is_finite() {
+            // The paraboloid was too curved for a sphere of its curvature to reach the corners.
+            parameters[3] *= 0.8;
+            cost = self.cost(&parameters);
+        }
+        let mut damping = 1e-6;
+        for _ in 0..STEPS {
+            let equations = self.linearised(&parameters);
+            let step = equations.solve(damping)?;
+            let trial: Vec<f64> = parameters.iter().zip(&step).map(|(p, s)| p + s).collect();
+            let trial_cost = self.cost(&trial);
+            let is_settled = step.iter().all(|change| change.abs() <= SETTLED);
+            if trial_cost <= cost {
+                (parameters, cost) = (trial, trial_cost);
+                damping *= 0.1;
+            } else {
+                damping *= 10.0;
+            }
+            // Where no step is downhill any more the rest is rounding.
+            if is_settled || damping > 1e12 {
+                return Some(parameters);
+            }
+        }
+        Some(parameters)
+    }
+
+    fn linearised(&self, parameters: &[f64]) -> NormalEquations {
+        let mut equations = NormalEquations::new(parameters.len());
+        let mut gradient = vec![0.0; parameters.len()];
+        let mut shifted = parameters.to_vec();
+        for (at, z) in self.points.iter().zip(&self.heights) {
+            for (k, slope) in gradient.iter_mut().enumerate() {
+                shifted[k] = parameters[k] + DIFFERENCE;
+                let above = height(&shifted, *at);
+                shifted[k] = parameters[k] - DIFFERENCE;
+                *slope = (above - height(&shifted, *at)) / (2.0 * DIFFERENCE);
+                shifted[k] = parameters[k];
+            }
+            equations.add(&gradient, z - height(parameters, *at));
+        }
+        equations
+    }
+}
+
+/// JᵀJ x = Jᵀz, row by row of J.
+struct NormalEquations {
+    matrix: Mat<f64>,
+    right: Mat<f64>,
+}
+
+impl NormalEquations {
+    fn new(count: usize) -> Self {
+        Self { matrix: Mat::zeros(count, count), right: Mat::zeros(count, 1) }
+    }
+
+    fn add(&mut self, row: &[f64], value: f64) {
+        for (i, a) in row.iter().enumerate() {
+            for (j, b) in row.iter().enumerate() {
+                self.matrix[(i, j)] += a * b;
+            }
+            self.right[(i, 0)] += a * value;
+        }
+    }
+
+    /// With the diagonal enlarged by a part of itself.
+    fn solve(&self, damping: f64) -> Option<Vec<f64>> {
+        let count = self.right.nrows();
+        let mut matrix = self.matrix.clone();
+        let largest = (0..count).map(|k| matrix[(k, k)]).fold(0.0, f64::max);
+        for k in 0..count {
+            // A parameter without influence, such as the axis of a plane, stays where it is.
+            matrix[(k, k)] += damping * matrix[(k, k)] + 1e-15 * largest;
+        }
+        let solution = matrix.partial_piv_lu().solve(&self.right);
+        let values: Vec<f64> = (0..count).map(|k| solution[(k, 0)]).collect();
+        values.iter().all(|value| value.is_finite()).then_some(values)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::super::Lattice;
+    use super::*;
+
+    const LATTICE: Lattice = Lattice { columns: 60, rows: 45, spacing_x: 1e-5, spacing_y: 2e-5 };
+
+    fn texture(x: f64, y: f64) -> f64 {
+        1e-9 * (3e5 * x + 1e5 * y).sin()
+    }
+
+    fn largest(surface: &HeightMap) -> f64 {
+        surface.heights().iter().fold(0.0, |largest, height| height.abs().max(largest))
+    }
+
+    #[test]
+    fn a_plane_is_taken_off() {
+        let plane = |x: f64, y: f64| 1e-6 + 0.02 * x - 0.1 * y;
+        let surface = HeightMap::from_fn(LATTICE, |x, y| plane(x, y) + texture(x, y)).unwrap();
+        let removal = surface.without_form(Form::Plane).unwrap();
+        assert!(largest(&removal.surface) < 1.3e-9);
+        assert_relative_eq!(removal.slope[1], -0.1, max_relative = 1e-4);
+        assert_eq!(removal.radius.abs(), f64::INFINITY);
+    }
+
+    /// A ball of radius 2 mm whose summit lies beside the middle, and a cup: exact to rounding.
+    #[test]
+    fn a_sphere_is_taken_off() {
+        for sign in [1.0, -1.0] {
+            let ball = |x: f64, y: f64| {
+                let (x, y) = (x - 1e-4, y + 2e-4);
+                sign * (4e-6_f64 - x * x - y * y).sqrt()
+            };
+            let surface = HeightMap::from_fn(LATTICE, ball).unwrap();
+            let removal = surface.without_form(Form::Sphere).unwrap();
+            assert_relative_eq!(removal.radius, sign * 2e-3, max_relative = 1e-8);
+            assert!(largest(&removal.surface) < 1e-14, "{}", largest(&removal.surface));
+        }
+    }
+
+    /// A wheel tread of 5 mm radius whose axis lies askew and tilted.
+    #[test]
+    fn a_cylinder_is_taken_off() {
+        for angle in [0.3_f64, -1.2, 1.5] {
+            let axis = [angle.cos(), angle.sin()];
+            let tread = |x: f64, y: f64| {
+                let across = -axis[1] * x + axis[0] * y - 1e-4;
+                (25e-6 - across * across).sqrt() + texture(x, y)
+            };
+            let surface = HeightMap::from_fn(LATTICE, tread).unwrap();
+            let removal = surface.without_form(Form::Cylinder).unwrap();
+            assert_relative_eq!(removal.radius, 5e-3, max_relative = 1e-3);
+            assert_relative_eq!(removal.axis, angle, epsilon = 1e-4);
+            assert!(largest(&removal.surface) < 1.5e-9, "{}", largest(&removal.surface));
+        }
+    }
+
+    /// A surface without curvature has a sphere of nearly infinite radius, not an error.
+    #[test]
+    fn a_plane_is_a_large_sphere() {
+        let surface = HeightMap::from_fn(LATTICE, |x, y| 0.3 * x + texture(x, y)).unwrap();
+        for form in [Form::Sphere, Form::Cylinder] {
+            let removal = surface.without_form(form).unwrap();
+            assert!(removal.radius.abs() > 1.0, "{form:?} {}", removal.radius);
+            assert!(largest(&removal.surface) < 1.3e-9);
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! Surfaces: heights on a regular lattice, measured or made up.
+//!
+//! Heights count out of the material. They are taken in the middle of rectangular cells; the first
+//! row holds the cells along x with the smallest y.
+
+pub mod form;
+pub mod holes;
+pub mod profile;
+pub mod resampling;
+pub mod spectrum;
+pub mod statistics;
+pub mod synthesis;
+
+use crate::error::{Error, require, require_positive};
+
+/// A regular lattice of rectangular cells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lattice {
+    /// Number of cells along x.
+    pub columns: usize,
+    /// Number of cells along y.
+    pub rows: usize,
+    /// Cell size Δx, in m.
+    pub spacing_x: f64,
+    /// Cell size Δy, in m.
+    pub spacing_y: f64,
+}
+
+impl Lattice {
+    /// `cells` × `cells` square cells on a square of the given side, in m.
+    pub fn square(cells: usize, side: f64) -> Self {
+        let spacing = side / cells as f64;
+        Self { columns: cells, rows: cells, spacing_x: spacing, spacing_y: spacing }
+    }
+
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// Whether there are no cells.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Length along x, in m.
+    pub fn length_x(&self) -> f64 {
+        self.columns as f64 * self.spacing_x
+    }
+
+    /// Length along y, in m.
+    pub fn length_y(&self) -> f64 {
+        self.rows as f64 * self.spacing_y
+    }
+
+    /// Area of a cell, in m².
+    pub fn cell_area(&self) -> f64 {
+        self.spacing_x * self.spacing_y
+    }
+
+    /// Area of all cells, in m².
+    pub fn area(&self) -> f64 {
+        self.length_x() * self.length_y()
+    }
+
+    /// Middle of column `i` (in m), counted from the middle of the lattice.
+    pub fn x(&self, i: usize) -> f64 {
+        (i as f64 + 0.5 - 0.5 * self.columns as f64) * self.spacing_x
+    }
+
+    /// Middle of row `j` (in m), counted from the middle of the lattice.
+    pub fn y(&self, j: usize) -> f64 {
+        (j as f64 + 0.5 - 0.5 * self.rows as f64) * self.spacing_y
+    }
+
+    /// Middles of all cells, row after row, in m.
+    pub fn points(&self) -> impl Iterator<Item = [f64; 2]> {
+        let lattice = *self;
+        (0..self.rows)
+            .flat_map(move |j| (0..lattice.columns).map(move |i| [lattice.x(i), lattice.y(j)]))
+    }
+
+    /// Checks that there are at least two cells each way, of positive size.
+    pub fn check(&self) -> Result<(), Error> {
+        let counts = [("surface.columns", self.columns), ("surface.rows", self.rows)];
+        for (quantity, count) in counts {
+            require((2..=LARGEST).contains(&count), quantity, REQUIRED_COUNT, count as f64, "")?;
+        }
+        require_positive("surface.spacing_x", self.spacing_x, "m")?;
+        require_positive("surface.spacing_y", self.spacing_y, "m")
+    }
+}
+
+/// Cells each way that memory and transforms still take.
+const LARGEST: usize = 1 << 20;
+const REQUIRED_COUNT: &str = "between 2 and 1048576";
+
+/// Heights on a lattice, all finite.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightMap {
+    lattice: Lattice,
+    heights: Vec<f64>,
+}
+
+impl HeightMap {
+    /// From heights (in m) row after row.
+    ///
+    /// # Errors
+    /// A lattice without cells, another number of heights, one that is not finite: holes must be
+    /// filled before (see [`holes`]).
+    pub fn new(lattice: Lattice, heights: Vec<f64>) -> Result<Self, Error> {
+        lattice.check()?;
+        require_count(&lattice, heights.len())?;
+        match heights.iter().position(|height| !height.is_finite()) {
+            None => Ok(Self { lattice, heights }),
+            Some(cell) => {
+                let (row, column) = (cell / lattice.columns, cell % lattice.columns);
+                let requirement = "finite everywhere (holes must be filled)".to_owned();
+                let value = format!("{} m in row {row}, column {column}", heights[cell]);
+                Err(Error::Invalid { quantity: "surface.heights", requirement, value })
+            }
+        }
+    }
+
+    /// Heights given by a function of x and y (in m), counted from the middle of the lattice.
+    pub fn from_fn(lattice: Lattice, height: impl Fn(f64, f64) -> f64) -> Result<Self, Error> {
+        lattice.check()?;
+        Self::new(lattice, lattice.points().map(|[x, y]| height(x, y)).collect())
+    }
+
+    /// Where the heights are.
+    pub fn lattice(&self) -> &Lattice {
+        &self.lattice
+    }
+
+    /// Heights row after row, in m.
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Mean height, in m.
+    pub fn mean(&self) -> f64 {
+        self.heights.iter().sum::<f64>() / self.heights.len() as f64
+    }
+
+    /// Smallest and largest height, in m.
+    pub fn range(&self) -> [f64; 2] {
+        let start = [f64::INFINITY, f64::NEG_INFINITY];
+        self.heights.iter().fold(start, |[low, high], h| [low.min(*h), high.max(*h)])
+    }
+
+    /// The same surface counted from its mean height.
+    pub fn about_its_mean(&self) -> Self {
+        let mean = self.mean();
+        self.with_heights(|height| height - mean)
+    }
+
+    /// The same surface with all heights times a factor (dimensionless).
+    pub fn scaled(&self, factor: f64) -> Self {
+        self.with_heights(|height| factor * height)
+    }
+
+    /// Undeformed distance between this surface and a plane that rests on its summit.
+    pub fn distance_to_plane(&self) -> Self {
+        let [_, summit] = self.range();
+        self.with_heights(|height| summit - height)
+    }
+
+    /// Undeformed distance between two surfaces that touch in one point: both heights count out of
+    /// their own body, and cells of the same number face each other.
+    pub fn distance_to(&self, other: &Self) -> Result<Self, Error> {
+        Ok(self.plus(other)?.distance_to_plane())
+    }
+
+    /// The sum of the heights of two surfaces: the roughness of both together.
+    pub fn plus(&self, other: &Self) -> Result<Self, Error> {
+        if self.lattice != other.lattice {
+            let size = |l: &Lattice| {
+                format!("{} x {} cells of {} m x {} m", l.columns, l.rows, l.spacing_x, l.spacing_y)
+            };
+            return Err(Error::Contradiction {
+                quantity: "surface.heights",
+                reason: format!(
+                    "two surfaces must have the same lattice, but have {} and {}",
+                    size(&self.lattice),
+                    size(&other.lattice)
+                ),
+            });
+        }
+        let pairs = self.heights.iter().zip(&other.heights);
+        Ok(Self { lattice: self.lattice, heights: pairs.map(|(a, b)| a + b).collect() })
+    }
+
+    /// Refuses a surface without roughness: relative to its size, heights that differ by rounding
+    /// only.
+    pub fn require_rough(&self) -> Result<(), Error> {
+        let [low, high] = self.range();
+        let rounding = 1e-13 * low.abs().max(high.abs());
+        if high - low > rounding {
+            return Ok(());
+        }
+        Err(Error::Contradiction {
+            quantity: "surface.heights",
+            reason: format!("the surface is flat: its heights are {low} m everywhere"),
+        })
+    }
+
+    fn with_heights(&self, change: impl Fn(f64) -> f64) -> Self {
+        let heights = self.heights.iter().map(|height| change(*height)).collect();
+        Self { lattice: self.lattice, heights }
+    }
+}
+
+fn require_count(lattice: &Lattice, count: usize) -> Result<(), Error> {
+    if count == lattice.len() {
+        return Ok(());
+    }
+    let Lattice { columns, rows, .. } = lattice;
+    Err(Error::Contradiction {
+        quantity: "surface.heights",
+        reason: format!(
+            "{columns} columns and {rows} rows need {} heights, but there are {count}",
+            lattice.len()
+        ),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lattice() -> Lattice {
+        Lattice { columns: 3, rows: 2, spacing_x: 1e-6, spacing_y: 2e-6 }
+    }
+
+    #[test]
+    fn each_defect_is_named() {
+        let good = vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0];
+        let mut holes = good.clone();
+        holes[4] = f64::NAN;
+        let cases = [
+            (Lattice { columns: 1, ..lattice() }, good.clone(), "surface.columns must be between"),
+            (Lattice { spacing_y: 0.0, ..lattice() }, good.clone(), "surface.spacing_y must be"),
+            (lattice(), good[..5].to_vec(), "3 columns and 2 rows need 6 heights, but there are 5"),
+            (lattice(), holes, "but is NaN m in row 1, column 1"),
+        ];
+        for (lattice, heights, expected) in cases {
+            let message = HeightMap::new(lattice, heights).unwrap_err().to_string();
+            assert!(message.contains(expected), "{message}");
+        }
+        assert!(HeightMap::new(lattice(), good).unwrap().require_rough().is_ok());
+    }
+
+    #[test]
+    fn a_flat_surface_is_not_rough() {
+        let flat = HeightMap::new(lattice(), vec![2e-6; 6]).unwrap();
+        let message = flat.require_rough().unwrap_err().to_string();
+        assert!(message.contains("the surface is flat"), "{message}");
+    }
+
+    #[test]
+    fn two_surfaces_touch_at_their_highest_sum() {
+        let first = HeightMap::new(lattice(), vec![0.0, 1.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
+        let second = HeightMap::new(lattice(), vec![0.0, 1.0, 0.0, 0.0, 1.5, 0.0]).unwrap();
+        let distance = first.distance_to(&second).unwrap();
+        assert_eq!(distance.heights(), [2.0, 0.0, 2.0, 2.0, 0.5, 2.0]);
+        let other = HeightMap::from_fn(Lattice::square(2, 1.0), |x, _| x).unwrap();
+        let message = first.plus(&other).unwrap_err().to_string();
+        assert!(message.contains("must have the same lattice"), "{message}");
+    }
+}

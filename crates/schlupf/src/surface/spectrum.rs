@@ -1,0 +1,161 @@
+//! The power spectral density of a surface.
+//!
+//! C(q) is the part of the variance of the heights in an area of wave vectors: ⟨h²⟩ = ∫ C(q) d²q, and
+//! h_rms² = 2π ∫ C(q) q dq where all directions are alike (Persson et al. 2005, J. Phys. Condens.
+//! Matter 17, R1). On a lattice of area A the wave vector q has C(q) = (A/4π²) |h_q|², h_q the mean of
+//! h(x) exp(−i q·x).
+
+use std::f64::consts::{PI, TAU};
+
+use super::HeightMap;
+use crate::fourier::RealTransform;
+
+/// What is done against the jump where a surface that is not periodic is continued.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Window {
+    /// Nothing: for periodic surfaces.
+    None,
+    /// Heights fade out to the edge as sin², and count more in the middle.
+    #[default]
+    Hann,
+}
+
+/// Power spectral density averaged over all directions.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RadialSpectrum {
+    /// Mean wave number of each ring, in rad/m.
+    pub wave_numbers: Vec<f64>,
+    /// Mean density C(q) in each ring, in m⁴.
+    pub densities: Vec<f64>,
+}
+
+impl RadialSpectrum {
+    /// Of the heights about their mean, in rings as wide as the step of wave numbers along the
+    /// shorter side, up to the shortest wave that the lattice carries in every direction.
+    pub fn of(surface: &HeightMap, window: Window) -> Self {
+        let lattice = surface.lattice();
+        let mean = surface.mean();
+        let weights = [lattice.columns, lattice.rows].map(|count| weights(count, window));
+        let field: Vec<f64> = surface
+            .heights()
+            .iter()
+            .enumerate()
+            .map(|(cell, height)| {
+                let (row, column) = (cell / lattice.columns, cell % lattice.columns);
+                weights[0][column] * weights[1][row] * (height - mean)
+            })
+            .collect();
+        let spacing = [lattice.spacing_x, lattice.spacing_y];
+        let step = TAU / lattice.length_x().min(lattice.length_y());
+        let largest = PI / spacing[0].max(spacing[1]);
+        let mut rings = Rings::new(step, largest);
+        let density = lattice.area() / (TAU * TAU);
+        for (q, [square, multiplicity]) in squares(&field, surface) {
+            rings.add(q, density * square, multiplicity);
+        }
+        rings.into_spectrum()
+    }
+}
+
+/// Weights of the samples along one side; the mean of their squares is one.
+fn weights(count: usize, window: Window) -> Vec<f64> {
+    match window {
+        Window::None => vec![1.0; count],
+        Window::Hann => hann(count),
+    }
+}
+
+/// √(8/3) sin²(π (i + ½)/n), dimensionless.
+pub(super) fn hann(count: usize) -> Vec<f64> {
+    let weight = |i: usize| libm::sin(PI * (i as f64 + 0.5) / count as f64).powi(2);
+    (0..count).map(|i| (8.0_f64 / 3.0).sqrt() * weight(i)).collect()
+}
+
+/// Wave number, |h_q|² and how often it occurs, for every wave vector of the half spectrum.
+fn squares(field: &[f64], surface: &HeightMap) -> Vec<(f64, [f64; 2])> {
+    let lattice = surface.lattice();
+    let size = [lattice.columns, lattice.rows];
+    let mut transform = RealTransform::new(size, size);
+    transform.forward(field);
+    let normalised = (lattice.len() as f64).powi(-2);
+    let waves = transform.wave_numbers([lattice.spacing_x, lattice.spacing_y]);
+    let values = transform.spectrum().iter().zip(transform.multiplicities());
+    waves.zip(values).map(|(q, (value, m))| (q, [normalised * value.norm_sqr(), m])).collect()
+}
+
+/// Root mean square gradient h'_rms = √(Σ q² |h_q|²) of the surface continued periodically,
+/// dimensionless.
+pub fn spectral_gradient(surface: &HeightMap) -> f64 {
+    let sum: f64 = squares(surface.heights(), surface)
+        .into_iter()
+        .map(|(q, [square, multiplicity])| multiplicity * q * q * square)
+        .sum();
+    sum.sqrt()
+}
+
+/// Sums by wave number.
+struct Rings {
+    step: f64,
+    /// Sums of multiplicity, multiplicity times q, multiplicity times C(q).
+    sums: Vec<[f64; 3]>,
+}
+
+impl Rings {
+    fn new(step: f64, largest: f64) -> Self {
+        Self { step, sums: vec![[0.0; 3]; (largest / step).floor() as usize + 1] }
+    }
+
+    /// The mean height, in the ring around zero, is left out.
+    fn add(&mut self, q: f64, density: f64, multiplicity: f64) {
+        let ring = (q / self.step).round() as usize;
+        if let Some(sum) = self.sums.get_mut(ring).filter(|_| ring > 0) {
+            *sum =
+                [sum[0] + multiplicity, sum[1] + multiplicity * q, sum[2] + multiplicity * density];
+        }
+    }
+
+    fn into_spectrum(self) -> RadialSpectrum {
+        let filled = self.sums.iter().filter(|sum| sum[0] > 0.0);
+        let (wave_numbers, densities) =
+            filled.map(|[count, q, density]| (q / count, density / count)).unzip();
+        RadialSpectrum { wave_numbers, densities }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::super::Lattice;
+    use super::*;
+
+    /// One wave of amplitude a has h_rms² = a²/2, all of it in the ring of its wave number:
+    /// C times the area of wave vectors in the ring.
+    #[test]
+    fn the_rings_hold_the_variance() {
+        let lattice = Lattice { columns: 32, rows: 24, spacing_x: 1e-6, spacing_y: 2e-6 };
+        let [kx, ky] = [3.0 * TAU / lattice.length_x(), 4.0 * TAU / lattice.length_y()];
+        let surface = HeightMap::from_fn(lattice, |x, y| 5e-7 * (kx * x + ky * y).cos()).unwrap();
+        let spectrum = RadialSpectrum::of(&surface, Window::None);
+        let step = TAU / lattice.length_x();
+        let ring = (kx.hypot(ky) / step).round();
+        let found = spectrum.wave_numbers.iter().zip(&spectrum.densities);
+        for (q, density) in found {
+            if (q / step).round() == ring {
+                assert!(*density > 0.0, "{q}");
+            } else {
+                assert!(*density < 1e-50, "{q} {density}");
+            }
+        }
+        let gradient = 5e-7 * kx.hypot(ky) / 2.0_f64.sqrt();
+        assert_relative_eq!(spectral_gradient(&surface), gradient, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn windows_keep_the_variance() {
+        for window in [Window::None, Window::Hann] {
+            let squares: f64 = weights(64, window).iter().map(|w| w * w).sum();
+            assert_relative_eq!(squares, 64.0, max_relative = 1e-12);
+        }
+    }
+}
