@@ -231,7 +231,9 @@ impl Balance {
         report: &mut dyn FnMut(Progress),
     ) -> Result<BulkTemperature, Error> {
         let (mut surplus, mut deficit) = (low.surplus(), high.surplus());
-        let scale = low.frictional_heat;
+        let scale = [low.frictional_heat, low.convection, low.conduction]
+            .into_iter()
+            .fold(0.0, |scale: f64, heat| scale.max(heat.abs()));
         while self.iterations < ITERATIONS {
             for end in [&low, &high] {
                 if end.surplus().abs() <= BALANCED * scale {

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
 use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::linear::Linear;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::problem::Branch;
@@ -46,12 +47,36 @@ fn the_branch_is_said() {
         assert!(warning.contains(&format!("reached from {from} slip")), "{warning}");
         for force in [solution.force.x, other.force.x] {
             assert!(
-                warning.contains(&format!("Fx = {force:.4e} N"))
-                    || warning.contains(&format!("{force:.4e} N")),
+                warning.contains(&format!("Fx = {force:.6e} N"))
+                    || warning.contains(&format!("{force:.6e} N")),
                 "{warning}"
             );
         }
     }
+}
+
+/// Steep friction is seen wherever in the patch it is: here as a hundredth of it with a factor of a hundred
+/// over y, which is one only where there are no cells.
+#[test]
+fn a_factor_over_y_hides_no_branch() {
+    let several = falling(0.0007, 0.004);
+    let mut written = several.clone();
+    let law = Linear(SlipTerms::new(0.004, 0.0005, 0.004, None).unwrap());
+    let y = vec![-1e-5, 0.0, 1e-5];
+    let across = Across::new(Arc::new(law), y, vec![100.0, 1.0, 100.0]).unwrap();
+    written.friction.law = Arc::new(across);
+    let low = on_branch(&written, Branch::LowSlip);
+    assert!(low.work.newton_iterations > 50, "followed: {:?}", low.work);
+}
+
+/// Larger creepages on the way from high slip are still those of a wheel that rolls forwards.
+#[test]
+fn the_way_from_high_slip_rolls_forwards() {
+    let mut wild = falling(0.7, 0.02);
+    wild.kinematics.creepage_y = 0.5;
+    let high = on_branch(&wild, Branch::HighSlip);
+    let low = on_branch(&wild, Branch::LowSlip);
+    assert_relative_eq!(low.force.x, high.force.x, max_relative = 1e-5);
 }
 
 /// With a fall that the bodies can follow both branches are one state, no branch is followed, and

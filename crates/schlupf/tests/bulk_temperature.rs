@@ -122,3 +122,14 @@ fn what_cannot_warm_is_refused() {
     let error = bulk_temperature(&braking(0.01), &cells(8), &still, &mut |_| ()).unwrap_err();
     assert!(error.to_string().starts_with("cooling.area"), "{error}");
 }
+
+/// A wheel that rolls without friction goes to where air and rail balance.
+#[test]
+fn without_friction_air_and_rail_balance() {
+    let mut idle = braking(0.0);
+    idle.rail.bulk_temperature = 20.0;
+    let warm_air = Cooling { air_temperature: 50.0, ..COOLING };
+    let warmed = warmed(&idle, &warm_air);
+    assert!((20.0..50.0).contains(&warmed.temperature), "{}", warmed.temperature);
+    assert_relative_eq!(warmed.convection, -warmed.conduction, max_relative = 1e-5);
+}

@@ -17,6 +17,7 @@ use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::state::Element;
 use schlupf::{Options, Problem, Solution, Status, rolling};
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
@@ -132,5 +133,25 @@ fn a_state_remembers_its_friction() {
     let on = rolling::solve(&hot, &cells(16), &mut |_| ()).unwrap();
     for instant in &on.history {
         assert_relative_eq!(instant.force.x, steady.force.x, max_relative = 1e-6);
+    }
+}
+
+/// A state that cannot be is refused, and does not keep a march busy for ever.
+#[test]
+fn an_impossible_state_is_refused() {
+    let mut hot = remembering(hot(0.02), 5e-5, 1e-3);
+    let state = at_once(&hot, &cells(12)).state;
+    let spoilt: [fn(&mut Element); 4] = [
+        |element| element.heat[0].duration = -1.0,
+        |element| element.heat[0].flux = f64::NAN,
+        |element| element.friction_on_leaving = Some(-5.0),
+        |element| element.slip_speed = -1e300,
+    ];
+    for spoil in spoilt {
+        let mut state = state.clone();
+        spoil(&mut state.elements[20]);
+        hot.initial_state = Some(state);
+        let error = rolling::solve(&hot, &cells(12), &mut |_| ()).unwrap_err().to_string();
+        assert!(error.contains("solver.initial_state"), "{error}");
     }
 }

@@ -103,6 +103,9 @@ pub(super) fn lagging(
     law + (arrived - law) * memory.kept(slip_speed, way / now.kinematics.speed).part
 }
 
+/// Most steps, each less than a third of the one before: enough for rounding.
+const FIXED_POINT_STEPS: usize = 60;
+
 /// Halvings of the interval around a root.
 const HALVINGS: usize = 60;
 
@@ -110,7 +113,7 @@ const HALVINGS: usize = 60;
 /// well, else by bisection between it and what it asks for.
 fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
     let (mut tried, mut last) = (start, f64::INFINITY);
-    loop {
+    for _ in 0..FIXED_POINT_STEPS {
         let asked = answer(tried);
         let distance = (asked - tried).abs();
         if distance <= 1e-15 * start.max(asked) {
@@ -126,6 +129,7 @@ fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
         }
         (tried, last) = (asked, distance);
     }
+    tried
 }
 
 /// The temperature of an element in a cell, and its record when it leaves.

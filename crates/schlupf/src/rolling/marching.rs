@@ -1,9 +1,12 @@
 //! Marching: the paper's simulation procedure. The material moves on by one cell a time step, and
-//! every step is an equilibrium; friction follows the temperatures of the step before.
+//! every step is an equilibrium. Friction follows the temperature that it makes itself in the step, and
+//! the slip speed of the step before: where it falls steeply with the slip speed, a march may swing for
+//! ever, and says so.
 
 use crate::equilibrium::{Limits, Newton, Outcome, norm};
 use crate::error::Error;
 use crate::grid::Grid;
+use crate::heat::HeatStep;
 use crate::history::History;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
@@ -436,6 +439,9 @@ fn grid_over_history(problem: &Problem, options: &Options) -> Result<Grid, Error
     Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
 }
 
+/// Largest coefficient of friction that a state may hold, dimensionless.
+const LARGEST_FRICTION: f64 = 1e3;
+
 /// A state can only be taken up on the grid on which it was left.
 fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
@@ -444,13 +450,28 @@ fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
         let [x, y] = element.saturation;
         let is_new =
             element.index < grid.len() && !std::mem::replace(&mut taken[element.index], true);
-        is_new && x.hypot(y) <= 1.0 + 1e-6 && element.rise.is_finite()
+        let is_heat = |step: &HeatStep| {
+            step.flux.is_finite() && step.duration > 0.0 && step.duration.is_finite()
+        };
+        let is_friction = |mu: f64| (0.0..=LARGEST_FRICTION).contains(&mu);
+        is_new
+            && x.hypot(y) <= 1.0 + 1e-6
+            && element.rise.is_finite()
+            && (0.0..f64::INFINITY).contains(&element.slip_speed)
+            && element.friction_on_leaving.is_none_or(is_friction)
+            && element.heat.iter().all(is_heat)
+            && element
+                .traction
+                .iter()
+                .chain(&element.sliding)
+                .chain(&element.stretch)
+                .all(|v| v.is_finite())
     };
     if !state.elements.iter().all(is_sound) {
         return Err(Error::Contradiction {
             quantity: "solver.initial_state",
-            reason: "the state has an element outside the grid, two in one cell, or one with more \
-                     traction than friction allows"
+            reason: "the state has an element outside the grid, two in one cell, one with more traction \
+                     than friction allows, or one whose slip speed, friction or heat cannot be"
                 .to_owned(),
         });
     }

@@ -89,19 +89,21 @@ impl SteadySolver {
             report(Progress { step: 1, steps: Some(1), change: 0.0 });
             return Ok(solution);
         }
-        let outcome = match self.solve_at_once(problem, self.options.sensitivity)? {
-            Ok(solution) => {
-                report(Progress { step: 1, steps: Some(1), change: solution.residual });
-                return Ok(solution);
-            }
-            Err(outcome) => outcome,
-        };
+        let Failure { outcome, warning } =
+            match self.solve_at_once(problem, self.options.sensitivity)? {
+                Ok(solution) => {
+                    report(Progress { step: 1, steps: Some(1), change: solution.residual });
+                    return Ok(solution);
+                }
+                Err(failure) => failure,
+            };
         let mut marched = marching::march(problem, &self.options, report)?;
         marched.warnings.push(format!(
             "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
              this is the end of a march, without derivatives",
             outcome.residual, outcome.iterations
         ));
+        marched.warnings.extend(warning);
         Ok(marched)
     }
 
@@ -156,7 +158,7 @@ impl SteadySolver {
         &mut self,
         problem: &Problem,
         with_derivatives: bool,
-    ) -> Result<Result<Solution, Outcome>, Error> {
+    ) -> Result<Result<Solution, Failure>, Error> {
         problem.check()?;
         self.options.check()?;
         refuse_transient(problem)?;
@@ -185,7 +187,7 @@ impl SteadySolver {
             }
             Ok(solution)
         } else {
-            Err(outcome)
+            Err(Failure { outcome, warning })
         };
         self.setup = Some(setup);
         Ok(result)
@@ -206,6 +208,12 @@ impl SteadySolver {
             );
         }
     }
+}
+
+/// How far Newton's method got, and what is to be said beside.
+struct Failure {
+    outcome: Outcome,
+    warning: Option<String>,
 }
 
 /// What problems with one normal contact and elasticity share.
@@ -306,26 +314,31 @@ impl Setup {
         };
         let mut follow = |branch| {
             self.earlier.clear();
-            let mut outcome = Outcome::default();
+            let mut outcome = None;
             for kinematics in branches::way_to(&problem.kinematics, branch) {
                 let on_the_way = Problem { kinematics, ..problem.clone() };
-                outcome = self.find(&on_the_way, options, newton, work);
+                let found = self.find(&on_the_way, options, newton, work);
+                outcome = Some(found).filter(|found| found.converged);
+                outcome?;
             }
             let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
-            outcome.converged.then_some((outcome, force))
+            outcome.map(|outcome| (outcome, force))
         };
         let elsewhere = follow(other);
         let (Some((outcome, force)), Some((_, other))) = (follow(options.branch), elsewhere) else {
             self.earlier.clear();
             return (self.find(problem, options, newton, work), Some(branches::LOST.to_owned()));
         };
-        let limit = problem.friction.cold_coefficient() * self.levels[0].contact.normal.load;
-        let apart = (force.x - other.x).hypot(force.y - other.y);
-        let warning = (apart > branches::DISTINCT * limit).then(|| {
+        let normal = &self.levels[0].contact.normal;
+        let limit = problem.friction.cold_coefficient() * normal.load;
+        let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
+        let turned = (force.moment_z - other.moment_z) / lever;
+        let apart = (force.x - other.x).hypot(force.y - other.y).hypot(turned);
+        let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
             format!(
                 "friction falls so fast that there are several steady states: this one is reached \
-                 from {here} slip, with Fx = {:.4e} N and Fy = {:.4e} N; from {there} slip they \
-                 are {:.4e} N and {:.4e} N",
+                 from {here} slip, with Fx = {:.6e} N and Fy = {:.6e} N; from {there} slip they \
+                 are {:.6e} N and {:.6e} N",
                 force.x, force.y, other.x, other.y
             )
         });
