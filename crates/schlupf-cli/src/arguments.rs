@@ -14,7 +14,7 @@ Exit codes:
   0  converged
   1  the file system failed
   2  bad input
-  3  not converged: the results are written and marked";
+  3  not converged: the results are written and marked; if the normal contact was not found, there are none";
 
 /// Rolling contact of wheel and rail: forces, stress, slip and temperature in the contact patch.
 #[derive(Debug, Parser)]
