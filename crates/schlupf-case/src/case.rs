@@ -31,9 +31,9 @@ pub struct Case {
     /// What was given without effect, each with its place, and what to know about a roughness.
     pub notices: Vec<String>,
     settings: Settings,
-    entries: Vec<Entry>,
-    name: String,
-    folder: PathBuf,
+    pub(crate) entries: Vec<Entry>,
+    pub(crate) name: String,
+    pub(crate) folder: PathBuf,
 }
 
 /// A field in effect.

@@ -6,11 +6,13 @@ mod arguments;
 mod bulk;
 mod commands;
 mod compare;
+mod contact_law;
 mod curve;
 mod failure;
 mod outputs;
 mod progress;
 mod report;
+mod roughness;
 mod solve;
 mod stdout;
 mod temperature;
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Temperature(arguments) => temperature::run(&arguments),
         Command::Bulk(arguments) => bulk::run(&arguments),
+        Command::Roughness(arguments) => roughness::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),

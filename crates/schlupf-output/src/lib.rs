@@ -1,7 +1,7 @@
 //! What becomes of a solution: JSON, CSV, VTK, a summary for the terminal, and figures.
 //!
 //! Every function takes a [`Solution`](schlupf::Solution), a family of creep curves, temperatures along
-//! lines, the balance of a wheel's heat or a comparison of methods, and returns text or bytes; writing
+//! lines, the balance of a wheel's heat, a comparison of methods or a rough contact, and returns text or bytes; writing
 //! files is left to the caller. Tractions and forces act on the wheel in all tables; the
 //! figures show the traction on the rail, −t, as Neuhaus and Sextro (2014) do, and say so on their axes.
 
@@ -9,11 +9,13 @@
 
 pub mod bulk_temperature;
 pub mod comparison;
+pub mod contact_law;
 pub mod creep_curve;
 pub mod csv;
 pub mod figures;
 pub mod json;
 mod number;
+pub mod roughness;
 pub mod summary;
 pub mod temperature;
 pub mod vtk;
