@@ -34,9 +34,9 @@ pub struct Case {
     settings: Settings,
     /// The text that was read, without overrides.
     text: String,
-    entries: Vec<Entry>,
-    name: String,
-    folder: PathBuf,
+    pub(crate) entries: Vec<Entry>,
+    pub(crate) name: String,
+    pub(crate) folder: PathBuf,
 }
 
 /// A field in effect.

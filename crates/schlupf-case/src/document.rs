@@ -206,7 +206,18 @@ pub fn apply(entries: &mut Vec<Entry>, option: &'static str, text: &str) -> Resu
             format!("an override must be of the form section.field=value, but is {text:?}");
         return Err(CaseError::new("", message, place));
     };
-    let (path, value) = (path.trim(), value.trim());
+    assign(entries, (option, text), path.trim(), value.trim());
+    Ok(())
+}
+
+/// Puts a value that an option of the command line gives, with the text after it, in place of what the
+/// file says.
+pub fn assign(
+    entries: &mut Vec<Entry>,
+    (option, text): (&'static str, &str),
+    path: &str,
+    value: &str,
+) {
     let file = shorthand(path);
     if file.is_some() {
         let within = format!("{path}.");
@@ -223,7 +234,6 @@ pub fn apply(entries: &mut Vec<Entry>, option: &'static str, text: &str) -> Resu
             origin: Origin::Override { option, text: text.to_owned() },
         });
     }
-    Ok(())
 }
 
 /// The value of an override: TOML if it is, else plain text, as shells eat quotes.

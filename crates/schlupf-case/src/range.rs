@@ -44,6 +44,26 @@ pub fn length(option: &'static str, what: &str, text: &str) -> Result<f64, CaseE
     single(option, what, text, &length_field(Requirement::Between(0.0, LONGEST)))
 }
 
+/// Pressures (in Pa): a range START..END, of which six even steps are taken, or a list `P1,P2,…`. One
+/// without unit has that of the last.
+pub fn pressures(option: &'static str, text: &str) -> Result<Vec<f64>, CaseError> {
+    const STEPS: u32 = 5;
+    let field = alone("pressure", &Measure::PRESSURE, Requirement::Between(1.0, 1e14));
+    if text.contains("..") {
+        let [start, end] = range_of(option, &field, text)?;
+        let step = (end - start) / f64::from(STEPS);
+        return Ok((0..=STEPS).map(|k| start + f64::from(k) * step).collect());
+    }
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let unit = parts.last().map_or("", |last| unit_of(last));
+    let read = |part: &&str| {
+        let with_unit = format!("{part} {unit}");
+        let text = if part.parse::<f64>().is_ok() { with_unit.trim_end() } else { part };
+        single(option, "each pressure", text, &field)
+    };
+    parts.iter().map(read).collect()
+}
+
 /// The largest length that an option may give, in m.
 const LONGEST: f64 = 1e3;
 
@@ -183,6 +203,24 @@ mod tests {
         assert!(message.contains("the wake must be between 0 and 1000 m, but is \"-1 mm\""));
         let message = position("--x", "x", "3").unwrap_err().to_string();
         assert!(message.starts_with("--x 3: x must be a length with its unit"), "{message}");
+    }
+
+    #[test]
+    fn pressures_come_as_a_range_or_a_list() {
+        let read = |text| pressures("--pressure", text).unwrap();
+        let range = read("0.2..1.2 GPa");
+        assert_eq!(range.len(), 6);
+        for (k, pressure) in (1..).zip(range) {
+            assert_relative_eq!(pressure, 0.2e9 * f64::from(k), max_relative = 1e-12);
+        }
+        assert_eq!(read("0.5 GPa"), [5e8]);
+        assert_eq!(read("200 MPa, 500 MPa, 1 GPa"), [2e8, 5e8, 1e9]);
+        assert_eq!(read("200,500 MPa"), [2e8, 5e8]);
+        let message = |text| pressures("--pressure", text).unwrap_err().to_string();
+        assert!(message("1").contains("--pressure 1: each pressure must be a pressure"));
+        assert!(message("1 mm").contains("`mm` is m in base units"));
+        assert!(message("1 GPa,,2 GPa").contains("but is \"\""), "{}", message("1 GPa,,2 GPa"));
+        assert!(message("0..1 GPa").contains("the start of the range must be between 1"));
     }
 
     #[test]

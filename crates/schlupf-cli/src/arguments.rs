@@ -34,6 +34,9 @@ pub enum Command {
     /// Compute creep curves: forces over creepage
     #[command(after_help = EXIT_CODES)]
     Curve(Box<CurveArguments>),
+    /// From rough surfaces to the contact stiffness k_c: statistics, contact area, tangential curves
+    #[command(after_help = EXIT_CODES)]
+    Roughness(Box<RoughnessArguments>),
     /// Compare all methods on a case: forces, temperature, time
     #[command(after_help = EXIT_CODES)]
     Compare(Box<CompareArguments>),
@@ -295,6 +298,74 @@ pub struct CompareArguments {
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub figures: Option<PathBuf>,
     /// Print no table
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Which surface to press on which bodies, and where to write the results.
+#[derive(Debug, Args)]
+pub struct RoughnessArguments {
+    /// Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz); without it and without
+    /// --synthetic that of the case
+    #[arg(value_hint = ValueHint::FilePath, conflicts_with = "synthetic")]
+    pub surface: Option<PathBuf>,
+    /// Surface of the other body, on the same lattice: their heights are added
+    #[arg(long, value_name = "SURFACE", value_hint = ValueHint::FilePath, requires = "surface")]
+    pub second: Option<PathBuf>,
+    /// Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",shortest="5 um",seed=1;
+    /// also rms_slope and roll_off
+    #[arg(long, value_name = "KEY=VALUE,…")]
+    pub synthetic: Option<String>,
+    /// What is taken off a measured surface [default: plane]
+    #[arg(long, value_name = "plane|cylinder|sphere|none", requires = "surface")]
+    pub form: Option<String>,
+    /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um
+    #[arg(long, value_name = "UNIT", requires = "surface")]
+    pub unit: Option<String>,
+    /// Distance of the points of an .npy file, such as "1 um"
+    #[arg(long, value_name = "LENGTH", requires = "surface")]
+    pub spacing: Option<String>,
+    /// Fill points without a height smoothly
+    #[arg(long, requires = "surface")]
+    pub fill_holes: bool,
+    /// Resample a surface whose cells are not square
+    #[arg(long, requires = "surface")]
+    pub square_cells: bool,
+    /// Cells along x: the surface is resampled, or made with so many
+    #[arg(long, value_name = "N")]
+    pub cells: Option<String>,
+    /// Seed of the surface made from a profile
+    #[arg(long, value_name = "N", requires = "surface")]
+    pub seed: Option<String>,
+    /// Mean pressures: a range, of which six are taken, or a list [default: 0.2..1.2 GPa; those of the
+    /// patch with --case]
+    #[arg(long, value_name = "START..END|P,P,…")]
+    pub pressure: Option<String>,
+    /// Coefficient of friction [default: that of the case]
+    #[arg(long, value_name = "MU")]
+    pub friction: Option<String>,
+    /// Hardness of the softer body, such as "2.5 GPa" [default: elastic bodies]
+    #[arg(long, value_name = "PRESSURE")]
+    pub hardness: Option<String>,
+    /// Case file of the bodies; steel wheel and rail when none is named
+    #[arg(long, value_name = "CASE", value_hint = ValueHint::FilePath)]
+    pub case: Option<PathBuf>,
+    /// Set a field of the case, such as wheel.young_modulus="200 GPa"
+    #[arg(long = "set", value_name = "SECTION.FIELD=VALUE")]
+    pub overrides: Vec<String>,
+    /// Write the results as JSON; `-` is standard output, then without the summary
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Write the tangential curves as CSV, one row for each point
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub csv: Option<PathBuf>,
+    /// Write the heights, of both surfaces together and without form, as .npy in m
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub heights: Option<PathBuf>,
+    /// Draw curves, surface, contact spots and spectrum (PNG and SVG) into a directory, created if missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+    /// Print no summary
     #[arg(short, long)]
     pub quiet: bool,
 }

@@ -11,15 +11,20 @@ use schlupf_case::{Case, Effective, Place, schema as case_schema, template};
 
 use crate::arguments::{Arguments, CaseArguments, InitArguments};
 use crate::failure::Failure;
-use crate::{outputs, report, stdout};
+use crate::progress::Progress;
+use crate::{contact_law, outputs, report, stdout};
 
 /// Reads the case that was named, or the default one.
 pub fn read_case(arguments: &CaseArguments) -> Result<Case, Failure> {
     let overrides = &arguments.overrides;
+    // The surface of a contact law may take a while.
+    let progress = Progress::start();
+    progress.stage("reading the case");
     let case = match &arguments.case {
         Some(path) => Case::from_path(path, overrides),
         None => Case::from_str(&Case::default_text(), "default case", Path::new(""), overrides),
     };
+    drop(progress);
     Ok(case?)
 }
 
@@ -36,9 +41,11 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
         report::warn(notice);
     }
     let effective = case.effective();
+    let law = contact_law::of(&case);
     let mut text = format!(
         "{}\n\npatch      a = {:.4} mm, b = {:.4} mm, load {:.4} kN, peak pressure {:.2} MPa\n\
-         cells      {} x {} across the patch\n{}\nfields in effect\n",
+         cells      {} x {} across the patch\n\
+         k_c        {:.4e} 1/m, {}\n{}\nfields in effect\n",
         case.title,
         normal.semi_axis_x * 1e3,
         normal.semi_axis_y * 1e3,
@@ -46,6 +53,8 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
         normal.peak_pressure * 1e-6,
         case.options.cells_x,
         case.options.cells_y,
+        law.stiffness,
+        law.from.replace('-', " "),
         creepages(&case, &effective),
     );
     for field in effective {

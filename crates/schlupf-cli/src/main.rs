@@ -7,12 +7,14 @@ mod bulk;
 mod calibrate;
 mod commands;
 mod compare;
+mod contact_law;
 mod curve;
 mod failure;
 mod fit;
 mod outputs;
 mod progress;
 mod report;
+mod roughness;
 mod solve;
 mod stdout;
 mod temperature;
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
         Command::Temperature(arguments) => temperature::run(&arguments),
         Command::Bulk(arguments) => bulk::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments),
+        Command::Roughness(arguments) => roughness::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => commands::check(&arguments),

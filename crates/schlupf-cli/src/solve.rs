@@ -8,6 +8,7 @@ use schlupf::rolling;
 use schlupf::state::State;
 use schlupf::{Error, Method, Solution, Status};
 use schlupf_case::Case;
+use schlupf_output::contact_law::ContactLaw;
 use schlupf_output::{csv, figures, json, summary, vtk};
 
 use crate::arguments::SolveArguments;
@@ -15,7 +16,7 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::{outputs, report, stdout};
+use crate::{contact_law, outputs, report, stdout};
 
 const FINAL_STATE: &str = "--final-state";
 
@@ -33,10 +34,11 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
     if !has_fields(&solution) {
         warn_of_empty_files(arguments, solution.method);
     }
-    let files = files(arguments, &case.title, &solution, &progress)?;
+    let texts = Texts::new(&case, &solution);
+    let files = files(arguments, &texts, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
-    print(arguments, &case.title, &solution)?;
+    print(arguments, &texts)?;
     match solution.status {
         Status::Converged => Ok(ExitCode::SUCCESS),
         Status::NotConverged => {
@@ -151,16 +153,45 @@ fn has_fields(solution: &Solution) -> bool {
     solution.method.has_fields()
 }
 
+/// A solution with what is said about it.
+struct Texts<'a> {
+    title: &'a str,
+    /// None for a fast method, which has no contact law.
+    contact_law: Option<ContactLaw>,
+    solution: &'a Solution,
+}
+
+impl<'a> Texts<'a> {
+    fn new(case: &'a Case, solution: &'a Solution) -> Self {
+        let contact_law = (solution.method == Method::Full).then(|| contact_law::of(case));
+        Self { title: &case.title, contact_law, solution }
+    }
+
+    fn json(&self) -> String {
+        match &self.contact_law {
+            Some(law) => json::document_with_law(self.title, law, self.solution),
+            None => json::document(self.title, self.solution),
+        }
+    }
+
+    fn summary(&self) -> String {
+        match &self.contact_law {
+            Some(law) => summary::text_with_law(self.title, law, self.solution),
+            None => summary::text(self.title, self.solution),
+        }
+    }
+}
+
 /// All files in memory: what cannot be made is known before the first one is written.
 fn files(
     arguments: &SolveArguments,
-    title: &str,
-    solution: &Solution,
+    texts: &Texts,
     progress: &Progress,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+    let (title, solution) = (texts.title, texts.solution);
     let mut files = Vec::new();
     if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
-        files.push((path.to_owned(), json::document(title, solution).into_bytes()));
+        files.push((path.to_owned(), texts.json().into_bytes()));
     }
     if let Some(path) = &arguments.csv {
         files.push((path.clone(), csv::fields(solution).into_bytes()));
@@ -184,12 +215,12 @@ fn files(
     Ok(files)
 }
 
-fn print(arguments: &SolveArguments, title: &str, solution: &Solution) -> Result<(), Failure> {
+fn print(arguments: &SolveArguments, texts: &Texts) -> Result<(), Failure> {
     if arguments.json.as_deref().is_some_and(is_stdout) {
-        stdout::write(&json::document(title, solution))
+        stdout::write(&texts.json())
     } else if arguments.quiet {
         Ok(())
     } else {
-        stdout::write(&summary::text(title, solution))
+        stdout::write(&texts.summary())
     }
 }

@@ -51,7 +51,15 @@ fn solve(case: &Path, options: &[&str]) -> Value {
 }
 
 fn pinned(result: &Value) -> Value {
-    PINNED.iter().map(|key| ((*key).to_owned(), result[*key].clone())).collect()
+    let mut pinned: Value =
+        PINNED.iter().map(|key| ((*key).to_owned(), result[*key].clone())).collect();
+    let law = &result["contact_law"];
+    // Of one from a roughness, k_c.
+    if law["rms_height"].is_number() {
+        pinned["contact_law"] =
+            serde_json::json!({ "from": law["from"], "stiffness": law["stiffness"] });
+    }
+    pinned
 }
 
 /// Differences between two results, each with its path.

@@ -10,12 +10,18 @@ use schlupf::normal::NormalSummary;
 use schlupf::solution::{Instant, Resultant, Solution, Status};
 use schlupf::{kinematics, solution};
 
+use crate::contact_law::ContactLaw;
 use crate::number::without_sign_of_zero;
 
 /// The result of a case as a JSON document: SI units, temperatures in degC and their rises in K,
 /// forces on the wheel. A number that is not finite becomes `null`.
 pub fn document(title: &str, solution: &Solution) -> String {
     text(&Document::new(title, solution))
+}
+
+/// The same with the k_c that was used and where it comes from, as `contact_law`.
+pub fn document_with_law(title: &str, contact_law: &ContactLaw, solution: &Solution) -> String {
+    text(&Document { contact_law: Some(contact_law), ..Document::new(title, solution) })
 }
 
 /// Name and version of the program.
@@ -82,6 +88,8 @@ pub(crate) struct Document<'a> {
     status: &'static str,
     normal: Normal,
     kinematics: Kinematics,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact_law: Option<&'a ContactLaw>,
     force: Vector,
     normalised: Vector,
     traction_coefficient: f64,
@@ -203,6 +211,7 @@ impl<'a> Document<'a> {
             status: status(solution.status),
             normal: normal.into(),
             kinematics: kinematics.into(),
+            contact_law: None,
             force: solution.force.into(),
             normalised: solution.normalised.into(),
             traction_coefficient: solution.traction_coefficient,

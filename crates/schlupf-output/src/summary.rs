@@ -5,13 +5,27 @@ use std::fmt::Write;
 use schlupf::Method;
 use schlupf::solution::{Solution, Status};
 
+use crate::contact_law::ContactLaw;
 use crate::number::significant as number;
 
 /// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work, status and
 /// warnings.
 pub fn text(title: &str, solution: &Solution) -> String {
+    all(title, None, solution)
+}
+
+/// The same with the k_c that was used and where it comes from.
+pub fn text_with_law(title: &str, contact_law: &ContactLaw, solution: &Solution) -> String {
+    all(title, Some(contact_law), solution)
+}
+
+fn all(title: &str, contact_law: Option<&ContactLaw>, solution: &Solution) -> String {
     let mut text = format!("{title}\n\n");
     normal_contact(&mut text, solution);
+    if let Some(law) = contact_law {
+        entry(&mut text, "contact stiffness", law.stiffness, "1/m", &law.remark());
+    }
+    text.push('\n');
     forces(&mut text, solution);
     heat(&mut text, solution);
     work(&mut text, solution);
@@ -52,7 +66,6 @@ fn normal_contact(text: &mut String, solution: &Solution) {
         number(kinematics.spin)
     );
     entry(text, "creepage", kinematics.creepage_x, "", &creepages);
-    text.push('\n');
 }
 
 fn forces(text: &mut String, solution: &Solution) {

@@ -23,6 +23,7 @@ use crate::error::CaseError;
 use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::settings::Settings;
 use roughness::Circumstances;
+pub use roughness::{MicroRequest, explain as explain_roughness, load as load_roughness};
 
 /// The problem of a case, and where its k_c comes from; `folder` is where relative paths start, `solved` a
 /// micro model of a like case.
@@ -53,6 +54,19 @@ pub fn problem(
     };
     problem.check().map_err(|error| settings.explain(&error))?;
     Ok((problem, stiffness))
+}
+
+/// What the micro model of a case's roughness needs; `None` where no surface is given.
+pub fn micro_request(
+    settings: &Settings,
+    folder: &Path,
+) -> Result<Option<MicroRequest>, CaseError> {
+    let wheel = bodies::body(settings, &bodies::WHEEL)?;
+    let rail = bodies::body(settings, &bodies::RAIL)?;
+    let materials = [&wheel.material, &rail.material];
+    let normal = normal::source(settings, folder, materials[0], materials[1])?;
+    let circumstances = Circumstances { folder, materials, normal: &*normal, solved: None };
+    roughness::request(settings, &circumstances)
 }
 
 /// The numerical options of a case.

@@ -21,7 +21,7 @@ use crate::fields::{MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
 use crate::law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin};
 use crate::place::Place;
 use crate::settings::Settings;
-use crate::surface::{Cells, SurfaceOptions, SurfaceOrigin, SurfaceSource, renamed};
+use crate::surface::{Cells, RoughSurface, SurfaceOptions, SurfaceOrigin, SurfaceSource, renamed};
 
 const RMS_HEIGHT: &str = "contact_law.roughness.rms_height";
 const OF_BODIES: [&str; 2] =
@@ -55,27 +55,54 @@ pub struct Circumstances<'a> {
     pub solved: Option<&'a Arc<MicroContact>>,
 }
 
+/// What a micro model needs.
+#[derive(Debug, Clone)]
+pub struct MicroRequest {
+    /// What its normal contact depends on.
+    pub key: MicroKey,
+    /// Friction and Poisson's ratio.
+    pub bodies: SimilarBodies,
+    /// Mean pressures of the tangential curves, in Pa.
+    pub mean_pressures: Vec<f64>,
+}
+
 /// k_c from the roughness; `None` where none is given.
 pub fn stiffness(
     settings: &Settings,
-    circumstances: &Circumstances,
+    at: &Circumstances,
 ) -> Result<Option<LawStiffness>, CaseError> {
+    if let Some(request) = request(settings, at)? {
+        let micro = micro_model(settings, request, at.solved)?;
+        let stiffness = micro.result.stiffness.common.stiffness;
+        let origin = StiffnessOrigin::MicroModel(Arc::new(micro));
+        return Ok(Some(LawStiffness { stiffness, origin }));
+    }
     let Some(given) = ROUGHNESS.iter().copied().find(|path| settings.is_given(path)) else {
         return Ok(None);
     };
-    let bodies = bodies(settings, circumstances)?;
+    from_height(settings, &bodies(settings, at)?, given).map(Some)
+}
+
+/// What the micro model needs; `None` where nothing asks for one.
+pub fn request(settings: &Settings, at: &Circumstances) -> Result<Option<MicroRequest>, CaseError> {
     let source = if settings.is_given(FILE) {
-        files(settings, circumstances.folder)?
+        files(settings, at.folder)?
     } else if let Some(of_file) = OF_FILE.iter().find(|path| settings.is_given(path)) {
         return Err(settings.missing_beside(FILE, of_file));
     } else if let Some(micro) = MICRO_MODEL.iter().find(|path| settings.is_given(path)) {
         spectrum(settings, micro)?
     } else {
-        return from_height(settings, &bodies, given).map(Some);
+        return Ok(None);
     };
-    let micro = micro_model(settings, source, circumstances, &bodies)?;
-    let stiffness = micro.result.stiffness.common.stiffness;
-    Ok(Some(LawStiffness { stiffness, origin: StiffnessOrigin::MicroModel(Arc::new(micro)) }))
+    let mean_pressures = mean_pressures(settings, at.normal)?;
+    let largest_pressure = mean_pressures.iter().copied().fold(0.0, f64::max);
+    let key = MicroKey {
+        source,
+        contact_modulus: contact_modulus(at.materials[0], at.materials[1]),
+        hardness: hardness(settings, largest_pressure)?,
+        largest_pressure,
+    };
+    Ok(Some(MicroRequest { key, bodies: bodies(settings, at)?, mean_pressures }))
 }
 
 /// Friction, and the combined Poisson's ratio: with it the ratio of tangential to normal compliance is
@@ -169,38 +196,33 @@ fn source(settings: &Settings, origin: SurfaceOrigin) -> Result<SurfaceSource, C
 /// The solved micro model; its normal contact is taken over where it is the same.
 fn micro_model(
     settings: &Settings,
-    source: SurfaceSource,
-    at: &Circumstances,
-    bodies: &SimilarBodies,
+    request: MicroRequest,
+    solved: Option<&Arc<MicroContact>>,
 ) -> Result<MicroContact, CaseError> {
-    let explain = |error: &schlupf::Error| explain(settings, error);
-    let mean_pressures = mean_pressures(settings, at.normal)?;
-    let largest_pressure = mean_pressures.iter().copied().fold(0.0, f64::max);
-    let key = MicroKey {
-        source,
-        contact_modulus: contact_modulus(at.materials[0], at.materials[1]),
-        hardness: hardness(settings, largest_pressure)?,
-        largest_pressure,
-    };
-    if let Some(solved) = at.solved.filter(|solved| solved.key == key) {
+    let explain = |error: schlupf::Error| explain(settings, &error);
+    let MicroRequest { key, bodies, mean_pressures } = request;
+    if let Some(solved) = solved.filter(|solved| solved.key == key) {
         let (statistics, normal) = (solved.result.statistics, solved.result.normal.clone());
-        let result = MicroModelResult::new(statistics, normal, bodies, &mean_pressures);
-        let result = result.map_err(|error| explain(&error))?;
-        let notices = solved.notices.clone();
+        let result = MicroModelResult::new(statistics, normal, &bodies, &mean_pressures);
+        let (result, notices) = (result.map_err(explain)?, solved.notices.clone());
         return Ok(MicroContact { key, result, cells: solved.cells, notices });
     }
-    let rough = key.source.load().map_err(|error| placed(settings, error))?;
+    let rough = load(settings, &key.source)?;
+    let cells = rough.surface.lattice().len();
     let model = MicroModel {
         surface: rough.surface,
         contact_modulus: key.contact_modulus,
-        bodies: *bodies,
+        bodies,
         hardness: key.hardness,
         mean_pressures,
     };
-    let result = model.solve(&LoadCurveOptions::default(), &mut |_| ());
-    let result = result.map_err(|error| explain(&error))?;
-    let cells = model.surface.lattice().len();
+    let result = model.solve(&LoadCurveOptions::default(), &mut |_| ()).map_err(explain)?;
     Ok(MicroContact { key, result, cells, notices: rough.notices })
+}
+
+/// Reads or makes the surface.
+pub fn load(settings: &Settings, source: &SurfaceSource) -> Result<RoughSurface, CaseError> {
+    source.load().map_err(|error| placed(settings, error))
 }
 
 /// Mean pressures of the tangential curves, in Pa.
@@ -275,7 +297,7 @@ fn place_of(settings: &Settings, field: &str) -> Place {
 }
 
 /// An error of the micro model, at the place of the roughness if it is about that.
-fn explain(settings: &Settings, error: &schlupf::Error) -> CaseError {
+pub fn explain(settings: &Settings, error: &schlupf::Error) -> CaseError {
     let (schlupf::Error::Invalid { quantity, .. } | schlupf::Error::Contradiction { quantity, .. }) =
         error
     else {

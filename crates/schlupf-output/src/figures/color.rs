@@ -60,6 +60,17 @@ pub(super) fn paint(palette: Palette, level: usize) -> String {
     format!("#{color:06x}")
 }
 
+/// Colours of a series of curves, from dark to light, so that they differ in grey, too.
+pub(super) fn series(count: usize) -> Vec<String> {
+    /// The light end of the palette is not seen on white.
+    const LIGHTEST: f64 = 0.78;
+    if count == 1 {
+        return vec![super::panels::BLUE.to_owned()];
+    }
+    let level = |k: usize| LIGHTEST * k as f64 / (count - 1) as f64 * (LEVELS - 1) as f64;
+    (0..count).map(|k| paint(Palette::Mechanical, level(k).round() as usize)).collect()
+}
+
 #[rustfmt::skip]
 #[expect(clippy::unreadable_literal, reason = "two digits for each of red, green and blue")]
 const VIRIDIS: [u32; 33] = [

@@ -4,11 +4,11 @@ use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, CreepCurve, Point};
 use schlupf::solution::Resultant;
 
-use super::color::{LEVELS, Palette, paint};
+use super::color;
 use super::frame::{Frame, TICK_SIZE};
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, ALARM, Entry, HEADING, Sample, short};
-use super::panels::{BLUE, Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
+use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
 use super::smooth::smooth;
 use super::svg::{Drawing, INK, MUTED};
 use crate::creep_curve::{CurveFamily, Member};
@@ -82,8 +82,13 @@ impl<'a> Picture<'a> {
         let abscissa = family.abscissa()?;
         let [from, to] = family.members.first()?.curve.path.range();
         let x = [from.min(to), from.max(to)];
-        let mut picture =
-            Self { family, abscissa, x, colors: colors(family.members.len()), components: vec![] };
+        let mut picture = Self {
+            family,
+            abscissa,
+            x,
+            colors: color::series(family.members.len()),
+            components: vec![],
+        };
         let [main, other] = components(abscissa);
         let largest = |component: &Component| picture.largest(|point| component.of(&point.force));
         let [of_main, of_other] = [largest(&main), largest(&other)];
@@ -305,17 +310,6 @@ fn components(abscissa: Abscissa) -> [Component; 2] {
             [along, across]
         }
     }
-}
-
-/// Colours from dark to light, so that they differ in grey, too.
-fn colors(count: usize) -> Vec<String> {
-    /// The light end of the palette is not seen on white.
-    const LIGHTEST: f64 = 0.78;
-    if count == 1 {
-        return vec![BLUE.to_owned()];
-    }
-    let level = |k: usize| LIGHTEST * k as f64 / (count - 1) as f64 * (LEVELS - 1) as f64;
-    (0..count).map(|k| paint(Palette::Mechanical, level(k).round() as usize)).collect()
 }
 
 fn stroke(color: &str, dashes: &str) -> String {

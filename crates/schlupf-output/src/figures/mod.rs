@@ -1,5 +1,5 @@
-//! Figures of a solution, of creep curves, of a fit, of temperatures below the surface or of a calibration, each as SVG and
-//! as PNG of the same drawing.
+//! Figures of a solution, of creep curves, of a fit, of temperatures below the surface, of a calibration or of a
+//! rough contact, each as SVG and as PNG of the same drawing.
 //!
 //! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
@@ -13,6 +13,7 @@ mod cut;
 mod fit;
 mod font;
 mod frame;
+mod height_map;
 mod history;
 mod label;
 mod map;
@@ -23,8 +24,10 @@ mod patch;
 mod projection;
 mod quantity;
 mod raster;
+mod roughness;
 mod sampler;
 mod smooth;
+mod spectrum;
 mod surface;
 mod svg;
 mod temperature;
@@ -37,6 +40,7 @@ use schlupf::calibration::side_by_side::SideBySide;
 use crate::comparison::Comparison;
 use crate::creep_curve::CurveFamily;
 use crate::identification::FitReport;
+use crate::roughness::RoughnessReport;
 use crate::temperature::Temperatures;
 
 use map::Arrows;
@@ -66,6 +70,9 @@ pub enum FigureError {
     /// There are no measured points to draw.
     #[error("there are no measured points over a range of creepages to draw")]
     NoPoints,
+    /// There are no curves of a rough contact to draw.
+    #[error("there are no tangential curves of finite numbers to draw")]
+    NoTangentialCurve,
     /// There are no temperatures to draw.
     #[error("there are no temperatures over a range of places to draw")]
     NoTemperature,
@@ -161,6 +168,35 @@ pub fn fit(report: &FitReport) -> Result<Figure, FigureError> {
 /// The SVG document of a fit.
 pub fn fit_drawing(report: &FitReport) -> Result<String, FigureError> {
     fit::draw(report).ok_or(FigureError::NoPoints)
+}
+
+/// Names of the figures of a rough surface.
+pub const ROUGHNESS: [&str; 4] =
+    ["roughness_curves", "roughness_surface", "roughness_spots", "roughness_spectrum"];
+
+/// The figures of a rough surface: tangential curves, heights, and contact spots and spectrum where there
+/// are some.
+pub fn roughness(report: &RoughnessReport) -> Result<Vec<Figure>, FigureError> {
+    let fonts = font::database();
+    let render = |(name, svg): (&str, String)| {
+        let png = raster::png(&svg, &fonts)?;
+        Ok(Figure { name: name.to_owned(), svg, png })
+    };
+    roughness_drawings(report)?.into_iter().map(render).collect()
+}
+
+/// Names and SVG documents of the figures of a rough surface.
+pub fn roughness_drawings(
+    report: &RoughnessReport,
+) -> Result<Vec<(&'static str, String)>, FigureError> {
+    let [curves, surface, spots, spectrum] = ROUGHNESS;
+    let mut drawings = vec![
+        (curves, roughness::draw(report).ok_or(FigureError::NoTangentialCurve)?),
+        (surface, height_map::surface(report)),
+    ];
+    drawings.extend(report.spots.as_ref().map(|found| (spots, height_map::spots(report, found))));
+    drawings.extend(spectrum::draw(report).map(|svg| (spectrum, svg)));
+    Ok(drawings)
 }
 
 /// Names of all figures of a solution that there can be.

@@ -27,6 +27,9 @@ pub(crate) const FORCE: &[Unit] = &[unit(1e3, "kN"), unit(1.0, "N")];
 /// Units of distance along the rail.
 pub(crate) const DISTANCE: &[Unit] = &[unit(1.0, "m"), unit(1e-3, "mm")];
 
+/// Units of lengths on a rough surface.
+pub(crate) const ROUGH_LENGTH: &[Unit] = &[unit(1e-3, "mm"), unit(1e-6, "µm")];
+
 /// The first unit, from large to small, of which `largest` is at least one; else the last.
 pub(crate) fn pick(units: &[Unit], largest: f64) -> Unit {
     let fits = units.iter().find(|unit| largest >= unit.size);

@@ -57,6 +57,61 @@ impl RadialSpectrum {
     }
 }
 
+/// The power law C ∝ q^(−2(1+H)) of a self-affine surface, fitted to its spectrum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PowerLaw {
+    /// Hurst exponent H, dimensionless; outside of 0 to 1 the surface is not self-affine.
+    pub hurst_exponent: f64,
+    /// Between which wave numbers, in rad/m.
+    pub wave_numbers: [f64; 2],
+}
+
+/// The power law holds from the wave number up to which this part of the variance of the heights lies, to
+/// that with this part of the variance of the gradients; dimensionless.
+const LAW_FROM: f64 = 0.7;
+const LAW_TO: f64 = 0.9;
+
+impl RadialSpectrum {
+    /// The power law between the waves that make the height and those that make the gradient; nothing
+    /// where they are the same.
+    pub fn power_law(&self) -> Option<PowerLaw> {
+        let reached = |power: i32, share: f64| {
+            let terms = || self.wave_numbers.iter().zip(&self.densities);
+            let term = |(q, density): (&f64, &f64)| q.powi(power) * density;
+            let total: f64 = terms().map(term).sum();
+            let mut sum = 0.0;
+            terms().position(|at| {
+                sum += term(at);
+                sum >= share * total
+            })
+        };
+        let (first, last) = (reached(1, LAW_FROM)?, reached(3, LAW_TO)?);
+        let points = || {
+            let rings = first..(last + 1).max(first);
+            rings.map(|ring| [self.wave_numbers[ring].ln(), self.densities[ring].ln()])
+        };
+        if points().len() < FEWEST_RINGS || points().any(|point| !point[1].is_finite()) {
+            return None;
+        }
+        // Rings crowd at large wave numbers: each counts by its width in ln q.
+        let mut sums = [0.0; 5];
+        for [x, y] in points() {
+            let weight = (-x).exp();
+            let terms = [1.0, x, y, x * x, x * y];
+            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += weight * term);
+        }
+        let [n, x, y, xx, xy] = sums;
+        let slope = (n * xy - x * y) / (n * xx - x * x);
+        Some(PowerLaw {
+            hurst_exponent: -0.5 * slope - 1.0,
+            wave_numbers: [self.wave_numbers[first], self.wave_numbers[last]],
+        })
+    }
+}
+
+/// Fewer rings make no power law.
+const FEWEST_RINGS: usize = 5;
+
 /// Weights of the samples along one side; the mean of their squares is one.
 fn weights(count: usize, window: Window) -> Vec<f64> {
     match window {
@@ -127,6 +182,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::super::Lattice;
+    use super::super::synthesis::{Roughness, SelfAffine};
     use super::*;
 
     /// One wave of amplitude a has h_rms² = a²/2, all of it in the ring of its wave number:
@@ -149,6 +205,26 @@ mod tests {
         }
         let gradient = 5e-7 * kx.hypot(ky) / 2.0_f64.sqrt();
         assert_relative_eq!(spectral_gradient(&surface), gradient, max_relative = 1e-12);
+    }
+
+    /// The exponent of a self-affine surface is found.
+    #[test]
+    fn a_power_law_is_found() {
+        for hurst_exponent in [0.3, 0.8] {
+            let affine = SelfAffine {
+                roughness: Roughness::Height(1e-6),
+                hurst_exponent,
+                longest_wavelength: 5e-5,
+                roll_off_wavelength: 5e-5,
+                shortest_wavelength: 1e-6,
+            };
+            let surface = affine.surface(Lattice::square(400, 2e-4), 4).unwrap();
+            let law = RadialSpectrum::of(&surface, Window::None).power_law().unwrap();
+            assert_relative_eq!(law.hurst_exponent, hurst_exponent, epsilon = 0.05);
+            assert!(law.wave_numbers[0] > TAU / 5e-5 && law.wave_numbers[1] < TAU / 1e-6);
+        }
+        let wave = HeightMap::from_fn(Lattice::square(64, 1.0), |x, _| (TAU * x).cos()).unwrap();
+        assert_eq!(RadialSpectrum::of(&wave, Window::None).power_law(), None);
     }
 
     #[test]

@@ -1,0 +1,94 @@
+//! A rough contact that options of the command line ask for.
+
+use std::path::Path;
+
+use schlupf::interface::roughness::tangential_curve::SimilarBodies;
+
+use crate::case::Case;
+use crate::document::{self, Entry};
+use crate::error::{CaseError, CaseErrors};
+use crate::law_stiffness::MicroKey;
+use crate::place::Place;
+use crate::read::{self, MicroRequest};
+use crate::settings::Settings;
+use crate::surface::RoughSurface;
+
+/// A field that an option gives.
+#[derive(Debug, Clone)]
+pub struct GivenByOption {
+    /// The option, such as `--unit`.
+    pub option: &'static str,
+    /// What stands after it.
+    pub text: String,
+    /// Dotted path of the field.
+    pub field: String,
+    /// Its value, as in a case file.
+    pub value: String,
+}
+
+/// What a micro model needs, and where its errors stand.
+#[derive(Debug, Clone)]
+pub struct RoughnessRequest {
+    request: MicroRequest,
+    settings: Settings,
+}
+
+const ROUGHNESS: &str = "contact_law.roughness.";
+
+impl Case {
+    /// The rough contact of the bodies of this case with what options give: with `folder`, where their
+    /// paths start, in place of its own roughness, else in addition to it. `None` where there is no
+    /// surface.
+    pub fn rough_contact(
+        &self,
+        options: &[GivenByOption],
+        folder: Option<&Path>,
+    ) -> Result<Option<RoughnessRequest>, CaseErrors> {
+        let mut entries = self.entries.clone();
+        // Whatever method the case is solved by, and whatever its k_c is.
+        entries.retain(|entry| !is_replaced(entry, folder.is_some()));
+        for given in options {
+            let source = (given.option, given.text.as_str());
+            document::assign(&mut entries, source, &given.field, &given.value);
+        }
+        let file = Place::File { name: self.name.clone() };
+        let (settings, errors) = Settings::read(&entries, file);
+        CaseErrors::check(errors)?;
+        let folder = folder.unwrap_or(&self.folder);
+        let request = read::micro_request(&settings, folder)?;
+        Ok(request.map(|request| RoughnessRequest { request, settings }))
+    }
+}
+
+fn is_replaced(entry: &Entry, by_options: bool) -> bool {
+    let path = entry.path.as_str();
+    matches!(path, "solver.method" | "contact_law.stiffness")
+        || by_options && path.starts_with(ROUGHNESS)
+}
+
+impl RoughnessRequest {
+    /// What the normal contact depends on.
+    pub fn key(&self) -> &MicroKey {
+        &self.request.key
+    }
+
+    /// Friction and Poisson's ratio.
+    pub fn bodies(&self) -> &SimilarBodies {
+        &self.request.bodies
+    }
+
+    /// Mean pressures of the tangential curves, in Pa.
+    pub fn mean_pressures(&self) -> &[f64] {
+        &self.request.mean_pressures
+    }
+
+    /// Reads or makes the surface.
+    pub fn load(&self) -> Result<RoughSurface, CaseError> {
+        read::load_roughness(&self.settings, &self.request.key.source)
+    }
+
+    /// An error of the core, at the place of the field that it names.
+    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+        read::explain_roughness(&self.settings, error)
+    }
+}

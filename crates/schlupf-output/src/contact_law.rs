@@ -1,0 +1,58 @@
+//! The stiffness k_c of the contact law, as results show it.
+
+use serde::Serialize;
+
+use crate::number::significant as number;
+
+/// k_c and where it comes from.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ContactLaw {
+    /// k_c, in 1/m.
+    pub stiffness: f64,
+    /// `given`, `default`, `closed-form` or `micro-model`.
+    pub from: &'static str,
+    /// h_rms of both surfaces together (in m), where k_c comes from a roughness.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rms_height: Option<f64>,
+    /// γ of the closed form, or that the micro model found; dimensionless.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slope_factor: Option<f64>,
+    /// The fit of the micro model.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fit: Option<Fit>,
+}
+
+/// How Eq. (8) fits the tangential curves of a micro model.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fit {
+    /// Mean pressures, in Pa.
+    pub mean_pressures: Vec<f64>,
+    /// k_c at each of them, in 1/m.
+    pub stiffnesses: Vec<f64>,
+    /// Largest less smallest of them over the common k_c, dimensionless.
+    pub spread: f64,
+    /// Root mean square of what the common k_c misses of Q/(μP), dimensionless.
+    pub root_mean_square_error: f64,
+    /// The largest of it, dimensionless.
+    pub largest_error: f64,
+    /// k_c of the closed form with γ = 0.45, in 1/m.
+    pub closed_form: f64,
+}
+
+impl ContactLaw {
+    /// Where k_c comes from, in words.
+    pub(crate) fn remark(&self) -> String {
+        let height = number(self.rms_height.unwrap_or(0.0) / 1e-6);
+        match (&self.fit, self.slope_factor) {
+            (Some(fit), _) => format!(
+                "k_c, micro model: h_rms = {height} µm, Eq. (8) misses {} % of μp (rms)",
+                number((1e3 * fit.root_mean_square_error).round() / 10.0)
+            ),
+            (None, Some(factor)) => {
+                format!("k_c, closed form: h_rms = {height} µm, γ = {}", number(factor))
+            }
+            (None, None) if self.from == "default" => "k_c, the default".to_owned(),
+            (None, None) => "k_c, as given".to_owned(),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! The heights in NumPy's .npy format, version 1.0.
+
+use super::RoughnessReport;
+
+/// The header with its magic string ends at a multiple of this.
+const ALIGNMENT: usize = 64;
+
+/// Heights of both surfaces together, without form, in m, each row along x: float64, little-endian.
+pub fn heights(report: &RoughnessReport) -> Vec<u8> {
+    let lattice = report.surface.lattice();
+    let mut header = format!(
+        "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}",
+        lattice.rows, lattice.columns
+    );
+    let magic = b"\x93NUMPY\x01\x00";
+    let before = magic.len() + 2;
+    let total = (before + header.len() + 1).next_multiple_of(ALIGNMENT);
+    header.push_str(&" ".repeat(total - before - header.len() - 1));
+    header.push('\n');
+    let mut bytes = magic.to_vec();
+    // Some 80 to 130 characters.
+    bytes.extend((header.len() as u16).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    bytes.extend(report.surface.heights().iter().flat_map(|height| height.to_le_bytes()));
+    bytes
+}
