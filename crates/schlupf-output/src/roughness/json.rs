@@ -37,7 +37,7 @@ pub fn document(report: &RoughnessReport) -> String {
             .tangential
             .iter()
             .zip(&result.stiffness.fits)
-            .map(|(curve, fit)| Pressure::new(report, curve, fit))
+            .map(|(curve, fit)| Curve::new(report, curve, fit))
             .collect(),
         warnings: &report.warnings,
     })
@@ -53,7 +53,7 @@ struct Document<'a> {
     bodies: Bodies,
     normal: Normal,
     contact_law: ContactLaw,
-    pressures: Vec<Pressure>,
+    pressures: Vec<Curve>,
     warnings: &'a [String],
 }
 
@@ -169,7 +169,7 @@ struct Closed {
 }
 
 #[derive(Serialize)]
-struct Pressure {
+struct Curve {
     mean_pressure: f64,
     contact_fraction: f64,
     stiffness: f64,
@@ -183,7 +183,7 @@ struct Pressure {
     sliding_fraction: Vec<f64>,
 }
 
-impl Pressure {
+impl Curve {
     fn new(report: &RoughnessReport, curve: &TangentialCurve, fit: &ExponentialFit) -> Self {
         let column = |value: fn(&TangentialPoint) -> f64| curve.points.iter().map(value).collect();
         Self {
