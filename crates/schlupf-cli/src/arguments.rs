@@ -339,13 +339,13 @@ pub struct RoughnessArguments {
     pub seed: Option<String>,
     /// Mean pressures: a range, of which six are taken, or a list [default: 0.2..1.2 GPa; those of the
     /// patch with --case]
-    #[arg(long, value_name = "START..END|P,P,…")]
+    #[arg(long, allow_hyphen_values = true, value_name = "START..END|P,P,…")]
     pub pressure: Option<String>,
     /// Coefficient of friction [default: that of the case]
-    #[arg(long, value_name = "MU")]
+    #[arg(long, allow_hyphen_values = true, value_name = "MU")]
     pub friction: Option<String>,
     /// Hardness of the softer body, such as "2.5 GPa" [default: elastic bodies]
-    #[arg(long, value_name = "PRESSURE")]
+    #[arg(long, allow_hyphen_values = true, value_name = "PRESSURE")]
     pub hardness: Option<String>,
     /// Case file of the bodies; steel wheel and rail when none is named
     #[arg(long, value_name = "CASE", value_hint = ValueHint::FilePath)]

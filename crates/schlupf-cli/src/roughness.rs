@@ -60,11 +60,6 @@ fn request(arguments: &RoughnessArguments, case: &Case) -> Result<RoughnessReque
     let request = case.rough_contact(&fields, folder);
     match request.map_err(|errors| in_options(arguments, errors))? {
         Some(request) => Ok(request),
-        None if arguments.synthetic.is_some() => Err(Failure::Arguments(
-            "--synthetic must name the longest and the shortest wavelength, such as \
-             rms_height=\"1 um\",longest=\"100 um\",shortest=\"5 um\""
-                .to_owned(),
-        )),
         None => Err(Failure::Arguments(
             "there is no surface: name a file, or make one with --synthetic \
              rms_height=\"1 um\",hurst=0.8,longest=\"100 um\",shortest=\"5 um\""
@@ -117,8 +112,8 @@ fn fields(arguments: &RoughnessArguments, case: &Case) -> Result<Vec<GivenByOpti
     if let Some(friction) = &arguments.friction {
         push("--friction", friction.clone(), "friction.coefficient", friction.clone());
     }
-    let own = case.micro_contact().is_some() || arguments.case.is_some();
-    let default = (!own).then(|| DEFAULT_PRESSURES.to_owned());
+    let is_given = arguments.surface.is_some() || arguments.synthetic.is_some();
+    let default = (is_given && arguments.case.is_none()).then(|| DEFAULT_PRESSURES.to_owned());
     if let Some(text) = arguments.pressure.clone().or(default) {
         let mut values = pressures("--pressure", &text).map_err(CaseErrors::from)?;
         values.sort_by(f64::total_cmp);
@@ -150,7 +145,15 @@ fn synthetic(arguments: &RoughnessArguments) -> Result<Vec<(String, String, Stri
             ))),
         }
     });
-    parts.collect()
+    let parts = parts.collect::<Result<Vec<(String, String, String)>, Failure>>()?;
+    let is_named = |field: &str| parts.iter().any(|(_, path, _)| path.ends_with(field));
+    if !["longest_wavelength", "shortest_wavelength"].into_iter().all(is_named) {
+        return Err(Failure::Arguments(format!(
+            "--synthetic must name the longest and the shortest wavelength, such as \
+             rms_height=\"1 um\",longest=\"100 um\",shortest=\"5 um\", but is {text:?}"
+        )));
+    }
+    Ok(parts)
 }
 
 /// What fields of a case are called as options.
