@@ -7,6 +7,9 @@ use super::Report;
 /// `[elasticity]` with the stiffnesses to take over; what has none is left to its default.
 pub(super) fn snippet(report: &Report) -> String {
     let mut lines = vec!["[elasticity]".to_owned(), "model = \"elastic-layer\"".to_owned()];
+    if report.anew.is_none() && report.fitted.is_none() {
+        lines.push("# for this patch what calibration = \"half-space\" is for any".to_owned());
+    }
     let components = match report.best() {
         // Where only displacements along y are known, those along x need a value all the same.
         [None, Some(y)] => {
