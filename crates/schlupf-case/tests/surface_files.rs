@@ -135,7 +135,7 @@ fn each_defect_of_a_file_is_named() {
         ("a.csv", "x [um],y [um],height [um]\n0,0,1\nnan,0,2\n", "a.csv:3:1: x must be a finite"),
         ("a.xyz", "0 0 1\n1 0 2\n0 1\n", "a.xyz:3:1: a row must have 3 entries"),
         ("a.xyz", "0 0 1\n1 0 up\n", "a.xyz:2:1: height must be a finite number, but is \"up\""),
-        ("a.xyz", "", "must be at least two values of x"),
+        ("a.xyz", "", "must have at least two values of x"),
         ("a.x3p", "x", "must be an X3P file, a zip archive"),
         ("a.npy", "x", "must be an .npy file"),
     ];

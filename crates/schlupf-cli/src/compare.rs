@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use schlupf::normal::Pressure;
 use schlupf::rolling::{self, steady::SteadySolver};
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Options, Problem, Solution};
-use schlupf_case::Case;
+use schlupf_case::{Case, Effective, Place};
 use schlupf_output::comparison::{Comparison, Entry, csv, json, summary};
 use schlupf_output::figures;
 
@@ -23,6 +24,7 @@ use crate::{outputs, report, stdout};
 const COMPARE: &str = "compare";
 
 const MODEL: &str = "elasticity.model";
+const BOUND: &str = "fastsim.bound";
 
 /// Fields of other models of elasticity; a case may give them for its own.
 const STIFFNESSES: [&str; 11] = [
@@ -111,10 +113,23 @@ fn candidates(case: &Case) -> Result<Vec<Candidate>, Failure> {
         ("Shen–Hedrick–Elkins", "shen-hedrick-elkins"),
         ("Kalker linear", "kalker-linear"),
     ] {
-        let case = case.with(COMPARE, &format!("solver.method={method}"))?;
+        let mut case = case.with(COMPARE, &format!("solver.method={method}"))?;
+        if takes_paraboloid(&case)? {
+            case = case.with(COMPARE, &format!("{BOUND}=elliptic"))?;
+        }
         candidates.push(Candidate { name, elasticity: None, case });
     }
     Ok(candidates)
+}
+
+/// Whether the traction is bounded by a paraboloid by default, which a pressure that is not Hertz's does not have.
+fn takes_paraboloid(case: &Case) -> Result<bool, Failure> {
+    let is_default =
+        |field: &Effective| field.path == BOUND && matches!(field.place, Place::Default);
+    let normal = case.problem.normal.normal_contact(None);
+    let normal = normal.map_err(|error| Failure::Case(case.explain(&error).into()))?;
+    let is_elliptic = matches!(normal.pressure, Pressure::Elliptic);
+    Ok(!is_elliptic && case.effective().iter().any(is_default))
 }
 
 /// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
@@ -135,6 +150,8 @@ impl Candidate {
         let problem = &self.case.problem;
         // Derivatives are not compared, and would count in the time.
         let options = Options { sensitivity: false, ..self.case.options.clone() };
+        // The normal contact is the same for all, and counts for none.
+        problem.normal.normal_contact(None).map_err(explain)?;
         let start = Instant::now();
         let solution = rolling::solve(problem, &options, &mut |_| ()).map_err(explain)?;
         let time = start.elapsed().as_secs_f64();

@@ -109,6 +109,48 @@ fn json_on_standard_output_stands_alone() {
     assert_eq!(result["roughness"]["gamma"], 0.45);
 }
 
+/// The gallery's made-up measurement as docs/identification.md fits it, and Polach's method on the same points.
+#[test]
+fn the_gallery_has_points_to_fit() {
+    let bench = Bench::new();
+    let file = |name: &str| format!("{}/../../cases/{name}", env!("CARGO_MANIFEST_DIR"));
+    let [case, data] = ["falling_adhesion.toml", "falling_adhesion_points.csv"].map(file);
+    let fit = |more: &[&str]| {
+        let mut all = vec!["fit", &case, "--data", &data, "--json", "-"];
+        all.extend(more);
+        let run = bench.run(&all);
+        assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+        serde_json::from_str::<serde_json::Value>(&run.stdout).unwrap()
+    };
+    let parameters =
+        "friction.coefficient,friction.temperature_at_zero_friction,contact_law.stiffness";
+    let cells = ["--set", "grid.cells_x=16", "--set", "grid.cells_y=16"];
+    let start = ["--set", "friction.coefficient=0.5", "--fit", parameters];
+    let found = fit(&[&cells[..], &start].concat());
+    for (k, truth) in [0.33, 700.0, 2e5].into_iter().enumerate() {
+        let found = &found["parameters"][k];
+        let error = (found["value"].as_f64().unwrap() - truth).abs();
+        assert!(error <= found["half_width_95"].as_f64().unwrap(), "{found}");
+    }
+    let polach = [
+        "--set",
+        "solver.method=polach",
+        "--set",
+        "friction.model=polach",
+        "--set",
+        "friction.limit_ratio=0.5",
+        "--set",
+        "friction.decay=0.6 s/m",
+        "--fit",
+        "friction.coefficient,friction.limit_ratio,friction.decay,solver.polach_area_slip",
+    ];
+    let found = fit(&polach);
+    assert_eq!(found["parameters"][3]["symbol"], "k_S");
+    // Its friction knows the slip speed, not the heat.
+    let warnings = found["warnings"].to_string();
+    assert!(warnings.contains("no scatter"), "{warnings}");
+}
+
 #[test]
 fn a_fit_that_is_cut_short_is_marked() {
     let bench = bench();

@@ -114,6 +114,9 @@ pub(crate) struct Normal {
     semi_axis_y: f64,
     peak_pressure: f64,
     approach: Option<f64>,
+    origin_x: Option<f64>,
+    origin_y: Option<f64>,
+    parts: usize,
 }
 
 #[derive(Serialize)]
@@ -238,6 +241,9 @@ impl From<&NormalSummary> for Normal {
             semi_axis_y: normal.semi_axis_y,
             peak_pressure: normal.peak_pressure,
             approach: normal.approach,
+            origin_x: normal.origin.map(|[x, _]| x),
+            origin_y: normal.origin.map(|[_, y]| y),
+            parts: normal.parts,
         }
     }
 }

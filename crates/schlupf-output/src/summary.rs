@@ -35,6 +35,15 @@ fn normal_contact(text: &mut String, solution: &Solution) {
     if let Some(approach) = normal.approach {
         entry(text, "approach", approach / 1e-3, "mm", "");
     }
+    if normal.parts > 1 {
+        let remark = "separate; the semi-axes are half the extent of all together";
+        entry(text, "parts of the patch", normal.parts as f64, "", remark);
+    }
+    if let Some([x, y]) = normal.origin {
+        let (x, y) = (without_noise(x / 1e-3, x / a * 1e-3), without_noise(y / 1e-3, y / b * 1e-3));
+        let remark = format!("along rolling, {} mm across, in the file", number(y));
+        entry(text, "origin", x, "mm", &remark);
+    }
     let speed = kinematics.speed;
     entry(text, "speed", speed, "m/s", &format!("{} km/h", number(speed * 3.6)));
     let creepages = format!(

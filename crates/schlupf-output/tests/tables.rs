@@ -20,7 +20,7 @@ const KEYS: &str = "program title status normal normal.load normal.semi_axis_x n
     work.outer_iterations work.steps work.cells";
 
 /// Those that came later.
-const ADDED_KEYS: &str = "power.returned power.into_wheel power.into_rail history.time history.speed history.creepage_x \
+const ADDED_KEYS: &str = "normal.origin_x normal.origin_y normal.parts power.returned power.into_wheel power.into_rail history.time history.speed history.creepage_x \
     history.creepage_y history.spin history.load history.force_x history.force_y \
     history.moment_z history.max_rise";
 

@@ -382,9 +382,9 @@ fn a_table_bounds_the_traction() {
     let solution = solve(&case, &options(elliptic(), 24));
     assert_relative_eq!(solution.normalised.x, ellipse.x, epsilon = 0.01);
     assert_relative_eq!(solution.normalised.y, ellipse.y, epsilon = 0.01);
-    assert!(solution.warnings[0].contains("pressure table"), "{:?}", solution.warnings);
+    assert!(solution.warnings[0].contains("width of the patch"), "{:?}", solution.warnings);
     let error = schlupf::rolling::solve(&case, &options(parabolic(), 24), &mut |_| ()).unwrap_err();
-    assert!(error.to_string().starts_with("fastsim.bound: a tabulated pressure"), "{error}");
+    assert!(error.to_string().starts_with("fastsim.bound: the pressure of a table"), "{error}");
 }
 
 /// What a method does not know is not there: no cells, and NaN.

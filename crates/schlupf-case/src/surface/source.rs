@@ -62,7 +62,7 @@ impl SurfaceSource {
         let (surface, is_periodic) = match &self.origin {
             SurfaceOrigin::SelfAffine(spectrum) => (self.self_affine(spectrum)?, true),
             SurfaceOrigin::Files { files, options, form } => {
-                self.from_files(files, options, *form, &mut notices)?
+                self.of_files(files, options, *form, &mut notices)?
             }
         };
         let surface = surface.about_its_mean();
@@ -79,7 +79,7 @@ impl SurfaceSource {
         spectrum.surface(lattice, self.seed).map_err(|error| explained(&error))
     }
 
-    fn from_files(
+    fn of_files(
         &self,
         files: &[PathBuf],
         options: &SurfaceOptions,

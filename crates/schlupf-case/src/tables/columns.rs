@@ -130,7 +130,9 @@ impl Columns {
                 None => {
                     self.header_line = line;
                     let assigned = self.header(&cells, wanted)?;
-                    assigned.iter().for_each(|column| self.present[column.index] = true);
+                    for column in &assigned {
+                        self.present[column.index] = true;
+                    }
                     header = Some(assigned);
                 }
                 Some(header) => self.row(&cells, line, header, wanted)?,

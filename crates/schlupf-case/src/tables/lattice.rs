@@ -66,7 +66,7 @@ impl Lattice {
 
 /// Values at the positions x × y, rows along x.
 #[derive(Debug)]
-pub struct Values {
+pub struct Table {
     /// In m, ascending.
     pub x: Vec<f64>,
     /// In m, ascending.
@@ -80,10 +80,10 @@ pub fn from_columns(
     columns: &Columns,
     [xs, ys, values]: [&[f64]; 3],
     advice: &str,
-) -> Result<Values, CaseError> {
+) -> Result<Table, CaseError> {
     let lattice = Lattice::of(xs, ys, columns, advice)?;
     let values = lattice.arranged(values);
-    Ok(Values { x: lattice.x.positions(), y: lattice.y.positions(), values })
+    Ok(Table { x: lattice.x.positions(), y: lattice.y.positions(), values })
 }
 
 /// From an .npy file, centred on the origin, spacings in m; each value must be `legal`, which `requirement` says
@@ -94,7 +94,7 @@ pub fn from_npy(
     spacings: [f64; 2],
     place: &Place,
     (legal, requirement): (fn(f64) -> bool, &str),
-) -> Result<Values, CaseError> {
+) -> Result<Table, CaseError> {
     let array = npy::parse(bytes).map_err(|message| npy_error(name, place, &message))?;
     if let Some(cell) = array.values.iter().position(|value| !legal(*value)) {
         let (row, column) = (cell / array.columns, cell % array.columns);
@@ -108,7 +108,7 @@ pub fn from_npy(
         (0..count).map(|index| (index as f64 - middle) * spacing).collect()
     };
     let (x, y) = (axis(array.columns, spacings[0]), axis(array.rows, spacings[1]));
-    Ok(Values { x, y, values: array.values })
+    Ok(Table { x, y, values: array.values })
 }
 
 /// An error of an .npy file; the message follows its name in a sentence.

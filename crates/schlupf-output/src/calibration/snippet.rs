@@ -22,7 +22,7 @@ pub(super) fn snippet(report: &Report) -> String {
         match stiffness {
             Some(stiffness) => lines.extend(assignments(component, &stiffness)),
             None => {
-                lines.push("# along y as along x, of which alone something is known".to_owned())
+                lines.push("# along y as along x, of which alone something is known".to_owned());
             }
         }
     }

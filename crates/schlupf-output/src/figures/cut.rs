@@ -1,4 +1,4 @@
-//! The contact along the line y = 0.
+//! The contact along the line y = 0, or another one where there is no contact.
 
 use std::f64::consts::PI;
 
@@ -40,14 +40,27 @@ struct Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    /// The line y = 0, or the one nearest to it that crosses the grid.
+    /// The line y = 0, or the one nearest to it that crosses the grid; where that passes between two parts of the
+    /// patch, the one through the largest pressure.
     fn new(patch: &'a Patch<'a>) -> Self {
         let grid = &patch.fields().grid;
         let (first, last) = (grid.y(0), grid.y(grid.rows - 1));
         let a = patch.semi_axes()[0];
         let range =
             if patch.elliptic { [-a, a] } else { [grid.edge_x(0), grid.edge_x(grid.columns)] };
-        Self { patch, y: 0.0_f64.clamp(first, last), range }
+        let mut cut = Self { patch, y: 0.0_f64.clamp(first, last), range };
+        let row = cut.row();
+        if (0..grid.columns).all(|column| patch.cell(column, row).is_none()) {
+            cut.y = row_of_largest_pressure(patch).map_or(cut.y, |row| grid.y(row));
+        }
+        cut
+    }
+
+    /// The row of the grid that it crosses.
+    fn row(&self) -> usize {
+        let grid = &self.patch.fields().grid;
+        let row = ((self.y - grid.origin_y) / grid.spacing_y).max(0.0) as usize;
+        row.min(grid.rows - 1)
     }
 
     fn title(&self) -> String {
@@ -87,10 +100,10 @@ impl<'a> Cut<'a> {
     /// At the cells of the strip on the line.
     fn through_cells(&self, values: &[f64]) -> Vec<[f64; 2]> {
         let grid = &self.patch.fields().grid;
-        let row = ((self.y - grid.origin_y) / grid.spacing_y).max(0.0) as usize;
+        let row = self.row();
         (0..grid.columns)
             .map(|column| {
-                let cell = self.patch.cell(column, row.min(grid.rows - 1));
+                let cell = self.patch.cell(column, row);
                 [grid.x(column) / 1e-3, cell.map_or(f64::NAN, |cell| values[cell])]
             })
             .collect()
@@ -114,6 +127,12 @@ impl<'a> Cut<'a> {
         }
         ranges
     }
+}
+
+fn row_of_largest_pressure(patch: &Patch) -> Option<usize> {
+    let fields = patch.fields();
+    let cells = fields.cell.iter().zip(&fields.pressure);
+    cells.max_by(|(_, p), (_, q)| p.total_cmp(q)).map(|([_, row], _)| *row)
 }
 
 fn tractions(cut: &Cut) -> Panel {

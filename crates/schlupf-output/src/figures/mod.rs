@@ -81,7 +81,7 @@ pub enum FigureError {
 }
 
 /// All figures that the solution has something to show in: `surface_…` over the patch, flat `map_…`,
-/// `cut_y0` along y = 0, and `history` over the rolled distance.
+/// `cut_y0` along y = 0 (through the largest pressure where that line meets no contact), and `history` over the rolled distance.
 pub fn all(title: &str, solution: &Solution) -> Result<Vec<Figure>, FigureError> {
     let fonts = font::database();
     drawings(title, solution)?

@@ -92,15 +92,14 @@ fn status(text: &mut String, report: &FitReport) {
         Status::Converged => "converged",
         Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
     };
-    line(
-        text,
-        &format!(
-            "{verdict}, {} steps, {} Newton iterations, {} products",
-            fit.iterations,
-            fit.work.newton_iterations,
-            number(fit.work.operator_products + fit.work.sensitivity_products as f64)
-        ),
-    );
+    let work = match fit.work.newton_iterations {
+        0 => String::new(),
+        newton => {
+            let products = fit.work.operator_products + fit.work.sensitivity_products as f64;
+            format!(", {newton} Newton iterations, {} products", number(products))
+        }
+    };
+    line(text, &format!("{verdict}, {} steps{work}", fit.iterations));
     for reason in fit.warnings.iter().filter_map(|warning| reason(warning)) {
         line(text, &format!("  {reason}"));
     }

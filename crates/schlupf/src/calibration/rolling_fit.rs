@@ -51,7 +51,7 @@ const FIELD: f64 = 0.06;
 /// The motions of one ellipse, and the answers of the half-space.
 pub(super) struct Motions {
     contact: RollingContact,
-    motions: Vec<Kinematics>,
+    ways: Vec<Kinematics>,
     exact: Vec<Solution>,
     options: Options,
     solver: RefCell<SteadySolver>,
@@ -62,9 +62,9 @@ impl Motions {
         let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
         let options =
             Options { cells_x: cells, cells_y: cells, tolerance: 1e-7, ..Options::default() };
-        let motions = MOTIONS.into_iter().map(|parts| contact.motion(parts)).collect();
+        let ways = MOTIONS.into_iter().map(|parts| contact.motion(parts)).collect();
         let solver = RefCell::new(SteadySolver::new(&options));
-        let mut this = Self { contact, motions, exact: Vec::new(), options, solver };
+        let mut this = Self { contact, ways, exact: Vec::new(), options, solver };
         let elasticity = Arc::clone(&this.contact.problem.elasticity);
         this.exact = this.answers(&elasticity).ok_or_else(|| Error::Contradiction {
             quantity: "calibration",
@@ -115,7 +115,7 @@ impl Motions {
             let solution = solver.solve(&problem, &mut |_| ()).ok()?;
             (solution.work.steps == 0).then_some(solution)
         };
-        self.motions.iter().map(solve).collect()
+        self.ways.iter().map(solve).collect()
     }
 
     /// Differences of forces, and of the tractions if they count, each over what weighs one;
@@ -123,7 +123,7 @@ impl Motions {
     pub fn residuals(&self, elasticity: &Arc<dyn Elasticity>, fields: bool) -> Option<Vec<f64>> {
         let answers = self.answers(elasticity)?;
         let mut residuals = Vec::new();
-        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.motions) {
+        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.ways) {
             let force = if motion.spin == 0.0 { FORCE } else { FORCE_WITH_SPIN };
             residuals.push((answer.normalised.x - exact.normalised.x) / force);
             residuals.push((answer.normalised.y - exact.normalised.y) / force);
@@ -142,7 +142,7 @@ impl Motions {
         let answers = self.answers(elasticity)?;
         let mut deviation = Deviation::default();
         let mut counts = [0.0; 2];
-        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.motions) {
+        for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.ways) {
             let (one, other) = (answer.normalised, exact.normalised);
             let force = (one.x - other.x).hypot(one.y - other.y);
             let (here, there) = (&answer.fields, &exact.fields);

@@ -325,16 +325,27 @@ impl Found<'_> {
         warnings
     }
 
-    /// A reduction of the slope that enlarges it.
+    /// Reductions of the slope that a case cannot have.
     fn no_reduction(&self) -> Option<String> {
         let is_above = |(parameter, value): &&(Parameter, f64)| {
             matches!(parameter, Parameter::AreaAdhesion | Parameter::AreaSlip) && *value > 1.0
         };
-        let (parameter, value) = self.parameters.iter().find(is_above)?;
-        let name = parameter.name();
-        Some(format!(
-            "{name} is {value:.4}, but a reduction is at most 1: hold it there, do not fit it"
-        ))
+        if let Some((parameter, value)) = self.parameters.iter().find(is_above) {
+            let name = parameter.name();
+            return Some(format!(
+                "{name} is {value:.4}, but a reduction is at most 1: hold it there, do not fit it"
+            ));
+        }
+        let of = |wanted| self.parameters.iter().find(|(parameter, _)| *parameter == wanted);
+        let ((adhesion, most), (slip, value)) =
+            (of(Parameter::AreaAdhesion)?, of(Parameter::AreaSlip)?);
+        (value > most).then(|| {
+            format!(
+                "{} is {value:.4}, but must not exceed {} = {most:.4}: no case can have them",
+                slip.name(),
+                adhesion.name()
+            )
+        })
     }
 
     /// Residuals that are no scatter.

@@ -4,14 +4,14 @@
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Weights {
     first: usize,
-    weights: [f64; 4],
+    values: [f64; 4],
     count: usize,
 }
 
 impl Weights {
-    /// The interpolated value.
+    /// The interpolated value, in the unit of the values; the weights are dimensionless.
     pub fn apply(&self, value: impl Fn(usize) -> f64) -> f64 {
-        (0..self.count).map(|k| self.weights[k] * value(self.first + k)).sum()
+        (0..self.count).map(|k| self.values[k] * value(self.first + k)).sum()
     }
 }
 
@@ -37,7 +37,7 @@ pub(super) fn weights_at(points: &[f64], at: f64) -> Weights {
             weights[start + k - first] += share * width * by;
         }
     }
-    Weights { first, weights, count }
+    Weights { first, values: weights, count }
 }
 
 /// Slope of the parabola through three points at some position: its weights of the three values, in

@@ -20,13 +20,13 @@ pub(super) struct Search<'a> {
 
 /// A pressure on equidistant positions, in the coordinates of the distance.
 pub(super) struct Solved {
-    /// In m.
+    /// Positions along rolling, in m.
     pub x: Vec<f64>,
-    /// In m.
+    /// Positions across, in m.
     pub y: Vec<f64>,
     /// Rows along x, in Pa.
     pub pressure: Vec<f64>,
-    /// In m.
+    /// Approach of the bodies, in m.
     pub approach: f64,
 }
 
