@@ -54,7 +54,7 @@ pub fn run(arguments: &RoughnessArguments) -> Result<ExitCode, Failure> {
 
 /// What the options and the case ask for.
 fn request(arguments: &RoughnessArguments, case: &Case) -> Result<RoughnessRequest, Failure> {
-    let fields = fields(arguments, case)?;
+    let fields = fields(arguments)?;
     let is_own = arguments.surface.is_none() && arguments.synthetic.is_none();
     let folder = (!is_own).then_some(Path::new(""));
     let request = case.rough_contact(&fields, folder);
@@ -80,7 +80,7 @@ const KEYS: [(&str, &str); 7] = [
 ];
 
 /// The fields that the options give.
-fn fields(arguments: &RoughnessArguments, case: &Case) -> Result<Vec<GivenByOption>, Failure> {
+fn fields(arguments: &RoughnessArguments) -> Result<Vec<GivenByOption>, Failure> {
     let file = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
     let flag = |is_given: bool| is_given.then(|| "true".to_owned());
     let quoted = |text: String| format!("{text:?}");

@@ -4,6 +4,8 @@ mod support;
 
 use std::fmt::Write;
 
+use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::material::Material;
 use serde_json::Value;
 use support::{Bench, Run};
 
@@ -148,6 +150,49 @@ fn displacements_in_closed_form_give_back_the_stiffnesses() {
     assert!(run.stdout.contains("away from the displacements") && run.stdout.contains("fe.csv"));
     bench.write("pasted.toml", &format!("{CASE}{}", snippet(&run.stdout)));
     assert_eq!(bench.run(&["solve", "pasted.toml", "--quiet"]).code, Some(0));
+}
+
+/// Displacements of two steel half-spaces under μp on a circle of 5 mm, from Cerruti's solution cell by cell.
+fn half_space_table() -> String {
+    let bodies = HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap();
+    let spacing = 0.5e-3;
+    let points: Vec<[f64; 2]> =
+        (0..33 * 33).map(|k| [k % 33, k / 33].map(|n| (f64::from(n) - 16.0) * spacing)).collect();
+    let traction = |[x, y]: [f64; 2]| 3e8 * (1.0 - (x * x + y * y) / 25e-6).max(0.0).sqrt();
+    let loaded: Vec<[f64; 2]> = points.iter().copied().filter(|p| traction(*p) > 0.0).collect();
+    let mut text = "x [mm],y [mm],traction_x [MPa],displacement_x [um]\n".to_owned();
+    for &[x, y] in &points {
+        let under = |&[i, j]: &[f64; 2]| {
+            bodies.influence_of([spacing; 2], [x - i, y - j])[0] * traction([i, j])
+        };
+        let displacement: f64 = loaded.iter().map(under).sum();
+        let t = traction([x, y]);
+        writeln!(text, "{},{},{},{}", x * 1e3, y * 1e3, t * 1e-6, displacement * 1e6).unwrap();
+    }
+    text
+}
+
+/// The half-space as if it came from finite elements: the layer's displacements are within 4 % of its, and in
+/// rolling the forces of the fitted layer within 2 % of μN.
+#[test]
+fn kalker_1990_displacements_of_the_half_space() {
+    let bench = Bench::new();
+    bench.write("hs.csv", &half_space_table());
+    bench.write("case.toml", &CASE.replace("6 mm", "5 mm").replace("spin = \"0.3 1/m\"", ""));
+    let run = run(&bench, &["--displacements", "hs.csv", "--json", "c.json"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let document: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
+    let deviation = number(&document["fitted"]["x"]["files"][0]["deviation"]);
+    bench.write("pasted.toml", &format!("{}{}", bench.read("case.toml"), snippet(&run.stdout)));
+    let force = |arguments: &[&str]| {
+        let run = bench.run(&[&["solve", "--json", "-"], arguments].concat());
+        let solution: Value = serde_json::from_str(&run.stdout).unwrap();
+        number(&solution["normalised"]["x"])
+    };
+    let fitted = force(&["pasted.toml"]);
+    let exact = force(&["case.toml", "--set", "elasticity.model=half-space"]);
+    println!("displacements {:.1} %, forces {fitted:.4} {exact:.4}", 100.0 * deviation);
+    assert!(deviation < 0.04 && (fitted - exact).abs() < 0.02, "{deviation} {fitted} {exact}");
 }
 
 /// Where one component is loaded the other has no stiffness of its own, and the snippet says so.
