@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use rustdct::{DctPlanner, TransformType2And3};
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 use schlupf::elasticity::half_space::Convolution;
@@ -12,8 +11,8 @@ use super::{Bodies, Case, elastic_layer};
 /// The transforms of one product, on lines of the same lengths and numbers. Zeros take as long as
 /// anything else.
 pub enum Transforms {
-    /// DCT-II and DCT-III of each row, for both components.
-    Layer { plan: Arc<dyn TransformType2And3<f64>>, lines: Vec<f64>, scratch: Vec<f64> },
+    /// FFT of each row, for both components at once; and back.
+    Layer(Pass),
     /// FFT of each row that the grid has, then of each column of the padded grid; and back.
     HalfSpace { along: Pass, across: Pass },
 }
@@ -31,9 +30,7 @@ impl Transforms {
         match case.bodies {
             Bodies::Layer => {
                 let columns = elastic_layer().surroundings(&grid).unwrap().columns;
-                let plan = DctPlanner::new().plan_dct2(columns);
-                let scratch = vec![0.0; plan.get_scratch_len()];
-                Self::Layer { plan, lines: vec![0.0; 2 * columns * grid.rows], scratch }
+                Self::Layer(Pass::new(columns, grid.rows))
             }
             Bodies::HalfSpace => {
                 let [columns, rows] = Convolution::new(&grid, |_, _| [0.0; 3]).padded_size();
@@ -45,12 +42,7 @@ impl Transforms {
 
     pub fn run(&mut self) {
         match self {
-            Self::Layer { plan, lines, scratch } => {
-                for line in lines.chunks_exact_mut(plan.len()) {
-                    plan.process_dct2_with_scratch(line, scratch);
-                    plan.process_dct3_with_scratch(line, scratch);
-                }
-            }
+            Self::Layer(pass) => pass.run(),
             Self::HalfSpace { along, across } => {
                 along.run();
                 across.run();

@@ -4,6 +4,8 @@
 //! conjugate of that at k. Every line is transformed on its own, in a fixed order, so the same field
 //! gives the same bits.
 
+pub(crate) mod cosine;
+
 use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
