@@ -187,6 +187,10 @@ impl Case {
         let mut text = edited::Edited::new(&self.text, &self.name)?;
         text.take_over(&self.entries, is_moved.then_some(&self.folder))?;
         for (path, value) in values {
+            if *path == "contact_law.stiffness" {
+                // A case has k_c or the roughness that it follows from.
+                text.remove("contact_law.roughness");
+            }
             text.set_number(path, *value)?;
         }
         Ok(text.finish())

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use toml_edit::{Array, DocumentMut, Item, Table, Value};
+use toml_edit::{Array, DocumentMut, Item, Table, TableLike, Value};
 
 use crate::document::{Content, Entry, Origin};
 use crate::error::CaseError;
@@ -74,16 +74,25 @@ impl Edited {
 
     fn set(&mut self, path: &str, mut value: Value) -> Result<(), CaseError> {
         let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
-        let root = self.document.as_table_mut();
-        let table = if section.is_empty() {
-            Some(root as &mut dyn toml_edit::TableLike)
-        } else {
-            root.entry(section).or_insert(Item::Table(Table::new())).as_table_like_mut()
-        };
-        let Some(table) = table else {
-            let place = Place::File { name: self.name.clone() };
-            return Err(CaseError::new(path, format!("{section} is no section"), place));
-        };
+        let mut table: &mut dyn TableLike = self.document.as_table_mut();
+        for key in section.split('.').filter(|key| !key.is_empty()) {
+            let item = table.entry(key).or_insert_with(|| {
+                let mut table = Table::new();
+                // One that only holds another has no line of its own.
+                table.set_implicit(true);
+                Item::Table(table)
+            });
+            if let Some(short) = item.as_value_mut().filter(|old| old.is_str() && name == "file") {
+                // A file alone stands for the section that names it.
+                *value.decor_mut() = short.decor().clone();
+                *short = value;
+                return Ok(());
+            }
+            table = item.as_table_like_mut().ok_or_else(|| {
+                let place = Place::File { name: self.name.clone() };
+                CaseError::new(path, format!("{section} is no section"), place)
+            })?;
+        }
         match table.get_mut(name).and_then(Item::as_value_mut) {
             Some(old) => {
                 // Blanks before and a comment behind.
@@ -97,14 +106,15 @@ impl Edited {
         Ok(())
     }
 
-    fn remove(&mut self, path: &str) {
+    /// Takes out a field, or a section with all of its fields.
+    pub fn remove(&mut self, path: &str) {
         let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
-        let root = self.document.as_table_mut();
-        if section.is_empty() {
-            root.remove(name);
-        } else if let Some(table) = root.get_mut(section).and_then(Item::as_table_like_mut) {
-            table.remove(name);
+        let mut table: &mut dyn TableLike = self.document.as_table_mut();
+        for key in section.split('.').filter(|key| !key.is_empty()) {
+            let Some(inner) = table.get_mut(key).and_then(Item::as_table_like_mut) else { return };
+            table = inner;
         }
+        table.remove(name);
     }
 }
 
@@ -169,6 +179,29 @@ mod tests {
         assert_eq!(edited(text, &[], &values, "here"), new);
     }
 
+    /// A case has k_c or the roughness that it follows from, in whichever way that is written.
+    #[test]
+    fn a_stiffness_takes_the_place_of_a_roughness() {
+        let new = "[contact_law]\nstiffness = \"4e6 1/m\"\n";
+        for old in [
+            "[contact_law]\nroughness = { rms_height = \"1 um\" }\n",
+            "[contact_law]\nroughness.rms_height = \"1 um\"\n",
+            "[contact_law.roughness]\nrms_height = \"1 um\"\n",
+        ] {
+            let text = edited(old, &[], &[("contact_law.stiffness", 4e6)], "here");
+            assert_eq!(text.trim_start_matches('\n'), new, "{old}");
+        }
+    }
+
+    #[test]
+    fn fields_of_nested_sections_are_set_there() {
+        let text = edited("", &["contact_law.roughness.rms_height=1 um"], &[], "here");
+        assert_eq!(text.trim(), "[contact_law.roughness]\nrms_height = \"1 um\"");
+        let text = "[contact_law]\nroughness = { rms_height = \"1 um\" }\n";
+        let text = edited(text, &["contact_law.roughness.rms_height=2 um"], &[], "here");
+        assert_eq!(text, "[contact_law]\nroughness = { rms_height = \"2 um\" }\n");
+    }
+
     #[test]
     fn paths_lead_to_the_same_files_from_another_folder() {
         let folder = std::env::temp_dir();
@@ -181,6 +214,12 @@ mod tests {
         assert_eq!(read.edited(&[], &place).unwrap(), text);
         let moved = read.edited(&[], &folder).unwrap();
         case(&moved, &folder).unwrap();
+        let line = "x [um],height [um]\n0,0\n1,1\n2,0.5\n3,0.8\n";
+        std::fs::write(place.join("line.csv"), line).unwrap();
+        let short = "contact_law.roughness = \"line.csv\"\nsolver.method = \"polach\"\n";
+        let moved = case(short, &place).unwrap().edited(&[], &folder).unwrap();
+        let line = super::absolute(&place.join("line.csv")).display().to_string();
+        assert!(moved.starts_with(&format!("contact_law.roughness = {line:?}\n")), "{moved}");
         std::fs::remove_dir_all(&place).unwrap();
     }
 }

@@ -3,13 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::calibration::displacements::{Sample, fit};
+use schlupf::calibration::displacements::{DisplacementFit, Sample, fit};
 use schlupf::calibration::side_by_side::side_by_side;
-use schlupf::calibration::{
-    Calibration, CalibrationOptions, calibrate, deviation_of_table, kalker_bed,
-};
+use schlupf::calibration::{Calibration, CalibrationOptions, calibrate, deviation_of_table};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::calibrated_layer::{RelativeStiffness, tabulated_stiffness};
+use schlupf::elasticity::elastic_layer::LayerStiffness;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::history::History;
 use schlupf::normal::{NormalContact, Pressure};
@@ -103,7 +102,9 @@ impl Patch {
             .transpose()?;
         let anew =
             if arguments.anew { Some(calibrate(ratios.0, ratios.1, &options)?) } else { None };
-        let fitted = self.fitted(displacements)?;
+        let fitted = fitted(displacements)?;
+        let exact = tabulated.map(|stiffness| self.layer(stiffness, None).stiffness);
+        warnings.extend(fitted.iter().flat_map(|fitted| doubts(fitted, exact)));
         let mut converged = anew.is_none_or(|anew| anew.converged)
             && fitted.iter().flat_map(components).all(|component| component.fit.converged);
         let mut figure = None;
@@ -160,27 +161,80 @@ impl Patch {
             uncoupled: self.layer(bed, Some(found.winkler)),
         }
     }
+}
 
-    /// Each component is fitted to all files that load it.
-    fn fitted(&self, displacements: &[Displacements]) -> Result<Option<Fitted>, Error> {
-        if displacements.is_empty() {
+/// Each component is fitted to all files that load it.
+fn fitted(displacements: &[Displacements]) -> Result<Option<Fitted>, Error> {
+    if displacements.is_empty() {
+        return Ok(None);
+    }
+    let component = |k: usize| {
+        let loaded =
+            displacements.iter().filter_map(|file| Some((file, file.samples[k].as_ref()?)));
+        let (files, samples): (Vec<&Displacements>, Vec<&Sample>) = loaded.unzip();
+        if samples.is_empty() {
             return Ok(None);
         }
-        let semi_axes = [self.normal.summary.semi_axis_x, self.normal.summary.semi_axis_y];
-        let guess = kalker_bed(&self.bodies, semi_axes)?.bedding();
-        let component = |k: usize| {
-            let loaded =
-                displacements.iter().filter_map(|file| Some((file, file.samples[k].as_ref()?)));
-            let (files, samples): (Vec<&Displacements>, Vec<&Sample>) = loaded.unzip();
-            if samples.is_empty() {
-                return Ok(None);
-            }
-            let samples: Vec<Sample> = samples.into_iter().cloned().collect();
-            let files = files.into_iter().map(|file| file.name.clone()).collect();
-            fit(&samples, guess[k]).map(|fit| Some(FittedComponent { fit, files }))
-        };
-        Ok(Some(Fitted { components: [component(0)?, component(1)?] }))
+        let samples: Vec<Sample> = samples.into_iter().cloned().collect();
+        let files: Vec<String> = files.into_iter().map(|file| file.name.clone()).collect();
+        let fit = fit(&samples)?;
+        if fit.largest_deviation() > UNLIKE {
+            return Err(unlike(&fit, k, &files));
+        }
+        Ok(Some(FittedComponent { fit, files }))
+    };
+    Ok(Some(Fitted { components: [component(0)?, component(1)?] }))
+}
+
+/// Part of given displacements that a layer may miss before a warning, and before they are refused.
+const FAR: f64 = 0.15;
+const UNLIKE: f64 = 0.5;
+
+/// Bedding over that of the bodies' half-spaces, or the inverse, from which on there is a warning.
+const FOREIGN: f64 = 30.0;
+
+/// An error that no layer has such displacements.
+fn unlike(fit: &DisplacementFit, component: usize, files: &[String]) -> Error {
+    Error::Contradiction {
+        quantity: ["displacement_x", "displacement_y"][component],
+        reason: format!(
+            "no elastic layer has the displacements of {}: the nearest is {:.0} % of them away; check that \
+             tractions and displacements belong together, and their units",
+            files.join(", "),
+            100.0 * fit.largest_deviation()
+        ),
     }
+}
+
+/// What to know about fits to displacements; `exact` is the layer that is like the half-space.
+fn doubts(fitted: &Fitted, exact: Option<[LayerStiffness; 2]>) -> Vec<String> {
+    let mut doubts = Vec::new();
+    for (k, (name, component)) in ["x", "y"].into_iter().zip(&fitted.components).enumerate() {
+        let Some(FittedComponent { fit, .. }) = component else { continue };
+        if let Some(ratio) = exact.map(|exact| fit.bedding / exact[k].bedding)
+            && !(FOREIGN.recip()..FOREIGN).contains(&ratio)
+        {
+            doubts.push(format!(
+                "the bedding for displacement_{name} is {ratio:.1e} times that of half-spaces of the case's \
+                 bodies: are units and bodies right?"
+            ));
+        }
+        if fit.largest_deviation() > FAR {
+            doubts.push(format!(
+                "the layer misses {:.0} % of displacement_{name}: it is hardly an elastic layer's",
+                100.0 * fit.largest_deviation()
+            ));
+        }
+        for (direction, is_open) in ["along", "across"].into_iter().zip(fit.is_open) {
+            if is_open {
+                doubts.push(format!(
+                    "displacement_{name} leaves open how far the coupling reaches {direction} rolling: its \
+                     decay length is at the end of the range that is looked at"
+                ));
+            }
+        }
+    }
+    doubts
 }
 
 fn components(fitted: &Fitted) -> impl Iterator<Item = &FittedComponent> {

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use schlupf::identification::{
-    self, CreepForceModel, Fit, Parameter, PolachModel, RollingContactModel, sample_curves,
+    self, CreepForceModel, DataPoint, Fit, Parameter, PolachModel, RollingContactModel,
+    sample_curves,
 };
 use schlupf::{Error, Method, Status};
 use schlupf_case::identification::{parameters, read_data};
@@ -37,12 +38,17 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
     identification::check(model.creep_forces(), &data).map_err(explain)?;
     let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
     check_outputs(arguments, &case)?;
+    let other_loads = other_loads(&data, load);
+    if let Some(text) = &other_loads {
+        report::warn(text);
+    }
     let progress = Progress::start();
     progress.stage("fitting");
     let steps = arguments.max_steps as usize;
-    let mut fit =
-        identification::fit(model.creep_forces(), &data, steps, &mut |_| ()).map_err(explain)?;
-    fit.warnings.extend(case.notices.iter().cloned());
+    let mut each = |done: identification::Progress| progress.count("fitting, forces", done.solved);
+    let fit = identification::fit(model.creep_forces(), &data, steps, &mut each);
+    let mut fit = fit.map_err(explain)?;
+    fit.warnings.extend(case.notices.iter().cloned().chain(other_loads));
     let points = if arguments.figures.is_some() { CURVE_POINTS } else { 0 };
     let curves = sample_curves(model.creep_forces(), &data, points).map_err(explain)?;
     let contact_stiffness = model.contact_stiffness();
@@ -58,13 +64,24 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
         roughness,
     };
     let mut files = files(arguments, &report, &progress)?;
-    if let Some(path) = &arguments.write_case {
+    let fitted = arguments.write_case.as_ref().map(|path| {
         let text = fitted_case(&case, &report.fit, contact_stiffness, path)?;
-        files.push((path.clone(), text.into_bytes()));
-    }
+        Ok((path.clone(), text.into_bytes()))
+    });
+    // What was found is written, whether a case can have it or not.
+    let no_case = match fitted.transpose() {
+        Ok(fitted) => {
+            files.extend(fitted);
+            None
+        }
+        Err(failure) => Some(failure),
+    };
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
     print(arguments, &report)?;
+    if let Some(failure) = no_case {
+        return Err(failure);
+    }
     match report.fit.status {
         Status::Converged => Ok(ExitCode::SUCCESS),
         Status::NotConverged => {
@@ -75,6 +92,18 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
             Ok(ExitCode::from(NOT_CONVERGED))
         }
     }
+}
+
+/// Loads of the data (in N) far from that of the case: units, as a rule.
+fn other_loads(data: &[DataPoint], load: f64) -> Option<String> {
+    const FAR: f64 = 10.0;
+    let loads = data.iter().filter_map(|point| point.condition.load);
+    let far = loads.filter(|other| other / load > FAR || load / other > FAR);
+    let other =
+        far.max_by(|one, other| (one / load).ln().abs().total_cmp(&(other / load).ln().abs()))?;
+    Some(format!(
+        "the data have a load of {other:.4e} N, the case one of {load:.4e} N: are the units right?"
+    ))
 }
 
 /// What is fitted.

@@ -23,6 +23,7 @@ pub struct Progress {
 enum Message {
     Step(rolling::Progress),
     Stage(&'static str),
+    Count(&'static str, usize),
 }
 
 impl Progress {
@@ -43,6 +44,11 @@ impl Progress {
     /// Something else begins.
     pub fn stage(&self, name: &'static str) {
         self.send(Message::Stage(name));
+    }
+
+    /// So many of something were done, of a number that nobody knows.
+    pub fn count(&self, name: &'static str, done: usize) {
+        self.send(Message::Count(name, done));
     }
 
     fn send(&self, message: Message) {
@@ -85,6 +91,7 @@ fn show(messages: &Receiver<Message>) {
 fn update(bar: &ProgressBar, message: Message) {
     match message {
         Message::Stage(name) => bar.set_message(name),
+        Message::Count(name, done) => bar.set_message(format!("{name} {done}")),
         Message::Step(rolling::Progress { step, steps, change }) => {
             if let Some(steps) = steps {
                 if bar.length().is_none() {

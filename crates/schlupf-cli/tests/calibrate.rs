@@ -218,6 +218,27 @@ fn a_component_without_load_is_left_out() {
     assert_eq!(bench.run(&["solve", "pasted.toml", "--quiet"]).code, Some(0));
 }
 
+/// Displacements in another unit, and such as no layer has.
+#[test]
+fn displacements_that_do_not_belong_to_the_load_are_told() {
+    let bench = bench();
+    bench.write("fe.csv", &table().replace("displacement_x [um]", "displacement_x [mm]"));
+    let run = run(&bench, &["--displacements", "fe.csv"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("are units and bodies right?"), "{}", run.stdout);
+    let point = |k: usize| [k % 20, k / 20].map(|n| n as f64 - 9.5);
+    let rows = (0..400).map(point).map(|[x, y]| {
+        let load = (25.0 - x * x - y * y).max(0.0);
+        format!("{x},{y},{load},{}\n", 10.0 + x + 0.01 * load)
+    });
+    let header = "x [mm],y [mm],traction_x [MPa],displacement_x [um]\n".to_owned();
+    bench.write("tilted.csv", &rows.fold(header, |text, row| text + &row));
+    let run = bench.run(&["calibrate", "case.toml", "--displacements", "tilted.csv"]);
+    assert_eq!(run.code, Some(2), "{}", run.stdout);
+    let expected = "displacement_x: no elastic layer has the displacements of tilted.csv";
+    assert!(run.stderr.contains(expected), "{}", run.stderr);
+}
+
 #[test]
 fn bad_input_is_named() {
     let bench = bench();

@@ -94,7 +94,7 @@ fn bristles_on_rigid_bodies_come_back() {
     assert!(bench.path("figures/fit.svg").exists() && bench.path("figures/fit.png").exists());
     // The new case starts where the fit ended.
     let again = bench.run(&["fit", "new.toml", "--data", "data.csv", "--fit", BOTH]);
-    assert!(again.stdout.contains("converged, 1 steps"), "{}", again.stdout);
+    assert!(again.stdout.contains("converged, 0 steps"), "{}", again.stdout);
 }
 
 #[test]
@@ -170,6 +170,47 @@ fn what_the_data_leave_open_is_refused_and_nothing_is_written() {
     let expected = "--data data.csv: friction.coefficient: the data do not determine it";
     assert!(run.stderr.contains(expected), "{}", run.stderr);
     assert_eq!(bench.list(), ["case.toml", "data.csv"]);
+}
+
+/// A load a thousand times that of the case: kN for N, as a rule.
+#[test]
+fn a_load_far_from_that_of_the_case_is_told() {
+    let bench = bench();
+    let load = "creepage_x,force_ratio,load [kN]\n".to_owned();
+    let rows = POINTS.iter().map(|[creepage, ratio]| format!("{creepage},{ratio},6e4\n"));
+    bench.write("data.csv", &rows.fold(load, |text, row| text + &row));
+    let run = fit(&bench, BOTH, &["--json", "r.json"]);
+    assert!(run.stderr.contains("are the units right?"), "{}", run.stderr);
+    assert!(bench.read("r.json").contains("are the units right?"));
+}
+
+/// Polach's curve with k_A = k_S = 0.3, fitted with k_A held at 0.15: k_S above k_A is no case. What was found is written
+/// all the same.
+#[test]
+fn a_case_that_cannot_be_costs_nothing_else() {
+    let bench = bench();
+    let ratio = |creepage: f64| {
+        // Gradient of the stress for steel, a = 6 mm, b = 5 mm, μN = 24 kN, about.
+        let stress = 0.3 * 350.0 * creepage;
+        0.4 * 2.0 / std::f64::consts::PI * (stress / (1.0 + stress * stress) + stress.atan())
+    };
+    let rows = (1..20).map(|k| 1e-4 * f64::from(k * k)).map(|c| format!("{c},{}\n", ratio(c)));
+    let header = "creepage_x,force_ratio\n".to_owned();
+    bench.write("data.csv", &rows.fold(header, |text, row| text + &row));
+    let outputs = ["--json", "r.json", "--write-case", "new.toml"];
+    let polach = [
+        "--set",
+        "solver.method=polach",
+        "--set",
+        "solver.polach_area_adhesion=0.15",
+        "--set",
+        "solver.polach_area_slip=0.1",
+    ];
+    let run = fit(&bench, "solver.polach_area_slip", &[&polach[..], &outputs].concat());
+    assert_eq!(run.code, Some(2), "{}\n{}", run.stdout, run.stderr);
+    assert!(run.stderr.contains("new.toml") && run.stderr.contains("area_slip"), "{}", run.stderr);
+    assert!(run.stdout.contains("k_S"), "{}", run.stdout);
+    assert_eq!(bench.list(), ["case.toml", "data.csv", "r.json"]);
 }
 
 #[test]

@@ -6,21 +6,29 @@ use faer::linalg::solvers::{DenseSolveCore, Solve};
 
 /// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
 pub trait Residuals {
-    /// The residuals (dimensionless) at some parameters; `None` where the model cannot be evaluated, or outside the
-    /// parameters' range: a step there is shortened.
+    /// The residuals (dimensionless) at some parameters within their bounds; `None` where the model cannot be
+    /// evaluated: a step there is shortened.
     fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>>;
 
+    /// Least and largest value of a parameter, dimensionless.
+    fn bounds(&self, _parameter: usize) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
     /// Derivatives of the residuals (rows) with respect to the parameters (columns), dimensionless; by
-    /// default by forward differences.
+    /// default by differences with [`Self::difference_step`].
     fn jacobian(&mut self, parameters: &[f64], residuals: &[f64]) -> Option<Mat<f64>> {
         let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
         let mut moved = parameters.to_vec();
         for column in 0..parameters.len() {
             // Backwards where forwards is outside.
-            let step = DIFFERENCE * parameters[column].abs().max(1.0);
+            let step = self.difference_step() * parameters[column].abs().max(1.0);
+            let [low, high] = self.bounds(column);
             let (step, changed) = [step, -step].into_iter().find_map(|step| {
                 moved[column] = parameters[column] + step;
-                self.residuals(&moved).map(|changed| (step, changed))
+                let is_inside = (low..=high).contains(&moved[column]);
+                let changed = if is_inside { self.residuals(&moved) } else { None };
+                changed.map(|changed| (step, changed))
             })?;
             for (row, (changed, residual)) in changed.iter().zip(residuals).enumerate() {
                 jacobian[(row, column)] = (changed - residual) / step;
@@ -29,19 +37,25 @@ pub trait Residuals {
         }
         Some(jacobian)
     }
+
+    /// Step of a difference, relative to a parameter of at least one; dimensionless.
+    fn difference_step(&self) -> f64 {
+        1e-4
+    }
 }
 
-/// Step of a forward difference, relative to a parameter of at least one.
-const DIFFERENCE: f64 = 1e-4;
-
-/// When to stop.
+/// When to stop: at the first of these. All are about the step of Gauss and Newton, undamped, of the parameters
+/// that are not held by a bound; a step that damping has made short says nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Largest change of a parameter in a last step, relative to a parameter of at least one;
-    /// dimensionless. Or the part of the sum of squares that an undamped step would still take away
-    /// (the relative offset of Bates and Watts 1981, squared): parameters that hardly matter need
-    /// not come to rest.
+    /// Largest change of a parameter, relative to a parameter of at least one; dimensionless.
     pub tolerance: f64,
+    /// Part of the sum of squares that the step would still take away (the relative offset of Bates and Watts 1981,
+    /// squared), dimensionless: parameters that hardly matter need not come to rest.
+    pub reducible: f64,
+    /// What the step would still take away from the sum of squares where that is rounding of the model,
+    /// dimensionless.
+    pub negligible: f64,
     /// Most steps.
     pub max_iterations: usize,
 }
@@ -55,8 +69,10 @@ pub struct Minimum {
     pub residuals: Vec<f64>,
     /// Their derivatives (rows) with respect to the parameters (columns), dimensionless.
     pub jacobian: Mat<f64>,
-    /// Whether the tolerance was reached.
+    /// Whether one of the limits was reached.
     pub converged: bool,
+    /// Whether a bound holds the parameter: the sum of squares would fall beyond it.
+    pub is_held: Vec<bool>,
     /// Steps tried.
     pub iterations: usize,
 }
@@ -94,70 +110,97 @@ const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-12;
 const LARGEST_DAMPING: f64 = 1e10;
 
-/// Fits the parameters from a start. `None` where the model cannot be evaluated there.
+/// Fits the parameters from a start within the bounds. `None` where the model cannot be evaluated there.
+///
+/// Steps beyond a bound end there (Kanzow, Yamashita and Fukushima 2004), and a parameter at a bound beyond which
+/// the sum would fall takes no part in the next one.
 pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> Option<Minimum> {
     let residuals = model.residuals(start)?;
     let jacobian = model.jacobian(start, &residuals)?;
-    let parameters = start.to_vec();
-    let mut here = Minimum { parameters, residuals, jacobian, converged: false, iterations: 0 };
+    let (parameters, is_held) = (start.to_vec(), vec![false; start.len()]);
+    let mut here =
+        Minimum { parameters, residuals, jacobian, converged: false, is_held, iterations: 0 };
+    here.hold(model);
     let mut damping = FIRST_DAMPING;
-    while here.iterations < limits.max_iterations && damping < LARGEST_DAMPING {
-        here.iterations += 1;
-        if reducible(&here) <= limits.tolerance {
-            here.converged = true;
-            break;
+    while !here.is_minimum(limits) {
+        if here.iterations == limits.max_iterations || damping > LARGEST_DAMPING {
+            return Some(here);
         }
-        let Some(step) = damped_step(&here, damping) else {
-            damping *= 10.0;
-            continue;
-        };
-        let is_short = step
-            .iter()
-            .zip(&here.parameters)
-            .all(|(step, p)| step.abs() <= limits.tolerance * p.abs().max(1.0));
-        let tried: Vec<f64> = here.parameters.iter().zip(&step).map(|(p, s)| p + s).collect();
-        let found = model.residuals(&tried);
-        match found.filter(|found| sum_of_squares(found) <= here.sum_of_squares()) {
-            Some(found) => {
+        here.iterations += 1;
+        let tried = here.damped_step(damping).map(|step| {
+            let moved = here.parameters.iter().zip(&step).enumerate();
+            moved.map(|(k, (p, step))| bounded(p + step, model.bounds(k))).collect::<Vec<f64>>()
+        });
+        let found = tried.and_then(|tried| model.residuals(&tried).map(|found| (tried, found)));
+        match found.filter(|(_, found)| sum_of_squares(found) < here.sum_of_squares()) {
+            Some((tried, found)) => {
                 here.jacobian = model.jacobian(&tried, &found)?;
                 (here.parameters, here.residuals) = (tried, found);
+                here.hold(model);
                 damping = (0.2 * damping).max(LEAST_DAMPING);
             }
             None => damping *= 5.0,
         }
-        if is_short {
-            here.converged = true;
-            break;
-        }
     }
+    here.converged = true;
     Some(here)
 }
 
-/// Part of the sum of squares that an undamped step takes away in a linear model: −rᵀJ step/rᵀr.
-fn reducible(here: &Minimum) -> f64 {
-    let Some(step) = damped_step(here, LEAST_DAMPING) else { return f64::INFINITY };
-    let along = |row: usize| -> f64 {
-        step.iter().enumerate().map(|(column, step)| here.jacobian[(row, column)] * step).sum()
-    };
-    let gain: f64 = here.residuals.iter().enumerate().map(|(row, r)| -r * along(row)).sum();
-    gain / here.sum_of_squares().max(f64::MIN_POSITIVE)
+fn bounded(value: f64, [low, high]: [f64; 2]) -> f64 {
+    value.max(low).min(high)
 }
 
-/// (JᵀJ + damping · diag JᵀJ) step = −Jᵀ r.
-fn damped_step(here: &Minimum, damping: f64) -> Option<Vec<f64>> {
-    let jacobian = &here.jacobian;
-    let mut normal = jacobian.transpose() * jacobian;
-    let n = normal.nrows();
-    let largest = (0..n).map(|i| normal[(i, i)]).fold(0.0, f64::max);
-    for i in 0..n {
-        // A parameter without any effect stays where it is.
-        normal[(i, i)] += damping * normal[(i, i)].max(f64::EPSILON * largest);
+impl Minimum {
+    /// Finds out what the bounds hold: −Jᵀr points out of the range.
+    fn hold(&mut self, model: &impl Residuals) {
+        let right = self.descent();
+        for (k, is_held) in self.is_held.iter_mut().enumerate() {
+            let [low, high] = model.bounds(k);
+            let (value, along) = (self.parameters[k], right[k]);
+            *is_held = value <= low && along < 0.0 || value >= high && along > 0.0;
+        }
     }
-    let residuals = Mat::from_fn(here.residuals.len(), 1, |row, _| -here.residuals[row]);
-    let right = jacobian.transpose() * residuals;
-    let step = normal.llt(faer::Side::Lower).ok()?.solve(&right);
-    let step: Vec<f64> = (0..n).map(|i| step[(i, 0)]).collect();
-    step.iter().all(|s| s.is_finite()).then_some(step)
+
+    /// −Jᵀr.
+    fn descent(&self) -> Vec<f64> {
+        let of = |column| {
+            let rows = self.residuals.iter().enumerate();
+            rows.map(|(row, r)| -self.jacobian[(row, column)] * r).sum()
+        };
+        (0..self.parameters.len()).map(of).collect()
+    }
+
+    fn is_minimum(&self, limits: &Limits) -> bool {
+        let Some(step) = self.damped_step(LEAST_DAMPING) else { return false };
+        let gain: f64 = step.iter().zip(self.descent()).map(|(step, along)| step * along).sum();
+        let mut moves = step.iter().zip(&self.parameters);
+        gain <= limits.negligible
+            || gain <= limits.reducible * self.sum_of_squares()
+            || moves.all(|(step, p)| step.abs() <= limits.tolerance * p.abs().max(1.0))
+    }
+
+    /// (JᵀJ + damping · diag JᵀJ) step = −Jᵀr of the parameters that no bound holds.
+    fn damped_step(&self, damping: f64) -> Option<Vec<f64>> {
+        let free: Vec<usize> = (0..self.is_held.len()).filter(|k| !self.is_held[*k]).collect();
+        let mut step = vec![0.0; self.is_held.len()];
+        if free.is_empty() {
+            return Some(step);
+        }
+        let normal = self.jacobian.transpose() * &self.jacobian;
+        let mut normal = Mat::from_fn(free.len(), free.len(), |i, j| normal[(free[i], free[j])]);
+        let largest = (0..free.len()).map(|i| normal[(i, i)]).fold(0.0, f64::max);
+        for i in 0..free.len() {
+            // A parameter without any effect stays where it is.
+            normal[(i, i)] += damping * normal[(i, i)].max(f64::EPSILON * largest);
+        }
+        let descent = self.descent();
+        let right = Mat::from_fn(free.len(), 1, |row, _| descent[free[row]]);
+        let found = normal.llt(faer::Side::Lower).ok()?.solve(&right);
+        for (row, k) in free.into_iter().enumerate() {
+            step[k] = found[(row, 0)];
+        }
+        step.iter().all(|s| s.is_finite()).then_some(step)
+    }
 }
 
 fn sum_of_squares(residuals: &[f64]) -> f64 {
@@ -176,7 +219,8 @@ mod tests {
 
     use super::*;
 
-    const LIMITS: Limits = Limits { tolerance: 1e-10, max_iterations: 200 };
+    const LIMITS: Limits =
+        Limits { tolerance: 1e-10, reducible: 0.0, negligible: 0.0, max_iterations: 200 };
 
     struct Rosenbrock;
 
@@ -200,7 +244,11 @@ mod tests {
 
     impl Residuals for Line {
         fn residuals(&mut self, p: &[f64]) -> Option<Vec<f64>> {
-            (p[1] >= 0.0).then(|| self.0.iter().map(|[x, y]| p[0] + p[1] * x - y).collect())
+            Some(self.0.iter().map(|[x, y]| p[0] + p[1] * x - y).collect())
+        }
+
+        fn bounds(&self, parameter: usize) -> [f64; 2] {
+            if parameter == 1 { [0.0, 10.0] } else { [f64::NEG_INFINITY, f64::INFINITY] }
         }
     }
 
@@ -216,7 +264,7 @@ mod tests {
         assert_relative_eq!(covariance[(0, 0)], 0.2 + 4.0 / 10.0, max_relative = 1e-6);
     }
 
-    /// Parameters that only occur as a sum have no covariance, and a range that is left is no end.
+    /// Parameters that only occur as a sum have no covariance.
     #[test]
     fn what_cannot_be_determined() {
         struct Sum;
@@ -226,8 +274,34 @@ mod tests {
             }
         }
         assert!(minimise(&mut Sum, &[0.0, 0.0], &LIMITS).unwrap().covariance().is_none());
+    }
+
+    /// Of a falling line with a slope that must not be negative the best is the mean; the bound holds it, and lets
+    /// go where the line rises.
+    #[test]
+    fn a_bound_holds_a_parameter() {
         let falling = vec![[0.0, 1.0], [1.0, 0.0], [2.0, -1.0]];
-        let found = minimise(&mut Line(falling), &[0.0, 1.0], &LIMITS).unwrap();
-        assert!(found.parameters[1] >= 0.0, "{found:?}");
+        let found = minimise(&mut Line(falling), &[5.0, 1.0], &LIMITS).unwrap();
+        assert!(found.converged && found.is_held == [false, true], "{found:?}");
+        assert_eq!(found.parameters[1], 0.0);
+        assert_relative_eq!(found.parameters[0], 0.0, epsilon = 1e-9);
+        let rising = vec![[0.0, 1.0], [1.0, 2.0], [2.0, 3.0]];
+        let found = minimise(&mut Line(rising), &[5.0, 0.0], &LIMITS).unwrap();
+        assert!(found.converged && found.is_held == [false, false], "{found:?}");
+        assert_relative_eq!(found.parameters[1], 1.0, epsilon = 1e-8);
+    }
+
+    /// Where the model cannot be evaluated between start and minimum, damping makes the steps short. That is no
+    /// minimum, and is not called one.
+    #[test]
+    fn a_short_step_is_no_minimum() {
+        struct Walled;
+        impl Residuals for Walled {
+            fn residuals(&mut self, p: &[f64]) -> Option<Vec<f64>> {
+                (p[0] < 2.0).then(|| vec![p[0] - 5.0])
+            }
+        }
+        let found = minimise(&mut Walled, &[0.0], &LIMITS).unwrap();
+        assert!(!found.converged && found.parameters[0] > 1.9, "{found:?}");
     }
 }

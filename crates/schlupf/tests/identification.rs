@@ -12,7 +12,7 @@ use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::{Heat, partition::Partition};
 use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf::identification::{
-    Component, Condition, CreepForceModel, DataPoint, Fit, Parameter, PolachModel,
+    Component, Condition, CreepForceModel, DataPoint, Estimate, Fit, Parameter, PolachModel,
     RollingContactModel, fit, sample_curves,
 };
 use schlupf::interface::contact_law::Incremental;
@@ -128,41 +128,66 @@ fn known_constants_come_back_from_a_computed_curve() {
     assert!(found.iterations <= 12, "{}", found.iterations);
 }
 
-/// Parts of the trials in which the 95 % intervals of μ0, T_E, k_c hold the truth, and in which all do.
-fn coverage(trials: u32) -> [f64; 4] {
+/// Of errors (value less truth) over their standard errors: the part within 95 % intervals, and the root mean square.
+/// With eight degrees of freedom and more the latter is between 1 and 1.2 where intervals are neither too narrow nor too
+/// wide.
+#[derive(Debug, Default, Clone, Copy)]
+struct Coverage {
+    held: f64,
+    trials: f64,
+    squares: f64,
+}
+
+impl Coverage {
+    fn add(&mut self, estimate: &Estimate, truth: f64) {
+        let error = estimate.value - truth;
+        self.held += f64::from(u8::from(error.abs() <= estimate.half_width));
+        self.squares += (error / estimate.standard_error).powi(2);
+        self.trials += 1.0;
+    }
+
+    fn part(&self) -> f64 {
+        self.held / self.trials
+    }
+
+    fn spread(&self) -> f64 {
+        (self.squares / self.trials).sqrt()
+    }
+}
+
+/// Those of μ0, T_E, k_c.
+fn coverage(trials: u32) -> [Coverage; 3] {
     let data = computed(&heated(TRUTH), &CREEPAGES);
-    let mut held = [0.0; 4];
+    let mut coverage = [Coverage::default(); 3];
     for trial in 0..trials {
         let noisy = with_noise(&data, 3e-3, 1 + u64::from(trial));
         let found = fitted(&heated(START), &[COLD, VANISHES, STIFFNESS], &noisy).unwrap();
         assert_eq!(found.status, Status::Converged, "{trial}: {:?}", found.warnings);
-        let mut all = true;
-        for (k, (estimate, truth)) in found.estimates.iter().zip(TRUTH).enumerate() {
-            let is_held = (estimate.value - truth).abs() <= estimate.half_width;
-            held[k] += f64::from(u8::from(is_held));
-            all &= is_held;
+        for ((coverage, estimate), truth) in coverage.iter_mut().zip(&found.estimates).zip(TRUTH) {
+            coverage.add(estimate, truth);
         }
-        held[3] += f64::from(u8::from(all));
         assert!(found.r_squared > 0.99, "{trial}: {}", found.r_squared);
     }
-    held.map(|held| held / f64::from(trials))
+    coverage
 }
 
 /// Goal: known parameters within their stated 95 % intervals. Scatter of 0.003 on twelve points.
 #[test]
 fn known_constants_lie_within_their_intervals() {
-    let parts = coverage(6);
+    let found = coverage(6);
     // One interval of the eighteen may miss.
-    assert!(parts.iter().sum::<f64>() - parts[3] >= 3.0 - 1.1 / 6.0, "{parts:?}");
+    assert!(found.iter().map(|c| c.held).sum::<f64>() >= 17.0, "{found:?}");
+    assert!(found.iter().any(|c| c.spread() > 0.5), "{found:?}");
 }
 
 /// The same in fifty trials.
 #[test]
 #[ignore = "a minute"]
 fn known_constants_lie_within_their_intervals_in_fifty_trials() {
-    let parts = coverage(50);
-    println!("{parts:?}");
-    assert!(parts[..3].iter().all(|part| (0.9..=1.0).contains(part)), "{parts:?}");
+    for found in coverage(50) {
+        println!("{}, {}", found.part(), found.spread());
+        assert!(found.part() >= 0.9 && (0.8..1.4).contains(&found.spread()), "{found:?}");
+    }
 }
 
 /// The height of the roughness instead of k_c: k_c = 2 (1 − ν)/(μ0 (2 − ν) γ h), by hand.
@@ -194,6 +219,7 @@ fn polach_2005_constants_come_back() {
 
 const RATIO: Parameter = Parameter::Friction(FrictionConstant::LimitRatio);
 const DECAY: Parameter = Parameter::Friction(FrictionConstant::Decay);
+const SLIP: Parameter = Parameter::AreaSlip;
 
 /// Polach's method with μ0, A, B (in s/m), k_A, k_S, on the Eurosprinter's contact at 20 m/s.
 fn polach_model(constants: [f64; 5], parameters: &[Parameter]) -> PolachModel {
@@ -204,11 +230,15 @@ fn polach_model(constants: [f64; 5], parameters: &[Parameter]) -> PolachModel {
     PolachModel::new(&locomotive(law, 1e6), &options, parameters).unwrap()
 }
 
-/// Polach 2005, dry rails, at twenty creepages up to 30 %.
+/// Polach 2005, dry rails.
 const DRY: [f64; 5] = [0.55, 0.40, 0.60, 1.0, 0.4];
 
 fn polach_data() -> Vec<DataPoint> {
-    let mut model = polach_model(DRY, &[COLD]);
+    polach_data_of(&mut polach_model(DRY, &[COLD]))
+}
+
+/// At twenty creepages up to 30 %.
+fn polach_data_of(model: &mut PolachModel) -> Vec<DataPoint> {
     let creepages = (1..=20).map(|k| 0.3 * (f64::from(k) / 20.0).powi(3));
     let at = |creepage_x: f64| {
         let kinematics = Kinematics { speed: 20.0, ..rolling(creepage_x, 0.0, 0.0) };
@@ -240,18 +270,108 @@ fn polach_2005_method_lies_within_its_intervals_in_fifty_trials() {
     let parameters = [COLD, RATIO, DECAY, Parameter::AreaSlip];
     let truth = [0.55, 0.40, 0.60, 0.4];
     let data = polach_data();
-    let mut held = [0; 4];
+    let mut coverage = [Coverage::default(); 4];
     for trial in 0..50 {
         let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.5], &parameters);
         let noisy = with_noise(&data, 5e-3, 100 + trial);
         let found = fit(&mut start, &noisy, 100, &mut |_| ()).unwrap();
         assert_eq!(found.status, Status::Converged, "{trial}: {:?}", found.warnings);
-        for (k, estimate) in found.estimates.iter().enumerate() {
-            held[k] += usize::from((estimate.value - truth[k]).abs() <= estimate.half_width);
+        for ((coverage, estimate), truth) in coverage.iter_mut().zip(&found.estimates).zip(truth) {
+            coverage.add(estimate, truth);
         }
     }
-    println!("{held:?} of 50");
-    assert!(held.iter().all(|held| *held >= 45), "{held:?}");
+    for found in coverage {
+        println!("{}, {}", found.part(), found.spread());
+        assert!(found.part() >= 0.9 && (0.8..1.4).contains(&found.spread()), "{found:?}");
+    }
+}
+
+/// A constant that is at its bound ends there in about every second trial, and the fit says so; the others keep their
+/// intervals. A = 0: friction vanishes at high slip.
+#[test]
+fn a_constant_may_end_at_its_bound() {
+    let truth = [0.55, 0.0, 0.60];
+    let mut exact = polach_model([0.55, 0.0, 0.60, 1.0, 0.4], &[COLD]);
+    let data = polach_data_of(&mut exact);
+    let mut ended = 0;
+    let mut coverage = [Coverage::default(); 3];
+    for trial in 0..30 {
+        let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.4], &[COLD, RATIO, DECAY]);
+        let found = fit(&mut start, &with_noise(&data, 5e-3, 300 + trial), 100, &mut |_| ());
+        let found = found.unwrap();
+        assert_eq!(found.status, Status::Converged, "{trial}: {:?}", found.warnings);
+        let is_said = found.warnings.iter().any(|text| text.contains("at the end of its range, 0"));
+        assert_eq!(is_said, found.estimates[1].value == 0.0, "{trial}: {:?}", found.warnings);
+        ended += usize::from(is_said);
+        for ((coverage, estimate), truth) in coverage.iter_mut().zip(&found.estimates).zip(truth) {
+            coverage.add(estimate, truth);
+        }
+    }
+    assert!((8..=22).contains(&ended), "{ended}");
+    assert!(coverage.iter().all(|coverage| coverage.part() >= 0.9), "{coverage:?}");
+}
+
+/// With thousands of points an end is found as with few: what is left is judged by standard errors.
+#[test]
+fn many_points_end_as_few_do() {
+    let data = polach_data();
+    for copies in [1, 100, 300] {
+        let data = data.repeat(copies);
+        let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.5], &[COLD, RATIO, DECAY, SLIP]);
+        let found = fit(&mut start, &with_noise(&data, 5e-3, 5), 100, &mut |_| ()).unwrap();
+        assert_eq!(found.status, Status::Converged, "{copies}: {:?}", found.warnings);
+    }
+}
+
+/// Standard deviations that are much too small: it ends all the same, and the intervals are those of the residuals.
+#[test]
+fn deviations_that_are_too_small_do_not_make_intervals_small() {
+    let noisy = with_noise(&polach_data(), 5e-3, 5);
+    let fit_with = |deviation: Option<f64>| {
+        let with = |point: &DataPoint| DataPoint { standard_deviation: deviation, ..*point };
+        let data: Vec<DataPoint> = noisy.iter().map(with).collect();
+        let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.5], &[COLD, RATIO, DECAY, SLIP]);
+        fit(&mut start, &data, 100, &mut |_| ()).unwrap()
+    };
+    let (plain, tiny) = (fit_with(None), fit_with(Some(1e-9)));
+    assert_eq!(tiny.status, Status::Converged, "{:?}", tiny.warnings);
+    assert!(tiny.warnings.iter().any(|text| text.contains("widened")), "{:?}", tiny.warnings);
+    for (one, other) in plain.estimates.iter().zip(&tiny.estimates) {
+        assert_relative_eq!(one.value, other.value, max_relative = 1e-4);
+        assert_relative_eq!(one.half_width, other.half_width, max_relative = 1e-2);
+    }
+}
+
+/// One component, or one speed, with the wrong sign is no scatter.
+#[test]
+fn a_wrong_sign_of_a_part_of_the_data_is_refused() {
+    let base = heated(TRUTH);
+    let both = |creepage: f64| {
+        let mut moved = base.clone();
+        moved.kinematics = Kinematics { speed: 20.0, ..rolling(creepage, 0.5 * creepage, 0.0) };
+        let mut exact =
+            RollingContactModel::new(&moved, &coarse(), &[COLD], DEFAULT_GAMMA).unwrap();
+        let condition = Condition { kinematics: moved.kinematics, load: None };
+        let value = exact.force_ratio(&condition).unwrap().unwrap().value;
+        let point = |component: Component, force_ratio| DataPoint {
+            condition,
+            component,
+            force_ratio,
+            standard_deviation: None,
+        };
+        [point(Component::Longitudinal, value[0]), point(Component::Lateral, -value[1])]
+    };
+    let data: Vec<DataPoint> = CREEPAGES.into_iter().flat_map(both).collect();
+    let message = refusal(&heated(START), &[COLD], &data);
+    assert!(message.contains("the lateral forces have the opposite sign"), "{message}");
+    let mut data = computed(&base, &CREEPAGES);
+    for point in computed(&base, &CREEPAGES) {
+        let mut flipped = DataPoint { force_ratio: -point.force_ratio, ..point };
+        flipped.condition.kinematics.speed = 10.0;
+        data.push(flipped);
+    }
+    let message = refusal(&heated(START), &[COLD], &data);
+    assert!(message.contains("the longitudinal forces at 10 m/s have"), "{message}");
 }
 
 #[test]
@@ -375,7 +495,8 @@ fn impossible_requests_are_refused_with_names() {
     assert!(message.contains("cannot be determined from 1 measured force"), "{message}");
     let mirrored: Vec<DataPoint> =
         data.iter().map(|p| DataPoint { force_ratio: -p.force_ratio, ..*p }).collect();
-    assert!(refusal(&start, &[COLD], &mirrored).contains("opposite sign of the creepages"));
+    let message = refusal(&start, &[COLD], &mirrored);
+    assert!(message.contains("the longitudinal forces have the opposite sign"), "{message}");
     let mut some = data.clone();
     some[0].standard_deviation = Some(1e-3);
     assert!(refusal(&start, &[COLD], &some).contains("1 of 12 have one"));
@@ -387,6 +508,10 @@ fn impossible_requests_are_refused_with_names() {
     };
     let message = model(&[DECAY]).to_string();
     assert!(message.contains("it is no constant of the friction law in use, which has friction.c"));
+    let cold = Problem { heat: Heat { model: None, ..start.heat.clone() }, ..start.clone() };
+    let message = RollingContactModel::new(&cold, &coarse(), &[VANISHES], DEFAULT_GAMMA);
+    let message = message.err().unwrap().to_string();
+    assert!(message.contains("but heat.model is \"none\""), "{message}");
     let message = model(&[STIFFNESS, Parameter::Roughness]).to_string();
     assert!(message.contains("cannot be fitted together"), "{message}");
 }

@@ -4,11 +4,9 @@
 //! A rigid displacement of the whole surface does not matter in rolling, and what it is far from the
 //! patch is different in every model; so each sample may be shifted as a whole.
 
-use faer::Mat;
-
 use crate::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use crate::elasticity::{Compliance, Elasticity};
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, require};
 use crate::grid::{Grid, VectorField};
 use crate::least_squares::{Limits, Residuals, minimise};
 use crate::solution::Solution;
@@ -83,22 +81,37 @@ pub struct DisplacementFit {
     pub coupling_along_y: f64,
     /// ‖u − u_given‖₂/‖u_given‖₂ of each sample, each less its mean; dimensionless.
     pub deviation: Vec<f64>,
+    /// Whether the displacements leave the reach of the coupling along and across rolling open: it is at an end of the
+    /// range that is looked at.
+    pub is_open: [bool; 2],
     /// Whether the fit converged.
     pub converged: bool,
 }
 
-const LIMITS: Limits = Limits { tolerance: 1e-6, max_iterations: 200 };
+impl DisplacementFit {
+    /// Largest deviation of a sample, dimensionless.
+    pub fn largest_deviation(&self) -> f64 {
+        self.deviation.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+/// Residuals are relative to the displacements and smooth to rounding.
+const LIMITS: Limits =
+    Limits { tolerance: 1e-6, reducible: 1e-8, negligible: 1e-16, max_iterations: 200 };
 
 /// Logarithm of the decay length over the longer side of the grid: the bounds.
 const REACH: [f64; 2] = [-6.0, 0.5];
 
-/// Fits bedding and couplings to samples, from a guess of the bedding (in N/m³).
+/// Decay lengths that are tried for a start, the same along and across.
+const STARTS: usize = 14;
+
+/// Fits bedding and couplings to samples. It starts at the best of some decay lengths, each with the bedding that suits it
+/// best: displacements go with its inverse.
 ///
 /// # Errors
-/// No samples, a guess that is not positive, or a layer that cannot be set up.
-pub fn fit(samples: &[Sample], guess: f64) -> Result<DisplacementFit, Error> {
+/// No samples; displacements that run against their load; or a layer that cannot be set up.
+pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
     require(!samples.is_empty(), "samples", "at least one", 0.0, "")?;
-    require_positive("bedding", guess, "N/m^3")?;
     let length = samples
         .iter()
         .map(|s| {
@@ -106,11 +119,8 @@ pub fn fit(samples: &[Sample], guess: f64) -> Result<DisplacementFit, Error> {
         })
         .fold(0.0, f64::max);
     let mut fit = Fit { samples, length };
-    let start = [guess.ln(), -2.0, -2.0];
-    let found = minimise(&mut fit, &start, &LIMITS).ok_or_else(|| Error::Contradiction {
-        quantity: "displacement",
-        reason: "no layer could be set up on its grid".to_owned(),
-    })?;
+    let start = fit.start()?;
+    let found = minimise(&mut fit, &start, &LIMITS).ok_or_else(no_layer)?;
     let stiffness = fit.stiffness(&found.parameters);
     let mut deviation = Vec::with_capacity(samples.len());
     let mut rest = found.residuals.as_slice();
@@ -124,8 +134,16 @@ pub fn fit(samples: &[Sample], guess: f64) -> Result<DisplacementFit, Error> {
         coupling_along_x: stiffness.coupling_along_x,
         coupling_along_y: stiffness.coupling_along_y,
         deviation,
+        is_open: [found.is_held[1], found.is_held[2]],
         converged: found.converged,
     })
+}
+
+fn no_layer() -> Error {
+    Error::Contradiction {
+        quantity: "displacement",
+        reason: "no layer could be set up on its grid".to_owned(),
+    }
 }
 
 struct Fit<'a> {
@@ -144,52 +162,75 @@ impl Fit<'_> {
             coupling_along_y: coupling(parameters[2]),
         }
     }
+
+    /// The best of some decay lengths with its bedding.
+    fn start(&self) -> Result<Vec<f64>, Error> {
+        let [least, largest] = REACH;
+        let reach = |n: usize| least + (largest - least) * (n as f64 + 0.5) / STARTS as f64;
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        for reach in (0..STARTS).map(reach) {
+            // Of the layer with a bedding of one.
+            let [mut along, mut squares] = [0.0; 2];
+            for sample in self.samples {
+                let [unit, given] =
+                    self.displacements(sample, &[0.0, reach, reach]).ok_or_else(no_layer)?;
+                along += unit.iter().zip(&given).map(|(u, v)| u * v).sum::<f64>();
+                squares += unit.iter().map(|u| u * u).sum::<f64>();
+            }
+            // The sum of squares with the best bedding squares/along is this less than without a layer.
+            let gain = along * along.abs() / squares;
+            if along > 0.0 && best.as_ref().is_none_or(|(most, _)| gain > *most) {
+                best = Some((gain, vec![(squares / along).ln(), reach, reach]));
+            }
+        }
+        best.map(|(_, start)| start).ok_or_else(|| Error::Contradiction {
+            quantity: "displacement",
+            reason: "the displacements run against their load: both are those of the wheel, the \
+                     displacement less that of the rail"
+                .to_owned(),
+        })
+    }
+
+    /// Displacements of the layer and those known, each less its mean and over the size of the known ones;
+    /// dimensionless.
+    fn displacements(&self, sample: &Sample, parameters: &[f64]) -> Option<[Vec<f64>; 2]> {
+        let stiffness = self.stiffness(parameters);
+        let layer = ElasticLayer::new(stiffness, stiffness, None).ok()?;
+        Some(compared(sample, layer.compliance(&sample.grid).ok()?.as_mut()))
+    }
 }
 
 impl Residuals for Fit<'_> {
     fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>> {
-        let [least, largest] = REACH;
-        if !parameters[1..].iter().all(|reach| (least..=largest).contains(reach)) {
-            return None;
-        }
-        let stiffness = self.stiffness(parameters);
-        let layer = ElasticLayer::new(stiffness, stiffness, None).ok()?;
         let mut residuals = Vec::new();
         for sample in self.samples {
-            let mut compliance = layer.compliance(&sample.grid).ok()?;
-            residuals.extend(differences(sample, compliance.as_mut()));
+            let [found, given] = self.displacements(sample, parameters)?;
+            residuals.extend(found.iter().zip(given).map(|(u, v)| u - v));
         }
         Some(residuals)
     }
 
-    fn jacobian(&mut self, parameters: &[f64], residuals: &[f64]) -> Option<Mat<f64>> {
-        // The residuals are smooth to rounding, so a small step does.
-        let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
-        for column in 0..parameters.len() {
-            let (step, changed) = [1e-6, -1e-6].into_iter().find_map(|step| {
-                let mut moved = parameters.to_vec();
-                moved[column] += step;
-                self.residuals(&moved).map(|changed| (step, changed))
-            })?;
-            for (row, (changed, residual)) in changed.iter().zip(residuals).enumerate() {
-                jacobian[(row, column)] = (changed - residual) / step;
-            }
-        }
-        Some(jacobian)
+    fn bounds(&self, parameter: usize) -> [f64; 2] {
+        if parameter == 0 { [f64::NEG_INFINITY, f64::INFINITY] } else { REACH }
+    }
+
+    fn difference_step(&self) -> f64 {
+        1e-6
     }
 }
 
-/// Displacements of the layer less the known ones, both less their means, over the size of the known
-/// ones.
-fn differences(sample: &Sample, compliance: &mut dyn Compliance) -> Vec<f64> {
+fn compared(sample: &Sample, compliance: &mut dyn Compliance) -> [Vec<f64>; 2] {
     let cells = sample.grid.len();
     let traction = VectorField { x: sample.traction.clone(), y: vec![0.0; cells] };
     let mut found = VectorField::zeros(cells);
     compliance.displacement(&traction, &mut found);
-    let pairs = || found.x.iter().zip(&sample.displacement).filter_map(|(u, v)| Some((u, (*v)?)));
-    let count = pairs().count() as f64;
-    let mean = pairs().map(|(u, v)| u - v).sum::<f64>() / count;
-    let middle = pairs().map(|(_, v)| v).sum::<f64>() / count;
-    let size = pairs().map(|(_, v)| (v - middle).powi(2)).sum::<f64>().sqrt();
-    pairs().map(|(u, v)| (u - v - mean) / size).collect()
+    let pairs = found.x.iter().zip(&sample.displacement).filter_map(|(u, v)| Some((*u, (*v)?)));
+    let (found, given): (Vec<f64>, Vec<f64>) = pairs.unzip();
+    let less_mean = |values: Vec<f64>| -> Vec<f64> {
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        values.iter().map(|value| value - mean).collect()
+    };
+    let (found, given) = (less_mean(found), less_mean(given));
+    let size = given.iter().map(|v| v * v).sum::<f64>().sqrt();
+    [found, given].map(|values| values.into_iter().map(|value| value / size).collect())
 }

@@ -25,7 +25,7 @@ use crate::least_squares::{Limits, Residuals, minimise};
 pub use kalker_bed::kalker_bed;
 
 use rolling_contact::SIZE;
-use rolling_fit::Motions;
+use rolling_fit::{FITTED, Motions, OTHERS};
 
 /// What a calibration found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +46,7 @@ pub struct Calibration {
     pub converged: bool,
 }
 
-/// Differences to the half-space over all motions.
+/// Differences to the half-space over motions between and beside those that were fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Deviation {
     /// Largest difference of the forces over μN under longitudinal and lateral creepage, dimensionless.
@@ -84,8 +84,13 @@ pub fn calibrate(
     poisson_ratio: f64,
     options: &CalibrationOptions,
 ) -> Result<Calibration, Error> {
-    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells)?;
-    let limits = Limits { tolerance: 1e-4, max_iterations: options.max_iterations };
+    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells, &FITTED)?;
+    let limits = Limits {
+        tolerance: 1e-4,
+        reducible: 1e-4,
+        negligible: 0.0,
+        max_iterations: options.max_iterations,
+    };
     let mut fit = LayerFit { motions: &motions };
     let start = motions.start()?;
     let found = minimise(&mut fit, &start, &limits);
@@ -100,8 +105,9 @@ pub fn calibrate(
         reason: format!("the motions of a/b = {axis_ratio} could not be solved"),
     };
     let (found, bed) = (found.ok_or_else(failed)?, bed.ok_or_else(failed)?);
+    let others = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS)?;
     let deviation = |elasticity: Option<Arc<dyn Elasticity>>| {
-        elasticity.and_then(|e| motions.deviation(&e)).ok_or_else(failed)
+        elasticity.and_then(|e| others.deviation(&e)).ok_or_else(failed)
     };
     Ok(Calibration {
         axis_ratio,
@@ -123,7 +129,7 @@ pub fn deviation_of_table(
     poisson_ratio: f64,
     options: &CalibrationOptions,
 ) -> Result<Deviation, Error> {
-    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells)?;
+    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS)?;
     let [x, y] = tabulated_stiffness(axis_ratio, poisson_ratio)?
         .map(|relative| relative.absolute(motions.shear_modulus(), SIZE));
     let layer: Arc<dyn Elasticity> = Arc::new(ElasticLayer::new(x, y, None)?);
@@ -149,18 +155,14 @@ const REACH: [f64; 2] = [-4.0, 0.4];
 /// depend on it, so that the stiffnesses change smoothly with a/b.
 const EVENNESS: f64 = 0.3;
 
+const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
 struct LayerFit<'a> {
     motions: &'a Motions,
 }
 
 impl LayerFit<'_> {
     fn layer(&self, parameters: &[f64]) -> Option<Arc<dyn Elasticity>> {
-        let [least, largest] = REACH;
-        let is_tried = |p: &f64| (least..=largest).contains(p);
-        let reaches = [1, 2, 4, 5].map(|k| parameters[k]);
-        if !reaches.iter().all(is_tried) {
-            return None;
-        }
         let [x, y] = relative(parameters)
             .map(|relative| relative.absolute(self.motions.shear_modulus(), SIZE));
         Some(Arc::new(ElasticLayer::new(x, y, None).ok()?))
@@ -172,6 +174,10 @@ impl Residuals for LayerFit<'_> {
         let mut residuals = self.motions.residuals(&self.layer(parameters)?, true)?;
         residuals.extend([1, 4].map(|k| EVENNESS * (parameters[k] - parameters[k + 1])));
         Some(residuals)
+    }
+
+    fn bounds(&self, parameter: usize) -> [f64; 2] {
+        if matches!(parameter, 0 | 3) { ANY } else { REACH }
     }
 }
 

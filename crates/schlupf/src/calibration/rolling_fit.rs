@@ -15,8 +15,9 @@ use super::displacements::{Sample, fit};
 use super::kalker_bed::bedding;
 use super::rolling_contact::{RollingContact, SIZE};
 
-/// Creepages as parts of those that Kalker's linear theory needs for the force μN: along, across, spin.
-const MOTIONS: [[f64; 3]; 24] = [
+/// Motions that stiffnesses are fitted to: creepages as parts of those that Kalker's linear theory needs for the
+/// force μN, along, across, spin.
+pub(super) const FITTED: [[f64; 3]; 24] = [
     [0.3, 0.0, 0.0],
     [0.7, 0.0, 0.0],
     [1.2, 0.0, 0.0],
@@ -43,6 +44,30 @@ const MOTIONS: [[f64; 3]; 24] = [
     [0.6, -0.6, 0.5],
 ];
 
+/// Motions that stiffnesses are judged by: none of those that they are fitted to.
+pub(super) const OTHERS: [[f64; 3]; 20] = [
+    [0.5, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [1.6, 0.0, 0.0],
+    [0.0, 0.5, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 1.6, 0.0],
+    [0.9, 0.6, 0.0],
+    [0.4, 1.0, 0.0],
+    [0.0, 0.0, 0.5],
+    [0.0, 0.0, 1.0],
+    [0.0, 0.0, 1.6],
+    [1.0, 0.0, 0.7],
+    [0.5, 0.0, 1.2],
+    [0.0, 1.0, 0.7],
+    [0.0, -1.0, 0.7],
+    [0.0, 0.5, 1.2],
+    [0.0, -0.5, 1.2],
+    [0.9, 0.6, 0.8],
+    [0.9, -0.6, 0.8],
+    [0.3, 0.3, 1.6],
+];
+
 /// Differences that weigh one in the fit: of forces over μN, without and with spin, and of fields.
 const FORCE: f64 = 0.01;
 const FORCE_WITH_SPIN: f64 = 0.02;
@@ -58,11 +83,16 @@ pub(super) struct Motions {
 }
 
 impl Motions {
-    pub fn new(axis_ratio: f64, poisson_ratio: f64, cells: usize) -> Result<Self, Error> {
+    pub fn new(
+        axis_ratio: f64,
+        poisson_ratio: f64,
+        cells: usize,
+        motions: &[[f64; 3]],
+    ) -> Result<Self, Error> {
         let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
         let options =
             Options { cells_x: cells, cells_y: cells, tolerance: 1e-7, ..Options::default() };
-        let ways = MOTIONS.into_iter().map(|parts| contact.motion(parts)).collect();
+        let ways = motions.iter().map(|parts| contact.motion(*parts)).collect();
         let solver = RefCell::new(SteadySolver::new(&options));
         let mut this = Self { contact, ways, exact: Vec::new(), options, solver };
         let elasticity = Arc::clone(&this.contact.problem.elasticity);
@@ -90,8 +120,7 @@ impl Motions {
         let mut start = Vec::with_capacity(6);
         for (component, (stick, slide)) in sliding.into_iter().enumerate() {
             let samples = [stick, slide].map(|k| Sample::of(&self.exact[k], component));
-            let guess = self.slope_bedding()[component] * self.shear_modulus() / SIZE;
-            let found = fit(&samples, guess)?;
+            let found = fit(&samples)?;
             let reach = |coupling: f64| (coupling / found.bedding).sqrt() / SIZE;
             let bedding = found.bedding * SIZE / self.shear_modulus();
             for (value, range) in [

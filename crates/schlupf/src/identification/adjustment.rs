@@ -31,6 +31,32 @@ pub(super) fn friction_constant(
     refuse(wanted.field(), reason)
 }
 
+/// A constant that friction has only where the contact is hot cannot be found by a model that has no heat.
+pub(super) fn require_heat(
+    has_heat: bool,
+    parameters: &[Parameter],
+    why: &str,
+) -> Result<(), Error> {
+    let needs_heat = |parameter: &&Parameter| {
+        matches!(
+            parameter,
+            Parameter::Friction(
+                FrictionConstant::TemperatureAtZeroFriction
+                    | FrictionConstant::MinimumCoefficient
+                    | FrictionConstant::HotCoefficient
+                    | FrictionConstant::TemperatureRange
+            )
+        )
+    };
+    match parameters.iter().find(needs_heat).filter(|_| !has_heat) {
+        Some(parameter) => refuse(
+            parameter.name(),
+            format!("it shows where friction makes the contact hot, but {why}"),
+        ),
+        None => Ok(()),
+    }
+}
+
 /// Friction with those of the parameters that are constants of its law at new values (in their SI units, or
 /// dimensionless).
 pub(super) fn adjusted_friction(

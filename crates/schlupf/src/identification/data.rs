@@ -69,26 +69,72 @@ pub(super) fn check(data: &[DataPoint]) -> Result<(), Error> {
             ),
         });
     }
-    check_signs(data)
+    Ok(())
 }
 
-/// Forces must have the sign of the creepage, as a whole.
-fn check_signs(data: &[DataPoint]) -> Result<(), Error> {
-    let work: f64 = data
-        .iter()
-        .map(|point| {
-            let motion = &point.condition.kinematics;
-            let creepage = [motion.creepage_x, motion.creepage_y][point.component.index()];
-            point.force_ratio * creepage
-        })
-        .sum();
-    if work >= 0.0 {
-        return Ok(());
+/// Series: points of one component at one speed (in m/s) under one load (in N).
+pub(super) fn series(data: &[DataPoint]) -> Vec<Vec<usize>> {
+    let is_of = |one: &DataPoint, other: &DataPoint| {
+        let speeds = [one, other].map(|point| point.condition.kinematics.speed);
+        one.component == other.component
+            && speeds[0] == speeds[1]
+            && one.condition.load == other.condition.load
+    };
+    let mut series: Vec<Vec<usize>> = Vec::new();
+    for (k, point) in data.iter().enumerate() {
+        match series.iter_mut().find(|series| is_of(&data[series[0]], point)) {
+            Some(series) => series.push(k),
+            None => series.push(vec![k]),
+        }
     }
-    Err(Error::Contradiction {
+    series
+}
+
+/// Checks that measured forces have the signs of the computed ones (forces over the load, dimensionless), each component
+/// as a whole, and each series of it.
+pub(super) fn check_signs(data: &[DataPoint], computed: &[f64]) -> Result<(), Error> {
+    /// Points that make a series, and the cosine between measured and computed forces from which on these
+    /// run against each other.
+    const ENOUGH: usize = 3;
+    const AGAINST: f64 = -0.5;
+    let runs_against = |points: &[usize]| {
+        let sum = |of: &dyn Fn(usize) -> f64| points.iter().map(|k| of(*k)).sum::<f64>();
+        let measured = sum(&|k| data[k].force_ratio.powi(2));
+        let product = sum(&|k| data[k].force_ratio * computed[k]);
+        product < AGAINST * (measured * sum(&|k| computed[k].powi(2))).sqrt()
+    };
+    let of_component = |component| {
+        (0..data.len()).filter(|k| data[*k].component == component).collect::<Vec<usize>>()
+    };
+    let components = [Component::Longitudinal, Component::Lateral].map(of_component);
+    let long = series(data).into_iter().filter(|series| series.len() >= ENOUGH);
+    for points in components.into_iter().chain(long) {
+        if runs_against(&points) {
+            return Err(wrong_sign(data, &points));
+        }
+    }
+    Ok(())
+}
+
+fn wrong_sign(data: &[DataPoint], points: &[usize]) -> Error {
+    let first = &data[points[0]];
+    let name = match first.component {
+        Component::Longitudinal => "longitudinal",
+        Component::Lateral => "lateral",
+    };
+    let of = data.iter().filter(|point| point.component == first.component).count();
+    let place = if of == points.len() {
+        String::new()
+    } else {
+        let load = first.condition.load.map_or(String::new(), |load| format!(" under {load} N"));
+        format!(" at {} m/s{load}", first.condition.kinematics.speed)
+    };
+    Error::Contradiction {
         quantity: "force_ratio",
-        reason: "the forces have the opposite sign of the creepages: they must be those on the \
-                 rail, -Fx/N over creepage_x and -Fy/N over creepage_y, as creep curves show them"
-            .to_owned(),
-    })
+        reason: format!(
+            "the {name} forces{place} have the opposite sign of those that creepages and spin give: they must \
+             be those on the rail, -Fx/N over creepage_x and -Fy/N over creepage_y, as creep curves \
+             show them"
+        ),
+    }
 }

@@ -224,6 +224,7 @@ mod tests {
             residuals: vec![0.0; rows],
             jacobian,
             converged: true,
+            is_held: vec![false; 2],
             iterations: 1,
         }
     }

@@ -3,7 +3,7 @@
 use faer::Mat;
 
 use crate::error::Error;
-use crate::least_squares::{self, Limits, Minimum};
+use crate::least_squares::{self, Limits, Minimum, Residuals};
 use crate::solution::{Status, Work};
 
 use super::confidence::students_t;
@@ -12,13 +12,16 @@ use super::determinacy::{self, LEAST_SCATTER};
 use super::model::CreepForceModel;
 use super::parameter::Parameter;
 use super::residuals::{Failure, Weighted, order};
-use super::statistics::{autocorrelation, r_squared, rms, sum_of_squares};
+use super::statistics::{autocorrelation, r_squared, rms};
 
-/// A fit ends where no parameter moves by more than this part of itself.
+/// A fit ends where no parameter would move by more than this part of itself,
 const TOLERANCE: f64 = 1e-6;
 
-/// A step from the end may be this part of the standard error: more is no minimum.
-const STATIONARY: f64 = 0.02;
+/// or by more than this part of its standard error,
+const OF_STANDARD_ERROR: f64 = 0.01;
+
+/// or where forces over the load would change by less than this: they are computed no better.
+const ROUNDING: f64 = 1e-6;
 
 /// How far a fit has got.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,8 +91,8 @@ pub struct Fit {
 /// Checks whatever can be checked before anything is computed.
 ///
 /// # Errors
-/// A motion or load that cannot be, forces that are not finite or of the wrong sign, standard deviations
-/// of some points only, too few points.
+/// A motion or load that cannot be, forces that are not finite, standard deviations of some points only,
+/// too few points.
 pub fn check(model: &dyn CreepForceModel, data: &[DataPoint]) -> Result<(), Error> {
     data::check(data)?;
     determinacy::check_count(model.parameters(), data.len(), knows_scatter(data))?;
@@ -116,14 +119,18 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// The parameters θ make Σ ((F/N)_computed − (F/N)_measured)²/σ² smallest, in the logarithms of those that are positive.
 /// Their covariance is s² (JᵀJ)⁻¹ with the variance of the residuals s² = Σr²/(n − p), and intervals are
 /// those of Student's t with n − p degrees of freedom; with given standard deviations s is one, and
-/// intervals are normal. They count scatter only: a model that cannot follow the data has other errors,
-/// and a warning says so.
+/// intervals are normal, unless the residuals are more than such deviations allow: then s is theirs, and a warning
+/// says so. Intervals count scatter only: a model that cannot follow the data has other errors, and a
+/// warning says so.
+///
+/// A constant may end at a bound that it has by itself, a coefficient at zero say: a warning says so, and its interval
+/// counts to one side.
 ///
 /// # Errors
-/// Whatever [`check`] refuses; start values without a solution; and data that leave a parameter open:
+/// Whatever [`check`] refuses; start values without a solution; forces of the wrong sign; and data that leave a parameter open:
 /// no force depends on it, μ0 is looked for in forces that are in proportion to the creepage, its 95 % interval is wider than itself on each side (for a parameter that may
-/// be zero, at least 0.1), or it goes with another one at a correlation above 0.999. For this, scatter is taken to
-/// be at least 10⁻³ of the largest force.
+/// be zero, at least 0.1), or it goes with another one at a correlation above 0.999. For this, scatter that the data do
+/// not give is taken to be at least 10⁻³ of the largest force.
 pub fn fit(
     model: &mut dyn CreepForceModel,
     data: &[DataPoint],
@@ -133,44 +140,42 @@ pub fn fit(
     check(model, data)?;
     let mut weighted = Weighted::new(model, data, report);
     let start = vec![0.0; weighted.coordinates.len()];
-    let limits = Limits { tolerance: TOLERANCE, max_iterations };
+    let Some(residuals) = weighted.residuals(&start) else { return Err(no_start(&weighted)) };
+    data::check_signs(data, &computed(data, &residuals))?;
+    let limits = limits(data, start.len(), max_iterations);
     let Some(minimum) = least_squares::minimise(&mut weighted, &start, &limits) else {
         return Err(no_start(&weighted));
     };
-    let Some(values) = weighted.values(&minimum.parameters) else {
-        return Err(no_start(&weighted));
-    };
+    let values = weighted.values(&minimum.parameters);
     let (coordinates, failure) = (weighted.coordinates.clone(), weighted.failure.clone());
     model.set(&values)?;
     let parameters: Vec<(Parameter, f64)> =
         coordinates.iter().map(|coordinate| coordinate.parameter).zip(values).collect();
     let found = Found { data, minimum, parameters };
-    let points = found.points();
-    determinacy::check_range(&found.parameters, &points)?;
-    let unscaled = determinacy::covariance(&found.minimum, &found.parameters)?;
     let slopes = coordinates.iter().zip(&found.parameters);
     let slopes: Vec<f64> = slopes.map(|(c, (_, value))| c.scale.slope(*value)).collect();
-    let errors = |scatter: f64| -> Vec<f64> {
-        let of = |(k, slope): (usize, &f64)| scatter * slope * unscaled[(k, k)].sqrt();
-        slopes.iter().enumerate().map(of).collect()
+    let unscaled = match found.determined(&slopes) {
+        // Nothing follows about the data from values that are not theirs.
+        Err(_) if !found.minimum.converged && found.is_far() => {
+            return Err(found.no_end(failure.as_ref()));
+        }
+        determined => determined?,
     };
     let correlation = correlation(&unscaled);
-    let quantile = students_t((!knows_scatter(data)).then_some(found.degrees_of_freedom()));
-    let judged: Vec<f64> =
-        errors(found.judged_scatter()).into_iter().map(|error| quantile * error).collect();
-    determinacy::check(&found.parameters, &judged, &correlation)?;
-    let standard_errors = errors(found.scatter());
-    let converged = found.minimum.converged && found.is_stationary(&unscaled);
+    let errors = standard_errors(&unscaled, &slopes, found.scatter());
+    let quantile = found.quantile();
+    let points = found.points();
+    let converged = found.minimum.converged && found.ran_out().is_none();
     let mut warnings = found.warnings(&correlation);
     if !converged {
-        warnings.insert(0, found.why_not_converged(failure.as_ref()));
+        warnings.insert(0, format!("not converged: {}", found.why_not_converged(failure.as_ref())));
     }
     let estimates = (0..coordinates.len()).map(|k| Estimate {
         parameter: coordinates[k].parameter,
         start: coordinates[k].start,
         value: found.parameters[k].1,
-        standard_error: standard_errors[k],
-        half_width: quantile * standard_errors[k],
+        standard_error: errors[k],
+        half_width: quantile * errors[k],
     });
     let estimates = estimates.collect();
     let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
@@ -190,6 +195,27 @@ pub fn fit(
     })
 }
 
+/// When a fit of so many parameters has ended.
+fn limits(data: &[DataPoint], parameters: usize, max_iterations: usize) -> Limits {
+    let freedom = (data.len() - parameters).max(1) as f64;
+    let weights = data.iter().map(|point| point.standard_deviation.map_or(1.0, f64::recip));
+    Limits {
+        tolerance: TOLERANCE,
+        reducible: OF_STANDARD_ERROR.powi(2) / freedom,
+        negligible: weights.map(|weight| (weight * ROUNDING).powi(2)).sum(),
+        max_iterations,
+    }
+}
+
+/// Forces over the load from the residuals.
+fn computed(data: &[DataPoint], residuals: &[f64]) -> Vec<f64> {
+    let pairs = data.iter().zip(residuals);
+    let of = |(point, residual): (&DataPoint, &f64)| {
+        point.force_ratio + residual * point.standard_deviation.unwrap_or(1.0)
+    };
+    pairs.map(of).collect()
+}
+
 /// Why there is nothing to begin with.
 fn no_start(weighted: &Weighted) -> Error {
     let quantity =
@@ -203,9 +229,9 @@ fn no_start(weighted: &Weighted) -> Error {
                 place(condition)
             ),
         },
-        Some(Failure::Outside) | None => Error::Contradiction {
+        None => Error::Contradiction {
             quantity,
-            reason: "the values to start from are out of range".to_owned(),
+            reason: "the forces have no derivatives at the values to start from".to_owned(),
         },
     }
 }
@@ -228,6 +254,12 @@ fn correlation(covariance: &Mat<f64>) -> Vec<Vec<f64>> {
     (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
 
+/// Standard errors (in SI units, or dimensionless) with weighted residuals of such a standard deviation.
+fn standard_errors(unscaled: &Mat<f64>, slopes: &[f64], scatter: f64) -> Vec<f64> {
+    let of = |(k, slope): (usize, &f64)| scatter * slope * unscaled[(k, k)].sqrt();
+    slopes.iter().enumerate().map(of).collect()
+}
+
 /// The end of a fit.
 struct Found<'a> {
     data: &'a [DataPoint],
@@ -241,30 +273,42 @@ impl Found<'_> {
     }
 
     fn points(&self) -> Vec<FittedPoint> {
-        let pairs = self.data.iter().zip(&self.minimum.residuals);
-        pairs
-            .map(|(point, residual)| FittedPoint {
-                data: *point,
-                fitted: point.force_ratio + residual * point.standard_deviation.unwrap_or(1.0),
-            })
-            .collect()
+        let fitted = computed(self.data, &self.minimum.residuals);
+        let pairs = self.data.iter().zip(fitted);
+        pairs.map(|(data, fitted)| FittedPoint { data: *data, fitted }).collect()
+    }
+
+    /// Covariance of the moved coordinates for residuals of unit variance, after a check that the data determine the
+    /// parameters.
+    fn determined(&self, slopes: &[f64]) -> Result<Mat<f64>, Error> {
+        determinacy::check_range(&self.parameters, &self.points())?;
+        let unscaled = determinacy::covariance(&self.minimum, &self.parameters)?;
+        let errors = standard_errors(&unscaled, slopes, self.judged_scatter());
+        let half_widths: Vec<f64> = errors.iter().map(|error| self.quantile() * error).collect();
+        determinacy::check(&self.parameters, &half_widths, &correlation(&unscaled))?;
+        Ok(unscaled)
+    }
+
+    /// Standard errors in half a 95 % interval.
+    fn quantile(&self) -> f64 {
+        let is_given = knows_scatter(self.data) && self.excess().is_none();
+        students_t((!is_given).then_some(self.degrees_of_freedom()))
     }
 
     /// Standard deviation of the weighted residuals.
     fn scatter(&self) -> f64 {
         if knows_scatter(self.data) {
-            return 1.0;
+            return self.excess().unwrap_or(1.0);
         }
         (self.minimum.sum_of_squares() / self.degrees_of_freedom() as f64).sqrt()
     }
 
-    /// The same, but no less than what a measurement has.
+    /// The same, but no less than what a measurement has where that is not given.
     fn judged_scatter(&self) -> f64 {
         if knows_scatter(self.data) {
-            return 1.0;
+            return self.scatter();
         }
-        let largest = self.data.iter().map(|point| point.force_ratio.abs()).fold(0.0, f64::max);
-        self.scatter().max(LEAST_SCATTER * largest)
+        self.scatter().max(LEAST_SCATTER * self.largest_force())
     }
 
     fn reduced_chi_squared(&self) -> Option<f64> {
@@ -273,37 +317,57 @@ impl Found<'_> {
             .then(|| self.minimum.sum_of_squares() / freedom as f64)
     }
 
-    /// Whether a full step of Gauss and Newton from here would be next to nothing.
-    fn is_stationary(&self, unscaled: &Mat<f64>) -> bool {
-        let Minimum { jacobian, residuals, .. } = &self.minimum;
-        let residual = Mat::from_fn(residuals.len(), 1, |row, _| residuals[row]);
-        let step = unscaled * (jacobian.transpose() * residual);
-        (0..step.nrows()).all(|k| {
-            let error = self.scatter() * unscaled[(k, k)].sqrt();
-            step[(k, 0)].abs() <= STATIONARY * error + 10.0 * TOLERANCE
-        })
+    /// A parameter that is held at an end of the range that is looked at, which is none of its own.
+    fn ran_out(&self) -> Option<(Parameter, f64)> {
+        self.held().find(|(parameter, value)| !parameter.may_end_at(*value))
+    }
+
+    /// Parameters held by a bound.
+    fn held(&self) -> impl Iterator<Item = (Parameter, f64)> {
+        let pairs = self.parameters.iter().zip(&self.minimum.is_held);
+        pairs.filter_map(|(parameter, is_held)| is_held.then_some(*parameter))
+    }
+
+    /// Whether the forces are far from the measured ones.
+    fn is_far(&self) -> bool {
+        /// Residuals over the largest force, root mean square.
+        const FAR: f64 = 0.05;
+        let residuals: Vec<f64> = self.points().iter().map(FittedPoint::residual).collect();
+        rms(&residuals) > FAR * self.largest_force()
+    }
+
+    /// Largest measured force over the load, dimensionless.
+    fn largest_force(&self) -> f64 {
+        self.data.iter().map(|point| point.force_ratio.abs()).fold(0.0, f64::max)
+    }
+
+    /// There is nothing to be said of parameters where a fit got stuck.
+    fn no_end(&self, failure: Option<&Failure>) -> Error {
+        Error::Contradiction {
+            quantity: self.parameters[0].0.name(),
+            reason: format!(
+                "{}, and where it stopped the forces do not depend enough on the parameters to go on",
+                self.why_not_converged(failure)
+            ),
+        }
     }
 
     fn why_not_converged(&self, failure: Option<&Failure>) -> String {
         let iterations = self.minimum.iterations;
-        let at_bound = self.parameters.iter().find(|(parameter, value)| {
-            let [low, high] = parameter.bounds();
-            let near = |bound: f64| (value - bound).abs() <= 0.01 * parameter.size(bound);
-            near(low) || near(high)
-        });
-        let cause = match (at_bound, failure) {
+        let cause = match (self.ran_out(), failure) {
             (Some((parameter, value)), _) => {
                 let unit = parameter.unit();
-                let end = format!("it ran to the end of the range, {value:.4e} {unit}");
+                let end =
+                    format!("it ran to the end of the range that is looked at, {value:.4e} {unit}");
                 format!("{}: {}", parameter.name(), end.trim_end())
             }
             (None, Some(Failure::NotFound(condition))) => {
                 format!("in its way was a force that was not found, {}", place(condition))
             }
             (None, Some(Failure::Refused(error))) => format!("in its way was: {error}"),
-            _ => "other values to start from may help".to_owned(),
+            _ => "more steps or other values to start from may help".to_owned(),
         };
-        format!("not converged: after {iterations} steps the fit is at no minimum; {cause}")
+        format!("after {iterations} steps the fit is at no minimum; {cause}")
     }
 
     fn warnings(&self, correlation: &[Vec<f64>]) -> Vec<String> {
@@ -319,31 +383,52 @@ impl Found<'_> {
                 ));
             }
         }
+        warnings.extend(self.held().filter(|(p, value)| p.may_end_at(*value)).map(|(p, value)| {
+            let name = p.name();
+            format!(
+                "{name} is at the end of its range, {value}: the data would have it beyond, and its interval \
+                 counts to one side only"
+            )
+        }));
         warnings.extend(self.no_reduction());
         warnings.extend(self.misfit());
-        warnings.extend(self.excess());
+        warnings.extend(self.unexplained());
+        warnings.extend(self.excess().map(|factor| {
+            format!(
+                "the residuals are {factor:.1} times what the standard deviations of the data allow: \
+                 the intervals are widened by that"
+            )
+        }));
         warnings
     }
 
-    /// Reductions of the slope that a case cannot have.
+    /// Polach's reductions as no case can have them.
     fn no_reduction(&self) -> Option<String> {
-        let is_above = |(parameter, value): &&(Parameter, f64)| {
-            matches!(parameter, Parameter::AreaAdhesion | Parameter::AreaSlip) && *value > 1.0
-        };
-        if let Some((parameter, value)) = self.parameters.iter().find(is_above) {
-            let name = parameter.name();
-            return Some(format!(
-                "{name} is {value:.4}, but a reduction is at most 1: hold it there, do not fit it"
-            ));
-        }
         let of = |wanted| self.parameters.iter().find(|(parameter, _)| *parameter == wanted);
         let ((adhesion, most), (slip, value)) =
             (of(Parameter::AreaAdhesion)?, of(Parameter::AreaSlip)?);
         (value > most).then(|| {
             format!(
-                "{} is {value:.4}, but must not exceed {} = {most:.4}: no case can have them",
+                "{} is {value:.4}, but must not exceed {} = {most:.4}: no case can have them; hold \
+                 one of them",
                 slip.name(),
                 adhesion.name()
+            )
+        })
+    }
+
+    /// Data that have little to do with the model.
+    fn unexplained(&self) -> Option<String> {
+        /// R² below which that is said.
+        const LITTLE: f64 = 0.8;
+        let points = self.points();
+        let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
+        let measured: Vec<f64> = self.data.iter().map(|point| point.force_ratio).collect();
+        let explained = r_squared(&measured, &residuals);
+        (explained < LITTLE).then(|| {
+            format!(
+                "the model explains {:.0} % of the variance of the data only",
+                100.0 * explained.max(0.0)
             )
         })
     }
@@ -356,29 +441,28 @@ impl Found<'_> {
         /// Residuals below this part of the largest force do not matter.
         const SMALL: f64 = 1e-4;
         let points = self.points();
-        let residuals: Vec<f64> =
-            order(self.data).into_iter().map(|k| points[k].residual()).collect();
-        let largest = self.data.iter().map(|point| point.force_ratio.abs()).fold(0.0, f64::max);
-        let is_seen = self.degrees_of_freedom() >= ENOUGH && rms(&residuals) > SMALL * largest;
-        (is_seen && autocorrelation(&residuals) > SYSTEMATIC).then(|| {
+        let order = order(self.data);
+        let sorted: Vec<DataPoint> = order.iter().map(|k| self.data[*k]).collect();
+        let series: Vec<Vec<f64>> = data::series(&sorted)
+            .into_iter()
+            .map(|series| series.into_iter().map(|k| points[order[k]].residual()).collect())
+            .collect();
+        let residuals = series.concat();
+        let limit = SMALL * self.largest_force();
+        let is_seen = self.degrees_of_freedom() >= ENOUGH && rms(&residuals) > limit;
+        (is_seen && autocorrelation(series.iter().map(Vec::as_slice)) > SYSTEMATIC).then(|| {
             "the residuals are no scatter, neighbours have the same sign: the model does not follow \
              the data, and the parameters are less certain than their intervals say"
                 .to_owned()
         })
     }
 
-    /// Residuals beyond the standard deviations.
-    fn excess(&self) -> Option<String> {
+    /// The residuals over the standard deviations of the data, where they are beyond chance.
+    fn excess(&self) -> Option<f64> {
         /// Standard deviations of χ² from which on it is too large.
         const FAR: f64 = 3.0;
         let reduced = self.reduced_chi_squared()?;
         let limit = 1.0 + FAR * (2.0 / self.degrees_of_freedom() as f64).sqrt();
-        (reduced > limit).then(|| {
-            format!(
-                "the residuals are {:.1} times what the standard deviations of the data allow: the \
-                 intervals are too narrow",
-                (sum_of_squares(&self.minimum.residuals) / self.degrees_of_freedom() as f64).sqrt()
-            )
-        })
+        (reduced > limit).then(|| reduced.sqrt())
     }
 }

@@ -41,7 +41,7 @@ impl Parameter {
         ])
     }
 
-    /// Its dotted name in a case file; that of the roughness is no field of one.
+    /// Its dotted name in a case file. That of the roughness has k_c in its place there.
     pub fn name(self) -> &'static str {
         match self {
             Self::Friction(constant) => constant.field(),
@@ -106,8 +106,17 @@ impl Parameter {
             },
             Self::ContactStiffness => [1e3, 1e11],
             Self::Roughness => [1e-10, 1e-2],
-            // Reductions are at most one; scatter may put their estimates above.
-            Self::AreaAdhesion | Self::AreaSlip => [1e-3, 5.0],
+            Self::AreaAdhesion | Self::AreaSlip => [1e-3, 1.0],
+        }
+    }
+
+    /// Whether a bound (in its unit) is one that the constant itself has, so that a fit may end there. The others only
+    /// say where nothing is to be found.
+    pub(super) fn may_end_at(self, bound: f64) -> bool {
+        match self {
+            Self::Friction(FrictionConstant::LimitRatio) => true,
+            Self::AreaAdhesion | Self::AreaSlip => bound == 1.0,
+            _ => bound == 0.0,
         }
     }
 
@@ -155,6 +164,14 @@ impl Scale {
         }
     }
 
+    /// The number (dimensionless) of a value.
+    pub fn moved(self, value: f64, start: f64) -> f64 {
+        match self {
+            Self::Logarithmic => (value / start).ln(),
+            Self::Linear => value - start,
+        }
+    }
+
     /// Derivative of the value with respect to it, in the unit of the value if that is not
     /// dimensionless.
     pub fn slope(self, value: f64) -> f64 {
@@ -176,6 +193,7 @@ mod tests {
             let [low, high] = parameter.bounds();
             let start = 0.9 * low + 0.1 * high;
             assert_eq!(scale.value(0.0, start), start, "{parameter:?}");
+            assert_eq!(scale.moved(start, start), 0.0, "{parameter:?}");
             let (at, step) = (0.3, 1e-6);
             let [plus, minus] = [at + step, at - step].map(|moved| scale.value(moved, start));
             let slope = (plus - minus) / (2.0 * step);

@@ -7,7 +7,9 @@ use crate::simplified::polach::{Differentiated, differentiated_force};
 use crate::simplified::{EllipticContact, friction_state};
 use crate::solution::Work;
 
-use super::adjustment::{adjusted_friction, friction_constant, loaded, refuse, refuse_transient};
+use super::adjustment::{
+    adjusted_friction, friction_constant, loaded, refuse, refuse_transient, require_heat,
+};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -43,6 +45,7 @@ impl PolachModel {
             let reason = format!("the method must be \"polach\", but is {name:?}");
             return refuse("solver.method", reason);
         };
+        require_heat(false, parameters, "solver.method = \"polach\" has no heat")?;
         let start = parameters.iter().map(|parameter| match parameter {
             Parameter::Friction(constant) => friction_constant(&problem.friction, *constant),
             Parameter::AreaAdhesion => Ok(reduction.area_adhesion),

@@ -24,11 +24,16 @@ impl Coordinate {
         Self { parameter, scale: parameter.scale(), start }
     }
 
-    /// The value (in its SI unit) of a moved coordinate, if it is within the bounds.
-    fn value(&self, moved: f64) -> Option<f64> {
-        let value = self.scale.value(moved, self.start);
+    /// The value (in its SI unit, if it is not dimensionless) of a moved coordinate.
+    fn value(&self, moved: f64) -> f64 {
         let [low, high] = self.parameter.bounds();
-        (low..=high).contains(&value).then_some(value)
+        // Rounding may lead over a bound.
+        self.scale.value(moved, self.start).clamp(low, high)
+    }
+
+    /// Least and largest moved coordinate, dimensionless.
+    fn bounds(&self) -> [f64; 2] {
+        self.parameter.bounds().map(|bound| self.scale.moved(bound, self.start))
     }
 }
 
@@ -40,6 +45,8 @@ pub(super) struct Weighted<'a> {
     pub coordinates: Vec<Coordinate>,
     /// The points in the order of solution.
     order: Vec<usize>,
+    /// Where the model was evaluated last, and what it gave.
+    last: Option<(Vec<f64>, Vec<f64>)>,
     jacobian: Mat<f64>,
     /// Why the last residuals could not be computed.
     pub failure: Option<Failure>,
@@ -54,8 +61,6 @@ pub(super) enum Failure {
     Refused(Error),
     /// The force was not found under this condition.
     NotFound(Condition),
-    /// A parameter is outside its bounds.
-    Outside,
 }
 
 impl<'a> Weighted<'a> {
@@ -72,6 +77,7 @@ impl<'a> Weighted<'a> {
             data,
             coordinates,
             order: order(data),
+            last: None,
             jacobian: Mat::new(),
             failure: None,
             report,
@@ -79,14 +85,17 @@ impl<'a> Weighted<'a> {
         }
     }
 
-    /// Values (in SI units, or dimensionless) of moved coordinates, if all are within the bounds.
-    pub fn values(&self, moved: &[f64]) -> Option<Vec<f64>> {
+    /// Values (in SI units, or dimensionless) of moved coordinates.
+    pub fn values(&self, moved: &[f64]) -> Vec<f64> {
         let pairs = self.coordinates.iter().zip(moved);
         pairs.map(|(coordinate, moved)| coordinate.value(*moved)).collect()
     }
 
     fn evaluate(&mut self, moved: &[f64]) -> Result<Vec<f64>, Failure> {
-        let values = self.values(moved).ok_or(Failure::Outside)?;
+        if let Some((_, residuals)) = self.last.as_ref().filter(|(at, _)| at == moved) {
+            return Ok(residuals.clone());
+        }
+        let values = self.values(moved);
         self.model.set(&values).map_err(Failure::Refused)?;
         let mut residuals = vec![0.0; self.data.len()];
         self.jacobian = Mat::zeros(self.data.len(), values.len());
@@ -107,6 +116,7 @@ impl<'a> Weighted<'a> {
             }
             last = Some((point.condition, force));
         }
+        self.last = Some((moved.to_vec(), residuals.clone()));
         Ok(residuals)
     }
 
@@ -130,6 +140,10 @@ impl Residuals for Weighted<'_> {
                 None
             }
         }
+    }
+
+    fn bounds(&self, parameter: usize) -> [f64; 2] {
+        self.coordinates[parameter].bounds()
     }
 
     /// That of the last residuals: least squares asks for it where it has just asked for those.

@@ -12,7 +12,9 @@ use crate::problem::{Options, Problem};
 use crate::rolling::steady::SteadySolver;
 use crate::solution::{Resultant, Work};
 
-use super::adjustment::{adjusted_friction, friction_constant, loaded, refuse, refuse_transient};
+use super::adjustment::{
+    adjusted_friction, friction_constant, loaded, refuse, refuse_transient, require_heat,
+};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -72,6 +74,8 @@ impl RollingContactModel {
             );
             return refuse("solver.method", reason);
         }
+        let has_heat = problem.heat.model.is_some();
+        require_heat(has_heat, parameters, "heat.model is \"none\"")?;
         let materials = [&problem.wheel.material, &problem.rail.material];
         let number = roughness::stiffness_number(materials[0], materials[1], gamma)?;
         let mut model = Self {

@@ -17,10 +17,14 @@ pub(super) fn rms(values: &[f64]) -> f64 {
     (sum_of_squares(values) / values.len() as f64).sqrt()
 }
 
-/// Correlation of each residual with the next one, dimensionless: near zero where they are scatter.
-pub(super) fn autocorrelation(residuals: &[f64]) -> f64 {
-    let products: f64 = residuals.windows(2).map(|pair| pair[0] * pair[1]).sum();
-    products / sum_of_squares(residuals)
+/// Correlation of each residual with the next one in its series, dimensionless: near zero where they are scatter.
+pub(super) fn autocorrelation<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
+    let (mut products, mut squares) = (0.0, 0.0);
+    for residuals in series {
+        products += residuals.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>();
+        squares += sum_of_squares(residuals);
+    }
+    products / squares
 }
 
 #[cfg(test)]
@@ -29,8 +33,11 @@ mod tests {
 
     #[test]
     fn residuals_of_one_sign_hang_together_and_alternating_ones_do_not() {
-        assert!(autocorrelation(&[1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0]) > 0.5);
-        assert!(autocorrelation(&[1.0, -1.0, 1.0, -1.0]) < -0.5);
+        let of = |series: &[&[f64]]| autocorrelation(series.iter().copied());
+        assert!(of(&[&[1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0]]) > 0.5);
+        assert!(of(&[&[1.0, -1.0, 1.0, -1.0]]) < -0.5);
+        // Of two series, each for itself.
+        assert!(of(&[&[1.0, 1.0, 1.0, 1.0], &[-1.0, -1.0, -1.0, -1.0]]) > 0.7);
     }
 
     #[test]
