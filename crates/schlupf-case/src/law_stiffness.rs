@@ -64,26 +64,53 @@ pub struct MicroKey {
 const NOTICEABLE_ERROR: f64 = 0.05;
 const NOTICEABLE_SPREAD: f64 = 0.2;
 
-/// Fewer cells in contact than these do not show the shape of the spots.
+/// Fewer cells in contact than these do not show the shape of the spots: at the largest and at the smallest pressure.
 const FEWEST_CELLS: f64 = 200.0;
+const FEWEST_CELLS_AT_LEAST: f64 = 30.0;
 
 impl MicroContact {
     /// Where Eq. (8) with one k_c is not what the micro model finds.
     pub fn caveats(&self) -> Vec<String> {
-        caveats(&self.result, self.cells).into_iter().chain(self.notices.iter().cloned()).collect()
+        let caveats = caveats(&self.result, self.cells, &self.key);
+        caveats.into_iter().chain(self.notices.iter().cloned()).collect()
     }
 }
 
+/// Mean pressure in elastic spots over E* from which on hard steel, too, yields; dimensionless.
+const YIELDING: f64 = 0.03;
+
+/// Elastic spots that carry more than any steel does.
+fn yielding(result: &MicroModelResult, key: &MicroKey) -> Option<String> {
+    let mean = result.normal.mean_spot_pressure(key.largest_pressure);
+    let is_beyond = key.hardness.is_infinite() && mean > YIELDING * key.contact_modulus;
+    is_beyond.then(|| {
+        format!(
+            "the spots carry {:.1} GPa in the mean at {:.0} MPa, more than steel does before it yields \
+             (2.5 to 3 GPa on rails): a hardness belongs to this surface",
+            1e-9 * mean,
+            1e-6 * key.largest_pressure
+        )
+    })
+}
+
 /// Where Eq. (8) with one k_c is not what a micro model of so many cells finds, or that is doubtful.
-pub fn caveats(result: &MicroModelResult, cells: usize) -> Vec<String> {
-    let mut caveats = Vec::new();
-    let fraction = result.normal.points().last().map_or(0.0, |point| point.contact_fraction);
-    let in_contact = fraction * cells as f64;
-    if in_contact < FEWEST_CELLS {
-        caveats.push(format!(
-            "only {in_contact:.0} cells are in contact at the largest pressure: k_c is doubtful; more \
-             cells or a larger surface make it better"
-        ));
+pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<String> {
+    let mut caveats = Vec::from_iter(yielding(result, key));
+    let pressures = result.stiffness.mean_pressures.iter().copied();
+    let least = pressures.clone().fold(f64::INFINITY, f64::min);
+    let in_contact = |pressure: f64| result.normal.contact_fraction(pressure) * cells as f64;
+    let largest = pressures.fold(0.0, f64::max);
+    for (pressure, fewest, which) in
+        [(largest, FEWEST_CELLS, "largest"), (least, FEWEST_CELLS_AT_LEAST, "smallest")]
+    {
+        let found = in_contact(pressure);
+        if found < fewest {
+            caveats.push(format!(
+                "only {found:.0} cells are in contact at the {which} pressure: k_c is doubtful; more cells \
+                 or a larger surface make it better"
+            ));
+            break;
+        }
     }
     let stiffness = &result.stiffness;
     if stiffness.common.root_mean_square_error > NOTICEABLE_ERROR {

@@ -362,6 +362,12 @@ pub struct RoughnessArguments {
     /// Write the heights, of both surfaces together and without form, as .npy in m
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub heights: Option<PathBuf>,
+    /// Write the pressures in all cells at the largest mean pressure as .npy in Pa
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub pressures: Option<PathBuf>,
+    /// Write the gaps there as .npy in m; negative is the depth that was flattened
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub gaps: Option<PathBuf>,
     /// Draw curves, surface, contact spots and spectrum (PNG and SVG) into a directory, created if missing
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub figures: Option<PathBuf>,

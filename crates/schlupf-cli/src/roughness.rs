@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use schlupf::interface::roughness::load_curve::{LoadCurveOptions, LoadPoint};
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
@@ -10,7 +11,9 @@ use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Status, rolling};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin, renamed};
-use schlupf_case::{Case, CaseErrors, GivenByOption, RoughnessRequest, caveats, pressures};
+use schlupf_case::{
+    Case, CaseErrors, GivenByOption, MicroContact, RoughnessRequest, caveats, pressures,
+};
 use schlupf_output::figures;
 use schlupf_output::roughness::{RoughnessReport, Spots, csv, json, npy, summary};
 
@@ -34,7 +37,8 @@ pub fn run(arguments: &RoughnessArguments) -> Result<ExitCode, Failure> {
     let rough = request.load().map_err(|error| in_options(arguments, error.into()))?;
     let explain = |error: Error| in_options(arguments, CaseErrors::from(request.explain(&error)));
     let result = solve(&case, &request, &rough, &progress).map_err(explain)?;
-    let spots = match arguments.figures {
+    let is_wanted = [&arguments.figures, &arguments.pressures, &arguments.gaps];
+    let spots = match is_wanted.into_iter().flatten().next() {
         Some(_) => Some(spots(&request, &rough.surface).map_err(explain)?),
         None => None,
     };
@@ -195,7 +199,11 @@ fn solve(
 ) -> Result<MicroModelResult, Error> {
     let (key, bodies) = (request.key(), request.bodies());
     let mean_pressures = request.mean_pressures();
-    if let Some(solved) = case.micro_contact().filter(|solved| solved.key == *key) {
+    let reaches = |solved: &&Arc<MicroContact>| {
+        let least = solved.result.normal.smallest_pressure();
+        solved.key == *key && mean_pressures.iter().all(|pressure| *pressure >= least)
+    };
+    if let Some(solved) = case.micro_contact().filter(reaches) {
         let normal = solved.result.normal.clone();
         return MicroModelResult::new(solved.result.statistics, normal, bodies, mean_pressures);
     }
@@ -207,7 +215,7 @@ fn solve(
         mean_pressures: mean_pressures.to_vec(),
     };
     let options = LoadCurveOptions::default();
-    let steps = Some((options.range.ln() / options.ratio.ln()).ceil() as usize + 1);
+    let steps = Some(model.loads(&options));
     let mut step = 0;
     let mut each = |_: &LoadPoint| {
         step += 1;
@@ -223,8 +231,12 @@ fn spots(request: &RoughnessRequest, surface: &HeightMap) -> Result<Spots, Error
     let contact = RoughContact::new(distance, key.contact_modulus, Boundary::Periodic)?;
     let mut contact = contact.with_hardness(key.hardness)?;
     let solution = contact.press(key.largest_pressure, &RoughContactOptions::default())?;
-    let (is_converged, pressure) = (solution.is_converged, solution.pressure);
-    Ok(Spots { mean_pressure: key.largest_pressure, pressure, is_converged })
+    Ok(Spots {
+        mean_pressure: key.largest_pressure,
+        is_converged: solution.is_converged,
+        pressure: solution.pressure,
+        gap: solution.gap,
+    })
 }
 
 fn describe(
@@ -243,7 +255,7 @@ fn describe(
     };
     let window = if rough.is_periodic { Window::None } else { Window::Hann };
     let mut warnings = rough.notices;
-    warnings.extend(caveats(&result, rough.surface.lattice().len()));
+    warnings.extend(caveats(&result, rough.surface.lattice().len(), request.key()));
     RoughnessReport {
         title,
         spectrum: RadialSpectrum::of(&rough.surface, window),
@@ -267,6 +279,8 @@ fn check_outputs(
         ("--json", json),
         ("--csv", arguments.csv.as_deref()),
         ("--heights", arguments.heights.as_deref()),
+        ("--pressures", arguments.pressures.as_deref()),
+        ("--gaps", arguments.gaps.as_deref()),
     ]
     .into_iter()
     .filter_map(|(option, path)| Some((option, path?)))
@@ -302,6 +316,11 @@ fn files(
     }
     if let Some(path) = &arguments.heights {
         files.push((path.clone(), npy::heights(report)));
+    }
+    if let Some(fields) = npy::contact(report) {
+        for (path, field) in [&arguments.pressures, &arguments.gaps].into_iter().zip(fields) {
+            files.extend(path.iter().map(|path| (path.clone(), field.clone())));
+        }
     }
     if let Some(directory) = &arguments.figures {
         progress.stage("drawing figures");

@@ -41,6 +41,7 @@ fn report() -> RoughnessReport {
         spots: Some(Spots {
             mean_pressure: 1e9,
             pressure: (0..64 * 64).map(share).collect(),
+            gap: vec![0.0; 64 * 64],
             is_converged: true,
         }),
         warnings: vec!["a warning".to_owned()],
@@ -105,6 +106,10 @@ fn heights_are_a_file_of_numpy() {
     let cell = start + 8 * 65;
     let height = f64::from_le_bytes(bytes[cell..cell + 8].try_into().unwrap());
     assert_eq!(height, report.surface.heights()[65]);
+    let [pressure, gap] = npy::contact(&report).unwrap();
+    assert_eq!((pressure.len(), gap.len()), (bytes.len(), bytes.len()));
+    let value = |bytes: &[u8]| f64::from_le_bytes(bytes[cell..cell + 8].try_into().unwrap());
+    assert_eq!([value(&pressure), value(&gap)], [2e9, 0.0]);
 }
 
 #[test]
@@ -115,7 +120,8 @@ fn the_summary_shows_statistics_pressures_and_warnings() {
     for part in [
         "a <rough> surface",
         "64 x 64 cells of 6.25 µm, 0.4 x 0.4 mm",
-        "Sq                               1 µm",
+        "Sq                              1 µm",
+        "in the spots at 1000 MPa: mean ",
         "E* = 114 GPa, ν = 0.28, μ0 = 0.4, hardness 2.5 GPa",
         "           400",
         "k_c",
@@ -144,7 +150,7 @@ fn the_figures_name_what_they_show() {
     assert_eq!(drawings.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ROUGHNESS);
     let parts: [&[&str]; 4] = [
         &["a <rough> surface", "400 MPa", "1000 MPa", "Eq. (8) with ", "displacement"],
-        &["The surface", "height (µm)", " (mm)"],
+        &["The surface", "height (µm)", " (µm)"],
         &["Contact spots", "20 % of the cells in contact", "pressure (GPa)"],
         &["wave number", "mean over all directions", "10"],
     ];

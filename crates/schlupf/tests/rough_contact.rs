@@ -108,6 +108,30 @@ fn johnson_greenwood_higginson_1985_full_contact() {
     assert_relative_eq!(open, 3.0 / TAU * 0.1, max_relative = 0.15);
 }
 
+/// Goal: contact area and largest pressure of a two-dimensional wave under a light load: every crest is in contact like
+/// a sphere by itself.
+/// Set-up: 1024² cells, h = Δ (1 − cos cos) with two crests of radius λ²/(4π²Δ) a period, 0.02 % of the closing pressure;
+/// spots of some 21 cells radius.
+/// Source: Johnson, Greenwood and Higginson 1985, Eq. 13; Hertz 1882.
+#[test]
+fn johnson_greenwood_higginson_1985_light_load() {
+    let (amplitude, wavelength) = (1e-7, 1e-4);
+    let lattice = Lattice::square(1024, wavelength);
+    let wave = |x: f64, y: f64| (TAU * x / wavelength).cos() * (TAU * y / wavelength).cos();
+    let distance = HeightMap::from_fn(lattice, |x, y| amplitude * (1.0 - wave(x, y))).unwrap();
+    let mut contact = RoughContact::new(distance, MODULUS, Boundary::Periodic).unwrap();
+    let closing = 2.0_f64.sqrt() * PI * MODULUS * amplitude / wavelength;
+    let solution = solve(&mut contact, 2e-4 * closing * lattice.area());
+    let load = 0.5 * solution.load;
+    let radius = wavelength * wavelength / (TAU * TAU * amplitude);
+    let spot = (0.75 * load * radius / MODULUS).cbrt();
+    let expected = 2.0 * PI * spot * spot;
+    println!("A/A Hertz = {}", solution.corrected_contact_area / expected);
+    assert_relative_eq!(solution.corrected_contact_area, expected, max_relative = 0.01);
+    let peak = solution.pressure.iter().copied().fold(0.0, f64::max);
+    assert_relative_eq!(peak, 1.5 * load / (PI * spot * spot), max_relative = 0.01);
+}
+
 /// A rough surface of the tests: E* and h'_rms of one.
 fn rough(cells: usize, seed: u64) -> HeightMap {
     let spectrum = SelfAffine {

@@ -63,7 +63,8 @@ fn normalised(report: &RoughnessReport) -> Option<Stack> {
         let name = if k.is_multiple_of(step) { name.as_str() } else { "" };
         curves.push(Curve::solid(points.collect(), color, name));
         let sliding = curve.full_sliding_displacement;
-        curves.push(Curve::dashed(exponential(fit.stiffness * sliding), color, ""));
+        let name = if k == 0 { "Eq. (8)" } else { "" };
+        curves.push(Curve::dashed(exponential(fit.stiffness * sliding), color, name));
     }
     let label = "displacement over that of full sliding, $u$/$u$_s";
     let end = curves.first()?.points.last()?[0];

@@ -133,6 +133,7 @@ struct Normal {
     mean_gap: Vec<f64>,
     contact_fraction: Vec<f64>,
     corrected_contact_fraction: Vec<f64>,
+    spot_pressure: Vec<f64>,
     plastic_fraction: Vec<f64>,
     iterations: Vec<usize>,
 }
@@ -146,6 +147,7 @@ impl Normal {
             mean_gap: column(|point| point.mean_gap),
             contact_fraction: column(|point| point.contact_fraction),
             corrected_contact_fraction: column(|point| point.corrected_contact_fraction),
+            spot_pressure: column(|point| point.spot_pressure),
             plastic_fraction: column(|point| point.plastic_fraction),
             iterations: points.iter().map(|point| point.iterations).collect(),
         }
@@ -171,7 +173,7 @@ struct Closed {
 #[derive(Serialize)]
 struct Curve {
     mean_pressure: f64,
-    contact_fraction: f64,
+    corrected_contact_fraction: f64,
     stiffness: f64,
     root_mean_square_error: f64,
     largest_error: f64,
@@ -188,7 +190,10 @@ impl Curve {
         let column = |value: fn(&TangentialPoint) -> f64| curve.points.iter().map(value).collect();
         Self {
             mean_pressure: curve.mean_pressure,
-            contact_fraction: report.contact_fraction(curve.mean_pressure),
+            corrected_contact_fraction: report
+                .result
+                .normal
+                .corrected_contact_fraction(curve.mean_pressure),
             stiffness: fit.stiffness,
             root_mean_square_error: fit.root_mean_square_error,
             largest_error: fit.largest_error,

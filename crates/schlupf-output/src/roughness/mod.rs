@@ -41,6 +41,8 @@ pub struct Spots {
     pub mean_pressure: f64,
     /// Pressure in every cell, row after row, in Pa.
     pub pressure: Vec<f64>,
+    /// Gap in every cell, row after row, in m; negative where the material has yielded, by the depth that was flattened.
+    pub gap: Vec<f64>,
     /// Whether this solution converged.
     pub is_converged: bool,
 }
@@ -54,17 +56,5 @@ impl RoughnessReport {
         } else {
             Status::NotConverged
         }
-    }
-
-    /// Real over nominal area of contact (dimensionless) at a mean pressure (in Pa), with the perimeter
-    /// corrected for.
-    fn contact_fraction(&self, mean_pressure: f64) -> f64 {
-        let normal = &self.result.normal;
-        // The correction changes slowly: that of the next point serves.
-        let next = normal.points().iter().find(|point| point.mean_pressure >= mean_pressure);
-        let correction = next
-            .or(normal.points().last())
-            .map_or(1.0, |point| point.corrected_contact_fraction / point.contact_fraction);
-        correction * normal.contact_fraction(mean_pressure)
     }
 }

@@ -1,4 +1,6 @@
-//! The heights in NumPy's .npy format, version 1.0.
+//! Heights, pressures and gaps in NumPy's .npy format, version 1.0.
+
+use schlupf::surface::Lattice;
 
 use super::RoughnessReport;
 
@@ -7,7 +9,16 @@ const ALIGNMENT: usize = 64;
 
 /// Heights of both surfaces together, without form, in m, each row along x: float64, little-endian.
 pub fn heights(report: &RoughnessReport) -> Vec<u8> {
-    let lattice = report.surface.lattice();
+    field(report.surface.lattice(), report.surface.heights())
+}
+
+/// Pressures in Pa and gaps in m at the largest mean pressure, in the same way.
+pub fn contact(report: &RoughnessReport) -> Option<[Vec<u8>; 2]> {
+    let (spots, lattice) = (report.spots.as_ref()?, report.surface.lattice());
+    Some([field(lattice, &spots.pressure), field(lattice, &spots.gap)])
+}
+
+fn field(lattice: &Lattice, values: &[f64]) -> Vec<u8> {
     let mut header = format!(
         "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}",
         lattice.rows, lattice.columns
@@ -21,6 +32,6 @@ pub fn heights(report: &RoughnessReport) -> Vec<u8> {
     // Some 80 to 130 characters.
     bytes.extend((header.len() as u16).to_le_bytes());
     bytes.extend(header.as_bytes());
-    bytes.extend(report.surface.heights().iter().flat_map(|height| height.to_le_bytes()));
+    bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
     bytes
 }

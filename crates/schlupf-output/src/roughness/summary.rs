@@ -92,14 +92,37 @@ fn contact(text: &mut String, report: &RoughnessReport) {
         let row = format!(
             "{:>14}{:>14}{:>14}{:>18}{:>14}",
             number(curve.mean_pressure / 1e6),
-            percent(report.contact_fraction(curve.mean_pressure)),
+            percent(result.normal.corrected_contact_fraction(curve.mean_pressure)),
             number(fit.stiffness),
             percent(fit.root_mean_square_error),
             percent(fit.largest_error)
         );
         line(text, &row);
     }
+    spots(text, report);
     text.push('\n');
+}
+
+/// Pressures in the spots under the largest mean pressure.
+fn spots(text: &mut String, report: &RoughnessReport) {
+    let normal = &report.result.normal;
+    let Some(last) = normal.points().last() else { return };
+    let gigapascal = |value: f64| number((value / 1e7).round() / 100.0);
+    let yields = if report.hardness.is_finite() {
+        let percent = (1e4 * last.plastic_fraction).round() / 100.0;
+        format!("; {} % of the surface has yielded there", number(percent))
+    } else {
+        String::new()
+    };
+    line(
+        text,
+        &format!(
+            "in the spots at {} MPa: mean {} GPa, largest {} GPa{yields}; areas are corrected for their perimeter",
+            number(last.mean_pressure / 1e6),
+            gigapascal(normal.mean_spot_pressure(last.mean_pressure)),
+            gigapascal(last.spot_pressure)
+        ),
+    );
 }
 
 fn stiffness(text: &mut String, report: &RoughnessReport) {

@@ -16,7 +16,9 @@ pub struct LoadPoint {
     pub contact_fraction: f64,
     /// The same with the perimeter corrected for, dimensionless (Yastrebov et al. 2017).
     pub corrected_contact_fraction: f64,
-    /// Part of the nominal area that yields, dimensionless.
+    /// Largest pressure in a spot, in Pa.
+    pub spot_pressure: f64,
+    /// Part of the nominal area that yielded when this load came for the first time, dimensionless.
     pub plastic_fraction: f64,
     /// Whether the solution converged.
     pub is_converged: bool,
@@ -39,6 +41,13 @@ impl Default for LoadCurveOptions {
     /// Three decades with eight points each.
     fn default() -> Self {
         Self { range: 1e3, ratio: 10_f64.powf(0.125), contact: RoughContactOptions::default() }
+    }
+}
+
+impl LoadCurveOptions {
+    /// Steps from the largest to the smallest pressure.
+    pub fn steps(&self) -> usize {
+        (self.range.ln() / self.ratio.ln()).ceil().max(2.0) as usize
     }
 }
 
@@ -70,6 +79,9 @@ pub const EXPONENTIAL_RANGE: [f64; 2] = [0.01, 0.2];
 
 impl LoadCurve {
     /// Solves the contact from the largest mean pressure (in Pa) down; `each` sees every point.
+    ///
+    /// Bodies that yield have carried the largest pressure before: the points are those of the flattened surfaces, which
+    /// are elastic from then on.
     pub fn compute(
         contact: &mut RoughContact,
         largest: f64,
@@ -77,16 +89,33 @@ impl LoadCurve {
         each: &mut dyn FnMut(&LoadPoint),
     ) -> Result<Self, Error> {
         require_positive("normal.pressure", largest, "Pa")?;
-        let steps = (options.range.ln() / options.ratio.ln()).ceil().max(2.0) as usize;
+        let steps = options.steps();
+        let area = contact.distance().lattice().area();
+        let mut flattened = None;
+        let mut first = None;
+        if contact.hardness().is_finite() {
+            let solution = contact.press(largest, &options.contact)?;
+            flattened = Some(contact.flattened(&solution)?);
+            first = Some(solution);
+        }
+        let contact = flattened.as_mut().unwrap_or(contact);
         let mut points = Vec::with_capacity(steps + 1);
         for step in 0..=steps {
             let pressure = largest * options.range.powf(-(step as f64) / steps as f64);
             let solution = contact.press(pressure, &options.contact)?;
-            let point = LoadPoint::of(&solution, contact.distance().lattice().area());
+            let mut point = LoadPoint::of(&solution, area);
+            if let Some(first) = first.take() {
+                point.plastic_fraction = first.plastic_area / area;
+                point.is_converged &= first.is_converged;
+                point.iterations += first.iterations;
+            }
             each(&point);
             points.push(point);
         }
         points.reverse();
+        if points[points.len() - 1].contact_fraction > CLOSED {
+            return Err(all_in_contact(&points));
+        }
         Self::new(points)
     }
 
@@ -123,6 +152,16 @@ impl LoadCurve {
     /// Largest mean pressure, in Pa.
     pub fn largest_pressure(&self) -> f64 {
         self.points.last().map_or(0.0, |point| point.mean_pressure)
+    }
+
+    /// Smallest mean pressure that was solved, in Pa.
+    pub fn smallest_pressure(&self) -> f64 {
+        self.points.first().map_or(0.0, |point| point.mean_pressure)
+    }
+
+    /// Mean pressure in the spots under a mean pressure, both in Pa.
+    pub fn mean_spot_pressure(&self, mean_pressure: f64) -> f64 {
+        mean_pressure / self.corrected_contact_fraction(mean_pressure)
     }
 
     /// Approach (in m) under a mean pressure (in Pa), and its derivative dd/d ln p (in m).
@@ -165,6 +204,16 @@ impl LoadCurve {
         fraction(low) * (fraction(high) / fraction(low)).powf(t)
     }
 
+    /// The same with the perimeter corrected for, dimensionless: the correction changes slowly, so that of the next point
+    /// serves.
+    pub fn corrected_contact_fraction(&self, mean_pressure: f64) -> f64 {
+        let next = self.points.iter().find(|point| point.mean_pressure >= mean_pressure);
+        let correction = next
+            .or(self.points.last())
+            .map_or(1.0, |point| point.corrected_contact_fraction / point.contact_fraction);
+        correction * self.contact_fraction(mean_pressure)
+    }
+
     /// The straight line ln p over d that fits best in [`EXPONENTIAL_RANGE`]; nothing with fewer than
     /// three points in it.
     pub fn exponential_range(&self) -> Option<ExponentialRange> {
@@ -191,6 +240,22 @@ impl LoadCurve {
             mean_pressure: [first.mean_pressure, last.mean_pressure],
             deviation,
         })
+    }
+}
+
+/// Part of the surface in contact from which on there are no valleys left that the load could close, dimensionless.
+const CLOSED: f64 = 0.999;
+
+fn all_in_contact(points: &[LoadPoint]) -> Error {
+    let is_closed = |point: &&LoadPoint| point.contact_fraction > CLOSED;
+    let first = points.iter().find(is_closed).map_or(0.0, |point| point.mean_pressure);
+    Error::Contradiction {
+        quantity: "surface.heights",
+        reason: format!(
+            "all of the surface is in contact under {:.4} MPa: it is too smooth for that, the pressures are \
+             too large, or its heights are in another unit",
+            1e-6 * first
+        ),
     }
 }
 
@@ -234,6 +299,7 @@ impl LoadPoint {
             mean_gap: solution.mean_gap,
             contact_fraction: solution.contact_area / area,
             corrected_contact_fraction: solution.corrected_contact_area / area,
+            spot_pressure: solution.pressure.iter().copied().fold(0.0, f64::max),
             plastic_fraction: solution.plastic_area / area,
             is_converged: solution.is_converged,
             iterations: solution.iterations,
@@ -256,6 +322,7 @@ mod tests {
             mean_gap: 1e-6 - approach(mean_pressure),
             contact_fraction: 0.3 * mean_pressure / 1e9,
             corrected_contact_fraction: 0.3 * mean_pressure / 1e9,
+            spot_pressure: 1e10,
             plastic_fraction: 0.0,
             is_converged: true,
             iterations: 1,

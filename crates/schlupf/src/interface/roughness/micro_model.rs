@@ -42,6 +42,9 @@ pub struct MicroModelResult {
     pub closed_form: f64,
 }
 
+/// How far below the smallest mean pressure of a curve the normal contact is solved, dimensionless.
+const BELOW: f64 = 100.0;
+
 impl MicroModel {
     /// Solves the normal contact over the load (`each` sees every point) and fits k_c.
     pub fn solve(
@@ -54,12 +57,30 @@ impl MicroModel {
         for pressure in &self.mean_pressures {
             require_positive("normal.pressure", *pressure, "Pa")?;
         }
-        let largest = self.mean_pressures.iter().copied().fold(0.0, f64::max);
+        let options = &self.reaching(options);
+        let largest = self.largest_pressure();
         let distance = self.surface.distance_to_plane();
         let contact = RoughContact::new(distance, self.contact_modulus, Boundary::Periodic)?;
         let mut contact = contact.with_hardness(self.hardness)?;
         let normal = LoadCurve::compute(&mut contact, largest, options, each)?;
         MicroModelResult::new(statistics, normal, &self.bodies, &self.mean_pressures)
+    }
+
+    /// How many loads [`Self::solve`] solves.
+    pub fn loads(&self, options: &LoadCurveOptions) -> usize {
+        self.reaching(options).steps() + 1
+    }
+
+    /// In Pa.
+    fn largest_pressure(&self) -> f64 {
+        self.mean_pressures.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Options that reach well below the smallest mean pressure: there its tangential curve ends.
+    fn reaching(&self, options: &LoadCurveOptions) -> LoadCurveOptions {
+        let least = self.mean_pressures.iter().copied().fold(f64::INFINITY, f64::min);
+        let range = options.range.max(BELOW * self.largest_pressure() / least);
+        LoadCurveOptions { range, ..*options }
     }
 }
 

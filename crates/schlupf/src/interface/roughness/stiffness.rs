@@ -135,6 +135,7 @@ mod tests {
             mean_gap: 0.0,
             contact_fraction: 1e-10 * mean_pressure,
             corrected_contact_fraction: 1e-10 * mean_pressure,
+            spot_pressure: 1e10,
             plastic_fraction: 0.0,
             is_converged: true,
             iterations: 1,

@@ -6,6 +6,9 @@
 //!
 //! Q = μ (P − P*),  u = μ c (d(P) − d(P*)),  c = (2 − ν)/(2 (1 − ν)).
 //!
+//! Bodies that yielded under P are elastic on the way back, and so must d(P*) be: that of the flattened surfaces
+//! ([`super::load_curve::LoadCurve::compute`]).
+//!
 //! P* falls from P (all sticks) to 0 (all slides, at a finite displacement). Exact for ν = 0; else the
 //! small displacement across the force is neglected, and c is that of circular spots.
 
@@ -82,9 +85,10 @@ impl TangentialCurve {
         bodies: &SimilarBodies,
     ) -> Result<Self, Error> {
         bodies.check()?;
-        let largest = normal.largest_pressure();
-        let limit = format!("positive and at most {largest} Pa, the largest one computed");
-        let is_within = mean_pressure > 0.0 && mean_pressure <= largest * (1.0 + 1e-12);
+        let (least, largest) = (normal.smallest_pressure(), normal.largest_pressure());
+        let limit = format!("between {least} and {largest} Pa, which were computed");
+        let is_within =
+            mean_pressure >= least * (1.0 - 1e-12) && mean_pressure <= largest * (1.0 + 1e-12);
         require(is_within, "normal.pressure", &limit, mean_pressure, "Pa")?;
         let factor = bodies.friction_coefficient * bodies.compliance_ratio();
         let limit = bodies.friction_coefficient * mean_pressure;

@@ -125,6 +125,25 @@ impl RoughContact {
         self.contact_modulus
     }
 
+    /// The hardness, in Pa; infinite for elastic bodies.
+    pub fn hardness(&self) -> f64 {
+        self.hardness
+    }
+
+    /// The bodies after a solution: flattened where they yielded, and elastic, because no smaller load and not the same
+    /// one makes them yield again.
+    pub fn flattened(&self, solution: &RoughContactSolution) -> Result<Self, Error> {
+        let depth = |cell: usize| {
+            let has_yielded = solution.pressure[cell] >= self.hardness;
+            if has_yielded { -solution.gap[cell] } else { 0.0 }
+        };
+        let heights = self.distance.heights().iter().enumerate();
+        let heights = heights.map(|(cell, height)| height + depth(cell)).collect();
+        let distance = HeightMap::new(*self.distance.lattice(), heights)?;
+        let contact = Self::new(distance, self.contact_modulus, self.boundary)?;
+        Ok(Self { pressure: solution.pressure.clone(), ..contact })
+    }
+
     /// What lies around the surface.
     pub fn boundary(&self) -> Boundary {
         self.boundary
