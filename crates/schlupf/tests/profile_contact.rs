@@ -203,6 +203,25 @@ fn assert_forces_add_up(both: Arc<dyn PressureSource>, radii: [[f64; 2]; 2], loa
     }
 }
 
+/// Goal: a distance at few points, and a pressure that no steel stands, are told with the results.
+#[test]
+fn doubtful_profiles_are_told() {
+    let warnings = |points: usize, load: f64| {
+        let y = line(-0.02, 0.02, points);
+        let distance = y.iter().map(|y| 0.5 * y * y / 0.1).collect();
+        let distance = UndeformedDistance::across(y, distance, 0.46).unwrap();
+        steady(Arc::new(pressed(distance, load)), [0.001, 0.0, 0.0]).warnings.join("\n")
+    };
+    assert_eq!(warnings(81, 60e3), "");
+    let few = warnings(11, 60e3);
+    assert!(
+        few.contains("normal.file: number of points of the distance across the patch: 1."),
+        "{few}"
+    );
+    let hard = warnings(81, 3e6);
+    assert!(hard.contains("are load and shape in their right units?"), "{hard}");
+}
+
 /// Goal: a small patch beside a large one is found although a coarse look sees one cell of it, or nothing.
 #[test]
 fn a_small_second_patch_is_found() {

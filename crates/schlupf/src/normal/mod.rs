@@ -27,6 +27,11 @@ pub trait PressureSource: Debug + Send + Sync {
     fn growth(&self) -> Option<f64> {
         Some(0.0)
     }
+
+    /// What the reader of results must know about where the pressure comes from.
+    fn caveat(&self) -> Option<String> {
+        None
+    }
 }
 
 /// A loaded normal contact.

@@ -1,5 +1,6 @@
 //! What the reader of the full solver's numbers must know.
 
+use crate::material::contact_modulus;
 use crate::problem::{Options, Problem};
 use crate::summary::{self, snapshot::Snapshot};
 
@@ -11,6 +12,22 @@ const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
 /// Largest part of the friction power that the bristles may return unmentioned.
 const LARGEST_RETURNED_POWER: f64 = 0.01;
 
+/// Largest pressure over E* from which on steel, too, is no longer elastic: its hardness is below that.
+const YIELDING: f64 = 0.03;
+
+/// A largest pressure (in Pa) that no body stands.
+fn yielding(problem: &Problem, peak_pressure: f64) -> Option<String> {
+    let modulus = contact_modulus(&problem.wheel.material, &problem.rail.material);
+    (peak_pressure > YIELDING * modulus).then(|| {
+        format!(
+            "normal: the largest pressure is {:.0} MPa, {:.1} % of the contact modulus, and steel has yielded \
+             before 2.5 %: are load and shape in their right units?",
+            1e-6 * peak_pressure,
+            1e2 * peak_pressure / modulus
+        )
+    })
+}
+
 /// Whatever the reader must know.
 pub(super) fn warnings(
     problem: &Problem,
@@ -20,6 +37,8 @@ pub(super) fn warnings(
 ) -> Vec<String> {
     let mut warnings: Vec<String> = problem.elasticity.caveat().into_iter().collect();
     warnings.extend(problem.elasticity.caveat_of_parts(contact.normal.parts));
+    warnings.extend(problem.normal.caveat());
+    warnings.extend(yielding(problem, contact.normal.peak_pressure));
     let edge = contact.edge_displacement(&now.traction);
     if edge > LARGEST_EDGE_DISPLACEMENT {
         warnings.push(format!(

@@ -7,6 +7,7 @@
 
 use super::interpolation::{Weights, weights_at};
 use crate::error::{Error, require_positive};
+use crate::grid::Extent;
 
 /// Undeformed distance of two bodies (profile of the wheel less that of the rail) around their contact.
 /// Only differences count, so it may be measured from anywhere.
@@ -31,6 +32,17 @@ const FEWEST: usize = 4;
 const ASCENDING: &str = "ascending positions";
 
 impl UndeformedDistance {
+    /// How many of its points lie within a rectangle, in each direction along which it is given by points.
+    pub(super) fn points_within(&self, extent: &Extent) -> Vec<usize> {
+        let within = |line: &[f64], [from, to]: [f64; 2]| {
+            line.iter().filter(|at| (from..=to).contains(*at)).count()
+        };
+        match &self.shape {
+            Shape::Across { y, .. } => vec![within(y, extent.y)],
+            Shape::Lattice { x, y, .. } => vec![within(x, extent.x), within(y, extent.y)],
+        }
+    }
+
     /// From the distance across at x = 0, `distance` (in m) at the positions `y` (in m, ascending), and the
     /// relative radius of rolling R (in m), 1/R = 1/R_wheel + 1/R_rail: d(y) + x²/(2R).
     pub fn across(y: Vec<f64>, distance: Vec<f64>, relative_radius: f64) -> Result<Self, Error> {

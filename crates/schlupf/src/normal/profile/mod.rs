@@ -33,6 +33,9 @@ pub use distance::UndeformedDistance;
 
 use search::{Search, Solved};
 
+/// Points of the distance across each part of a patch: fewer do not show its shape.
+const FEWEST_POINTS: usize = 7;
+
 /// Contact of two bodies of given shape under a load.
 #[derive(Debug)]
 pub struct Profile {
@@ -142,5 +145,19 @@ impl PressureSource for Profile {
 
     fn growth(&self) -> Option<f64> {
         None
+    }
+
+    fn caveat(&self) -> Option<String> {
+        let own = self.contact(self.load).ok()?;
+        let parts = own.table.parts();
+        let across = self.distance.points_within(&own.extent);
+        let fewest = across.into_iter().min()?;
+        (fewest < FEWEST_POINTS * parts).then(|| {
+            format!(
+                "normal.file: number of points of the distance across the patch: {fewest}. Its shape between them \
+                 is a guess; give {FEWEST_POINTS} or more for each part (there {})",
+                if parts == 1 { "is 1".to_owned() } else { format!("are {parts}") }
+            )
+        })
     }
 }
