@@ -113,7 +113,7 @@ pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
 /// Name of the figure of a comparison.
 pub const COMPARISON: &str = "comparison";
 
-/// The figure of a comparison: forces, moment and temperature rise of every method.
+/// The figure of a comparison: forces, moment, temperature rise and time of every method that has an answer.
 pub fn comparison(comparison: &Comparison) -> Result<Figure, FigureError> {
     let svg = comparison::draw(comparison).ok_or(FigureError::NothingToCompare)?;
     let png = raster::png(&svg, &font::database())?;
