@@ -11,6 +11,7 @@ mod contour;
 mod creep_curve;
 mod cut;
 mod fit;
+mod fit_panel;
 mod font;
 mod frame;
 mod height_map;
