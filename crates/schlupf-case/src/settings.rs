@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::document::{Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
-use crate::fields::{self, ALTERNATIVES, Default, Field, UsedWith};
+use crate::fields::{self, ALTERNATIVES, Default, Field, NOT_PER_CENT, UsedWith};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
 
@@ -197,10 +197,22 @@ impl Settings {
             .chain(mentioned)
             .find(|path| self.is_given(path));
         let error = match given {
-            Some(path) => self.error(path, message),
+            Some(path) => self.error(path, message).help(self.per_cent(path, quantity)),
             None => CaseError::new(quantity, message, self.file.clone()),
         };
         CaseError { cause, ..error }
+    }
+
+    /// Advice where a given creepage is too large to be a part of one; the numbers of a history's file are not here.
+    fn per_cent(&self, path: &str, quantity: &str) -> Option<String> {
+        let largest = match &self.given.get(path)?.setting {
+            Setting::Number(number) => *number,
+            Setting::Series(series) => series.iter().fold(0.0, |a: f64, b| a.max(b.abs())),
+            _ => f64::NAN,
+        };
+        let of_file = path == "history.file" && quantity == "history.creepage_x";
+        let help = of_file.then(|| NOT_PER_CENT.to_owned());
+        help.or_else(|| fields::creepage_in_per_cent(path, largest))
     }
 
     fn missing(&self, path: &str) -> CaseError {

@@ -32,6 +32,26 @@ fn unknown_names_come_with_a_suggestion() {
 }
 
 #[test]
+fn per_cent_is_no_unit_of_a_creepage() {
+    const ADVICE: &str = "not per cent: 1 % is 0.01";
+    assert_errors(&[
+        ("[kinematics]\ncreepage_x = 1.539", "kinematics.creepage_x", &["reversed", ADVICE]),
+        ("[kinematics]\ncreepage_y = -1.539", "kinematics.creepage_y", &["below 1", ADVICE]),
+        ("[kinematics]\ncreepage_x = \"1 %\"", "kinematics.creepage_x", &["quotes", ADVICE]),
+        (
+            "[history]\ntime = [\"0 s\", \"1 s\"]\ncreepage_x = [0.0, 1.539]",
+            "history.creepage_x",
+            &["at 1 s", "reversed", ADVICE],
+        ),
+        (
+            "[history]\ntime = [\"0 s\", \"1 s\"]\ncreepage_y = [0.0, 1.539]",
+            "history.creepage_y",
+            &[ADVICE],
+        ),
+    ]);
+}
+
+#[test]
 fn wrong_types_are_named() {
     assert_errors(&[
         (

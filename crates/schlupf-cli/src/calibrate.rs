@@ -7,7 +7,9 @@ use schlupf::calibration::displacements::{DisplacementFit, Sample, fit};
 use schlupf::calibration::side_by_side::side_by_side;
 use schlupf::calibration::{Calibration, CalibrationOptions, calibrate, deviation_of_table};
 use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::calibrated_layer::{RelativeStiffness, tabulated_stiffness};
+use schlupf::elasticity::calibrated_layer::{
+    CalibratedLayer, RelativeStiffness, tabulated_stiffness,
+};
 use schlupf::elasticity::elastic_layer::LayerStiffness;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::history::History;
@@ -86,7 +88,8 @@ impl Patch {
             max_iterations: case.options.max_iterations,
         };
         let ratios = (self.axis_ratio, self.bodies.poisson_ratio());
-        let mut warnings = self.warnings(case);
+        let [wheel, rail] = [&case.problem.wheel, &case.problem.rail].map(|body| &body.material);
+        let mut warnings = self.warnings(case, &CalibratedLayer::new(wheel, rail, None)?);
         let needs_no_table = arguments.anew || !displacements.is_empty();
         let tabulated = match tabulated_stiffness(ratios.0, ratios.1) {
             Ok(stiffness) => Some(stiffness),
@@ -130,12 +133,14 @@ impl Patch {
         Ok((report, figure))
     }
 
-    fn warnings(&self, case: &Case) -> Vec<String> {
+    fn warnings(&self, case: &Case, layer: &CalibratedLayer) -> Vec<String> {
         let mut warnings = case.notices.clone();
-        if let Pressure::Tabulated(..) = self.normal.pressure {
-            let text = "the patch is treated like the ellipse with the same extent";
-            warnings.push(text.to_owned());
-        }
+        let of_parts = layer.caveat_of_parts(self.normal.summary.parts);
+        let is_table = matches!(self.normal.pressure, Pressure::Tabulated(..));
+        let of_shape = (is_table && of_parts.is_none())
+            .then(|| "the patch is treated like the ellipse with the same extent".to_owned());
+        warnings.extend(of_parts);
+        warnings.extend(of_shape);
         warnings.extend(self.bodies.caveat());
         warnings
     }

@@ -8,8 +8,8 @@ use schlupf::normal::Pressure;
 use schlupf::rolling::{self, steady::SteadySolver};
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Options, Problem, Solution};
-use schlupf_case::{Case, Effective, Place};
-use schlupf_output::comparison::{Comparison, Entry, csv, json, summary};
+use schlupf_case::{Case, CaseErrors, Effective, Place};
+use schlupf_output::comparison::{Answer, Comparison, Entry, csv, json, summary};
 use schlupf_output::figures;
 
 use crate::arguments::CompareArguments;
@@ -50,20 +50,18 @@ pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
         report::warn(notice);
     }
     let progress = Progress::start();
-    let candidates = candidates(&case)?;
-    let mut entries = Vec::new();
-    for (k, candidate) in candidates.iter().enumerate() {
-        entries.push(candidate.entry()?);
-        let steps = Some(candidates.len());
-        progress.step(rolling::Progress { step: k + 1, steps, change: 0.0 });
-    }
+    let entries = entries(&case, &progress)?;
     let comparison = Comparison { title: case.title, entries };
     let files = files(arguments, &comparison, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
     print(arguments, &comparison)?;
-    for entry in comparison.entries.iter().filter(|entry| !entry.is_converged()) {
-        report::warn(&format!("{}: not converged", entry.name));
+    for entry in &comparison.entries {
+        if let Some(reason) = entry.reason() {
+            report::warn(&format!("{}: not available: {reason}", entry.name));
+        } else if entry.is_unconverged() {
+            report::warn(&format!("{}: not converged", entry.name));
+        }
     }
     let code = if comparison.is_converged() { 0 } else { NOT_CONVERGED };
     Ok(ExitCode::from(code))
@@ -84,87 +82,121 @@ fn refuse_history(case: &Case) -> Result<(), Failure> {
     Err(Failure::Case(case.explain(&error).into()))
 }
 
-/// A method and the case that asks for it.
+/// What all methods make of the case.
+///
+/// # Errors
+/// What the first one says if none has an answer.
+fn entries(case: &Case, progress: &Progress) -> Result<Vec<Entry>, Failure> {
+    let full = case.with(COMPARE, "solver.method=full")?;
+    let mut entries = Vec::new();
+    let mut first_errors: Option<CaseErrors> = None;
+    for (k, candidate) in CANDIDATES.iter().enumerate() {
+        let answer = candidate.case(&full).and_then(|case| answer(&case));
+        let answer = answer.map_err(|errors| {
+            let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
+            let reason = messages.join("; ");
+            first_errors.get_or_insert(errors);
+            reason
+        });
+        let Candidate { name, method, elasticity } = *candidate;
+        entries.push(Entry { name, method, elasticity, answer });
+        let steps = Some(CANDIDATES.len());
+        progress.step(rolling::Progress { step: k + 1, steps, change: 0.0 });
+    }
+    match first_errors {
+        Some(errors) if entries.iter().all(|entry| entry.answer.is_err()) => Err(errors.into()),
+        _ => Ok(entries),
+    }
+}
+
+fn explained(case: &Case, error: &Error) -> CaseErrors {
+    case.explain(error).into()
+}
+
+/// A method, with a model of elasticity if it is the full one.
 struct Candidate {
     name: &'static str,
+    method: &'static str,
     elasticity: Option<&'static str>,
-    case: Case,
+}
+
+const fn full(name: &'static str, elasticity: &'static str) -> Candidate {
+    Candidate { name, method: "full", elasticity: Some(elasticity) }
+}
+
+const fn fast(name: &'static str, method: &'static str) -> Candidate {
+    Candidate { name, method, elasticity: None }
 }
 
 /// All methods.
-fn candidates(case: &Case) -> Result<Vec<Candidate>, Failure> {
-    let full = case.with(COMPARE, "solver.method=full")?;
-    let effective = full.effective();
-    let own = effective.iter().find(|field| field.path == MODEL);
-    let own = own.map(|field| field.value.trim_matches('"').to_owned()).unwrap_or_default();
-    let mut candidates = Vec::new();
-    for (name, model) in [
-        ("full, half-space", "half-space"),
-        ("full, elastic layer", "elastic-layer"),
-        ("full, Winkler bedding", "winkler"),
-    ] {
-        let case = if own == model { full.clone() } else { with_elasticity(&full, model)? };
-        candidates.push(Candidate { name, elasticity: Some(model), case });
-    }
-    for (name, method) in [
-        ("FASTSIM", "fastsim"),
-        ("modified FASTSIM", "modified-fastsim"),
-        ("Polach", "polach"),
-        ("Shen–Hedrick–Elkins", "shen-hedrick-elkins"),
-        ("Kalker linear", "kalker-linear"),
-    ] {
-        let mut case = case.with(COMPARE, &format!("solver.method={method}"))?;
-        if takes_paraboloid(&case)? {
-            case = case.with(COMPARE, &format!("{BOUND}=elliptic"))?;
+const CANDIDATES: [Candidate; 8] = [
+    full("full, half-space", "half-space"),
+    full("full, elastic layer", "elastic-layer"),
+    full("full, Winkler bedding", "winkler"),
+    fast("FASTSIM", "fastsim"),
+    fast("modified FASTSIM", "modified-fastsim"),
+    fast("Polach", "polach"),
+    fast("Shen–Hedrick–Elkins", "shen-hedrick-elkins"),
+    fast("Kalker linear", "kalker-linear"),
+];
+
+impl Candidate {
+    /// The case that asks for it, from one that asks for the full method.
+    fn case(&self, full: &Case) -> Result<Case, CaseErrors> {
+        if let Some(model) = self.elasticity {
+            let effective = full.effective();
+            let own = effective.iter().find(|field| field.path == MODEL);
+            let is_own = own.is_some_and(|field| field.value.trim_matches('"') == model);
+            return if is_own { Ok(full.clone()) } else { with_elasticity(full, model) };
         }
-        candidates.push(Candidate { name, elasticity: None, case });
+        let case = full.with(COMPARE, &format!("solver.method={}", self.method))?;
+        if takes_paraboloid(&case)? {
+            return case.with(COMPARE, &format!("{BOUND}=elliptic"));
+        }
+        Ok(case)
     }
-    Ok(candidates)
 }
 
 /// Whether the traction is bounded by a paraboloid by default, which a pressure that is not Hertz's does not have.
-fn takes_paraboloid(case: &Case) -> Result<bool, Failure> {
+fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
     let is_default =
         |field: &Effective| field.path == BOUND && matches!(field.place, Place::Default);
     let normal = case.problem.normal.normal_contact(None);
-    let normal = normal.map_err(|error| Failure::Case(case.explain(&error).into()))?;
+    let normal = normal.map_err(|error| explained(case, &error))?;
     let is_elliptic = matches!(normal.pressure, Pressure::Elliptic);
     Ok(!is_elliptic && case.effective().iter().any(is_default))
 }
 
 /// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
 /// default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c = 1/L.
-fn with_elasticity(case: &Case, model: &str) -> Result<Case, Failure> {
+fn with_elasticity(case: &Case, model: &str) -> Result<Case, CaseErrors> {
     let without = STIFFNESSES.map(|field| format!("{field}="));
     let assignments = [&[format!("{MODEL}={model}")], &without[..]].concat();
-    Ok(case.with_all(COMPARE, &assignments)?)
+    case.with_all(COMPARE, &assignments)
 }
 
 /// Repetitions last so long, or are so many.
 const REPEATED_FOR: Duration = Duration::from_millis(2);
 const MOST_REPETITIONS: u32 = 1000;
 
-impl Candidate {
-    fn entry(&self) -> Result<Entry, Failure> {
-        let explain = |error: Error| Failure::Case(self.case.explain(&error).into());
-        let problem = &self.case.problem;
-        // Derivatives are not compared, and would count in the time.
-        let options = Options { sensitivity: false, ..self.case.options.clone() };
-        // The normal contact is the same for all, and counts for none.
-        problem.normal.normal_contact(None).map_err(explain)?;
-        let start = Instant::now();
-        let solution = rolling::solve(problem, &options, &mut |_| ()).map_err(explain)?;
-        let time = start.elapsed().as_secs_f64();
-        let time_again = if options.method == Method::Full {
-            again_full(problem, &options)
-        } else {
-            again_fast(problem, &options)
-        };
-        let time_again = time_again.map_err(explain)?;
-        let solution = Solution { warnings: warnings(&solution), ..solution };
-        let (name, elasticity) = (self.name, self.elasticity);
-        Ok(Entry { name, elasticity, solution, time, time_again })
-    }
+fn answer(case: &Case) -> Result<Answer, CaseErrors> {
+    let explain = |error: Error| explained(case, &error);
+    let problem = &case.problem;
+    // Derivatives are not compared, and would count in the time.
+    let options = Options { sensitivity: false, ..case.options.clone() };
+    // The normal contact is the same for all, and counts for none.
+    problem.normal.normal_contact(None).map_err(explain)?;
+    let start = Instant::now();
+    let solution = rolling::solve(problem, &options, &mut |_| ()).map_err(explain)?;
+    let time = start.elapsed().as_secs_f64();
+    let time_again = if options.method == Method::Full {
+        again_full(problem, &options)
+    } else {
+        again_fast(problem, &options)
+    };
+    let time_again = time_again.map_err(explain)?;
+    let solution = Solution { warnings: warnings(&solution), ..solution };
+    Ok(Answer { solution, time, time_again })
 }
 
 /// The warnings but one: the table shows what a fast method does not give.

@@ -81,6 +81,23 @@ fn a_calibration_anew_stands_beside_the_table() {
     assert_eq!(number(&document["uncoupled"]["x"]["coupling"]), 0.0);
 }
 
+/// A patch of separate parts gets the warning that `solve` gives.
+#[test]
+fn separate_parts_are_warned_of_as_by_solve() {
+    let bench = Bench::new();
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/two_point_contact.toml");
+    let warning = |command: &str, others: &[&str]| {
+        let layer = ["--set", "elasticity.model=elastic-layer", "--set", "grid.cells_x=12"];
+        let run = bench.run(&[&[command, case], &layer[..], others].concat());
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let found = run.stdout.lines().find(|line| line.contains("separate parts"));
+        found.map_or_else(|| panic!("{}", run.stdout), str::to_owned)
+    };
+    let told = warning("calibrate", &["--cells", "10"]);
+    assert!(told.contains("too soft"), "{told}");
+    assert_eq!(told, warning("solve", &[]));
+}
+
 #[test]
 fn the_figure_is_drawn() {
     let bench = bench();

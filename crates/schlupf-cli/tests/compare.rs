@@ -62,6 +62,47 @@ fn stiffnesses_stay_with_their_model() {
     assert_eq!(force(soft, "elastic-layer"), force(plain, "elastic-layer"));
 }
 
+/// A slender ellipse is none of those that the layer is calibrated for; all others answer.
+#[test]
+fn a_method_that_cannot_answer_is_a_row_with_its_reason() {
+    let bench = Bench::new();
+    let slender = "[normal]\nmodel = \"ellipse\"\nload = \"80 kN\"\nsemi_axis_x = \"12 mm\"\n\
+                   semi_axis_y = \"1 mm\"\n";
+    bench.write("case.toml", &format!("{SMALL}{slender}"));
+    let outputs = ["--json", "c.json", "--csv", "c.csv", "--figures", "pictures"];
+    let run = bench.run(&[&["compare", "case.toml"], &outputs[..]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let document: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
+    for method in document["methods"].as_array().unwrap() {
+        let is_layer = method["elasticity"] == "elastic-layer";
+        assert_eq!(method["force"]["x"].is_null(), is_layer, "{method}");
+        assert_eq!(method["status"] == "not-available", is_layer, "{method}");
+    }
+    let reason =
+        "full, elastic layer: not available: elasticity.calibration: the patch has a/b = 12";
+    assert!(run.stderr.contains(reason), "{}", run.stderr);
+    assert!(run.stdout.contains("  not available: elasticity.calibration"), "{}", run.stdout);
+    assert!(bench.read("c.csv").contains("full,elastic-layer,,"));
+    assert!(bench.path("pictures/comparison.svg").exists());
+}
+
+/// A contact that reaches over the edge of its profile is none for any method.
+#[test]
+fn where_no_method_can_answer_the_command_fails() {
+    let bench = Bench::new();
+    let distances: Vec<String> =
+        (-5..=5).map(|y| format!("{y},{}", 1.5 * f64::from(y * y))).collect();
+    bench.write("profile.csv", &format!("y [mm],distance [um]\n{}\n", distances.join("\n")));
+    let profile =
+        "[normal]\nmodel = \"profile\"\nfile = \"profile.csv\"\nload = \"900 kN\"\ncells = 16\n";
+    bench.write("case.toml", &format!("{SMALL}{profile}"));
+    let run = bench.run(&["compare", "case.toml", "--json", "c.json"]);
+    assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{}", run.stderr);
+    assert!(run.stderr.contains("case.toml:10:8: normal.file"), "{}", run.stderr);
+    assert!(run.stderr.contains("reaches the edge"), "{}", run.stderr);
+    assert!(!bench.path("c.json").exists());
+}
+
 #[test]
 fn a_comparison_is_of_steady_rolling() {
     let bench = Bench::new();

@@ -6,7 +6,7 @@ use common::{RECIPE, solution};
 use schlupf::method::AreaReduction;
 use schlupf::solution::Temperature;
 use schlupf::{Method, Solution, Status};
-use schlupf_output::comparison::{Comparison, Entry, csv, json, summary};
+use schlupf_output::comparison::{Answer, Comparison, Entry, csv, json, summary};
 use schlupf_output::figures::{self, FigureError};
 
 /// The full method and Polach's, which gives neither moment nor temperature.
@@ -16,16 +16,40 @@ fn comparison() -> Comparison {
     polach.force.moment_z = f64::NAN;
     polach.normalised.moment_z = f64::NAN;
     polach.temperature = Temperature { max_rise: f64::NAN, ..polach.temperature };
-    let entry = |name, elasticity, solution| Entry {
+    let entry = |name, method, elasticity, solution| Entry {
         name,
+        method,
         elasticity,
-        solution,
-        time: 2e-3,
-        time_again: 1e-7,
+        answer: Ok(Answer { solution, time: 2.5e-3, time_again: 1e-7 }),
     };
-    let entries =
-        vec![entry("full, half-space", Some("half-space"), full), entry("Polach", None, polach)];
+    let entries = vec![
+        entry("full, half-space", "full", Some("half-space"), full),
+        entry("Polach", "polach", None, polach),
+    ];
     Comparison { title: "both".to_owned(), entries }
+}
+
+/// The same with a method in between that cannot answer.
+fn with_a_gap() -> Comparison {
+    let mut comparison = comparison();
+    let gap = Entry {
+        name: "full, elastic layer",
+        method: "full",
+        elasticity: Some("elastic-layer"),
+        answer: Err("no \"stiffness\", anywhere".to_owned()),
+    };
+    comparison.entries.insert(1, gap);
+    comparison
+}
+
+/// All texts of a figure.
+fn texts(svg: &str) -> Vec<String> {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let text = |node: roxmltree::Node| {
+        let parts = node.descendants().filter(roxmltree::Node::is_text);
+        parts.filter_map(|part| part.text().map(str::to_owned)).collect()
+    };
+    document.descendants().filter(|node| node.has_tag_name("text")).map(text).collect()
 }
 
 #[test]
@@ -61,7 +85,7 @@ fn csv_has_empty_entries_for_what_is_not_given() {
 #[test]
 fn the_table_marks_what_is_not_given_or_not_converged() {
     let mut comparison = comparison();
-    comparison.entries[0].solution.status = Status::NotConverged;
+    comparison.entries[0].answer.as_mut().unwrap().solution.status = Status::NotConverged;
     assert!(!comparison.is_converged());
     let text = summary::text(&comparison);
     let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
@@ -73,19 +97,86 @@ fn the_table_marks_what_is_not_given_or_not_converged() {
 fn the_figure_has_a_bar_or_a_word_for_every_number() {
     let figure = figures::comparison(&comparison()).unwrap();
     assert_eq!(figure.name, "comparison");
-    let document = roxmltree::Document::parse(&figure.svg).unwrap();
-    let texts: Vec<String> = document
-        .descendants()
-        .filter(|node| node.has_tag_name("text"))
-        .map(|node| {
-            node.descendants()
-                .filter(roxmltree::Node::is_text)
-                .filter_map(|part| part.text())
-                .collect()
-        })
-        .collect();
+    let texts = texts(&figure.svg);
     assert!(texts.iter().any(|text| text == "Polach"), "{texts:?}");
     assert_eq!(texts.iter().filter(|text| *text == "not given").count(), 2);
+    // The time is 2.5 ms from nothing.
+    assert!(texts.iter().any(|text| text == "time (ms)"), "{texts:?}");
+    assert_eq!(texts.iter().filter(|text| *text == "2.5").count(), 2, "{texts:?}");
     let nothing = Comparison { title: String::new(), entries: Vec::new() };
     assert_eq!(figures::comparison(&nothing).unwrap_err(), FigureError::NothingToCompare);
+}
+
+#[test]
+fn a_method_without_an_answer_says_why() {
+    let comparison = with_a_gap();
+    assert!(comparison.is_converged());
+    let document: serde_json::Value = serde_json::from_str(&json::document(&comparison)).unwrap();
+    let gap = &document["methods"][1];
+    assert_eq!(gap["status"], "not-available");
+    assert_eq!(gap["reason"], "no \"stiffness\", anywhere");
+    assert!(gap["force"]["x"].is_null() && gap["time"].is_null(), "{gap}");
+    assert!(document["methods"][0]["reason"].is_null());
+    let text = summary::text(&comparison);
+    let reason = "not available: no \"stiffness\", anywhere";
+    assert!(text.lines().any(|line| line.ends_with(reason)), "{text}");
+    let table = csv::table(&comparison);
+    let mut reader = ::csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
+    let width = reader.headers().unwrap().len();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let filled: Vec<&str> = rows[1].iter().filter(|entry| !entry.is_empty()).collect();
+    assert_eq!(rows[1].len(), width);
+    let expected = ["full", "elastic-layer", "not-available", "no \"stiffness\", anywhere"];
+    assert_eq!(filled, expected);
+}
+
+/// The figure has no row for it, but a note.
+#[test]
+fn the_figure_leaves_out_what_has_no_answer() {
+    let texts = texts(&figures::comparison(&with_a_gap()).unwrap().svg);
+    assert!(!texts.iter().any(|text| text == "full, elastic layer"), "{texts:?}");
+    let note = "full, elastic layer: not available: no \"stiffness\", anywhere";
+    assert!(texts.iter().any(|text| text == note), "{texts:?}");
+    let mut nothing = with_a_gap();
+    nothing.entries.retain(|entry| entry.answer.is_err());
+    assert_eq!(figures::comparison(&nothing).unwrap_err(), FigureError::NothingToCompare);
+}
+
+/// Whatever the signs and sizes, the numbers end within the frames of their columns.
+#[test]
+fn numbers_stay_within_their_frame() {
+    for values in [[0.03319, 0.1403], [-0.01803, 0.1403], [-0.1403, -1e-5], [0.1403, -0.1403]] {
+        let mut comparison = comparison();
+        for (entry, value) in comparison.entries.iter_mut().zip(values) {
+            let solution = &mut entry.answer.as_mut().unwrap().solution;
+            solution.force.x = -value * solution.normal.load;
+        }
+        let svg = figures::comparison(&comparison).unwrap().svg;
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let number = |node: roxmltree::Node, name: &str| -> f64 {
+            node.attribute(name).unwrap().parse().unwrap()
+        };
+        let is_frame = |node: &roxmltree::Node| {
+            node.has_tag_name("rect") && node.attribute("fill") == Some("none")
+        };
+        let frame = document.descendants().find(is_frame).unwrap();
+        let [left, width] = ["x", "width"].map(|name| number(frame, name));
+        let [top, height] = ["y", "height"].map(|name| number(frame, name));
+        let mut seen = 0;
+        for node in document.descendants().filter(|node| node.has_tag_name("text")) {
+            let [x, y] = ["x", "y"].map(|name| number(node, name));
+            let is_inside = x > left && x < left + width && y > top && y < top + height;
+            let Some(text) = node.text().filter(|_| is_inside) else { continue };
+            // A digit of the font has 0.636 of its size, a minus sign 0.838.
+            let length = 13.0 * (0.636 * text.chars().count() as f64 + 0.21);
+            let ends = match node.attribute("text-anchor") {
+                Some("end") => [x - length, x],
+                Some("start") => [x, x + length],
+                _ => [x - 0.5 * length, x + 0.5 * length],
+            };
+            assert!(ends[0] > left && ends[1] < left + width, "{text} at {ends:?}");
+            seen += 1;
+        }
+        assert_eq!(seen, 2);
+    }
 }

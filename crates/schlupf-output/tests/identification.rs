@@ -127,6 +127,93 @@ fn the_figure_shows_all_points_in_both_panels() {
     assert!(fit(&report(Status::Converged)).unwrap().png.starts_with(b"\x89PNG"));
 }
 
+/// Both components of a measurement in one direction, at two speeds.
+fn two_components() -> FitReport {
+    let mut report = report(Status::Converged);
+    let direction = std::f64::consts::FRAC_PI_6;
+    let mut points = Vec::new();
+    let mut series = Vec::new();
+    for one in &report.curves.series {
+        for component in [Component::Longitudinal, Component::Lateral] {
+            let share = [direction.cos(), direction.sin()][component.index()];
+            let first = points.len();
+            for k in &one.members {
+                let mut point = report.fit.points[*k];
+                let motion = &mut point.data.condition.kinematics;
+                motion.creepage_y = motion.creepage_x * direction.sin();
+                motion.creepage_x *= direction.cos();
+                point.data.component = component;
+                point.data.force_ratio *= share;
+                point.fitted *= share;
+                points.push(point);
+            }
+            let members = (first..points.len()).collect();
+            let curve = one.curve.iter().map(|[x, y]| [*x, share * y]).collect();
+            series.push(Series { component, condition: one.condition, members, curve });
+        }
+    }
+    report.fit.points = points;
+    report.curves = FittedCurves { abscissa: Abscissa::Total { direction }, series };
+    report
+}
+
+/// A panel for each component and one of residuals, marks of their own, the legend with both and the speeds.
+#[test]
+fn two_components_have_panels_and_marks_of_their_own() {
+    let svg = fit_drawing(&two_components()).unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let count = |is: &dyn Fn(roxmltree::Node) -> bool| {
+        document.descendants().filter(|node| is(*node)).count()
+    };
+    assert_eq!(count(&|node| node.has_tag_name("circle")), 2 * 8 + 1);
+    let is_square = |node: roxmltree::Node| {
+        node.has_tag_name("rect") && node.attribute("stroke") == Some("#ffffff")
+    };
+    assert_eq!(count(&is_square), 2 * 8 + 1);
+    let is_frame =
+        |node: roxmltree::Node| node.has_tag_name("rect") && node.attribute("fill") == Some("none");
+    assert_eq!(count(&is_frame), 3);
+    let text: String = document.descendants().filter_map(|node| node.text()).collect();
+    for part in ["at 30° to the rolling direction", "10 m/s", "30 m/s, 60 kN"] {
+        assert!(text.contains(part), "{part:?} is not in {text}");
+    }
+}
+
+/// Where every point has a speed of its own there are crosses for the fit, and colours for the speed.
+#[test]
+fn many_conditions_are_coloured_by_their_speed() {
+    let mut report = report(Status::Converged);
+    let one = report.fit.points[2];
+    report.fit.points.clear();
+    report.curves.series.clear();
+    for k in 0..14 {
+        let mut point = one;
+        let motion = &mut point.data.condition.kinematics;
+        motion.speed = 10.0 + 2.5 * f64::from(k);
+        motion.creepage_x = 1e-3 * f64::from(k);
+        let condition = condition(motion.speed, 0.0);
+        report.fit.points.push(point);
+        report.curves.series.push(Series {
+            component: Component::Longitudinal,
+            condition,
+            members: vec![k as usize],
+            curve: Vec::new(),
+        });
+    }
+    let svg = fit_drawing(&report).unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let dots = document.descendants().filter(|node| node.has_tag_name("circle"));
+    let mut colors: Vec<_> = dots.filter_map(|node| node.attribute("fill")).collect();
+    colors.sort_unstable();
+    colors.dedup();
+    // And the dark dot in the legend.
+    assert_eq!(colors.len(), 14 + 1, "{colors:?}");
+    let text: String = document.descendants().filter_map(|node| node.text()).collect();
+    for part in ["10 m/s", "26.25 m/s", "42.5 m/s", "fitted"] {
+        assert!(text.contains(part), "{part:?} is not in {text}");
+    }
+}
+
 #[test]
 fn without_a_range_of_creepages_there_is_no_figure() {
     let mut flat = report(Status::Converged);

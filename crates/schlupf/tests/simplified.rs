@@ -408,6 +408,26 @@ fn methods_of_forces_claim_no_fields() {
     assert_eq!(solve(&case, &options(Method::KalkerLinear, 24)).warnings.len(), 1);
 }
 
+/// Kalker's coefficients are tabulated for a/b from 1/10 to 10; beyond, each method says so, once.
+#[test]
+fn coefficients_beyond_their_table_are_told() {
+    let told = |semi_axes: [f64; 2], method: Method| {
+        let [a, b] = semi_axes;
+        let mut case = slender(rolling(1e-3, 0.0, 0.0));
+        case.normal = Arc::new(Ellipse::from_load(a, b, 82e3).unwrap());
+        let warnings = solve(&case, &options(method, 8)).warnings;
+        warnings.iter().filter(|text| text.contains("beyond their table")).count()
+    };
+    for method in saturating().into_iter().chain([Method::KalkerLinear]) {
+        for inside in [[8e-3, 4e-3], [5e-3, 5e-4], [5e-4, 5e-3]] {
+            assert_eq!(told(inside, method), 0, "{method:?}");
+        }
+        for outside in [[12e-3, 1e-3], [1e-3, 12e-3]] {
+            assert_eq!(told(outside, method), 1, "{method:?}");
+        }
+    }
+}
+
 #[test]
 fn transients_are_refused() {
     let case = slender(motions()[0]);

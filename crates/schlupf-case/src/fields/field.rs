@@ -1,7 +1,7 @@
 //! What a field is.
 
 use super::requirement::Requirement;
-use super::suggestion::closest;
+use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 use crate::document::{Content, Value};
 use crate::setting::{Refusal, Setting};
 use crate::units::{Measure, QuantityError, parse_quantity};
@@ -226,7 +226,8 @@ impl Field {
         if self.requirement.holds(number) {
             return Ok(number);
         }
-        Err(Refusal::new(self.requirement.text(unit), value))
+        let help = creepage_in_per_cent(self.path, number);
+        Err(Refusal::new(self.requirement.text(unit), value).help(help))
     }
 
     fn wrong_quantity(error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {
@@ -246,7 +247,11 @@ impl Field {
             matches!(self.kind, Kind::Number | Kind::Count | Kind::NumberOr(_) | Kind::Numbers);
         let Content::Text(text) = &value.content else { return None };
         let digit = text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
-        (numeric && digit).then(|| "write the number alone, without quotes and unit".to_owned())
+        let mut help = "write the number alone, without quotes and unit".to_owned();
+        if is_per_cent(text) {
+            help = format!("{help}; {NOT_PER_CENT}");
+        }
+        (numeric && digit).then_some(help)
     }
 }
 

@@ -12,7 +12,7 @@ pub use alternatives::{
 };
 pub use field::{Choice, Default, Field, Kind, Section, UsedWith};
 pub use requirement::{Requirement, readable};
-pub use suggestion::{closest, closest_path};
+pub use suggestion::{NOT_PER_CENT, closest, closest_path, creepage_in_per_cent, is_per_cent};
 pub use table::SECTIONS;
 
 /// All fields, in the order of the case file.

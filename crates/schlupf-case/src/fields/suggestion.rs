@@ -32,9 +32,33 @@ pub fn closest_path(path: &str) -> Option<&'static str> {
     closest(path, namesakes()).or_else(|| namesakes().next())
 }
 
+/// What to write in place of per cent.
+pub const NOT_PER_CENT: &str = "it is a part of one, not per cent: 1 % is 0.01";
+
+/// Whether a unit or the end of a text stands for per cent.
+pub fn is_per_cent(text: &str) -> bool {
+    ["%", "per cent", "percent", "pct"].iter().any(|unit| text.trim().ends_with(unit))
+}
+
+/// Advice for a creepage (a field or a column) that is too large to be a part of one.
+pub fn creepage_in_per_cent(name: &str, value: f64) -> Option<String> {
+    let is_creepage = name.ends_with("creepage_x") || name.ends_with("creepage_y");
+    let is_large = value.abs() >= 1.0 && value.is_finite();
+    (is_creepage && is_large).then(|| NOT_PER_CENT.to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn creepages_from_one_on_may_be_in_per_cent() {
+        let advised = |name, value| creepage_in_per_cent(name, value).is_some();
+        assert!(advised("kinematics.creepage_x", 1.539) && advised("creepage_y", -2.0));
+        assert!(![0.99, f64::INFINITY].into_iter().any(|value| advised("creepage_x", value)));
+        assert!(!advised("kinematics.spin", 1.539));
+        assert!(is_per_cent("%") && is_per_cent("1.5 %") && !is_per_cent("1/m"));
+    }
 
     #[test]
     fn misspelt_and_misplaced_fields_are_recognised() {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::error::CaseError;
-use crate::fields::closest;
+use crate::fields::{NOT_PER_CENT, closest, is_per_cent};
 use crate::place::{Place, Source};
 use crate::units::{Conversion, Measure, parse_unit};
 
@@ -205,7 +205,8 @@ impl Columns {
             (None, Some(unit)) => {
                 let message =
                     format!("column `{name}` must be dimensionless, but has the unit `{unit}`");
-                Err(self.error(self.header_line, message))
+                let help = is_per_cent(unit).then(|| NOT_PER_CENT.to_owned());
+                Err(self.error(self.header_line, message).help(help))
             }
         }
     }

@@ -5,7 +5,7 @@ use schlupf::kinematics::Kinematics;
 
 use super::columns::{Column, Columns};
 use crate::error::CaseError;
-use crate::fields::{self, Requirement, readable};
+use crate::fields::{self, NOT_PER_CENT, Requirement, creepage_in_per_cent, readable};
 use crate::units::Measure;
 
 /// A column, and what its numbers must be: as in a field of the case, or this.
@@ -72,7 +72,10 @@ pub fn from_csv(
             creepage_y: value(CREEPAGE_Y).unwrap_or(kinematics.creepage_y),
             spin: value(SPIN).unwrap_or(kinematics.spin),
         };
-        kinematics.check().map_err(|error| columns.error(*line, error.to_string()))?;
+        kinematics.check().map_err(|error| {
+            let help = value(CREEPAGE_X).and_then(|x| creepage_in_per_cent("creepage_x", x));
+            columns.error(*line, error.to_string()).help(help)
+        })?;
         let condition = Condition { kinematics, load: value(LOAD) };
         for (column, component) in &forces {
             points.push(DataPoint {
@@ -103,9 +106,14 @@ fn check_numbers(columns: &Columns) -> Result<(), CaseError> {
         let text = requirement.text(unit);
         let message = format!("{name} must be {text}, but is {value} {unit}");
         let error = columns.error(columns.lines[row], message.trim_end());
-        let is_ratio = name.starts_with("force_ratio");
-        let help = "it is the force over the load, F/N, neither in N nor in per cent";
-        return Err(error.help(is_ratio.then(|| help.to_owned())));
+        let help = if name.starts_with("force_ratio") {
+            Some("it is the force over the load, F/N, neither in N nor in per cent".to_owned())
+        } else if name == GIVEN[STANDARD_DEVIATION].column.name && values[row] > 1.0 {
+            Some(NOT_PER_CENT.to_owned())
+        } else {
+            creepage_in_per_cent(name, values[row])
+        };
+        return Err(error.help(help));
     }
     Ok(())
 }
@@ -184,6 +192,17 @@ mod tests {
             ),
             ("creepage_x,force_ratio\n0.1,30\n", "neither in N nor in per cent"),
             ("creepage_x,force_ratio\n1.5,0.3\n", "d.csv:2:1: kinematics.creepage_x must be less"),
+            ("creepage_x,force_ratio\n1.539,0.3\n", "not per cent: 1 % is 0.01"),
+            ("creepage_y,force_ratio\n1.539,0.3\n", "not per cent: 1 % is 0.01"),
+            ("creepage_x [%],force_ratio\n0.5,0.3\n", "d.csv:1:1: column `creepage_x` must be dim"),
+            ("creepage_x [%],force_ratio\n0.5,0.3\n", "not per cent: 1 % is 0.01"),
+            ("creepage_x,force_ratio [%]\n0.5,0.3\n", "not per cent: 1 % is 0.01"),
+            (
+                "creepage_x,force_ratio,standard_deviation [%]\n0,0,1\n",
+                "column `standard_deviation` must be dimensionless, but has the unit `%` (it is a \
+                 part of one, not per cent: 1 % is 0.01)",
+            ),
+            ("creepage_x,force_ratio,standard_deviation\n0,0,2\n", "not per cent: 1 % is 0.01"),
             ("creepage_x,force_ratio,speed [m/s]\n0,0,0\n", "d.csv:2:1: speed must be between"),
             ("creepage_x,force_ratio,speed\n0,0,1\n", "column `speed` must name its unit"),
             ("creepage_x\n0\n", "a column force_ratio, force_ratio_x or force_ratio_y is missing"),

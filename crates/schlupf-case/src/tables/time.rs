@@ -36,7 +36,8 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
             let unit = column.measure.map_or("", |measure| measure.unit);
             let requirement = requirement.text(unit);
             let message = format!("{name} must be {requirement}, but is {value} {unit}");
-            return Err(columns.error(columns.lines[row], message.trim_end()));
+            let error = columns.error(columns.lines[row], message.trim_end());
+            return Err(error.help(fields::creepage_in_per_cent(name, values[row])));
         }
     }
     let history = history(columns.values.clone());

@@ -2,21 +2,21 @@
 
 use std::fmt::Write;
 
-use super::{Comparison, Entry};
+use super::{Answer, Comparison, Entry};
 use crate::number::significant as number;
 use crate::summary::without_noise;
 
 /// Heading of a column, and how to get its number.
-type Column = (&'static str, fn(&Entry) -> f64);
+type Column = (&'static str, fn(&Answer) -> f64);
 
 const COLUMNS: [Column; 7] = [
-    ("Fx (kN)", |e| without_noise(e.solution.force.x, e.solution.normalised.x) / 1e3),
-    ("Fy (kN)", |e| without_noise(e.solution.force.y, e.solution.normalised.y) / 1e3),
-    ("Mz (N m)", |e| without_noise(e.solution.force.moment_z, e.solution.normalised.moment_z)),
-    ("|F|/N", |e| e.solution.traction_coefficient),
-    ("rise (K)", |e| e.solution.temperature.max_rise),
-    ("time (ms)", |e| e.time * 1e3),
-    ("again (ms)", |e| e.time_again * 1e3),
+    ("Fx (kN)", |a| without_noise(a.solution.force.x, a.solution.normalised.x) / 1e3),
+    ("Fy (kN)", |a| without_noise(a.solution.force.y, a.solution.normalised.y) / 1e3),
+    ("Mz (N m)", |a| without_noise(a.solution.force.moment_z, a.solution.normalised.moment_z)),
+    ("|F|/N", |a| a.solution.traction_coefficient),
+    ("rise (K)", |a| a.solution.temperature.max_rise),
+    ("time (ms)", |a| a.time * 1e3),
+    ("again (ms)", |a| a.time_again * 1e3),
 ];
 
 /// Width of the names, in characters.
@@ -25,15 +25,22 @@ const NAMES: usize = 24;
 /// All methods on a terminal: forces on the wheel, the largest temperature rise, times, and warnings.
 pub fn text(comparison: &Comparison) -> String {
     let mut text = format!("{}\n\n", comparison.title);
-    if let Some(entry) = comparison.entries.first() {
-        conditions(&mut text, entry);
+    if let Some(answer) = comparison.answers().next() {
+        conditions(&mut text, answer);
     }
     let headings = COLUMNS.iter().map(|(heading, _)| (*heading).to_owned());
     row(&mut text, "on the wheel", headings, "");
     for entry in &comparison.entries {
-        let remark = if entry.is_converged() { "" } else { "  NOT CONVERGED" };
+        let answer = match &entry.answer {
+            Ok(answer) => answer,
+            Err(reason) => {
+                line(&mut text, &format!("{:<NAMES$}  not available: {reason}", entry.name));
+                continue;
+            }
+        };
+        let remark = if entry.is_unconverged() { "  NOT CONVERGED" } else { "" };
         let shown = |value: f64| if value.is_nan() { "–".to_owned() } else { number(value) };
-        row(&mut text, entry.name, COLUMNS.iter().map(|(_, value)| shown(value(entry))), remark);
+        row(&mut text, entry.name, COLUMNS.iter().map(|(_, value)| shown(value(answer))), remark);
     }
     text.push_str(
         "time: from nothing, with set-up; again: forces once more, set-up there; –: not given\n",
@@ -44,8 +51,8 @@ pub fn text(comparison: &Comparison) -> String {
     text
 }
 
-fn conditions(text: &mut String, entry: &Entry) {
-    let (motion, normal) = (&entry.solution.kinematics, &entry.solution.normal);
+fn conditions(text: &mut String, answer: &Answer) {
+    let (motion, normal) = (&answer.solution.kinematics, &answer.solution.normal);
     let mut parts = vec![
         format!("load {} kN", number(normal.load / 1e3)),
         format!(

@@ -20,8 +20,11 @@ const TITLE_SIZE: f64 = 15.0;
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(title: &str, sides: &SideBySide) -> Option<String> {
     let courses = [
-        (&sides.longitudinal, ["longitudinal creepage", "$F$_x/$μN$", "$t$_x/($μp$_0)"]),
-        (&sides.spin, ["spin", "$F$_y/$μN$", "$t$_y/($μp$_0)"]),
+        (
+            &sides.longitudinal,
+            ["longitudinal creepage", "\u{2212}$F$_x/$μN$", "\u{2212}$t$_x/($μp$_0)"],
+        ),
+        (&sides.spin, ["spin", "\u{2212}$F$_y/$μN$", "\u{2212}$t$_y/($μp$_0)"]),
     ];
     let first = courses[0].0.answers.first()?;
     if first.force.len() < 2 || first.traction.len() < 2 {
@@ -93,7 +96,7 @@ fn name(model: Model) -> &'static str {
     match model {
         Model::HalfSpace => "half-space",
         Model::Layer => "calibrated layer",
-        Model::KalkerBed => "Winkler",
+        Model::KalkerBed => "Winkler, Kalker's bed",
         Model::Fastsim => "FASTSIM",
     }
 }

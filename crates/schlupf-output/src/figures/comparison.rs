@@ -7,78 +7,108 @@ use super::label::{Anchor, TextStyle};
 use super::marks::{self, HEADING, short};
 use super::panels::{BLUE, GREEN, VERMILION, ZERO};
 use super::svg::{Drawing, GRID_LINE, MUTED};
-use super::ticks::round_ticks;
-use crate::comparison::{Comparison, Entry};
+use super::ticks::{powers_of_ten, round_ticks};
+use crate::comparison::{Answer, Comparison, Entry};
 
 const NAMES: f64 = 190.0;
 const COLUMN: f64 = 200.0;
-const GAP: f64 = 22.0;
+const GAP: f64 = 30.0;
 const ROW: f64 = 34.0;
 const BAR: f64 = 18.0;
-/// What a number beside a bar takes.
-const LABEL_ROOM: f64 = 64.0;
+/// Between a bar and its number, and between the number and the edge.
+const SPACE: f64 = 6.0;
+/// Room below the columns for their ticks.
+const TICKS: f64 = 46.0;
+/// Height of a line of the notes at the foot.
+const NOTE: f64 = 20.0;
 
 /// A quantity with a bar for every method.
 struct Column {
     label: &'static str,
-    value: fn(&Entry) -> f64,
+    value: fn(&Answer) -> f64,
     color: &'static str,
 }
 
 const COLUMNS: [Column; 4] = [
     Column {
         label: "\u{2212}$F$_x/$N$",
-        value: |entry| -entry.solution.force.x / entry.solution.normal.load,
+        value: |answer| -answer.solution.force.x / answer.solution.normal.load,
         color: BLUE,
     },
     Column {
         label: "\u{2212}$F$_y/$N$",
-        value: |entry| -entry.solution.force.y / entry.solution.normal.load,
+        value: |answer| -answer.solution.force.y / answer.solution.normal.load,
         color: VERMILION,
     },
     Column {
         label: "\u{2212}$M$_z (N m)",
-        value: |entry| -entry.solution.force.moment_z,
+        value: |answer| -answer.solution.force.moment_z,
         color: "#8a5aa3",
     },
     Column {
         label: "largest temp. rise (K)",
-        value: |entry| entry.solution.temperature.max_rise,
+        value: |answer| answer.solution.temperature.max_rise,
         color: GREEN,
     },
 ];
+
+/// Colours of the times from nothing and once more.
+const TIME_COLORS: [&str; 2] = ["#c9c9c9", "#6a6a6a"];
+const TIME_NOTE: &str =
+    "time: light from nothing, with set-up (the number); dark the forces once more, set-up there";
 
 /// Below this part of μ0 N (or of μ0 N √(ab)) there is nothing to see.
 const INVISIBLE: f64 = 1e-6;
 
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(comparison: &Comparison) -> Option<String> {
-    let first = comparison.entries.first()?;
+    let first = comparison.answers().next()?;
     let columns: Vec<&Column> =
         COLUMNS.iter().filter(|column| column.is_seen(comparison)).collect();
     if columns.is_empty() {
         return None;
     }
-    let width = (NAMES + columns.len() as f64 * (COLUMN + GAP) + GAP).max(640.0);
+    let rows: Vec<(&Entry, &Answer)> = comparison
+        .entries
+        .iter()
+        .filter_map(|entry| Some((entry, entry.answer.as_ref().ok()?)))
+        .collect();
+    let answers: Vec<&Answer> = rows.iter().map(|(_, answer)| *answer).collect();
+    let notes = notes(comparison);
+    let width = NAMES + (columns.len() + 1) as f64 * (COLUMN + GAP);
     let top = HEADING + 44.0;
-    let height = top + ROW * comparison.entries.len() as f64 + 46.0;
-    let mut drawing = Drawing::new(width, height);
+    let bottom = top + ROW * rows.len() as f64;
+    let mut drawing = Drawing::new(width, bottom + TICKS + NOTE * notes.len() as f64 + 8.0);
     let remark = if comparison.is_converged() { "" } else { "not all converged" };
     let lines = [comparison.title.as_str(), &conditions(first)];
     marks::title_block(&mut drawing, "Methods on the same case", lines, remark);
-    for (k, entry) in comparison.entries.iter().enumerate() {
-        let y = top + ROW * (k as f64 + 0.5) + 0.36 * TICK_SIZE;
+    for (k, (entry, _)) in rows.iter().enumerate() {
         let style = TextStyle::new(TICK_SIZE, Anchor::End);
-        drawing.plain_text([NAMES - 12.0, y], &style, entry.name);
+        drawing.plain_text([NAMES - 12.0, baseline(middle(top, k))], &style, entry.name);
     }
-    for (k, column) in columns.into_iter().enumerate() {
-        column.draw(&mut drawing, [NAMES + k as f64 * (COLUMN + GAP), top], comparison);
+    let left = |k: usize| NAMES + k as f64 * (COLUMN + GAP);
+    for (k, column) in columns.iter().enumerate() {
+        column.draw(&mut drawing, [left(k), top], &answers);
+    }
+    draw_times(&mut drawing, [left(columns.len()), top], &answers);
+    let style = TextStyle { color: MUTED, ..TextStyle::new(TICK_SIZE, Anchor::Start) };
+    for (k, note) in notes.iter().enumerate() {
+        let note = marks::shortened(note, (width - 2.0 * GAP) / TICK_SIZE);
+        drawing.plain_text([24.0, bottom + TICKS + NOTE * (k as f64 + 0.6)], &style, &note);
     }
     Some(drawing.finish())
 }
 
-fn conditions(entry: &Entry) -> String {
-    let motion = &entry.solution.kinematics;
+/// What the lines at the foot say: what is left out and why, and what the times are.
+fn notes(comparison: &Comparison) -> Vec<String> {
+    let missing = comparison.entries.iter().filter_map(|entry| {
+        entry.reason().map(|reason| format!("{}: not available: {reason}", entry.name))
+    });
+    missing.chain([TIME_NOTE.to_owned()]).collect()
+}
+
+fn conditions(answer: &Answer) -> String {
+    let motion = &answer.solution.kinematics;
     let mut parts = vec![format!("$ξ$ = {}", short(motion.creepage_x))];
     if motion.creepage_y != 0.0 {
         parts.push(format!("$η$ = {}", short(motion.creepage_y)));
@@ -87,84 +117,181 @@ fn conditions(entry: &Entry) -> String {
         parts.push(format!("$φ$ = {} 1/m", short(motion.spin)));
     }
     parts.push(format!("$v$_0 = {} m/s", short(motion.speed)));
-    parts.push(format!("$N$ = {} kN; on the rail", short(entry.solution.normal.load / 1e3)));
+    parts.push(format!("$N$ = {} kN; on the rail", short(answer.solution.normal.load / 1e3)));
     parts.join(", ")
+}
+
+/// Middle of a row.
+fn middle(top: f64, row: usize) -> f64 {
+    top + ROW * (row as f64 + 0.5)
+}
+
+/// Base line of a text in the middle of a row.
+fn baseline(middle: f64) -> f64 {
+    middle + 0.36 * TICK_SIZE
+}
+
+/// What a number and the space on both sides take.
+fn room(text: &str) -> f64 {
+    /// Width of a digit, in font sizes.
+    const DIGIT: f64 = 0.64;
+    DIGIT * TICK_SIZE * text.chars().count() as f64 + 2.0 * SPACE
+}
+
+const NOT_GIVEN: &str = "not given";
+
+fn text(value: f64) -> String {
+    if value.is_finite() { short(value) } else { NOT_GIVEN.to_owned() }
+}
+
+/// How values become places: zero, in the drawing from the left edge, and drawing units per unit.
+#[derive(Clone, Copy)]
+struct Scale {
+    zero: f64,
+    unit: f64,
+}
+
+impl Scale {
+    /// The widest bars that leave room for their numbers.
+    fn new(values: &[(f64, bool)]) -> Self {
+        let mut sides = [vec![(0.0, 0.0)], vec![(0.0, 0.0)]];
+        for &(value, counts) in values {
+            let length = if counts && value.is_finite() { value.abs() } else { 0.0 };
+            sides[usize::from(value < 0.0)].push((length, room(&text(value))));
+        }
+        let [right, left] = &sides;
+        let pairs = right.iter().flat_map(|right| left.iter().map(move |left| (right, left)));
+        let unit = pairs
+            .filter(|(right, left)| right.0 + left.0 > 0.0)
+            .map(|(right, left)| (COLUMN - right.1 - left.1) / (right.0 + left.0))
+            .fold(f64::INFINITY, f64::min);
+        let unit = if unit.is_finite() { unit } else { 1.0 };
+        let zero = left.iter().map(|(length, room)| length * unit + room).fold(0.0, f64::max);
+        Self { zero, unit }
+    }
+
+    fn at(self, value: f64) -> f64 {
+        self.zero + self.unit * value
+    }
 }
 
 impl Column {
     fn is_seen(&self, comparison: &Comparison) -> bool {
-        let scale = |entry: &Entry| {
-            let bound = entry.solution.force.x / entry.solution.normalised.x;
-            if bound.is_finite() { bound / entry.solution.normal.load } else { 1.0 }
+        let scale = |answer: &Answer| {
+            let bound = answer.solution.force.x / answer.solution.normalised.x;
+            if bound.is_finite() { bound / answer.solution.normal.load } else { 1.0 }
         };
-        comparison.entries.iter().any(|entry| (self.value)(entry).abs() > INVISIBLE * scale(entry))
+        comparison.answers().any(|answer| (self.value)(answer).abs() > INVISIBLE * scale(answer))
     }
 
-    /// The range of the axis. Of the linear theory, which knows no bound, only the direction counts, lest it
-    /// dwarf all others.
-    fn range(&self, comparison: &Comparison) -> [f64; 2] {
-        let bounded = |entry: &&Entry| entry.solution.method != Method::KalkerLinear;
-        let values = || {
-            let entries = comparison.entries.iter().filter(bounded);
-            entries.map(self.value).filter(|value| value.is_finite())
+    /// All values, each with whether its size counts for the axis. Of the linear theory, which knows no bound, only
+    /// the direction counts where it would dwarf all others.
+    fn values(&self, answers: &[&Answer]) -> Vec<(f64, bool)> {
+        /// Over the largest of the others.
+        const DWARFING: f64 = 1.5;
+        let is_bounded = |answer: &Answer| answer.solution.method != Method::KalkerLinear;
+        let bounded = answers.iter().filter(|answer| is_bounded(answer));
+        let largest = bounded.map(|answer| (self.value)(answer).abs()).fold(0.0, f64::max);
+        let value = |answer: &&Answer| {
+            let value = (self.value)(answer);
+            let is_small = largest == 0.0 || value.abs() < DWARFING * largest;
+            (value, is_bounded(answer) || is_small)
         };
-        let [low, high] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
-        let room = 0.42 * (high - low).max(f64::MIN_POSITIVE);
-        [if low < 0.0 { low - room } else { low }, if high > 0.0 { high + room } else { high }]
+        answers.iter().map(value).collect()
     }
 
-    fn draw(&self, drawing: &mut Drawing, [left, top]: [f64; 2], comparison: &Comparison) {
-        let [low, high] = self.range(comparison);
-        let height = ROW * comparison.entries.len() as f64;
-        let at = |value: f64| left + COLUMN * (value - low) / (high - low);
+    fn draw(&self, drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer]) {
+        let values = self.values(answers);
+        let scale = Scale::new(&values);
+        let height = ROW * answers.len() as f64;
+        let [low, high] = [0.0, COLUMN].map(|place| (place - scale.zero) / scale.unit);
         for tick in round_ticks(low, high, 3) {
-            let x = at(tick.value);
-            drawing.line([x, top], [x, top + height], GRID_LINE);
-            drawing.line([x, top + height], [x, top + height + 5.0], &tick_line());
-            let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
-            drawing.text([x, top + height + 20.0], &style, &tick.label);
+            draw_tick(drawing, [left + scale.at(tick.value), top], height, &tick.label);
         }
-        drawing.line([at(0.0), top], [at(0.0), top + height], ZERO);
-        for (k, entry) in comparison.entries.iter().enumerate() {
-            let middle = top + ROW * (k as f64 + 0.5);
-            self.draw_bar(drawing, middle, (self.value)(entry), [left, at(0.0)], &at);
+        let zero = left + scale.zero;
+        drawing.line([zero, top], [zero, top + height], ZERO);
+        for (k, (value, _)) in values.into_iter().enumerate() {
+            self.draw_bar(drawing, [left, middle(top, k)], value, scale);
         }
-        drawing.rectangle([left, top], [COLUMN, height], &outline());
-        let style = TextStyle::new(LABEL_SIZE, Anchor::Middle);
-        drawing.text([left + 0.5 * COLUMN, top - 14.0], &style, self.label);
+        draw_outline(drawing, [left, top], height, self.label);
     }
 
-    /// A bar with its number, cut off at the edge of the column.
-    fn draw_bar(
-        &self,
-        drawing: &mut Drawing,
-        middle: f64,
-        value: f64,
-        [left, zero]: [f64; 2],
-        at: &impl Fn(f64) -> f64,
-    ) {
-        let baseline = middle + 0.36 * TICK_SIZE;
+    /// A bar with its number beyond its end. One that leaves no room for that is pale, cut off at the edge of the
+    /// column, and has its number within.
+    fn draw_bar(&self, drawing: &mut Drawing, [left, middle]: [f64; 2], value: f64, scale: Scale) {
+        let zero = left + scale.zero;
+        let text = text(value);
+        let style = TextStyle::new(TICK_SIZE, Anchor::Start);
         if !value.is_finite() {
-            let style = TextStyle { color: MUTED, ..TextStyle::new(TICK_SIZE, Anchor::Start) };
-            drawing.plain_text([zero + 6.0, baseline], &style, "not given");
+            let style = TextStyle { color: MUTED, ..style };
+            drawing.plain_text([zero + SPACE, baseline(middle)], &style, &text);
             return;
         }
-        let end = at(value).clamp(left, left + COLUMN);
-        let is_cut = end != at(value);
+        let end = left + scale.at(value).clamp(0.0, COLUMN);
+        let edge = if value < 0.0 { left } else { left + COLUMN };
+        // Rounding must not cut the bar that sets the scale.
+        let is_long = (edge - (left + scale.at(value))) * value.signum() < room(&text) - 1e-6;
         let fill =
-            format!(r#"fill="{}"{}"#, self.color, if is_cut { r#" opacity="0.45""# } else { "" });
+            format!(r#"fill="{}"{}"#, self.color, if is_long { r#" opacity="0.45""# } else { "" });
         let size = [(end - zero).abs(), BAR];
         drawing.rectangle([zero.min(end), middle - 0.5 * BAR], size, &fill);
-        let text = short(value);
-        if is_cut {
-            let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
-            drawing.plain_text([0.5 * (zero + end), baseline], &style, &text);
-        } else if value < 0.0 && end - left > LABEL_ROOM {
-            let style = TextStyle::new(TICK_SIZE, Anchor::End);
-            drawing.plain_text([end - 5.0, baseline], &style, &text);
+        let (place, anchor) = if is_long {
+            (0.5 * (zero + edge), Anchor::Middle)
+        } else if value < 0.0 {
+            (end - SPACE, Anchor::End)
         } else {
-            let style = TextStyle::new(TICK_SIZE, Anchor::Start);
-            drawing.plain_text([end.max(zero) + 5.0, baseline], &style, &text);
-        }
+            (end + SPACE, Anchor::Start)
+        };
+        let style = TextStyle { anchor, ..style };
+        drawing.plain_text([place, baseline(middle)], &style, &text);
     }
+}
+
+/// A line of the grid with its tick below and its number.
+fn draw_tick(drawing: &mut Drawing, [x, top]: [f64; 2], height: f64, label: &str) {
+    drawing.line([x, top], [x, top + height], GRID_LINE);
+    drawing.line([x, top + height], [x, top + height + 5.0], &tick_line());
+    let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
+    drawing.text([x, top + height + 20.0], &style, label);
+}
+
+fn draw_outline(drawing: &mut Drawing, [left, top]: [f64; 2], height: f64, label: &str) {
+    drawing.rectangle([left, top], [COLUMN, height], &outline());
+    let style = TextStyle::new(LABEL_SIZE, Anchor::Middle);
+    drawing.text([left + 0.5 * COLUMN, top - 14.0], &style, label);
+}
+
+/// The column of times, in ms on a logarithmic axis: from nothing and once more.
+fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer]) {
+    let height = ROW * answers.len() as f64;
+    let times: Vec<[f64; 2]> =
+        answers.iter().map(|answer| [answer.time, answer.time_again].map(|t| 1e3 * t)).collect();
+    let logarithms = || times.iter().flatten().filter(|time| is_time(**time)).map(|t| t.log10());
+    // The shortest time has a bar, too.
+    let low = logarithms().reduce(f64::min).unwrap_or(0.0).floor() - 0.3;
+    let unit = times
+        .iter()
+        .filter(|time| is_time(time[0]))
+        .map(|time| (COLUMN - room(&text(time[0]))) / (time[0].log10() - low))
+        .fold(COLUMN, f64::min);
+    let at = |logarithm: f64| left + unit * (logarithm - low);
+    for tick in powers_of_ten(low, low + COLUMN / unit, 5) {
+        draw_tick(drawing, [at(tick.value), top], height, &tick.label);
+    }
+    for (k, time) in times.iter().enumerate() {
+        let middle = middle(top, k);
+        for (time, color) in time.iter().zip(TIME_COLORS).filter(|(time, _)| is_time(**time)) {
+            let fill = format!(r#"fill="{color}""#);
+            drawing.rectangle([left, middle - 0.5 * BAR], [at(time.log10()) - left, BAR], &fill);
+        }
+        let end = if is_time(time[0]) { at(time[0].log10()) } else { left };
+        let style = TextStyle::new(TICK_SIZE, Anchor::Start);
+        drawing.plain_text([end + SPACE, baseline(middle)], &style, &text(time[0]));
+    }
+    draw_outline(drawing, [left, top], height, "time (ms)");
+}
+
+/// Whether a time has a place on a logarithmic axis.
+fn is_time(time: f64) -> bool {
+    time > 0.0 && time.is_finite()
 }

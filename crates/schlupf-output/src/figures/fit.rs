@@ -1,20 +1,21 @@
-//! A fit: measured forces with the fitted curves, and what is left.
-
-use std::ops::Range;
+//! A fit: measured forces with the fitted curves, a panel for each component, and what is left.
 
 use schlupf::Status;
 use schlupf::creep_curve::Abscissa;
-use schlupf::identification::{Component, Estimate, FittedPoint, Series};
+use schlupf::identification::{Component, Condition, Estimate, FittedPoint};
 
 use super::color::{LEVELS, Palette, paint};
+use super::fit_panel::{Mark, MarkedPanel, Shape, curve_stroke};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{BLUE, Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
+use super::panels::{BLUE, Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
 use super::svg::{Drawing, INK};
 use crate::identification::{FitReport, in_usual_unit, with_uncertainty};
 
-/// Heights of the two panels.
-const HEIGHTS: [f64; 2] = [340.0, 170.0];
+/// Height of the panel of forces where there is one, and of each where there are two.
+const FORCES: [f64; 2] = [340.0, 260.0];
+/// Height of the panel of residuals.
+const RESIDUALS: f64 = 170.0;
 /// Height of a row of the legend.
 const LEGEND_ROW: f64 = 22.0;
 
@@ -26,16 +27,19 @@ pub(super) fn draw(report: &FitReport) -> Option<String> {
     let width = WIDTH - LEFT - RIGHT;
     let rows = marks::legend(&mut Drawing::new(WIDTH, 1.0), [LEFT, 0.0], width, &entries);
     let top = HEADING + 18.0 + rows;
-    let mut drawing = Drawing::new(WIDTH, top + HEIGHTS[0] + GAP + HEIGHTS[1] + 62.0);
+    let panels = picture.panels();
+    let heights: f64 = panels.iter().map(|panel| panel.panel.height + GAP).sum();
+    let mut drawing = Drawing::new(WIDTH, top + heights - GAP + 62.0);
     picture.heading(&mut drawing);
     marks::legend(&mut drawing, [LEFT, top - 9.0 - (rows - LEGEND_ROW)], width, &entries);
     let mut corner = [LEFT, top];
-    for (panel, height) in [picture.forces(), picture.residuals()].into_iter().zip(HEIGHTS) {
-        let frame = Frame { corner, size: [width, height], x: picture.x, y: panel.range() };
+    for (k, panel) in panels.iter().enumerate() {
+        let size = [width, panel.panel.height];
+        let frame = Frame { corner, size, x: picture.x, y: panel.range() };
         panel.draw(&mut drawing, &frame);
-        corner[1] += height + GAP;
-        if height == HEIGHTS[1] {
-            frame.draw_horizontal(&mut drawing, picture.axis());
+        corner[1] += size[1] + GAP;
+        if k + 1 == panels.len() {
+            frame.draw_horizontal(&mut drawing, &picture.axis());
         }
     }
     Some(drawing.finish())
@@ -45,52 +49,97 @@ struct Picture<'a> {
     report: &'a FitReport,
     /// Range of the abscissa.
     x: [f64; 2],
-    colors: Vec<String>,
-    /// Whether every series has a colour and an entry in the legend.
-    is_told_apart: bool,
+    /// Components that were measured.
+    components: Vec<Component>,
+    /// Conditions of the series, but for the creepage that varies; both components may have the same.
+    conditions: Vec<Condition>,
+    coloring: Coloring,
 }
 
-/// Most series that are told apart.
-const MOST_SERIES: usize = 8;
+/// What colours mean.
+enum Coloring {
+    /// Nothing: all is of one colour.
+    None,
+    /// The condition; each has an entry in the legend.
+    Conditions,
+    /// A number that goes with the condition, where there are too many for the legend.
+    Number { of: Quantity, range: [f64; 2] },
+}
+
+/// A number of a condition, with its unit.
+struct Quantity {
+    value: fn(&Condition, f64) -> f64,
+    unit: &'static str,
+}
+
+const SPEED: Quantity = Quantity { value: |condition, _| condition.kinematics.speed, unit: "m/s" };
+const LOAD: Quantity =
+    Quantity { value: |condition, load| condition.load.unwrap_or(load) / 1e3, unit: "kN" };
+
+/// Most conditions that are told apart.
+const MOST_CONDITIONS: usize = 8;
+
+impl Coloring {
+    fn new(conditions: &[Condition], load: f64) -> Self {
+        match conditions.len() {
+            0 | 1 => return Self::None,
+            2..=MOST_CONDITIONS => return Self::Conditions,
+            _ => {}
+        }
+        for of in [SPEED, LOAD] {
+            let values = || conditions.iter().map(|condition| (of.value)(condition, load));
+            let range = [
+                values().fold(f64::INFINITY, f64::min),
+                values().fold(f64::NEG_INFINITY, f64::max),
+            ];
+            if range[0] < range[1] {
+                return Self::Number { of, range };
+            }
+        }
+        Self::None
+    }
+}
 
 impl<'a> Picture<'a> {
     fn new(report: &'a FitReport) -> Option<Self> {
-        let mut picture = Self { report, x: [0.0, 0.0], colors: Vec::new(), is_told_apart: false };
-        let places = || picture.points().map(|point| picture.place(point));
+        let points = || report.fit.points.iter();
+        let places = || points().map(|point| report.curves.place(&point.data));
         let [low, high] = [places().fold(0.0, f64::min), places().fold(0.0, f64::max)];
         if !(low < high && low.is_finite() && high.is_finite()) {
             return None;
         }
         let margin = 0.03 * (high - low);
-        picture.x = [
+        let x = [
             if low < 0.0 { low - margin } else { -0.5 * margin },
             if high > 0.0 { high + margin } else { 0.5 * margin },
         ];
-        let count = report.curves.series.len();
-        picture.is_told_apart = (2..=MOST_SERIES).contains(&count);
-        picture.colors =
-            (0..count).map(|k| color(k, if picture.is_told_apart { count } else { 1 })).collect();
-        Some(picture)
-    }
-
-    fn points(&self) -> impl Iterator<Item = &FittedPoint> {
-        self.report.fit.points.iter()
+        let is_measured =
+            |component: &Component| points().any(|point| point.data.component == *component);
+        let components = [Component::Longitudinal, Component::Lateral];
+        let components = components.into_iter().filter(is_measured).collect();
+        let mut conditions: Vec<Condition> = Vec::new();
+        for series in &report.curves.series {
+            if !conditions.contains(&series.condition) {
+                conditions.push(series.condition);
+            }
+        }
+        let coloring = Coloring::new(&conditions, report.load);
+        Some(Self { report, x, components, conditions, coloring })
     }
 
     fn place(&self, point: &FittedPoint) -> f64 {
-        let motion = &point.data.condition.kinematics;
-        match self.report.curves.abscissa {
-            Abscissa::CreepageY => motion.creepage_y,
-            Abscissa::Spin => motion.spin,
-            _ => motion.creepage_x,
-        }
+        self.report.curves.place(&point.data)
     }
 
-    fn axis(&self) -> &'static str {
+    fn axis(&self) -> String {
         match self.report.curves.abscissa {
-            Abscissa::CreepageY => "lateral creepage $η$",
-            Abscissa::Spin => "spin creepage $φ$ (1/m)",
-            _ => "longitudinal creepage $ξ$",
+            Abscissa::CreepageX => "longitudinal creepage $ξ$".to_owned(),
+            Abscissa::CreepageY => "lateral creepage $η$".to_owned(),
+            Abscissa::Spin => "spin creepage $φ$ (1/m)".to_owned(),
+            Abscissa::Total { direction } => {
+                let degrees = short(direction.to_degrees());
+                format!("creepage $ν$ at {degrees}° to the rolling direction")
+            }
         }
     }
 
@@ -104,107 +153,152 @@ impl<'a> Picture<'a> {
         marks::title_block(drawing, title, [&self.report.title, &found], remark);
     }
 
-    fn entries(&self) -> Vec<Entry> {
-        let mut entries = vec![Entry {
-            sample: Sample::Dot(dot(if self.is_told_apart { INK } else { BLUE })),
-            text: "measured".to_owned(),
-        }];
-        let has_curves = self.report.curves.series.iter().any(|series| !series.curve.is_empty());
-        if !has_curves {
-            let sample = Sample::Cross(cross(if self.is_told_apart { INK } else { BLUE }));
-            entries.push(Entry { sample, text: "fitted".to_owned() });
-        } else if !self.is_told_apart {
-            let sample = Sample::Line(vec![stroke(BLUE)]);
-            entries.push(Entry { sample, text: "fitted".to_owned() });
+    fn color(&self, condition: &Condition) -> String {
+        match &self.coloring {
+            Coloring::None => BLUE.to_owned(),
+            Coloring::Conditions => {
+                let place = self.conditions.iter().position(|other| other == condition);
+                color(place.unwrap_or(0) as f64 / (self.conditions.len() - 1) as f64)
+            }
+            Coloring::Number { of, range: [low, high] } => {
+                color(((of.value)(condition, self.report.load) - low) / (high - low))
+            }
         }
-        if self.is_told_apart {
-            for (series, color) in self.report.curves.series.iter().zip(&self.colors) {
-                let sample = Sample::Line(vec![stroke(color)]);
-                entries.push(Entry { sample, text: self.name(series) });
+    }
+
+    /// Squares stand for lateral forces where there are both.
+    fn shape(&self, component: Component) -> Shape {
+        let is_other = self.components.len() > 1 && component == Component::Lateral;
+        if is_other { Shape::Square } else { Shape::Dot }
+    }
+
+    /// Shapes of the marks, what a line and a cross mean, and colours.
+    fn entries(&self) -> Vec<Entry> {
+        let own = if matches!(self.coloring, Coloring::None) { BLUE } else { INK };
+        let mut entries = Vec::new();
+        for component in &self.components {
+            let text = if self.components.len() == 1 {
+                "measured".to_owned()
+            } else {
+                format!("measured {}", ratio(*component))
+            };
+            entries.push(Entry { sample: self.shape(*component).sample(own), text });
+        }
+        let series = &self.report.curves.series;
+        let fitted = |sample| Entry { sample, text: "fitted".to_owned() };
+        if series.iter().any(|series| !series.curve.is_empty()) {
+            entries.push(fitted(Sample::Line(vec![curve_stroke(own)])));
+        }
+        if series.iter().any(|series| series.curve.is_empty()) {
+            entries.push(fitted(Sample::Cross(MarkedPanel::cross())));
+        }
+        let swatch =
+            |color: &str, text| Entry { sample: Sample::Area(format!(r#"fill="{color}""#)), text };
+        match &self.coloring {
+            Coloring::None => {}
+            Coloring::Conditions => {
+                for condition in &self.conditions {
+                    entries.push(swatch(&self.color(condition), self.name(condition)));
+                }
+            }
+            Coloring::Number { of, range: [low, high] } => {
+                for share in [0.0, 0.5, 1.0] {
+                    let value = low + share * (high - low);
+                    entries.push(swatch(&color(share), format!("{} {}", short(value), of.unit)));
+                }
             }
         }
         entries
     }
 
-    /// What a series has that others do not.
-    fn name(&self, series: &Series) -> String {
-        let all = &self.report.curves.series;
-        let motion = &series.condition.kinematics;
-        let differs =
-            |value: fn(&Series) -> f64| all.iter().any(|other| value(other) != value(series));
+    /// What a condition has that others do not.
+    fn name(&self, condition: &Condition) -> String {
+        let motion = &condition.kinematics;
+        let differs = |value: fn(&Condition) -> f64| {
+            self.conditions.iter().any(|other| value(other) != value(condition))
+        };
         let mut parts = Vec::new();
-        if differs(|series| series.component.index() as f64) {
-            let component = match series.component {
-                Component::Longitudinal => "\u{2212}$F$_x/$N$",
-                Component::Lateral => "\u{2212}$F$_y/$N$",
-            };
-            parts.push(component.to_owned());
-        }
-        if differs(|series| series.condition.kinematics.speed) {
+        if differs(|condition| condition.kinematics.speed) {
             parts.push(format!("{} m/s", short(motion.speed)));
         }
-        if differs(|series| series.condition.load.unwrap_or_default()) {
-            let load = series.condition.load.unwrap_or(self.report.load);
+        if differs(|condition| condition.load.unwrap_or_default()) {
+            let load = condition.load.unwrap_or(self.report.load);
             parts.push(format!("{} kN", short(load / 1e3)));
         }
-        if differs(|series| series.condition.kinematics.creepage_x) {
+        if differs(|condition| condition.kinematics.creepage_x) {
             parts.push(format!("$ξ$ = {}", short(motion.creepage_x)));
         }
-        if differs(|series| series.condition.kinematics.creepage_y) {
+        if differs(|condition| condition.kinematics.creepage_y) {
             parts.push(format!("$η$ = {}", short(motion.creepage_y)));
         }
-        if differs(|series| series.condition.kinematics.spin) {
+        if differs(|condition| condition.kinematics.spin) {
             parts.push(format!("$φ$ = {} 1/m", short(motion.spin)));
         }
         parts.join(", ")
     }
 
-    fn forces(&self) -> MarkedPanel {
-        let label = match self.only_component() {
-            Some(Component::Longitudinal) => "force on the rail \u{2212}$F$_x/$N$",
-            Some(Component::Lateral) => "force on the rail \u{2212}$F$_y/$N$",
-            None => "force on the rail over load",
-        };
-        let mut panel = self.panel(label, HEIGHTS[0], |point| point.data.force_ratio);
-        for (series, color) in self.report.curves.series.iter().zip(&self.colors) {
+    fn panels(&self) -> Vec<MarkedPanel> {
+        let height = FORCES[usize::from(self.components.len() > 1)];
+        let forces = self.components.iter().map(|component| self.forces(*component, height));
+        forces.chain([self.residuals()]).collect()
+    }
+
+    /// Measured forces with the curves of the model.
+    fn forces(&self, component: Component, height: f64) -> MarkedPanel {
+        let label = format!("force on the rail {}", ratio(component));
+        let mut panel = self.panel(&label, height, &[component], |point| point.data.force_ratio);
+        let all = self.report.curves.series.iter();
+        for series in all.filter(|series| series.component == component) {
             panel.panel.curves.push(Curve {
                 points: series.curve.clone(),
-                stroke: stroke(color),
+                stroke: curve_stroke(&self.color(&series.condition)),
                 text: String::new(),
             });
             if series.curve.is_empty() {
-                for k in &series.members {
-                    let point = &self.report.fit.points[*k];
-                    panel.crosses.push(([self.place(point), point.fitted], color.clone()));
-                }
+                let points = series.members.iter().map(|k| &self.report.fit.points[*k]);
+                panel.crosses.extend(points.map(|point| [self.place(point), point.fitted]));
             }
         }
         panel
     }
 
     fn residuals(&self) -> MarkedPanel {
-        self.panel("measured \u{2212} fitted", HEIGHTS[1], FittedPoint::residual)
+        self.panel("measured \u{2212} fitted", RESIDUALS, &self.components, FittedPoint::residual)
     }
 
-    fn only_component(&self) -> Option<Component> {
-        let first = self.points().next()?.data.component;
-        self.points().all(|point| point.data.component == first).then_some(first)
-    }
-
-    /// Dots of a value of all points.
-    fn panel(&self, label: &str, height: f64, value: impl Fn(&FittedPoint) -> f64) -> MarkedPanel {
-        let mut dots = Vec::new();
-        for (series, color) in self.report.curves.series.iter().zip(&self.colors) {
+    /// Marks of a value of all points of some components.
+    fn panel(
+        &self,
+        label: &str,
+        height: f64,
+        components: &[Component],
+        value: impl Fn(&FittedPoint) -> f64,
+    ) -> MarkedPanel {
+        let mut points = Vec::new();
+        let all = self.report.curves.series.iter();
+        for series in all.filter(|series| components.contains(&series.component)) {
             for k in &series.members {
                 let point = &self.report.fit.points[*k];
                 let deviation = point.data.standard_deviation.unwrap_or(0.0);
                 let middle = value(point);
-                let range = middle - deviation..middle + deviation;
-                dots.push(Dot { at: [self.place(point), middle], range, color: color.clone() });
+                points.push(Mark {
+                    at: [self.place(point), middle],
+                    range: middle - deviation..middle + deviation,
+                    color: self.color(&series.condition),
+                    shape: self.shape(series.component),
+                });
             }
         }
         let panel = Panel { label: label.to_owned(), height, curves: Vec::new() };
-        MarkedPanel { panel, dots, crosses: Vec::new() }
+        MarkedPanel { panel, marks: points, crosses: Vec::new() }
+    }
+}
+
+/// A force ratio in the markup of labels.
+fn ratio(component: Component) -> &'static str {
+    match component {
+        Component::Longitudinal => "\u{2212}$F$_x/$N$",
+        Component::Lateral => "\u{2212}$F$_y/$N$",
     }
 }
 
@@ -227,82 +321,12 @@ fn symbol(text: &str) -> String {
     if index.is_empty() { format!("${letter}$") } else { format!("${letter}$_{{{index}}}") }
 }
 
-/// Colours from dark to light, so that they differ in grey, too.
-fn color(k: usize, count: usize) -> String {
+/// Colours from dark (0) to light (1), so that they differ in grey, too.
+fn color(share: f64) -> String {
     /// The light end of the palette is not seen on white.
     const LIGHTEST: f64 = 0.78;
-    if count == 1 {
-        return BLUE.to_owned();
-    }
-    let level = LIGHTEST * k as f64 / (count - 1) as f64 * (LEVELS - 1) as f64;
+    let level = LIGHTEST * share * (LEVELS - 1) as f64;
     paint(Palette::Mechanical, level.round() as usize)
-}
-
-fn stroke(color: &str) -> String {
-    format!(r#"stroke="{color}" stroke-width="2" stroke-linejoin="round""#)
-}
-
-fn dot(color: &str) -> String {
-    format!(r##"fill="{color}" stroke="#ffffff" stroke-width="0.7""##)
-}
-
-fn cross(color: &str) -> String {
-    format!(r#"stroke="{color}" stroke-width="1.6""#)
-}
-
-/// A point with the range of its standard deviation.
-struct Dot {
-    at: [f64; 2],
-    range: Range<f64>,
-    color: String,
-}
-
-/// Room above and below what is drawn, over the height.
-const ROOM: f64 = 0.04;
-
-/// A panel with points.
-struct MarkedPanel {
-    panel: Panel,
-    dots: Vec<Dot>,
-    crosses: Vec<([f64; 2], String)>,
-}
-
-impl MarkedPanel {
-    /// Range of all that is drawn, and zero.
-    fn range(&self) -> [f64; 2] {
-        let ends = self.dots.iter().flat_map(|dot| [dot.range.start, dot.range.end]);
-        let crosses = self.crosses.iter().map(|(at, _)| at[1]);
-        let marks: Vec<[f64; 2]> = ends.chain(crosses).map(|value| [0.0, value]).collect();
-        let curves = self.panel.curves.iter().map(|curve| curve.points.clone());
-        let invisible = |points| Curve { points, stroke: String::new(), text: String::new() };
-        let curves = curves.chain([marks]).map(invisible).collect();
-        let [low, high] = Panel { label: String::new(), height: self.panel.height, curves }.range();
-        // All residuals may be zero.
-        if low >= high {
-            return [-1e-3, 1e-3];
-        }
-        let room = ROOM * (high - low);
-        [if low < 0.0 { low - room } else { low }, high + room]
-    }
-
-    fn draw(&self, drawing: &mut Drawing, frame: &Frame) {
-        frame.draw_grid(drawing);
-        let [zero_x, zero_y] = frame.at([0.0, 0.0]);
-        drawing.line([frame.corner[0], zero_y], [frame.right(), zero_y], ZERO);
-        drawing.line([zero_x, frame.corner[1]], [zero_x, frame.bottom()], ZERO);
-        self.panel.draw_curves(drawing, frame);
-        for Dot { at, range, color } in &self.dots {
-            if range.start < range.end {
-                let [from, to] = [range.start, range.end].map(|y| frame.at([at[0], y]));
-                drawing.line(from, to, &cross(color));
-            }
-            marks::dot(drawing, frame.at(*at), &dot(color));
-        }
-        for (at, color) in &self.crosses {
-            marks::cross(drawing, frame.at(*at), &cross(color));
-        }
-        frame.draw_vertical(drawing, &self.panel.label);
-    }
 }
 
 #[cfg(test)]

@@ -145,6 +145,12 @@ pub(super) fn dot(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
     drawing.shape(&format!(r#"<circle cx="{x:.2}" cy="{y:.2}" r="4" {style}/>"#));
 }
 
+/// A square at a point.
+pub(super) fn square(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
+    const HALF: f64 = 3.7;
+    drawing.rectangle([x - HALF, y - HALF], [2.0 * HALF; 2], style);
+}
+
 /// A diagonal cross at a point.
 pub(super) fn cross(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
     const ARM: f64 = 4.5;
@@ -172,6 +178,8 @@ pub(super) enum Sample {
     Arrow(String),
     /// A dot.
     Dot(String),
+    /// A square.
+    Square(String),
     /// A cross.
     Cross(String),
 }
@@ -184,11 +192,12 @@ pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
     let [left, top] = at;
     let [mut x, mut y] = at;
     for entry in entries {
-        let sample = if matches!(entry.sample, Sample::Dot(_) | Sample::Cross(_)) {
-            0.5 * SAMPLE
-        } else {
-            SAMPLE
-        };
+        let sample =
+            if matches!(entry.sample, Sample::Dot(_) | Sample::Square(_) | Sample::Cross(_)) {
+                0.5 * SAMPLE
+            } else {
+                SAMPLE
+            };
         let entry_width = sample + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
         if x > left && x + entry_width > left + width {
             [x, y] = [left, y + ROW];
@@ -205,6 +214,7 @@ pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
                 drawing.path(&arrow([x, middle], [x + SAMPLE, middle], 9.0), style);
             }
             Sample::Dot(style) => dot(drawing, [x + 0.5 * sample, middle], style),
+            Sample::Square(style) => square(drawing, [x + 0.5 * sample, middle], style),
             Sample::Cross(style) => cross(drawing, [x + 0.5 * sample, middle], style),
         }
         drawing.text([x + sample + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);

@@ -11,6 +11,7 @@ mod contour;
 mod creep_curve;
 mod cut;
 mod fit;
+mod fit_panel;
 mod font;
 mod frame;
 mod height_map;
@@ -113,7 +114,7 @@ pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
 /// Name of the figure of a comparison.
 pub const COMPARISON: &str = "comparison";
 
-/// The figure of a comparison: forces, moment and temperature rise of every method.
+/// The figure of a comparison: forces, moment, temperature rise and time of every method that has an answer.
 pub fn comparison(comparison: &Comparison) -> Result<Figure, FigureError> {
     let svg = comparison::draw(comparison).ok_or(FigureError::NothingToCompare)?;
     let png = raster::png(&svg, &font::database())?;

@@ -6,6 +6,7 @@ use super::marks::{self, Entry, HEADING, Sample, short};
 use super::panels::{BLUE, VERMILION, WIDTH};
 use super::roughness::remark;
 use super::svg::{Drawing, GRID_LINE};
+use super::ticks::power_of_ten;
 use crate::roughness::RoughnessReport;
 
 const CORNER: [f64; 2] = [104.0, HEADING + 36.0];
@@ -97,7 +98,7 @@ fn draw_axes(drawing: &mut Drawing, frame: &Frame) {
         drawing.line([at[0], frame.corner[1]], at, GRID_LINE);
         drawing.line(at, [at[0], at[1] + 6.0], &tick_line());
         let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
-        drawing.text([at[0], at[1] + 11.0 + TICK_SIZE], &style, &power(x));
+        drawing.text([at[0], at[1] + 11.0 + TICK_SIZE], &style, &power_of_ten(x));
     }
     for x in whole([frame.x[0] - 1.0, frame.x[1]])
         .flat_map(|x| (2..10).map(move |k| x + f64::from(k).log10()))
@@ -113,7 +114,7 @@ fn draw_axes(drawing: &mut Drawing, frame: &Frame) {
         drawing.line(at, [frame.right(), at[1]], GRID_LINE);
         drawing.line(at, [at[0] - 5.0, at[1]], &tick_line());
         let style = TextStyle::new(TICK_SIZE, Anchor::End);
-        drawing.text([at[0] - 9.0, at[1] + 0.36 * TICK_SIZE], &style, &power(y));
+        drawing.text([at[0] - 9.0, at[1] + 0.36 * TICK_SIZE], &style, &power_of_ten(y));
     }
     let style = TextStyle::new(LABEL_SIZE, Anchor::Middle);
     let middle = [frame.corner[0] + 0.5 * frame.size[0], frame.bottom() + 50.0];
@@ -121,8 +122,4 @@ fn draw_axes(drawing: &mut Drawing, frame: &Frame) {
     let style = TextStyle { rotation: -90.0, ..style };
     let middle = [frame.corner[0] - 66.0, frame.corner[1] + 0.5 * frame.size[1]];
     drawing.text(middle, &style, "$C$($q$) (m^4)");
-}
-
-fn power(exponent: f64) -> String {
-    format!("10^{{{exponent:.0}}}").replace('-', "\u{2212}")
 }

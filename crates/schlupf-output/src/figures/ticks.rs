@@ -31,6 +31,23 @@ pub(super) fn round_axis(low: f64, high: f64, about: usize) -> ([f64; 2], Vec<Ti
     ([low, high], ticks_by(step, low, high))
 }
 
+/// At most about `about` ticks at powers of ten for a range of logarithms to base ten; their values are logarithms,
+/// too.
+pub(super) fn powers_of_ten(low: f64, high: f64, about: usize) -> Vec<Tick> {
+    let step = ((high - low) / about.max(1) as f64).ceil().max(1.0);
+    if !(low.is_finite() && high.is_finite()) {
+        return Vec::new();
+    }
+    let exponents = (low.ceil() as i32..=high.floor() as i32).map(f64::from);
+    let shown = exponents.filter(|exponent| (exponent / step).fract() == 0.0);
+    shown.map(|value| Tick { value, label: power_of_ten(value) }).collect()
+}
+
+/// Ten to a whole number, in the markup of labels.
+pub(super) fn power_of_ten(exponent: f64) -> String {
+    format!("10^{{{exponent:.0}}}").replace('-', "\u{2212}")
+}
+
 /// The multiples of a step within a range.
 fn ticks_by(step: f64, low: f64, high: f64) -> Vec<Tick> {
     let first = (low / step - 1e-9).ceil() as i64;
@@ -82,6 +99,17 @@ mod tests {
             assert_eq!(low, 0.0);
             assert!(top >= high && (ticks[ticks.len() - 1].value - top).abs() < 1e-9 * top);
         }
+    }
+
+    #[test]
+    fn powers_of_ten_are_thinned_out() {
+        let labels = |low, high| {
+            let ticks = powers_of_ten(low, high, 4).into_iter();
+            ticks.map(|tick| tick.label).collect::<Vec<_>>()
+        };
+        assert_eq!(labels(-1.2, 1.1), ["10^{−1}", "10^{0}", "10^{1}"]);
+        assert_eq!(labels(-4.3, 2.5), ["10^{−4}", "10^{−2}", "10^{0}", "10^{2}"]);
+        assert!(labels(f64::NAN, 1.0).is_empty());
     }
 
     #[test]

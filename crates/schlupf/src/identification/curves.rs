@@ -10,13 +10,20 @@ use super::model::CreepForceModel;
 /// Data over one creepage, and the model between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FittedCurves {
-    /// The creepage that varies most.
+    /// The creepage that varies most; the total one where ξ and η vary in one direction.
     pub abscissa: Abscissa,
     /// Points that differ in it only, series by series.
     pub series: Vec<Series>,
 }
 
-/// Points that differ in one creepage only.
+impl FittedCurves {
+    /// Where a point lies on the abscissa: dimensionless, or in 1/m for spin.
+    pub fn place(&self, point: &DataPoint) -> f64 {
+        value(self.abscissa, &point.condition.kinematics)
+    }
+}
+
+/// Points that differ in one creepage only, or in the total one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Their component.
@@ -30,11 +37,11 @@ pub struct Series {
     pub curve: Vec<[f64; 2]>,
 }
 
-/// Most series that are computed: beyond it every point has a condition of its own.
-const MOST_SERIES: usize = 12;
+/// Most conditions that are computed: beyond it every point has one of its own.
+const MOST_CONDITIONS: usize = 12;
 
 /// The series of the data with curves of the model, at its present values, of so many points each (none
-/// where that is zero) besides those of the data. Where there are too many series for curves, none has one.
+/// where that is zero) besides those of the data. Where there are more than twelve conditions, none has one.
 ///
 /// # Errors
 /// Conditions that cannot be.
@@ -45,7 +52,7 @@ pub fn sample_curves(
 ) -> Result<FittedCurves, Error> {
     let abscissa = abscissa(data);
     let mut series = group(data, abscissa);
-    if series.len() > MOST_SERIES || points == 0 {
+    if conditions(&series) > MOST_CONDITIONS || points == 0 {
         return Ok(FittedCurves { abscissa, series });
     }
     for one in &mut series {
@@ -82,7 +89,7 @@ fn place(low: f64, high: f64, k: usize, points: usize) -> f64 {
     rooted * rooted.abs()
 }
 
-/// The creepage that varies most.
+/// The creepage that varies most; the total one where ξ and η vary in one direction.
 fn abscissa(data: &[DataPoint]) -> Abscissa {
     /// A typical lever √(ab), in m.
     const LEVER: f64 = 5e-3;
@@ -98,23 +105,56 @@ fn abscissa(data: &[DataPoint]) -> Abscissa {
     let larger = |one: (Abscissa, f64), next: (Abscissa, f64)| {
         if next.1 > one.1 { next } else { one }
     };
-    ranges.into_iter().fold((Abscissa::CreepageX, 0.0), larger).0
+    let [x, y, _] = ranges.map(|(_, range)| range);
+    match ranges.into_iter().fold((Abscissa::CreepageX, 0.0), larger).0 {
+        Abscissa::Spin => Abscissa::Spin,
+        single if x == 0.0 || y == 0.0 => single,
+        single => direction(data).map_or(single, |direction| Abscissa::Total { direction }),
+    }
+}
+
+/// Direction (in rad, from x towards y) of the largest total creepage, if all others have it, or the opposite one.
+fn direction(data: &[DataPoint]) -> Option<f64> {
+    /// How far the direction may be off, in rad: creepages are written with few digits.
+    const APART: f64 = 0.01;
+    let creepages = || {
+        let motions = data.iter().map(|point| &point.condition.kinematics);
+        motions.map(|motion| [motion.creepage_x, motion.creepage_y])
+    };
+    let [x, y] = creepages().max_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])))?;
+    let (sin, cos) = y.atan2(x).sin_cos();
+    let is_along = |[x, y]: [f64; 2]| (y * cos - x * sin).abs() <= APART * x.hypot(y);
+    creepages().all(is_along).then(|| y.atan2(x))
 }
 
 fn value(abscissa: Abscissa, kinematics: &Kinematics) -> f64 {
     match abscissa {
+        Abscissa::CreepageX => kinematics.creepage_x,
         Abscissa::CreepageY => kinematics.creepage_y,
         Abscissa::Spin => kinematics.spin,
-        _ => kinematics.creepage_x,
+        Abscissa::Total { direction } => {
+            kinematics.creepage_x * direction.cos() + kinematics.creepage_y * direction.sin()
+        }
     }
 }
 
 fn set(abscissa: Abscissa, kinematics: &mut Kinematics, at: f64) {
     match abscissa {
+        Abscissa::CreepageX => kinematics.creepage_x = at,
         Abscissa::CreepageY => kinematics.creepage_y = at,
         Abscissa::Spin => kinematics.spin = at,
-        _ => kinematics.creepage_x = at,
+        Abscissa::Total { direction } => {
+            kinematics.creepage_x = at * direction.cos();
+            kinematics.creepage_y = at * direction.sin();
+        }
     }
+}
+
+/// How many conditions there are; both components may have the same.
+fn conditions(series: &[Series]) -> usize {
+    let is_first =
+        |k: &usize| series[..*k].iter().all(|other| other.condition != series[*k].condition);
+    (0..series.len()).filter(is_first).count()
 }
 
 fn group(data: &[DataPoint], abscissa: Abscissa) -> Vec<Series> {

@@ -38,6 +38,12 @@ pub fn interpolated_coefficients(
     Ok(CreepCoefficients { c11, c22, c23, c33 })
 }
 
+/// Whether the table spans an axes' ratio a/b (dimensionless), but for rounding.
+pub(crate) fn is_tabulated(axis_ratio: f64) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    axis_ratio.max(axis_ratio.recip()) <= LARGEST_RATIO * (1.0 + ROUNDING)
+}
+
 /// exp Σ c_ij T_i(ln(a/b)/ln 10) T_j(4ν − 1) for each of C11, C22, C23, C33.
 fn tabulated(axis_ratio: f64, poisson_ratio: f64) -> [f64; 4] {
     let x = axis_ratio.ln() / LARGEST_RATIO.ln();

@@ -22,6 +22,8 @@ use crate::reference::kalker_linear::CreepCoefficients;
 
 pub use interpolated::interpolated_coefficients;
 
+pub(crate) use interpolated::is_tabulated;
+
 /// Creep coefficients of an ellipse of the semi-axes' ratio a/b (dimensionless, a along rolling) for
 /// the combined Poisson's ratio ν (dimensionless). For a/b from 0.1 to 10 they are exact to 0.5 %, C33
 /// to 0.9 %.

@@ -148,7 +148,7 @@ impl FastContact {
         let force = self.present_force();
         let (problem, normal) = (&self.problem, &self.contact.normal);
         let limit = friction_limit(problem, normal.load);
-        let warnings = warnings::of(problem, self.options.method, &force, limit);
+        let warnings = warnings::of(problem, normal, self.options.method, &force, limit);
         let mut account = summary::Account {
             method: self.options.method,
             status: Status::Converged,

@@ -1,8 +1,9 @@
 //! What the reader of a fast method's numbers must know.
 
 use crate::interface::friction::FrictionState;
+use crate::kalker_coefficients::is_tabulated;
 use crate::method::Method;
-use crate::normal::Pressure;
+use crate::normal::{NormalSummary, Pressure};
 use crate::problem::Problem;
 use crate::solution::{Power, Resultant};
 
@@ -10,9 +11,15 @@ use crate::solution::{Power, Resultant};
 const ROUNDING: f64 = 1e-9;
 
 /// Whatever the reader must know; `limit` is μN, in N.
-pub(super) fn of(problem: &Problem, method: Method, force: &Resultant, limit: f64) -> Vec<String> {
-    let mut warnings = Vec::new();
+pub(super) fn of(
+    problem: &Problem,
+    normal: &NormalSummary,
+    method: Method,
+    force: &Resultant,
+    limit: f64,
+) -> Vec<String> {
     let name = method.name();
+    let mut warnings = Vec::from_iter(of_slender_patch(normal, name));
     warnings.extend(of_shape(problem, name));
     if problem.friction_memory().is_some() {
         warnings.push(format!(
@@ -39,6 +46,18 @@ pub(super) fn of(problem: &Problem, method: Method, force: &Resultant, limit: f6
         ));
     }
     warnings
+}
+
+/// Beyond the table of Kalker's coefficients their error is larger.
+fn of_slender_patch(normal: &NormalSummary, name: &str) -> Option<String> {
+    let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
+    (!is_tabulated(axis_ratio)).then(|| {
+        format!(
+            "solver.method: {name:?} takes Kalker's coefficients beyond their table, a/b = \
+             {axis_ratio:.4} where it spans 1/10 to 10, from Kalker's limits: C11, C22 and C23 are off by \
+             up to 7 % at 1/30 and 30, C33 is a limit only"
+        )
+    })
 }
 
 /// A patch that is no ellipse counts as one.
