@@ -120,6 +120,7 @@ struct FittedEntry<'a> {
     #[serde(flatten)]
     stiffness: StiffnessEntry,
     converged: bool,
+    is_open: [bool; 2],
     files: Vec<FileEntry<'a>>,
 }
 
@@ -135,6 +136,7 @@ impl<'a> FittedEntry<'a> {
         Self {
             stiffness: StiffnessEntry::new(component.stiffness()),
             converged: component.fit.converged,
+            is_open: component.fit.is_open,
             files: files.map(|(file, &deviation)| FileEntry { file, deviation }).collect(),
         }
     }
