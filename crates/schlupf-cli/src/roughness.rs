@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use schlupf::interface::roughness::load_curve::{LoadCurveOptions, LoadPoint};
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
-use schlupf::normal::rough_contact::RoughContactOptions;
+use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
+use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Status, rolling};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin, renamed};
@@ -38,7 +39,7 @@ pub fn run(arguments: &RoughnessArguments) -> Result<ExitCode, Failure> {
     let result = solve(&case, &request, &rough, &progress).map_err(explain)?;
     let is_wanted = [&arguments.figures, &arguments.pressures, &arguments.gaps];
     let spots = match is_wanted.into_iter().flatten().next() {
-        Some(_) => Some(spots(&request, &rough).map_err(explain)?),
+        Some(_) => Some(spots(&request, &rough.surface).map_err(explain)?),
         None => None,
     };
     let report = describe(arguments, &case, (request, rough), (result, spots));
@@ -206,7 +207,13 @@ fn solve(
         let normal = solved.result.normal.clone();
         return MicroModelResult::new(solved.result.statistics, normal, bodies, mean_pressures);
     }
-    let model = model(request, rough);
+    let model = MicroModel {
+        surface: rough.surface.clone(),
+        contact_modulus: key.contact_modulus,
+        bodies: *bodies,
+        hardness: key.hardness,
+        mean_pressures: mean_pressures.to_vec(),
+    };
     let options = LoadCurveOptions::default();
     let steps = Some(model.loads(&options));
     let mut step = 0;
@@ -217,26 +224,15 @@ fn solve(
     model.solve(&options, &mut each)
 }
 
-fn model(request: &RoughnessRequest, rough: &RoughSurface) -> MicroModel {
-    let key = request.key();
-    MicroModel {
-        surface: rough.surface.clone(),
-        is_periodic: rough.is_periodic,
-        contact_modulus: key.contact_modulus,
-        bodies: *request.bodies(),
-        hardness: key.hardness,
-        mean_pressures: request.mean_pressures().to_vec(),
-    }
-}
-
 /// The contact at the largest mean pressure.
-fn spots(request: &RoughnessRequest, rough: &RoughSurface) -> Result<Spots, Error> {
-    let mut contact = model(request, rough).contact()?;
-    let mean_pressure = request.key().largest_pressure;
-    let solution = contact.press(mean_pressure, &RoughContactOptions::default())?;
+fn spots(request: &RoughnessRequest, surface: &HeightMap) -> Result<Spots, Error> {
+    let key = request.key();
+    let distance = surface.distance_to_plane();
+    let contact = RoughContact::new(distance, key.contact_modulus, Boundary::Periodic)?;
+    let mut contact = contact.with_hardness(key.hardness)?;
+    let solution = contact.press(key.largest_pressure, &RoughContactOptions::default())?;
     Ok(Spots {
-        mean_pressure,
-        lattice: *contact.distance().lattice(),
+        mean_pressure: key.largest_pressure,
         is_converged: solution.is_converged,
         pressure: solution.pressure,
         gap: solution.gap,
@@ -258,9 +254,8 @@ fn describe(
         }
     };
     let window = if rough.is_periodic { Window::None } else { Window::Hann };
-    let caveats = caveats(&result, model(&request, &rough).cells(), request.key());
     let mut warnings = rough.notices;
-    warnings.extend(caveats);
+    warnings.extend(caveats(&result, rough.surface.lattice().len(), request.key()));
     RoughnessReport {
         title,
         spectrum: RadialSpectrum::of(&rough.surface, window),

@@ -4,7 +4,6 @@ use schlupf::Status;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::MicroModel;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
-use schlupf::surface::Lattice;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf_output::contact_law::{ContactLaw, Fit};
@@ -20,11 +19,10 @@ fn report() -> RoughnessReport {
         roll_off_wavelength: 1e-4,
         shortest_wavelength: 2.5e-5,
     };
-    let surface = spectrum.surface(Lattice::square(64, 4e-4), 1).unwrap();
+    let surface = spectrum.surface(schlupf::surface::Lattice::square(64, 4e-4), 1).unwrap();
     let bodies = SimilarBodies { friction_coefficient: 0.4, poisson_ratio: 0.28 };
     let model = MicroModel {
         surface: surface.clone(),
-        is_periodic: true,
         contact_modulus: 114e9,
         bodies,
         hardness: f64::INFINITY,
@@ -42,7 +40,6 @@ fn report() -> RoughnessReport {
         result,
         spots: Some(Spots {
             mean_pressure: 1e9,
-            lattice: Lattice::square(64, 4e-4),
             pressure: (0..64 * 64).map(share).collect(),
             gap: vec![0.0; 64 * 64],
             is_converged: true,

@@ -72,7 +72,6 @@ fn model(cells: usize, seed: u64) -> MicroModel {
     };
     MicroModel {
         surface: spectrum.surface(Lattice::square(cells, side), seed).unwrap(),
-        is_periodic: true,
         contact_modulus: modulus(),
         bodies: BODIES,
         hardness: f64::INFINITY,

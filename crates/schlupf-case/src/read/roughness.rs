@@ -212,15 +212,14 @@ fn micro_model(
         return Ok(MicroContact { key, result, cells: solved.cells, notices });
     }
     let rough = load(settings, &key.source)?;
+    let cells = rough.surface.lattice().len();
     let model = MicroModel {
         surface: rough.surface,
-        is_periodic: rough.is_periodic,
         contact_modulus: key.contact_modulus,
         bodies,
         hardness: key.hardness,
         mean_pressures,
     };
-    let cells = model.cells();
     let result = model.solve(&LoadCurveOptions::default(), &mut |_| ()).map_err(explain)?;
     Ok(MicroContact { key, result, cells, notices: rough.notices })
 }

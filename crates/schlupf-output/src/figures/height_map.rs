@@ -34,9 +34,7 @@ pub(super) fn surface(report: &RoughnessReport) -> String {
         short(report.result.statistics.spectral_gradient)
     );
     let level = |cell: usize| Some(scale.level(heights.heights()[cell] / MICROMETRE));
-    let lattice = *report.surface.lattice();
-    let (title, label) = ("The surface", "height (µm)");
-    let map = Map { report, lattice, title, conditions, label, scale };
+    let map = Map { report, title: "The surface", conditions, label: "height (µm)", scale };
     map.draw(MOST_HEIGHTS, &level)
 }
 
@@ -56,14 +54,12 @@ pub(super) fn spots(report: &RoughnessReport, spots: &Spots) -> String {
         let pressure = spots.pressure[cell];
         (pressure > 0.0).then(|| scale.level(pressure / 1e9))
     };
-    let (title, label) = ("Contact spots", "pressure (GPa)");
-    let lattice = spots.lattice;
-    Map { report, lattice, title, conditions, label, scale }.draw(MOST_SPOTS, &level)
+    let title = "Contact spots";
+    Map { report, title, conditions, label: "pressure (GPa)", scale }.draw(MOST_SPOTS, &level)
 }
 
 struct Map<'a> {
     report: &'a RoughnessReport,
-    lattice: Lattice,
     title: &'a str,
     conditions: String,
     label: &'a str,
@@ -76,7 +72,7 @@ impl Map<'_> {
         const LARGEST: [f64; 2] = [560.0, 560.0];
         const LEFT: f64 = 96.0;
         const BAR: f64 = 150.0;
-        let lattice = &self.lattice;
+        let lattice = self.report.surface.lattice();
         let lengths = [lattice.length_x(), lattice.length_y()];
         let unit = units::pick(units::ROUGH_LENGTH, 0.5 * lengths[0].max(lengths[1]));
         let spans = lengths.map(|length| length / unit.size);

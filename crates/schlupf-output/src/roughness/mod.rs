@@ -8,8 +8,8 @@ pub mod summary;
 use schlupf::Status;
 use schlupf::interface::roughness::micro_model::MicroModelResult;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
+use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::RadialSpectrum;
-use schlupf::surface::{HeightMap, Lattice};
 
 /// A rough surface with what the micro model found.
 #[derive(Debug, Clone)]
@@ -39,8 +39,6 @@ pub struct RoughnessReport {
 pub struct Spots {
     /// Mean pressure, in Pa.
     pub mean_pressure: f64,
-    /// Its cells: those of the surface, or of its periodic piece.
-    pub lattice: Lattice,
     /// Pressure in every cell, row after row, in Pa.
     pub pressure: Vec<f64>,
     /// Gap in every cell, row after row, in m; negative where the material has yielded, by the depth that was flattened.

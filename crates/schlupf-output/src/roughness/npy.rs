@@ -14,8 +14,8 @@ pub fn heights(report: &RoughnessReport) -> Vec<u8> {
 
 /// Pressures in Pa and gaps in m at the largest mean pressure, in the same way.
 pub fn contact(report: &RoughnessReport) -> Option<[Vec<u8>; 2]> {
-    let spots = report.spots.as_ref()?;
-    Some([field(&spots.lattice, &spots.pressure), field(&spots.lattice, &spots.gap)])
+    let (spots, lattice) = (report.spots.as_ref()?, report.surface.lattice());
+    Some([field(lattice, &spots.pressure), field(lattice, &spots.gap)])
 }
 
 fn field(lattice: &Lattice, values: &[f64]) -> Vec<u8> {

@@ -7,12 +7,9 @@ pub mod form;
 pub mod holes;
 pub mod profile;
 pub mod resampling;
-mod seam;
 pub mod spectrum;
 pub mod statistics;
 pub mod synthesis;
-
-pub(crate) use seam::seamless_lattice;
 
 use crate::error::{Error, require, require_positive};
 

@@ -5,17 +5,14 @@ use super::stiffness::{ContactStiffness, TYPICAL_GAMMA, closed_form};
 use super::tangential_curve::{SimilarBodies, TangentialCurve};
 use crate::error::{Error, require_positive};
 use crate::normal::rough_contact::{Boundary, RoughContact};
+use crate::surface::HeightMap;
 use crate::surface::statistics::Statistics;
-use crate::surface::{HeightMap, seamless_lattice};
 
 /// Two rough bodies.
 #[derive(Debug, Clone)]
 pub struct MicroModel {
-    /// Heights of both surfaces together, without form.
+    /// Heights of both surfaces together, without form, continued periodically.
     pub surface: HeightMap,
-    /// Whether they continue periodically by themselves. A measured piece does not: the contact is that of
-    /// [`HeightMap::seamless`], the statistics are those of the piece.
-    pub is_periodic: bool,
     /// Contact modulus E*, in Pa.
     pub contact_modulus: f64,
     /// Friction and Poisson's ratio.
@@ -62,28 +59,11 @@ impl MicroModel {
         }
         let options = &self.reaching(options);
         let largest = self.largest_pressure();
-        let mut contact = self.contact()?;
+        let distance = self.surface.distance_to_plane();
+        let contact = RoughContact::new(distance, self.contact_modulus, Boundary::Periodic)?;
+        let mut contact = contact.with_hardness(self.hardness)?;
         let normal = LoadCurve::compute(&mut contact, largest, options, each)?;
         MicroModelResult::new(statistics, normal, &self.bodies, &self.mean_pressures)
-    }
-
-    /// The contact of the surface with a plane, periodic, before any load.
-    pub fn contact(&self) -> Result<RoughContact, Error> {
-        let distance = if self.is_periodic {
-            self.surface.distance_to_plane()
-        } else {
-            self.surface.seamless()?.distance_to_plane()
-        };
-        RoughContact::new(distance, self.contact_modulus, Boundary::Periodic)?
-            .with_hardness(self.hardness)
-    }
-
-    /// Number of cells of [`Self::contact`].
-    pub fn cells(&self) -> usize {
-        if self.is_periodic {
-            return self.surface.lattice().len();
-        }
-        seamless_lattice(self.surface.lattice()).len()
     }
 
     /// How many loads [`Self::solve`] solves.
