@@ -241,12 +241,11 @@ fn describe(
             names.join(" and ")
         }
     };
-    let window = if rough.is_periodic { Window::None } else { Window::Hann };
     let mut warnings = rough.notices;
     warnings.extend(caveats(&result, rough.surface.lattice().len()));
     RoughnessReport {
         title,
-        spectrum: RadialSpectrum::of(&rough.surface, window),
+        spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
         surface: rough.surface,
         bodies: *request.bodies(),
         contact_modulus: request.key().contact_modulus,

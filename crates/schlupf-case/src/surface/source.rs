@@ -46,8 +46,6 @@ pub enum SurfaceOrigin {
 pub struct RoughSurface {
     /// Heights of both surfaces together, without form.
     pub surface: HeightMap,
-    /// Whether it continues periodically without a jump, as made surfaces do.
-    pub is_periodic: bool,
     /// What the reader should know about it.
     pub notices: Vec<String>,
 }
@@ -59,15 +57,15 @@ impl SurfaceSource {
     /// Reads or makes the surface. Errors name fields of `surface`; see [`renamed`].
     pub fn load(&self) -> Result<RoughSurface, CaseError> {
         let mut notices = Vec::new();
-        let (surface, is_periodic) = match &self.origin {
-            SurfaceOrigin::SelfAffine(spectrum) => (self.self_affine(spectrum)?, true),
+        let surface = match &self.origin {
+            SurfaceOrigin::SelfAffine(spectrum) => self.self_affine(spectrum)?,
             SurfaceOrigin::Files { files, options, form } => {
                 self.of_files(files, options, *form, &mut notices)?
             }
         };
         let surface = surface.about_its_mean();
         surface.require_rough().map_err(|error| explained(&error))?;
-        Ok(RoughSurface { surface, is_periodic, notices })
+        Ok(RoughSurface { surface, notices })
     }
 
     fn self_affine(&self, spectrum: &SelfAffine) -> Result<HeightMap, CaseError> {
@@ -85,7 +83,7 @@ impl SurfaceSource {
         options: &SurfaceOptions,
         form: Option<Form>,
         notices: &mut Vec<String>,
-    ) -> Result<(HeightMap, bool), CaseError> {
+    ) -> Result<HeightMap, CaseError> {
         let mut data = Vec::new();
         for file in files {
             data.push((file, self.one_file(file, options, form, notices)?));
@@ -108,11 +106,10 @@ impl SurfaceSource {
                 Some(sum) => sum.plus(&map).map_err(|error| of_file(file, &error))?,
             });
         }
-        let sum = sum.ok_or_else(|| {
+        sum.ok_or_else(|| {
             let place = Place::Default;
             CaseError::new("surface.file", "surface.file must name a file", place)
-        })?;
-        Ok((sum, measured.is_none()))
+        })
     }
 
     /// A file without its form, in the cells that were asked for.
