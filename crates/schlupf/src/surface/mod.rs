@@ -7,6 +7,7 @@ pub mod form;
 pub mod holes;
 pub mod profile;
 pub mod resampling;
+pub mod ring_spectrum;
 pub mod spectrum;
 pub mod statistics;
 pub mod synthesis;
