@@ -58,7 +58,7 @@ impl RadialSpectrum {
 /// The power law C ∝ q^(−2(1+H)) of a self-affine surface, fitted to its spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PowerLaw {
-    /// Hurst exponent H, dimensionless; outside of 0 to 1 the surface is not self-affine.
+    /// Hurst exponent H, dimensionless, from 0 to 1.
     pub hurst_exponent: f64,
     /// Between which wave numbers, in rad/m.
     pub wave_numbers: [f64; 2],
@@ -71,7 +71,8 @@ const LAW_TO: f64 = 0.9;
 
 impl RadialSpectrum {
     /// The power law between the waves that make the height and those that make the gradient; nothing
-    /// where they are the same.
+    /// where there is less than half a decade between them, or where the exponent is none of a self-affine
+    /// surface.
     pub fn power_law(&self) -> Option<PowerLaw> {
         let reached = |power: i32, share: f64| {
             let terms = || self.wave_numbers.iter().zip(&self.densities);
@@ -84,6 +85,9 @@ impl RadialSpectrum {
             })
         };
         let (first, last) = (reached(1, LAW_FROM)?, reached(3, LAW_TO)?);
+        if self.wave_numbers[last] < SHORTEST_LAW * self.wave_numbers[first] {
+            return None;
+        }
         let points = || {
             let rings = first..(last + 1).max(first);
             rings.map(|ring| [self.wave_numbers[ring].ln(), self.densities[ring].ln()])
@@ -100,15 +104,15 @@ impl RadialSpectrum {
         }
         let [n, x, y, xx, xy] = sums;
         let slope = (n * xy - x * y) / (n * xx - x * x);
-        Some(PowerLaw {
-            hurst_exponent: -0.5 * slope - 1.0,
-            wave_numbers: [self.wave_numbers[first], self.wave_numbers[last]],
-        })
+        let hurst_exponent = -0.5 * slope - 1.0;
+        let wave_numbers = [self.wave_numbers[first], self.wave_numbers[last]];
+        (0.0..=1.0).contains(&hurst_exponent).then_some(PowerLaw { hurst_exponent, wave_numbers })
     }
 }
 
-/// Fewer rings make no power law.
+/// Fewer rings, or a shorter range of wave numbers, make no power law: half a decade, √10.
 const FEWEST_RINGS: usize = 5;
+const SHORTEST_LAW: f64 = 3.162_277_660_168_379_5;
 
 /// Weights of the samples along one side; the mean of their squares is one.
 fn weights(count: usize, window: Window) -> Vec<f64> {
@@ -327,6 +331,21 @@ mod tests {
         }
         let wave = HeightMap::from_fn(Lattice::square(64, 1.0), |x, _| (TAU * x).cos()).unwrap();
         assert_eq!(RadialSpectrum::of(&wave, Window::None).power_law(), None);
+    }
+
+    /// No exponent from a spectrum that falls as q^(−2(1+H)) with H = 2.3 or −0.9, nor from one over a
+    /// third of a decade.
+    #[test]
+    fn what_is_not_self_affine_has_no_exponent() {
+        let law = |hurst_exponent: f64, decades: f64| {
+            let wave_numbers: Vec<f64> =
+                (0..200).map(|k| 10.0_f64.powf(5.0 + decades * f64::from(k) / 200.0)).collect();
+            let density = |q: &f64| q.powf(-2.0 * (1.0 + hurst_exponent));
+            let densities = wave_numbers.iter().map(density).collect();
+            RadialSpectrum { wave_numbers, densities }.power_law()
+        };
+        assert_relative_eq!(law(0.5, 3.0).unwrap().hurst_exponent, 0.5, max_relative = 1e-9);
+        assert_eq!([law(2.3, 3.0), law(-0.9, 3.0), law(0.5, 0.3)], [None; 3]);
     }
 
     #[test]
