@@ -252,6 +252,7 @@ fn describe(
         hardness: request.key().hardness,
         result,
         spots,
+        remarks: rough.remarks,
         warnings,
     }
 }

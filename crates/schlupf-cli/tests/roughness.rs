@@ -24,7 +24,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// A sample of other programs, in the case crate.
+/// A sample of the case crate.
 fn sample(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../schlupf-case/tests/surfaces");
     folder.join(name).display().to_string()
@@ -140,7 +140,7 @@ const BAD: &[(&[&str], &[&str])] = &[
     ),
     (
         &["--synthetic", "rms_height=1 um,longest=1 mm,shortest=2 mm"],
-        &["roll_off must be between the shortest and the longest wavelength"],
+        &["longest must be at least the shortest wavelength, 2e-3 m, but is 1e-3 m"],
     ),
     (
         &["--synthetic", "rms_height=1 um,longest=100 um,shortest=5 um", "--cells", "100"],

@@ -43,6 +43,7 @@ fn report() -> RoughnessReport {
             pressure: (0..64 * 64).map(share).collect(),
             is_converged: true,
         }),
+        remarks: vec!["a remark".to_owned()],
         warnings: vec!["a warning".to_owned()],
     }
 }
