@@ -156,7 +156,7 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--hardness 0.5 GPa: --hardness must be above the largest"],
     ),
     (&[QUICK, "--form", "plane"], &["--form"]),
-    (&["line.csv", "--form", "sphere"], &["line.csv is a profile"]),
+    (&["line.csv", "--cutoff", "1 m"], &["--cutoff 1 m: --cutoff must be between two cells"]),
     (&["line.csv", "--form", "cone"], &["--form cone: --form must be one of"]),
     (&["line.csv", "--heights", "line.csv"], &["is that of the surface"]),
 ];

@@ -34,6 +34,7 @@ const LONGEST: &str = "contact_law.roughness.longest_wavelength";
 const ROLL_OFF: &str = "contact_law.roughness.roll_off_wavelength";
 const SHORTEST: &str = "contact_law.roughness.shortest_wavelength";
 const HURST: &str = "contact_law.roughness.hurst";
+const CUTOFF: &str = "contact_law.roughness.cutoff_wavelength";
 const FORM: &str = "contact_law.roughness.form";
 const PRESSURES: &str = "contact_law.roughness.pressures";
 const HARDNESS: &str = "contact_law.roughness.hardness";
@@ -187,10 +188,11 @@ fn files(settings: &Settings, folder: &Path) -> Result<SurfaceSource, CaseError>
         holes: if fill { Holes::Fill } else { Holes::Refuse },
         cells: if square { Cells::MakeSquare } else { Cells::RefuseNonSquare },
     };
+    let cutoff = settings.optional_number(CUTOFF)?;
     let second = text(SECOND_FILE)?;
     let files = [settings.text(FILE)?].into_iter().chain(second);
     let files = files.map(|file| folder.join(file)).collect();
-    source(settings, SurfaceOrigin::Files { files, options, form })
+    source(settings, SurfaceOrigin::Files { files, options, form, cutoff })
 }
 
 fn source(settings: &Settings, origin: SurfaceOrigin) -> Result<SurfaceSource, CaseError> {
@@ -273,6 +275,7 @@ const NAMES: &[(&str, &str)] = &[
     ("surface.longest_wavelength", LONGEST),
     ("surface.roll_off_wavelength", ROLL_OFF),
     ("surface.shortest_wavelength", SHORTEST),
+    ("surface.cutoff_wavelength", CUTOFF),
     ("surface.hardness", HARDNESS),
     ("surface.form", FORM),
     ("surface.columns", "contact_law.roughness.cells"),

@@ -14,6 +14,14 @@ use crate::error::CaseError;
 use crate::fields::readable;
 use crate::place::Place;
 
+/// What is taken off a measured surface.
+#[derive(Clone, Copy)]
+struct TakenOff {
+    form: Option<Form>,
+    /// In m.
+    cutoff: Option<f64>,
+}
+
 /// Where the roughness of both bodies together comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceSource {
@@ -40,6 +48,8 @@ pub enum SurfaceOrigin {
         options: SurfaceOptions,
         /// What is taken off each of them.
         form: Option<Form>,
+        /// Longer waves than this are taken off after that (in m).
+        cutoff: Option<f64>,
     },
 }
 
@@ -71,8 +81,9 @@ impl SurfaceSource {
         let mut said = Said::default();
         let surface = match &self.origin {
             SurfaceOrigin::SelfAffine(spectrum) => self.self_affine(spectrum)?,
-            SurfaceOrigin::Files { files, options, form } => {
-                self.of_files(files, options, *form, &mut said)?
+            SurfaceOrigin::Files { files, options, form, cutoff } => {
+                let taken_off = TakenOff { form: *form, cutoff: *cutoff };
+                self.of_files(files, options, taken_off, &mut said)?
             }
         };
         let surface = surface.about_its_mean();
@@ -127,12 +138,12 @@ impl SurfaceSource {
         &self,
         files: &[PathBuf],
         options: &SurfaceOptions,
-        form: Option<Form>,
+        taken_off: TakenOff,
         said: &mut Said,
     ) -> Result<HeightMap, CaseError> {
         let mut data = Vec::new();
         for file in files {
-            data.push((file, self.one_file(file, options, form, said)?));
+            data.push((file, self.one_file(file, options, taken_off, said)?));
         }
         let measured = data.iter().find_map(|(_, data)| match data {
             SurfaceData::Map(map) => Some(*map.lattice()),
@@ -164,32 +175,44 @@ impl SurfaceSource {
         })
     }
 
-    /// A file without its form, in the cells that were asked for.
+    /// A file without its form and waviness, in the cells that were asked for.
     fn one_file(
         &self,
         file: &Path,
         options: &SurfaceOptions,
-        form: Option<Form>,
+        taken_off: TakenOff,
         said: &mut Said,
     ) -> Result<SurfaceData, CaseError> {
         let MeasuredSurface { data, filled } = read(file, options)?;
         said.filling(file, filled, matches!(data, SurfaceData::Profile(_)));
-        let map = match (data, form) {
+        let data = match (data, taken_off.form) {
             (SurfaceData::Profile(profile), Some(Form::Cylinder | Form::Sphere)) => {
                 let removal = profile.without_circle();
                 let (profile, radius) = removal.map_err(|error| of_file(file, &error))?;
                 said.form(file, radius);
-                return Ok(SurfaceData::Profile(profile));
+                SurfaceData::Profile(profile)
             }
-            (SurfaceData::Profile(profile), _) => return Ok(SurfaceData::Profile(profile)),
-            (SurfaceData::Map(map), None) => map,
             (SurfaceData::Map(map), Some(form)) => {
                 let removal = map.without_form(form).map_err(|error| of_file(file, &error))?;
                 if form != Form::Plane {
                     said.form(file, removal.radius);
                 }
-                removal.surface
+                SurfaceData::Map(removal.surface)
             }
+            (data, _) => data,
+        };
+        let data = match (data, taken_off.cutoff) {
+            (SurfaceData::Profile(profile), Some(cutoff)) => {
+                profile.without_waviness(cutoff).map(SurfaceData::Profile)
+            }
+            (SurfaceData::Map(map), Some(cutoff)) => {
+                map.without_waviness(cutoff).map(SurfaceData::Map)
+            }
+            (data, None) => Ok(data),
+        };
+        let map = match data.map_err(|error| explained(&error))? {
+            SurfaceData::Map(map) => map,
+            SurfaceData::Profile(profile) => return Ok(SurfaceData::Profile(profile)),
         };
         let Some(cells) = self.cells else { return Ok(SurfaceData::Map(map)) };
         let lattice = map.lattice();

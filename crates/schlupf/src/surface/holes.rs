@@ -16,8 +16,8 @@ pub enum Holes {
 /// At most this part of the cells or points may be holes, dimensionless.
 const LARGEST_SHARE: f64 = 0.5;
 
-/// Of the residual, over the right-hand side; and the iterations that reach it on any lattice.
-const SETTLED: f64 = 1e-9;
+/// Residual of a cell (root mean square) over the range of heights, dimensionless; and the iterations that reach it on any lattice.
+const SETTLED: f64 = 1e-8;
 const ITERATIONS: usize = 20_000;
 
 /// Lattices with fewer cells than this along a side are not made coarser.
@@ -78,7 +78,7 @@ fn fill(lattice: &Lattice, heights: &mut [f64]) -> Result<(), Error> {
                 between(&coarse, &means, cell % lattice.columns, cell / lattice.columns);
         }
     }
-    Laplace::new(lattice, &missing).solve(heights)
+    Laplace::new(lattice, &missing, heights).solve(heights)
 }
 
 /// The mean of each two by two cells, of those that are known.
@@ -111,41 +111,53 @@ fn between(coarse: &Lattice, heights: &[f64], i: usize, j: usize) -> f64 {
 /// over the distance.
 struct Laplace<'a> {
     missing: &'a [usize],
-    /// Neighbours of each missing cell.
-    neighbours: Vec<[Option<usize>; 4]>,
-    /// Number of a missing cell.
-    numbers: Vec<u32>,
+    /// Numbers of the missing neighbours of each missing cell.
+    neighbours: Vec<[u32; 4]>,
     weights: [f64; 4],
     /// Sums of the weights.
     diagonal: Vec<f64>,
+    /// What the known neighbours of each missing cell contribute, in m.
+    known: Vec<f64>,
 }
 
-/// A cell that is not missing.
-const KNOWN: u32 = u32::MAX;
+/// No missing cell.
+const NONE: u32 = u32::MAX;
 
 impl<'a> Laplace<'a> {
-    fn new(lattice: &Lattice, missing: &'a [usize]) -> Self {
-        let neighbours: Vec<_> = missing.iter().map(|cell| neighbours(lattice, *cell)).collect();
-        let mut numbers = vec![KNOWN; lattice.len()];
+    fn new(lattice: &Lattice, missing: &'a [usize], heights: &[f64]) -> Self {
+        let mut numbers = vec![NONE; lattice.len()];
         for (number, cell) in (0..).zip(missing) {
             numbers[*cell] = number;
         }
         let ratio = lattice.spacing_y / lattice.spacing_x;
         let weights = [ratio, ratio, ratio.recip(), ratio.recip()];
-        let sum = |near: &[Option<usize>; 4]| {
-            near.iter().zip(weights).filter_map(|(cell, w)| cell.map(|_| w)).sum()
+        let mut equations = Self {
+            missing,
+            neighbours: Vec::with_capacity(missing.len()),
+            weights,
+            diagonal: Vec::with_capacity(missing.len()),
+            known: Vec::with_capacity(missing.len()),
         };
-        let diagonal = neighbours.iter().map(sum).collect();
-        Self { missing, neighbours, numbers, weights, diagonal }
+        for cell in missing {
+            let (mut diagonal, mut known) = (0.0, 0.0);
+            let near = neighbours(lattice, *cell);
+            for (near, w) in near.iter().zip(weights).filter_map(|(near, w)| Some(((*near)?, w))) {
+                diagonal += w;
+                known += if numbers[near] == NONE { w * heights[near] } else { 0.0 };
+            }
+            equations.diagonal.push(diagonal);
+            equations.known.push(known);
+            equations.neighbours.push(near.map(|near| near.map_or(NONE, |near| numbers[near])));
+        }
+        equations
     }
 
     /// By conjugate gradients with the diagonal as preconditioner, from the heights that are there.
     fn solve(&self, heights: &mut [f64]) -> Result<(), Error> {
-        let known = self.known(heights);
         let mut found: Vec<f64> = self.missing.iter().map(|cell| heights[*cell]).collect();
         let mut image = vec![0.0; found.len()];
         self.apply(&found, &mut image);
-        let mut residual: Vec<f64> = known.iter().zip(&image).map(|(b, a)| b - a).collect();
+        let mut residual: Vec<f64> = self.known.iter().zip(&image).map(|(b, a)| b - a).collect();
         // Heights count from anywhere: what is settled is measured by how much they differ.
         let differ = spread(heights);
         let limit = SETTLED * differ * (found.len() as f64).sqrt();
@@ -172,29 +184,12 @@ impl<'a> Laplace<'a> {
         })
     }
 
-    /// What the known neighbours of each missing cell contribute.
-    fn known(&self, heights: &[f64]) -> Vec<f64> {
-        let weighted = |near: &[Option<usize>; 4]| {
-            let near = near.iter().zip(self.weights);
-            let known = near.filter_map(|(cell, w)| Some(((*cell)?, w)));
-            known
-                .filter(|(cell, _)| self.numbers[*cell] == KNOWN)
-                .map(|(cell, w)| w * heights[cell])
-                .sum()
-        };
-        self.neighbours.iter().map(weighted).collect()
-    }
-
     fn apply(&self, values: &[f64], image: &mut [f64]) {
-        for (number, near) in self.neighbours.iter().enumerate() {
-            let mut sum = self.diagonal[number] * values[number];
-            for (cell, w) in near.iter().zip(self.weights) {
-                let other = cell.map_or(KNOWN, |cell| self.numbers[cell]);
-                if other != KNOWN {
-                    sum -= w * values[other as usize];
-                }
-            }
-            image[number] = sum;
+        let cells = self.neighbours.iter().zip(&self.diagonal).zip(values);
+        for (image, ((near, diagonal), value)) in image.iter_mut().zip(cells) {
+            let others = near.iter().zip(self.weights).filter(|(near, _)| **near != NONE);
+            let sum: f64 = others.map(|(near, w)| w * values[*near as usize]).sum();
+            *image = diagonal * value - sum;
         }
     }
 }

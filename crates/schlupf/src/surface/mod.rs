@@ -3,6 +3,7 @@
 //! Heights count out of the material. They are taken in the middle of rectangular cells; the first
 //! row holds the cells along x with the smallest y.
 
+pub mod filter;
 pub mod form;
 pub mod holes;
 pub mod profile;
