@@ -98,8 +98,9 @@ fn a_profile_is_read_from_x3p_and_csv() {
 /// Positions have few digits: 0.35 µm printed as mm with four decimals, so that gaps are 0.3 or 0.4 µm.
 #[test]
 fn points_lie_on_the_nearest_lattice() {
+    type Kept<'a> = &'a dyn Fn(usize, usize) -> bool;
     let height = |i: usize, j: usize| (i as f64 / 3.0).sin() + (j as f64 / 4.0).cos();
-    let text = |kept: &dyn Fn(usize, usize) -> bool, spacing: f64, digits: usize| {
+    let text = |kept: Kept, spacing: f64, digits: usize| {
         let points = (0..30).flat_map(|j| (0..40).map(move |i| (i, j)));
         let lines = points.filter(|(i, j)| kept(*i, *j)).map(|(i, j)| {
             let [x, y] = [i, j].map(|k| k as f64 * spacing);
@@ -109,8 +110,8 @@ fn points_lie_on_the_nearest_lattice() {
     };
     let all = |_, _| true;
     let column = |i, _| i != 17;
-    let columns = |i, _| i < 5 || i > 17;
-    let cases: [(&dyn Fn(usize, usize) -> bool, f64, usize, f64); 4] = [
+    let columns = |i: usize, _| !(5..=17).contains(&i);
+    let cases: [(Kept, f64, usize, f64); 4] = [
         (&all, 0.35e-3, 4, 0.0),
         (&column, 1e-3, 6, 1.0 / 40.0),
         (&columns, 1e-3, 6, 13.0 / 40.0),

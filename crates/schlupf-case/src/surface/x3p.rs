@@ -5,6 +5,7 @@
 //! as text, with invalid points as NaN, as empty text or in a file of bits. Not read are point clouds
 //! (`PCL`) and several layers or profiles in a file. Checksums are those of the archive.
 
+use std::borrow::Cow;
 use std::io::{Cursor, Read};
 
 use roxmltree::{Document, Node};
@@ -62,7 +63,7 @@ fn parse(bytes: Vec<u8>) -> Result<(Lattice, Vec<f64>), Message> {
 fn member(archive: &mut Archive, name: &str, largest: usize) -> Result<Vec<u8>, Message> {
     let wanted = plain(name);
     let names = archive.file_names().filter_map(Result::ok);
-    let found = names.map(|found| found.into_owned()).find(|found| plain(found) == wanted);
+    let found = names.map(Cow::into_owned).find(|found| plain(found) == wanted);
     let file = archive
         .by_name(found.as_deref().unwrap_or(name))
         .map_err(|error| format!("must have a file {name} in its archive: {error}"))?;

@@ -58,16 +58,13 @@ fn surface(text: &mut String, report: &RoughnessReport) {
     let gradient = "root mean square gradient, from differences";
     entry(text, "Sdq", statistics.root_mean_square_gradient, "", gradient);
     entry(text, "h'_rms", statistics.spectral_gradient, "", "the same, from the spectrum");
-    match report.spectrum.power_law() {
-        Some(law) => {
-            let [long, short] = law.wave_numbers.map(|q| micrometres(TAU / q));
-            let range = format!("Hurst exponent of the spectrum from {long} to {short} µm");
-            entry(text, "H", (1e3 * law.hurst_exponent).round() / 1e3, "", &range);
-        }
-        None => {
-            let none = "Hurst exponent: no self-affine spectrum over half a decade";
-            line(text, &format!("{:<22}{:>11} {:<4} {none}", "H", "-", ""));
-        }
+    if let Some(law) = report.spectrum.power_law() {
+        let [long, short] = law.wave_numbers.map(|q| micrometres(TAU / q));
+        let range = format!("Hurst exponent of the spectrum from {long} to {short} µm");
+        entry(text, "H", (1e3 * law.hurst_exponent).round() / 1e3, "", &range);
+    } else {
+        let none = "Hurst exponent: no self-affine spectrum over half a decade";
+        line(text, &format!("{:<22}{:>11} {:<4} {none}", "H", "-", ""));
     }
     for remark in &report.remarks {
         line(text, remark);

@@ -71,7 +71,9 @@ fn mean_across(heights: &[f64], columns: usize, weights: &[f64]) -> Vec<f64> {
             mean.iter_mut().zip(line).for_each(|(mean, height)| *mean += weight * height);
             sum += weight;
         }
-        mean.iter_mut().for_each(|mean| *mean /= sum);
+        for mean in mean {
+            *mean /= sum;
+        }
     }
     means
 }

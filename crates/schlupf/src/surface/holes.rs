@@ -69,7 +69,9 @@ fn fill(lattice: &Lattice, heights: &mut [f64]) -> Result<(), Error> {
     if lattice.columns.min(lattice.rows) < COARSEST {
         let known = heights.iter().filter(|height| height.is_finite());
         let mean = known.sum::<f64>() / (heights.len() - missing.len()) as f64;
-        missing.iter().for_each(|cell| heights[*cell] = mean);
+        for cell in &missing {
+            heights[*cell] = mean;
+        }
     } else {
         let (coarse, mut means) = halved(lattice, heights);
         fill(&coarse, &mut means)?;

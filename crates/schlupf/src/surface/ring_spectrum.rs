@@ -216,12 +216,12 @@ impl Likelihood {
         let model = self.model(theta);
         let mut matrix = Mat::zeros(count, count);
         let mut gradient = vec![0.0; count];
-        for band in 0..count {
-            let slope = |ring: usize| self.shares[(band, ring)] * theta[ring].exp() / model[band];
+        for (band, (variance, line)) in model.iter().zip(&self.line).enumerate() {
+            let slope = |ring: usize| self.shares[(band, ring)] * theta[ring].exp() / variance;
             let slopes: Vec<f64> = (band..count).map(slope).collect();
             let n = self.independent[band];
             for (i, a) in (band..count).zip(&slopes) {
-                gradient[i] += n * (1.0 - self.line[band] / model[band]) * a;
+                gradient[i] += n * (1.0 - line / variance) * a;
                 for (j, b) in (band..count).zip(&slopes) {
                     matrix[(i, j)] += n * a * b;
                 }
