@@ -104,10 +104,8 @@ impl Case {
         CaseErrors::check(errors)?;
         let (problem, law_stiffness) = read::problem(&settings, folder, solved)?;
         let mut notices = settings.idle();
-        if let StiffnessOrigin::MicroModel(micro) = &law_stiffness.origin {
-            let notice = |text| format!("contact_law.roughness: {text}");
-            notices.extend(micro.caveats().into_iter().map(notice));
-        }
+        let notice = |text| format!("contact_law.roughness: {text}");
+        notices.extend(law_stiffness.caveats().into_iter().map(notice));
         Ok(Self {
             title: settings.text("title")?,
             problem,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use schlupf::interface::roughness::micro_model::MicroModelResult;
 
+use crate::fields::readable;
 use crate::surface::SurfaceSource;
 
 /// The stiffness k_c of the contact law, and where it comes from.
@@ -67,6 +68,28 @@ const NOTICEABLE_SPREAD: f64 = 0.2;
 /// Fewer cells in contact than these do not show the shape of the spots: at the largest and at the smallest pressure.
 const FEWEST_CELLS: f64 = 200.0;
 const FEWEST_CELLS_AT_LEAST: f64 = 30.0;
+
+/// Heights of rough surfaces in contact, in m; others are in a wrong unit.
+const USUAL_HEIGHTS: [f64; 2] = [1e-9, 1e-4];
+
+impl LawStiffness {
+    /// What is doubtful about it.
+    pub fn caveats(&self) -> Vec<String> {
+        match &self.origin {
+            StiffnessOrigin::Given | StiffnessOrigin::Default => Vec::new(),
+            StiffnessOrigin::MicroModel(micro) => micro.caveats(),
+            StiffnessOrigin::ClosedForm { rms_height, .. } => {
+                let [low, high] = USUAL_HEIGHTS;
+                let is_usual = (low..=high).contains(rms_height);
+                let text = format!(
+                    "h_rms is {} m, outside of 1 nm to 100 µm: is its unit right?",
+                    readable(*rms_height)
+                );
+                if is_usual { Vec::new() } else { vec![text] }
+            }
+        }
+    }
+}
 
 impl MicroContact {
     /// Where Eq. (8) with one k_c is not what the micro model finds.

@@ -148,6 +148,20 @@ fn a_doubtful_surface_is_mentioned() {
     assert_eq!(smooth.notices, [""; 0]);
 }
 
+/// Heights in a wrong unit are noticed, also where k_c has a closed form; steep surfaces, too.
+#[test]
+fn wrong_units_are_mentioned() {
+    for (height, is_doubtful) in [("1 mm", true), ("1 pm", true), ("1 nm", false), ("90 um", false)]
+    {
+        let case = read(&format!("contact_law.roughness.rms_height = \"{height}\""), &[]).unwrap();
+        let is_said = case.notices.iter().any(|notice| notice.contains("is its unit right?"));
+        assert_eq!(is_said, is_doubtful, "{height}: {:?}", case.notices);
+    }
+    let steep = read(SPECTRUM, &["contact_law.roughness.rms_slope=0.7"]).unwrap();
+    let notices = steep.notices.join("\n");
+    assert!(notices.contains("gradient is 0.7: the model takes slopes for small"), "{notices}");
+}
+
 /// A case text, the field that the error names, and parts of its text.
 const BAD: &[Row] = &[
     (
@@ -207,8 +221,8 @@ const BAD: &[Row] = &[
     (
         "[contact_law.roughness]\nrms_slope = 0.1\nlongest_wavelength = \"5 um\"\n\
          shortest_wavelength = \"100 um\"",
-        "contact_law.roughness.roll_off_wavelength",
-        &["case.toml:", "roll_off_wavelength must be between the shortest"],
+        "contact_law.roughness.longest_wavelength",
+        &["case.toml:3:", "must be at least the shortest wavelength, 1e-4 m, but is 5e-6 m"],
     ),
     (
         "[contact_law.roughness]\nrms_slope = 0.1\nlongest_wavelength = \"100 um\"\n\
@@ -262,7 +276,22 @@ const BAD_FILES: &[(&str, &[&str])] = &[
         &["case.toml:3:", "`s` is s in base"],
     ),
     ("file = \"make.py\"", &["must be a .csv, .npy, .x3p or .xyz file"]),
-    ("file = \"profile.x3p\"\nform = \"sphere\"", &["case.toml:3:", "is a profile"]),
+    (
+        "file = \"wave.x3p\"\nsecond_file = \"flat.x3p\"",
+        &["case.toml:3:", "contact_law.roughness.second_file is no surface: the surface is flat"],
+    ),
+    (
+        "file = \"wave.npy\"\nunit = \"m\"\nspacing = \"1.5 um\"\nform = \"none\"",
+        &[
+            "case.toml:2:",
+            "must have a root mean square gradient of at most 2",
+            "is the unit of the",
+        ],
+    ),
+    (
+        "rms_height = \"50 um\"\nlongest_wavelength = \"50 um\"\nshortest_wavelength = \"10 um\"",
+        &["case.toml:2:", "rms_height must have a root mean square gradient of at most 2"],
+    ),
 ];
 
 #[test]

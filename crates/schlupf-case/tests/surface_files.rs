@@ -1,4 +1,5 @@
-//! Files of surfaces, written by other programs (`surfaces/make.py`), and what is wrong with bad ones.
+//! Files of surfaces, made by `surfaces/make.py` with NumPy and zipfile after ISO 25178-72 (none comes from
+//! an instrument), and what is wrong with bad ones.
 
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
@@ -20,7 +21,7 @@ fn filled() -> SurfaceOptions {
 
 #[track_caller]
 fn map(name: &str, options: &SurfaceOptions) -> HeightMap {
-    match read(&sample(name), options).unwrap() {
+    match read(&sample(name), options).unwrap().data {
         SurfaceData::Map(map) => map,
         SurfaceData::Profile(_) => panic!("{name} is a profile"),
     }
@@ -67,7 +68,7 @@ fn every_format_gives_the_same_surface() {
 #[test]
 fn a_profile_is_read_from_x3p_and_csv() {
     let SurfaceData::Profile(profile) =
-        read(&sample("profile.x3p"), &SurfaceOptions::default()).unwrap()
+        read(&sample("profile.x3p"), &SurfaceOptions::default()).unwrap().data
     else {
         panic!("no profile");
     };
@@ -85,12 +86,101 @@ fn a_profile_is_read_from_x3p_and_csv() {
     let read = |options: &SurfaceOptions| {
         from_bytes("line.csv".to_owned(), text.clone().into_bytes(), options)
     };
-    let SurfaceData::Profile(profile) = read(&filled()).unwrap() else { panic!("no profile") };
+    let SurfaceData::Profile(profile) = read(&filled()).unwrap().data else { panic!("no profile") };
     assert_relative_eq!(profile.spacing(), 2e-6, max_relative = 1e-12);
     let between = 0.5 * (profile.heights()[39] + profile.heights()[41]);
     assert_relative_eq!(profile.heights()[40], between, max_relative = 1e-9);
     let message = read(&SurfaceOptions::default()).unwrap_err().to_string();
     assert!(message.contains("1 of 100 are missing, the first in row 0, column 40"), "{message}");
+}
+
+/// Goal: what a file leaves out of its lattice is a hole: a column, single points, all but every third.
+/// Positions have few digits: 0.35 µm printed as mm with four decimals, so that gaps are 0.3 or 0.4 µm.
+#[test]
+fn points_lie_on_the_nearest_lattice() {
+    type Kept<'a> = &'a dyn Fn(usize, usize) -> bool;
+    let height = |i: usize, j: usize| (i as f64 / 3.0).sin() + (j as f64 / 4.0).cos();
+    let text = |kept: Kept, spacing: f64, digits: usize| {
+        let points = (0..30).flat_map(|j| (0..40).map(move |i| (i, j)));
+        let lines = points.filter(|(i, j)| kept(*i, *j)).map(|(i, j)| {
+            let [x, y] = [i, j].map(|k| k as f64 * spacing);
+            format!("{x:.digits$} {y:.digits$} {:.9}\n", 1e-4 * height(i, j))
+        });
+        lines.collect::<String>()
+    };
+    let all = |_, _| true;
+    let column = |i, _| i != 17;
+    let columns = |i: usize, _| !(5..=17).contains(&i);
+    let cases: [(Kept, f64, usize, f64); 4] = [
+        (&all, 0.35e-3, 4, 0.0),
+        (&column, 1e-3, 6, 1.0 / 40.0),
+        (&columns, 1e-3, 6, 13.0 / 40.0),
+        (&columns, 0.35e-3, 4, 13.0 / 40.0),
+    ];
+    for (kept, spacing, digits, share) in cases {
+        let options = SurfaceOptions { unit: Some("mm".to_owned()), ..filled() };
+        let bytes = text(kept, spacing, digits).into_bytes();
+        let surface = from_bytes("a.xyz".to_owned(), bytes, &options).unwrap();
+        assert_relative_eq!(surface.filled, share, max_relative = 1e-12);
+        let SurfaceData::Map(map) = surface.data else { panic!("no map") };
+        assert_eq!((map.lattice().columns, map.lattice().rows), (40, 30), "{spacing} {share}");
+        assert_relative_eq!(map.lattice().spacing_x, 1e-3 * spacing, max_relative = 5e-3);
+        for (cell, found) in map.heights().iter().enumerate() {
+            let (i, j) = (cell % 40, cell / 40);
+            if kept(i, j) {
+                assert_relative_eq!(*found, 1e-7 * height(i, j), epsilon = 1e-12);
+            }
+        }
+    }
+}
+
+/// A line along y, an array of one dimension or of one column, and a column of an X3P file are profiles.
+#[test]
+fn a_line_in_any_direction_is_a_profile() {
+    let height = |i: usize| (i as f64 * 0.3).sin();
+    let lines: Vec<String> = (0..100).map(|i| format!("3,{},{}", 2 * i, height(i))).collect();
+    let csv = format!("x [um],y [um],height [nm]\n{}\n", lines.join("\n")).into_bytes();
+    let array = |shape: &str| {
+        let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}\n");
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        bytes.extend((header.len() as u16).to_le_bytes());
+        bytes.extend(header.as_bytes());
+        bytes.extend((0..100).flat_map(|i| height(i).to_le_bytes()));
+        bytes
+    };
+    let data: Vec<u8> = (0..100).flat_map(|i| (1e3 * height(i)).round().to_le_bytes()).collect();
+    let column = HEADER
+        .replace("SUR", "PRF")
+        .replace("<SizeX>3", "<SizeX>1")
+        .replace("<SizeY>2", "<SizeY>100")
+        .replace("<Increment>1e-6", "<Increment>2e-6")
+        .replace("<DataType>I</DataType><Increment>1e-9", "<DataType>D</DataType><Increment>1e-12");
+    let x3p = archive(&[("main.xml", column.as_bytes()), ("d.bin", &data)]);
+    let options = SurfaceOptions {
+        unit: Some("nm".to_owned()),
+        spacing: Some([2e-6, 2e-6]),
+        ..SurfaceOptions::default()
+    };
+    let files = [
+        ("a.csv", csv),
+        ("a.npy", array("(100,)")),
+        ("a.npy", array("(1, 100)")),
+        ("a.npy", array("(100, 1)")),
+        ("a.x3p", x3p),
+    ];
+    for (name, bytes) in files {
+        let read = from_bytes(name.to_owned(), bytes, &options).unwrap();
+        let SurfaceData::Profile(profile) = read.data else { panic!("{name} is no profile") };
+        assert_relative_eq!(profile.spacing(), 2e-6, max_relative = 1e-9);
+        let step = profile.heights()[1] - profile.heights()[0];
+        let slope = (profile.heights()[99] - profile.heights()[0] - 1e-9 * height(99)) / 99.0;
+        assert_relative_eq!(step - slope, 1e-9 * height(1), epsilon = 2e-12);
+    }
+    let gaps = lines.iter().enumerate().filter(|(i, _)| *i < 45 || *i == 99);
+    let gaps: Vec<&str> = gaps.map(|(_, line)| line.as_str()).collect();
+    let text = format!("x [um],y [um],height [nm]\n{}\n", gaps.join("\n"));
+    let refused = from_bytes("a.csv".to_owned(), text.into_bytes(), &filled()).unwrap_err();
+    assert!(refused.to_string().contains("at most half of the points may be holes"), "{refused}");
 }
 
 /// Cells that are not square are refused, or the surface is resampled.
@@ -129,13 +219,15 @@ fn each_defect_of_a_file_is_named() {
     let texts = [
         ("a.csv", "x,y,height [um]\n0,0,1\n", "a.csv:1:1: column `x` must name its unit"),
         ("a.csv", "x [um],y [um],z [um]\n0,0,1\n", "has a column `z [um]`"),
-        ("a.csv", "x [um],y [um],height [um]\n0,0,1\n1,0,2\n0,2,3\n0,3,4\n", "lies between"),
+        ("a.csv", "x [um],y [um],height [um]\n0,0,1\n1,0,2\n0,2,3\n0,3.3,4\n", "lies between"),
         ("a.csv", "x [um],height [um]\n0,1\n1,2\n2,3\n1,2\n", "stands in line 3 too"),
         ("a.csv", "x [um],height [um]\n0,1\n1,2\n", "must be at least 64, but is 2"),
         ("a.csv", "x [um],y [um],height [um]\n0,0,1\nnan,0,2\n", "a.csv:3:1: x must be a finite"),
         ("a.xyz", "0 0 1\n1 0 2\n0 1\n", "a.xyz:3:1: a row must have 3 entries"),
         ("a.xyz", "0 0 1\n1 0 up\n", "a.xyz:2:1: height must be a finite number, but is \"up\""),
         ("a.xyz", "", "must have at least two values of x"),
+        ("a.csv", "x [um],y [um],height [m]\n0,0,0\n1,0,2\n", "a.csv:3:1: surface.file must have"),
+        ("a.xyz", "0 0 1\n1 0 -3.4e38\n", "at most 1 m, but this one is -3.4e32 m"),
         ("a.x3p", "x", "must be an X3P file, a zip archive"),
         ("a.npy", "x", "must be an .npy file"),
     ];
@@ -171,9 +263,21 @@ fn each_defect_of_an_x3p_file_is_named() {
         let bytes = archive(&[("main.xml", header.as_bytes()), ("d.bin", data)]);
         from_bytes("a.x3p".to_owned(), bytes, &SurfaceOptions::default())
     };
-    let SurfaceData::Map(map) = read(HEADER, &data).unwrap() else { panic!("no map") };
+    let SurfaceData::Map(map) = read(HEADER, &data).unwrap().data else { panic!("no map") };
     for (height, expected) in map.heights().iter().zip([-2e-9, -1e-9, 0.0, 1e-9, 2e-9, 3e-9]) {
         assert_relative_eq!(*height, expected, max_relative = 1e-14);
+    }
+    // As some programs write it.
+    let legal = [
+        (">d.bin<", ">./d.bin<"),
+        (">d.bin<", ">/d.bin<"),
+        (">d.bin<", ">.\\d.bin<"),
+        ("<DataType>I</DataType><Increment>1e-9", "<DataType>I</DataType><Increment>0"),
+    ];
+    for (from, to) in legal {
+        let data: Vec<u8> = [0_i16, 0, 1, 0, 0, 0].into_iter().flat_map(i16::to_le_bytes).collect();
+        let found = read(&HEADER.replace(from, to), &data);
+        assert!(found.is_ok(), "{from:?} -> {to:?}: {}", found.unwrap_err());
     }
     let cases = [
         ("SUR", "PCL", "must be a surface (SUR) or a profile (PRF), but is \"PCL\""),

@@ -319,6 +319,9 @@ pub struct RoughnessArguments {
     /// What is taken off a measured surface [default: plane]
     #[arg(long, value_name = "plane|cylinder|sphere|none", requires = "surface")]
     pub form: Option<String>,
+    /// Take longer waves than this off a measured surface, such as "0.8 mm" (λc of the Gaussian filter, ISO 16610)
+    #[arg(long, value_name = "LENGTH", requires = "surface")]
+    pub cutoff: Option<String>,
     /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um
     #[arg(long, value_name = "UNIT", requires = "surface")]
     pub unit: Option<String>,

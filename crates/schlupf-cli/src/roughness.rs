@@ -92,6 +92,7 @@ fn fields(arguments: &RoughnessArguments) -> Result<Vec<GivenByOption>, Failure>
         ("SURFACE", "file", file(&arguments.surface).map(quoted)),
         ("--second", "second_file", file(&arguments.second).map(quoted)),
         ("--form", "form", arguments.form.clone()),
+        ("--cutoff", "cutoff_wavelength", arguments.cutoff.clone()),
         ("--unit", "unit", arguments.unit.clone().map(quoted)),
         ("--spacing", "spacing", arguments.spacing.clone()),
         ("--fill-holes", "fill_holes", flag(arguments.fill_holes)),
@@ -165,6 +166,7 @@ const NAMES: &[(&str, &str)] = &[
     ("contact_law.roughness.file", "SURFACE"),
     ("contact_law.roughness.second_file", "--second"),
     ("contact_law.roughness.form", "--form"),
+    ("contact_law.roughness.cutoff_wavelength", "--cutoff"),
     ("contact_law.roughness.unit", "--unit"),
     ("contact_law.roughness.spacing", "--spacing"),
     ("contact_law.roughness.cells", "--cells"),
@@ -253,18 +255,18 @@ fn describe(
             names.join(" and ")
         }
     };
-    let window = if rough.is_periodic { Window::None } else { Window::Hann };
     let mut warnings = rough.notices;
     warnings.extend(caveats(&result, rough.surface.lattice().len(), request.key()));
     RoughnessReport {
         title,
-        spectrum: RadialSpectrum::of(&rough.surface, window),
+        spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
         surface: rough.surface,
         bodies: *request.bodies(),
         contact_modulus: request.key().contact_modulus,
         hardness: request.key().hardness,
         result,
         spots,
+        remarks: rough.remarks,
         warnings,
     }
 }

@@ -24,7 +24,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// A sample of other programs, in the case crate.
+/// A sample of the case crate.
 fn sample(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../schlupf-case/tests/surfaces");
     folder.join(name).display().to_string()
@@ -140,7 +140,7 @@ const BAD: &[(&[&str], &[&str])] = &[
     ),
     (
         &["--synthetic", "rms_height=1 um,longest=1 mm,shortest=2 mm"],
-        &["roll_off must be between the shortest and the longest wavelength"],
+        &["longest must be at least the shortest wavelength, 2e-3 m, but is 1e-3 m"],
     ),
     (
         &["--synthetic", "rms_height=1 um,longest=100 um,shortest=5 um", "--cells", "100"],
@@ -156,7 +156,7 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--hardness 0.5 GPa: --hardness must be above the largest"],
     ),
     (&[QUICK, "--form", "plane"], &["--form"]),
-    (&["line.csv", "--form", "sphere"], &["line.csv is a profile"]),
+    (&["line.csv", "--cutoff", "1 m"], &["--cutoff 1 m: --cutoff must be between two cells"]),
     (&["line.csv", "--form", "cone"], &["--form cone: --form must be one of"]),
     (&["line.csv", "--heights", "line.csv"], &["is that of the surface"]),
 ];

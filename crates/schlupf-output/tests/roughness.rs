@@ -44,6 +44,7 @@ fn report() -> RoughnessReport {
             gap: vec![0.0; 64 * 64],
             is_converged: true,
         }),
+        remarks: vec!["a remark".to_owned()],
         warnings: vec!["a warning".to_owned()],
     }
 }

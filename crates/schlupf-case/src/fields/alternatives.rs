@@ -36,6 +36,7 @@ pub const OF_FILE: &[&str] = &[
     "contact_law.roughness.unit",
     "contact_law.roughness.spacing",
     "contact_law.roughness.form",
+    "contact_law.roughness.cutoff_wavelength",
     "contact_law.roughness.fill_holes",
     "contact_law.roughness.square_cells",
 ];
@@ -56,6 +57,7 @@ pub const ROUGHNESS: &[&str] = &[
     "contact_law.roughness.unit",
     "contact_law.roughness.spacing",
     "contact_law.roughness.form",
+    "contact_law.roughness.cutoff_wavelength",
     "contact_law.roughness.fill_holes",
     "contact_law.roughness.square_cells",
     "contact_law.roughness.cells",

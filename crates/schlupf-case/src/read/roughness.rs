@@ -34,6 +34,7 @@ const LONGEST: &str = "contact_law.roughness.longest_wavelength";
 const ROLL_OFF: &str = "contact_law.roughness.roll_off_wavelength";
 const SHORTEST: &str = "contact_law.roughness.shortest_wavelength";
 const HURST: &str = "contact_law.roughness.hurst";
+const CUTOFF: &str = "contact_law.roughness.cutoff_wavelength";
 const FORM: &str = "contact_law.roughness.form";
 const PRESSURES: &str = "contact_law.roughness.pressures";
 const HARDNESS: &str = "contact_law.roughness.hardness";
@@ -151,6 +152,13 @@ fn spectrum(settings: &Settings, given: &str) -> Result<SurfaceSource, CaseError
         (None, Some(height)) => Roughness::Height(height),
         (None, None) => return Err(settings.missing_beside(RMS_HEIGHT, given)),
     };
+    if longest_wavelength < shortest_wavelength {
+        let [longest, shortest] = [longest_wavelength, shortest_wavelength].map(readable);
+        let message = format!(
+            "{LONGEST} must be at least the shortest wavelength, {shortest} m, but is {longest} m"
+        );
+        return Err(settings.error(LONGEST, message));
+    }
     let spectrum = SelfAffine {
         roughness,
         hurst_exponent: settings.optional_number(HURST)?.unwrap_or(TYPICAL_HURST),
@@ -180,10 +188,11 @@ fn files(settings: &Settings, folder: &Path) -> Result<SurfaceSource, CaseError>
         holes: if fill { Holes::Fill } else { Holes::Refuse },
         cells: if square { Cells::MakeSquare } else { Cells::RefuseNonSquare },
     };
+    let cutoff = settings.optional_number(CUTOFF)?;
     let second = text(SECOND_FILE)?;
     let files = [settings.text(FILE)?].into_iter().chain(second);
     let files = files.map(|file| folder.join(file)).collect();
-    source(settings, SurfaceOrigin::Files { files, options, form })
+    source(settings, SurfaceOrigin::Files { files, options, form, cutoff })
 }
 
 fn source(settings: &Settings, origin: SurfaceOrigin) -> Result<SurfaceSource, CaseError> {
@@ -260,8 +269,7 @@ fn hardness(settings: &Settings, largest_pressure: f64) -> Result<f64, CaseError
 
 /// What the core and the files call things, and the names of the fields.
 const NAMES: &[(&str, &str)] = &[
-    ("surface.file: ", "contact_law.roughness.file: "),
-    ("surface.file must", "contact_law.roughness.file must"),
+    ("surface.file ", "contact_law.roughness.file "),
     ("surface.unit", "contact_law.roughness.unit"),
     ("surface.spacing_x", "contact_law.roughness.spacing"),
     ("surface.spacing", "contact_law.roughness.spacing"),
@@ -271,6 +279,7 @@ const NAMES: &[(&str, &str)] = &[
     ("surface.longest_wavelength", LONGEST),
     ("surface.roll_off_wavelength", ROLL_OFF),
     ("surface.shortest_wavelength", SHORTEST),
+    ("surface.cutoff_wavelength", CUTOFF),
     ("surface.hardness", HARDNESS),
     ("surface.form", FORM),
     ("surface.columns", "contact_law.roughness.cells"),
@@ -284,14 +293,26 @@ const NAMES: &[(&str, &str)] = &[
 /// An error of a surface, in terms of the case. One in a line of the file stays there; all others are at
 /// the field that names it.
 fn placed(settings: &Settings, error: CaseError) -> CaseError {
+    let file = file_of(settings, &error.place);
     let error = renamed(error, NAMES);
-    let field = if error.field == "surface.file" { FILE } else { &error.field };
+    let error = renamed(error, &[(FILE, file)]);
+    let field = if error.field == "surface.file" { file } else { &error.field };
     let field = field.to_owned();
     let place = match error.place {
         Place::Text { .. } => error.place,
         _ => place_of(settings, &field),
     };
     CaseError { field, place, cause: Cause::Input, ..error }
+}
+
+/// The field that names the file in which something is wrong.
+fn file_of(settings: &Settings, place: &Place) -> &'static str {
+    let Place::File { name } = place else { return FILE };
+    let is_named = |field: &str| {
+        settings.is_given(field)
+            && settings.text(field).is_ok_and(|text| Path::new(name).ends_with(text))
+    };
+    if is_named(SECOND_FILE) && !is_named(FILE) { SECOND_FILE } else { FILE }
 }
 
 fn place_of(settings: &Settings, field: &str) -> Place {

@@ -8,11 +8,12 @@ mod x3p;
 use std::path::Path;
 
 use schlupf::Error;
-use schlupf::surface::holes::Holes;
+use schlupf::surface::holes::{Holes, require_few};
 use schlupf::surface::profile::Profile;
 use schlupf::surface::{HeightMap, Lattice};
 
 use crate::error::{CaseError, Cause};
+use crate::fields::readable;
 use crate::place::Place;
 use crate::units::{Measure, parse_unit};
 
@@ -52,11 +53,20 @@ pub enum SurfaceData {
     Profile(Profile),
 }
 
+/// What was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredSurface {
+    /// Without holes.
+    pub data: SurfaceData,
+    /// Part of its points that had no height and were filled, dimensionless.
+    pub filled: f64,
+}
+
 /// Reads a file of the format that its ending names.
-pub fn read(path: &Path, options: &SurfaceOptions) -> Result<SurfaceData, CaseError> {
+pub fn read(path: &Path, options: &SurfaceOptions) -> Result<MeasuredSurface, CaseError> {
     let name = path.display().to_string();
     let bytes = std::fs::read(path).map_err(|error| {
-        let message = format!("{FILE} must be a readable file, but is {name:?}: {error}");
+        let message = format!("{FILE} must be a readable file, but is not: {error}");
         let place = Place::File { name: name.clone() };
         CaseError { cause: Cause::FileSystem, ..CaseError::new(FILE, message, place) }
     })?;
@@ -68,7 +78,7 @@ pub fn from_bytes(
     name: String,
     bytes: Vec<u8>,
     options: &SurfaceOptions,
-) -> Result<SurfaceData, CaseError> {
+) -> Result<MeasuredSurface, CaseError> {
     let ending = Path::new(&name).extension().and_then(|ending| ending.to_str());
     match ending.map(str::to_lowercase).as_deref() {
         Some("csv") => points::from_csv(name, bytes, options),
@@ -79,9 +89,9 @@ pub fn from_bytes(
     }
 }
 
-/// An error of all of a file; the message follows its name.
+/// An error of all of a file, which its place names; the message follows the field.
 fn refusal(name: &str, message: impl AsRef<str>) -> CaseError {
-    let message = format!("{FILE}: {name} {}", message.as_ref());
+    let message = format!("{FILE} {}", message.as_ref());
     CaseError::new(FILE, message, Place::File { name: name.to_owned() })
 }
 
@@ -97,37 +107,61 @@ fn unit(name: &str, options: &SurfaceOptions) -> Result<crate::units::Conversion
     })
 }
 
-/// Heights with holes as a surface: a profile if there is one row.
+/// Heights with holes as a surface: a profile if there is one row or one column.
 fn finish(
     name: &str,
     lattice: Lattice,
     heights: Vec<f64>,
     options: &SurfaceOptions,
-) -> Result<SurfaceData, CaseError> {
+) -> Result<MeasuredSurface, CaseError> {
     let explain = |error: Error| refusal(name, format!("is no surface: {error}"));
+    if let Some(cell) = heights.iter().position(|height| is_too_high(*height)) {
+        let (row, column) = (cell / lattice.columns, cell % lattice.columns);
+        let message = too_high(heights[cell], &format!("in row {row}, column {column}"));
+        return Err(refusal(name, message).help(ADVICE_ON_HEIGHTS.to_owned()));
+    }
     let holes = heights.iter().filter(|height| !height.is_finite()).count();
     if holes > 0 && options.holes == Holes::Refuse {
         return Err(holes_error(name, &lattice, &heights));
     }
-    if lattice.rows == 1 {
+    let filled = holes as f64 / heights.len().max(1) as f64;
+    if lattice.rows == 1 || lattice.columns == 1 {
+        require_few(&heights).map_err(explain)?;
         let heights = if holes > 0 { bridged(&heights) } else { heights };
-        let profile = Profile::new(lattice.spacing_x, &heights).map_err(explain)?;
-        return Ok(SurfaceData::Profile(profile));
+        let spacing = if lattice.rows == 1 { lattice.spacing_x } else { lattice.spacing_y };
+        let profile = Profile::new(spacing, &heights).map_err(explain)?;
+        return Ok(MeasuredSurface { data: SurfaceData::Profile(profile), filled });
     }
     let map = HeightMap::with_holes(lattice, heights, options.holes).map_err(explain)?;
     map.require_rough().map_err(explain)?;
-    if lattice.has_square_cells() {
-        return Ok(SurfaceData::Map(map));
-    }
-    match options.cells {
-        Cells::MakeSquare => Ok(SurfaceData::Map(map.with_square_cells().map_err(explain)?)),
+    let map = match options.cells {
+        _ if lattice.has_square_cells() => map,
+        Cells::MakeSquare => map.with_square_cells().map_err(explain)?,
         Cells::RefuseNonSquare => {
             let [x, y] = [lattice.spacing_x, lattice.spacing_y].map(micrometres);
             let error =
                 refusal(name, format!("must have square cells, but they are {x} µm by {y} µm"));
-            Err(error.help("ask for square cells: the surface is then resampled".to_owned()))
+            let advice = "ask for square cells: the surface is then resampled";
+            return Err(error.help(advice.to_owned()));
         }
-    }
+    };
+    Ok(MeasuredSurface { data: SurfaceData::Map(map), filled })
+}
+
+/// Heights (in m) beyond this are none of a rough surface, but in a wrong unit or sentinels for missing
+/// values.
+const HIGHEST: f64 = 1.0;
+
+const ADVICE_ON_HEIGHTS: &str =
+    "is it in another unit, or does it stand for a missing value? A missing one must be nan";
+
+fn is_too_high(height: f64) -> bool {
+    height.is_infinite() || height.abs() > HIGHEST
+}
+
+/// What is wrong with a height (in m) that is too high at a place.
+fn too_high(height: f64, place: &str) -> String {
+    format!("must have heights of at most {HIGHEST} m, but {place} is {} m", readable(height))
 }
 
 fn holes_error(name: &str, lattice: &Lattice, heights: &[f64]) -> CaseError {

@@ -2,14 +2,18 @@
 
 use schlupf::surface::Lattice;
 
-use super::{SurfaceData, SurfaceOptions, finish, refusal, unit};
+use super::{MeasuredSurface, SurfaceOptions, finish, refusal, unit};
 use crate::error::CaseError;
 use crate::place::Place;
 use crate::tables::npy;
 
-/// Rows along x.
-pub fn read(name: &str, bytes: &[u8], options: &SurfaceOptions) -> Result<SurfaceData, CaseError> {
-    let array = npy::parse(bytes).map_err(|message| refusal(name, message))?;
+/// Rows along x; an array of one dimension is a line.
+pub fn read(
+    name: &str,
+    bytes: &[u8],
+    options: &SurfaceOptions,
+) -> Result<MeasuredSurface, CaseError> {
+    let array = npy::parse_map_or_line(bytes).map_err(|message| refusal(name, message))?;
     let convert = unit(name, options)?;
     let [spacing_x, spacing_y] = options.spacing.ok_or_else(|| {
         let message =

@@ -2,7 +2,10 @@
 
 use schlupf::surface::Lattice;
 
-use super::{FILE, SurfaceData, SurfaceOptions, finish, refusal, unit};
+use super::{
+    ADVICE_ON_HEIGHTS, FILE, MeasuredSurface, SurfaceOptions, finish, is_too_high, refusal,
+    too_high, unit,
+};
 use crate::error::CaseError;
 use crate::tables::axis::{Axis, rounded};
 use crate::tables::columns::{Column, Columns};
@@ -12,7 +15,7 @@ const fn length(name: &'static str, required: bool, holes: bool) -> Column {
     Column { name, measure: Some(&Measure::LENGTH), required, holes }
 }
 
-/// Without y it is a profile.
+/// Without y, or all along x or all along y, it is a profile.
 const COLUMNS: [Column; 3] =
     [length("x", true, false), length("y", false, false), length("height", true, true)];
 
@@ -24,7 +27,7 @@ pub fn from_csv(
     name: String,
     bytes: Vec<u8>,
     options: &SurfaceOptions,
-) -> Result<SurfaceData, CaseError> {
+) -> Result<MeasuredSurface, CaseError> {
     from_columns(&Columns::read(name, bytes, FILE, &COLUMNS)?, options)
 }
 
@@ -33,19 +36,26 @@ pub fn from_xyz(
     name: String,
     bytes: Vec<u8>,
     options: &SurfaceOptions,
-) -> Result<SurfaceData, CaseError> {
+) -> Result<MeasuredSurface, CaseError> {
     let convert = unit(&name, options)?;
     from_columns(&Columns::read_bare(name, bytes, FILE, &COLUMNS, convert)?, options)
 }
 
-fn from_columns(columns: &Columns, options: &SurfaceOptions) -> Result<SurfaceData, CaseError> {
+fn from_columns(columns: &Columns, options: &SurfaceOptions) -> Result<MeasuredSurface, CaseError> {
     let name = &columns.source.name;
     let [xs, ys, heights] = &columns.values[..] else {
         return Err(refusal(name, "must have three columns"));
     };
-    let x = Axis::of("x", xs, columns)?;
-    let is_line = ys.windows(2).all(|pair| pair[0] == pair[1]);
-    let y = if is_line { None } else { Some(Axis::of("y", ys, columns)?) };
+    if let Some(row) = heights.iter().position(|height| is_too_high(*height)) {
+        let message = format!("{FILE} {}", too_high(heights[row], "this one"));
+        return Err(columns.error(columns.lines[row], message).help(ADVICE_ON_HEIGHTS.to_owned()));
+    }
+    let is_level = |values: &[f64]| values.windows(2).all(|pair| pair[0] == pair[1]);
+    // A line along y is a profile as well as one along x.
+    let (xs, ys, name_of_x) =
+        if is_level(xs) && !is_level(ys) { (ys, xs, "y") } else { (xs, ys, "x") };
+    let x = Axis::of(name_of_x, xs, columns)?;
+    let y = if is_level(ys) { None } else { Some(Axis::of("y", ys, columns)?) };
     let rows = y.as_ref().map_or(1, |y| y.count);
     if x.count.saturating_mul(rows) > MAX_SPARSE * xs.len() {
         let message = format!(
@@ -64,14 +74,31 @@ fn from_columns(columns: &Columns, options: &SurfaceOptions) -> Result<SurfaceDa
             let at = rounded(xs[k] * 1e3);
             let first = lines[cell];
             let message = format!(
-                "every point must be given once, but that at x = {at} mm stands in line {first} too"
+                "every point must be given once, but that at {name_of_x} = {at} mm stands in line {first} too"
             );
             return Err(columns.error(line, message));
         }
         lines[cell] = line;
         map[cell] = height;
     }
-    let spacing_y = y.as_ref().map_or(x.spacing, |y| y.spacing);
-    let lattice = Lattice { columns: x.count, rows, spacing_x: x.spacing, spacing_y };
+    let [spacing_x, spacing_y] = match &y {
+        Some(y) => spacings([&x, y], ["x", "y"].map(|name| columns.digit(name))),
+        None => [x.spacing; 2],
+    };
+    let lattice = Lattice { columns: x.count, rows, spacing_x, spacing_y };
     finish(name, lattice, map, options)
+}
+
+/// Spacings along x and y (in m); the same where they differ by no more than the last digits of the positions
+/// leave open. The longer side knows it better.
+fn spacings([x, y]: [&Axis; 2], digits: [f64; 2]) -> [f64; 2] {
+    let lengths = [x, y].map(|axis| axis.spacing * axis.count as f64);
+    let open = digits[0] / lengths[0] + digits[1] / lengths[1];
+    if (x.spacing / y.spacing - 1.0).abs() > open {
+        [x.spacing, y.spacing]
+    } else if lengths[0] >= lengths[1] {
+        [x.spacing; 2]
+    } else {
+        [y.spacing; 2]
+    }
 }

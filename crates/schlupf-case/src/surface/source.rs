@@ -5,12 +5,22 @@ use std::path::{Path, PathBuf};
 use schlupf::Error;
 use schlupf::surface::form::Form;
 use schlupf::surface::profile::Profile;
-use schlupf::surface::synthesis::SelfAffine;
+use schlupf::surface::spectrum::spectral_gradient;
+use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 
-use super::{SurfaceData, SurfaceOptions, read, refusal};
+use super::{MeasuredSurface, SurfaceData, SurfaceOptions, read, refusal};
 use crate::error::CaseError;
+use crate::fields::readable;
 use crate::place::Place;
+
+/// What is taken off a measured surface.
+#[derive(Clone, Copy)]
+struct TakenOff {
+    form: Option<Form>,
+    /// In m.
+    cutoff: Option<f64>,
+}
 
 /// Where the roughness of both bodies together comes from.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +48,8 @@ pub enum SurfaceOrigin {
         options: SurfaceOptions,
         /// What is taken off each of them.
         form: Option<Form>,
+        /// Longer waves than this are taken off after that (in m).
+        cutoff: Option<f64>,
     },
 }
 
@@ -46,11 +58,19 @@ pub enum SurfaceOrigin {
 pub struct RoughSurface {
     /// Heights of both surfaces together, without form.
     pub surface: HeightMap,
-    /// Whether it continues periodically without a jump, as made surfaces do.
-    pub is_periodic: bool,
-    /// What the reader should know about it.
+    /// How it was made of what was given.
+    pub remarks: Vec<String>,
+    /// What is doubtful about it.
     pub notices: Vec<String>,
 }
+
+/// The micro model takes slopes for small: root mean square gradients from which that is doubtful, and from
+/// which something else is wrong; dimensionless.
+const DOUBTFUL_GRADIENT: f64 = 0.5;
+const LARGEST_GRADIENT: f64 = 2.0;
+
+/// From this part of filled points on a surface is doubtful, dimensionless.
+const DOUBTFUL_FILLING: f64 = 0.05;
 
 /// Most cells along a side of a surface made from a profile, unless the user asks for more.
 const MOST_CELLS: usize = 1024;
@@ -58,16 +78,51 @@ const MOST_CELLS: usize = 1024;
 impl SurfaceSource {
     /// Reads or makes the surface. Errors name fields of `surface`; see [`renamed`].
     pub fn load(&self) -> Result<RoughSurface, CaseError> {
-        let mut notices = Vec::new();
-        let (surface, is_periodic) = match &self.origin {
-            SurfaceOrigin::SelfAffine(spectrum) => (self.self_affine(spectrum)?, true),
-            SurfaceOrigin::Files { files, options, form } => {
-                self.of_files(files, options, *form, &mut notices)?
+        let mut said = Said::default();
+        let surface = match &self.origin {
+            SurfaceOrigin::SelfAffine(spectrum) => self.self_affine(spectrum)?,
+            SurfaceOrigin::Files { files, options, form, cutoff } => {
+                let taken_off = TakenOff { form: *form, cutoff: *cutoff };
+                self.of_files(files, options, taken_off, &mut said)?
             }
         };
         let surface = surface.about_its_mean();
         surface.require_rough().map_err(|error| explained(&error))?;
-        Ok(RoughSurface { surface, is_periodic, notices })
+        said.notices.extend(self.check_gradient(&surface)?);
+        Ok(RoughSurface { surface, remarks: said.remarks, notices: said.notices })
+    }
+
+    /// Refuses a surface that is too steep to be one; what to say of one that is nearly so.
+    fn check_gradient(&self, surface: &HeightMap) -> Result<Option<String>, CaseError> {
+        let gradient = spectral_gradient(surface);
+        if gradient <= DOUBTFUL_GRADIENT {
+            return Ok(None);
+        }
+        let is = readable(gradient);
+        if gradient <= LARGEST_GRADIENT {
+            return Ok(Some(format!(
+                "the root mean square gradient is {is}: the model takes slopes for small, its k_c is doubtful"
+            )));
+        }
+        let [low, high] = surface.range().map(|height| readable(height * 1e6));
+        let (field, cause) = match &self.origin {
+            SurfaceOrigin::SelfAffine(SelfAffine { roughness: Roughness::Gradient(_), .. }) => {
+                ("surface.gradient", "")
+            }
+            SurfaceOrigin::SelfAffine(_) => {
+                ("surface.h_rms", "; is it too high for the shortest wavelength?")
+            }
+            SurfaceOrigin::Files { .. } => (
+                "surface.file",
+                "; is the unit of the heights or the spacing of the points another, or do single heights \
+                 stand for missing values?",
+            ),
+        };
+        let message = format!(
+            "{field} must have a root mean square gradient of at most {LARGEST_GRADIENT}, but has {is} with \
+             heights from {low} to {high} µm{cause}"
+        );
+        Err(CaseError::new(field, message, Place::Default))
     }
 
     fn self_affine(&self, spectrum: &SelfAffine) -> Result<HeightMap, CaseError> {
@@ -83,12 +138,12 @@ impl SurfaceSource {
         &self,
         files: &[PathBuf],
         options: &SurfaceOptions,
-        form: Option<Form>,
-        notices: &mut Vec<String>,
-    ) -> Result<(HeightMap, bool), CaseError> {
+        taken_off: TakenOff,
+        said: &mut Said,
+    ) -> Result<HeightMap, CaseError> {
         let mut data = Vec::new();
         for file in files {
-            data.push((file, self.one_file(file, options, form, notices)?));
+            data.push((file, self.one_file(file, options, taken_off, said)?));
         }
         let measured = data.iter().find_map(|(_, data)| match data {
             SurfaceData::Map(map) => Some(*map.lattice()),
@@ -100,7 +155,13 @@ impl SurfaceSource {
                 SurfaceData::Map(map) => map.clone(),
                 SurfaceData::Profile(profile) => {
                     let seed = self.seed.wrapping_add(k as u64);
-                    self.extended(profile, measured, seed, notices)?
+                    said.remarks.push(format!(
+                        "{}: from a profile of {} points with Rq = {} µm",
+                        file.display(),
+                        profile.heights().len(),
+                        readable(profile.root_mean_square_height() * 1e6)
+                    ));
+                    self.extended(profile, measured, seed, said)?
                 }
             };
             sum = Some(match sum {
@@ -108,43 +169,50 @@ impl SurfaceSource {
                 Some(sum) => sum.plus(&map).map_err(|error| of_file(file, &error))?,
             });
         }
-        let sum = sum.ok_or_else(|| {
+        sum.ok_or_else(|| {
             let place = Place::Default;
             CaseError::new("surface.file", "surface.file must name a file", place)
-        })?;
-        Ok((sum, measured.is_none()))
+        })
     }
 
-    /// A file without its form, in the cells that were asked for.
+    /// A file without its form and waviness, in the cells that were asked for.
     fn one_file(
         &self,
         file: &Path,
         options: &SurfaceOptions,
-        form: Option<Form>,
-        notices: &mut Vec<String>,
+        taken_off: TakenOff,
+        said: &mut Said,
     ) -> Result<SurfaceData, CaseError> {
-        let map = match read(file, options)? {
-            SurfaceData::Map(map) => map,
-            SurfaceData::Profile(profile) => {
-                if matches!(form, Some(Form::Cylinder | Form::Sphere)) {
-                    let name = file.display().to_string();
-                    let reason = "is a profile, of which only a straight line can be taken off";
-                    let message = format!("surface.form must be plane: {name} {reason}");
-                    return Err(CaseError::new("surface.form", message, Place::File { name }));
-                }
-                return Ok(SurfaceData::Profile(profile));
+        let MeasuredSurface { data, filled } = read(file, options)?;
+        said.filling(file, filled, matches!(data, SurfaceData::Profile(_)));
+        let data = match (data, taken_off.form) {
+            (SurfaceData::Profile(profile), Some(Form::Cylinder | Form::Sphere)) => {
+                let removal = profile.without_circle();
+                let (profile, radius) = removal.map_err(|error| of_file(file, &error))?;
+                said.form(file, radius);
+                SurfaceData::Profile(profile)
             }
-        };
-        let map = match form {
-            None => map,
-            Some(form) => {
+            (SurfaceData::Map(map), Some(form)) => {
                 let removal = map.without_form(form).map_err(|error| of_file(file, &error))?;
                 if form != Form::Plane {
-                    let (radius, name) = (removal.radius * 1e3, file.display());
-                    notices.push(format!("{name}: a form of radius {radius:.4e} mm was taken off"));
+                    said.form(file, removal.radius);
                 }
-                removal.surface
+                SurfaceData::Map(removal.surface)
             }
+            (data, _) => data,
+        };
+        let data = match (data, taken_off.cutoff) {
+            (SurfaceData::Profile(profile), Some(cutoff)) => {
+                profile.without_waviness(cutoff).map(SurfaceData::Profile)
+            }
+            (SurfaceData::Map(map), Some(cutoff)) => {
+                map.without_waviness(cutoff).map(SurfaceData::Map)
+            }
+            (data, None) => Ok(data),
+        };
+        let map = match data.map_err(|error| explained(&error))? {
+            SurfaceData::Map(map) => map,
+            SurfaceData::Profile(profile) => return Ok(SurfaceData::Profile(profile)),
         };
         let Some(cells) = self.cells else { return Ok(SurfaceData::Map(map)) };
         let lattice = map.lattice();
@@ -159,20 +227,54 @@ impl SurfaceSource {
         profile: &Profile,
         lattice: Option<Lattice>,
         seed: u64,
-        notices: &mut Vec<String>,
+        said: &mut Said,
     ) -> Result<HeightMap, CaseError> {
         let points = profile.heights().len();
         let length = points as f64 * profile.spacing();
         let cells = self.cells.unwrap_or(points.min(MOST_CELLS));
         let lattice = lattice.unwrap_or(Lattice::square(cells, length));
         if lattice.spacing_x > 1.01 * profile.spacing() {
-            notices.push(format!(
+            said.notices.push(format!(
                 "waves of the profile shorter than {:.3} µm, two cells, are left out; more cells would \
                  keep them",
                 2e6 * lattice.spacing_x
             ));
         }
         profile.isotropic_surface(lattice, seed).map_err(|error| explained(&error))
+    }
+}
+
+/// What is said of a surface while it is made.
+#[derive(Default)]
+struct Said {
+    remarks: Vec<String>,
+    notices: Vec<String>,
+}
+
+impl Said {
+    /// Of a form of a radius (in m) that was taken off.
+    fn form(&mut self, file: &Path, radius: f64) {
+        let name = file.display();
+        let kind = if radius < 0.0 { "hollow" } else { "round" };
+        let radius = readable(1e3 * radius.abs());
+        self.remarks.push(format!("{name}: a {kind} form of radius {radius} mm was taken off"));
+    }
+
+    /// Of a part of points that was filled.
+    fn filling(&mut self, file: &Path, filled: f64, is_profile: bool) {
+        if filled <= 0.0 {
+            return;
+        }
+        let (name, share) = (file.display(), readable(1e2 * filled));
+        let what = if is_profile { "points" } else { "cells" };
+        let text = format!("{name}: {share} % of the {what} had no height and were filled");
+        if filled <= DOUBTFUL_FILLING {
+            self.remarks.push(text);
+        } else {
+            self.notices.push(format!(
+                "{text}: they are smooth, and Sa, Sq, Ssk, Sku, Sz, the gradients and k_c count them"
+            ));
+        }
     }
 }
 

@@ -5,13 +5,14 @@
 //! as text, with invalid points as NaN, as empty text or in a file of bits. Not read are point clouds
 //! (`PCL`) and several layers or profiles in a file. Checksums are those of the archive.
 
+use std::borrow::Cow;
 use std::io::{Cursor, Read};
 
 use roxmltree::{Document, Node};
 use schlupf::surface::Lattice;
 use zip::ZipArchive;
 
-use super::{SurfaceData, SurfaceOptions, finish, refusal};
+use super::{MeasuredSurface, SurfaceOptions, finish, refusal};
 use crate::error::CaseError;
 
 /// What is wrong with a file, to follow its name in a sentence.
@@ -28,7 +29,7 @@ pub fn read(
     name: &str,
     bytes: Vec<u8>,
     options: &SurfaceOptions,
-) -> Result<SurfaceData, CaseError> {
+) -> Result<MeasuredSurface, CaseError> {
     let (lattice, heights) = parse(bytes).map_err(|message| refusal(name, message))?;
     finish(name, lattice, heights, options)
 }
@@ -60,8 +61,11 @@ fn parse(bytes: Vec<u8>) -> Result<(Lattice, Vec<f64>), Message> {
 
 /// A file of the archive, up to some bytes.
 fn member(archive: &mut Archive, name: &str, largest: usize) -> Result<Vec<u8>, Message> {
+    let wanted = plain(name);
+    let names = archive.file_names().filter_map(Result::ok);
+    let found = names.map(Cow::into_owned).find(|found| plain(found) == wanted);
     let file = archive
-        .by_name(name)
+        .by_name(found.as_deref().unwrap_or(name))
         .map_err(|error| format!("must have a file {name} in its archive: {error}"))?;
     let mut bytes = Vec::new();
     // One more shows that there are too many.
@@ -72,6 +76,13 @@ fn member(archive: &mut Archive, name: &str, largest: usize) -> Result<Vec<u8>, 
         return Err(format!("must have at most {largest} bytes in {name}, but has more"));
     }
     Ok(bytes)
+}
+
+/// A path within the archive, which some programs begin with `./` or `/` or write with backslashes.
+fn plain(name: &str) -> String {
+    let name = name.replace('\\', "/");
+    let parts = name.split('/').filter(|part| !["", "."].contains(part));
+    parts.collect::<Vec<&str>>().join("/")
 }
 
 /// The child of a name, in any namespace.
@@ -136,9 +147,10 @@ impl<'a> Axis<'a> {
         }
     }
 
-    /// From a stored number to m.
+    /// From a stored number to m. Where each value is stored, some programs write a step of zero.
     fn value(&self, number: f64) -> f64 {
-        self.increment.unwrap_or(1.0) * number + self.offset
+        let step = self.increment.filter(|step| *step != 0.0 || self.kind != "A");
+        step.unwrap_or(1.0) * number + self.offset
     }
 }
 
@@ -153,7 +165,7 @@ fn lattice(root: Node<'_, '_>) -> Result<Lattice, Message> {
         count.ok_or_else(|| format!("must have a positive {name}, but has {text:?}"))
     };
     let [columns, rows, layers] = [size("SizeX")?, size("SizeY")?, size("SizeZ")?];
-    if layers != 1 || (kind == "PRF" && rows != 1) {
+    if layers != 1 || (kind == "PRF" && rows != 1 && columns != 1) {
         return Err(format!(
             "must have one layer or one profile, but has SizeX, SizeY, SizeZ = {columns}, {rows}, {layers}"
         ));
@@ -161,8 +173,14 @@ fn lattice(root: Node<'_, '_>) -> Result<Lattice, Message> {
     if columns.saturating_mul(rows) > MOST_POINTS {
         return Err(format!("must have at most {MOST_POINTS} points, but has {columns} by {rows}"));
     }
-    let spacing_x = Axis::of(root, "CX")?.spacing()?;
-    let spacing_y = if rows == 1 { spacing_x } else { Axis::of(root, "CY")?.spacing()? };
+    let spacing = |axis: &'static str| Axis::of(root, axis)?.spacing();
+    // The points of a profile lie along x, also where the matrix holds them in a column.
+    let (spacing_x, spacing_y) = match (columns, rows) {
+        (_, 1) => (spacing("CX")?, spacing("CX")?),
+        (1, _) if kind == "PRF" => (spacing("CX")?, spacing("CX")?),
+        (1, _) => (spacing("CY")?, spacing("CY")?),
+        _ => (spacing("CX")?, spacing("CY")?),
+    };
     Ok(Lattice { columns, rows, spacing_x, spacing_y })
 }
 

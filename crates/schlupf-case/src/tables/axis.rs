@@ -3,11 +3,16 @@
 use super::columns::Columns;
 use crate::error::CaseError;
 
-/// Positions may differ from the lattice by this part of a spacing: text has few digits.
+/// Positions may differ from the lattice by this part of a spacing, or by half of their last digit if that
+/// is more, but never by more than this part.
 const ROUNDING: f64 = 0.01;
+const LARGEST_ROUNDING: f64 = 0.25;
+
+/// Half of the last digit, and what the lattice is off itself because of it.
+const DIGIT: f64 = 0.75;
 
 /// Equidistant positions.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Axis {
     /// The lowest, in m.
     pub first: f64,
@@ -18,36 +23,68 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// The lattice that positions in any order lie on.
+    /// The lattice that positions of the column `name`, in any order, lie on: not every place of it needs
+    /// to be taken.
     pub fn of(name: &str, positions: &[f64], columns: &Columns) -> Result<Self, CaseError> {
         let mut sorted = positions.to_vec();
         sorted.sort_by(f64::total_cmp);
-        let widest = sorted.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else {
+        let mut gaps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        gaps.sort_by(f64::total_cmp);
+        if sorted.is_empty() {
             let file = columns.field();
             let message =
                 format!("{file} must have at least two values of {name}, but has no rows");
             return Err(columns.error(columns.header_line, message));
-        };
+        }
+        let widest = gaps.last().copied().unwrap_or(0.0);
         if widest <= 0.0 {
             let message =
                 format!("{name} must have at least two values, but is the same everywhere");
             return Err(columns.error(columns.header_line, message));
         }
-        let steps = ((last - first) / widest).round();
-        let axis = Self { first, spacing: (last - first) / steps, count: 1 + steps as usize };
-        let stray = positions.iter().position(|x| !axis.holds(*x) || !steps.is_finite());
-        match stray {
-            None => Ok(axis),
-            Some(row) => {
-                let message = format!(
-                    "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
-                    rounded(positions[row] * 1e3),
-                    rounded(axis.spacing * 1e3)
-                );
-                Err(columns.error(columns.lines[row], message))
-            }
+        let digit = columns.digit(name);
+        // Where no line is missing the widest gap is the spacing, else most of the gaps are.
+        let median = |least: f64| {
+            let wide = &gaps[gaps.partition_point(|gap| *gap <= least)..];
+            wide.get(wide.len() / 2).copied().unwrap_or(widest)
+        };
+        let median = median((ROUNDING * widest).min(DIGIT * digit));
+        let lattices = [widest, median].map(|gap| Self::through(&sorted, gap));
+        let fits = |axis: &&Self| sorted.iter().all(|x| axis.holds(*x, digit));
+        if let Some(axis) = lattices.iter().find(fits) {
+            return Ok(*axis);
         }
+        let axis = &lattices[1];
+        let stray = positions.iter().position(|x| !axis.holds(*x, digit)).unwrap_or(0);
+        let message = format!(
+            "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
+            rounded(positions[stray] * 1e3),
+            rounded(axis.spacing * 1e3)
+        );
+        Err(columns.error(columns.lines[stray], message))
+    }
+
+    /// The lattice of about a spacing (in m) that is nearest to sorted positions, by least squares.
+    fn through(sorted: &[f64], spacing: f64) -> Self {
+        let gaps = || sorted.windows(2).map(|pair| pair[1] - pair[0]);
+        // Few digits make a gap longer and the next one shorter: their mean spans wide ones better.
+        let near = gaps().filter(|gap| (gap / spacing - 1.0).abs() < 0.5);
+        let (count, sum) = near.fold((0.0, 0.0), |(count, sum), gap| (count + 1.0, sum + gap));
+        let spacing = if count > 0.0 { sum / count } else { spacing };
+        let steps = gaps().map(|gap| (gap / spacing).round());
+        let indices: Vec<f64> = std::iter::once(0.0)
+            .chain(steps.scan(0.0, |index, step| {
+                *index += step;
+                Some(*index)
+            }))
+            .collect();
+        let count = sorted.len() as f64;
+        let means = [&indices[..], sorted].map(|values| values.iter().sum::<f64>() / count);
+        let pairs = || indices.iter().zip(sorted).map(|(k, x)| (k - means[0], x - means[1]));
+        let squares: f64 = pairs().map(|(k, _)| k * k).sum();
+        let spacing = pairs().map(|(k, x)| k * x).sum::<f64>() / squares;
+        let last = indices.last().copied().unwrap_or(0.0);
+        Self { first: means[1] - means[0] * spacing, spacing, count: 1 + last as usize }
     }
 
     /// Which one a position is.
@@ -65,8 +102,10 @@ impl Axis {
         (0..self.count).map(|index| self.position(index)).collect()
     }
 
-    fn holds(&self, position: f64) -> bool {
-        (position - self.position(self.index(position))).abs() <= ROUNDING * self.spacing
+    /// Whether a position (in m) is one of the lattice, to the rounding of a digit (in m).
+    fn holds(&self, position: f64, digit: f64) -> bool {
+        let rounding = (DIGIT * digit / self.spacing).clamp(ROUNDING, LARGEST_ROUNDING);
+        (position - self.position(self.index(position))).abs() <= rounding * self.spacing
     }
 }
 

@@ -34,6 +34,10 @@ pub struct Columns {
     pub lines: Vec<usize>,
     /// One entry for each column that was asked for, empty where the file does not have it.
     pub values: Vec<Vec<f64>>,
+    /// Names of these columns.
+    names: Vec<&'static str>,
+    /// What the last digit of each column stands for, in SI units.
+    digits: Vec<f64>,
     /// Which of the columns that were asked for the file has.
     present: Vec<bool>,
     field: &'static str,
@@ -98,13 +102,22 @@ impl Columns {
         let text = text.trim_start_matches('\u{feff}').to_owned();
         let source = Arc::new(Source { name, text });
         let values = vec![Vec::new(); wanted.len()];
+        let digits = vec![f64::INFINITY; wanted.len()];
         let present = vec![false; wanted.len()];
-        Ok(Self { source, header_line: 1, lines: Vec::new(), values, present, field })
+        let names = wanted.iter().map(|column| column.name).collect();
+        let lines = Vec::new();
+        Ok(Self { source, header_line: 1, lines, values, names, digits, present, field })
     }
 
     /// Whether the file has a column, by its number among those that were asked for.
     pub fn has(&self, index: usize) -> bool {
         self.present[index]
+    }
+
+    /// What the last digit of a column stands for, in SI units: its numbers may be off by half of it.
+    pub fn digit(&self, name: &str) -> f64 {
+        let column = self.names.iter().position(|column| *column == name);
+        column.map_or(0.0, |column| self.digits[column])
     }
 
     /// An error at a line of the file.
@@ -228,6 +241,9 @@ impl Columns {
             let number = self.number(cell, line, &wanted[column.index])?;
             let value = column.convert.map_or(number, |convert| convert.apply(number));
             self.values[column.index].push(value);
+            let digit = last_digit(cell);
+            let digit = column.convert.map_or(digit, |convert| convert.apply(digit));
+            self.digits[column.index] = self.digits[column.index].min(digit.abs());
         }
         self.lines.push(line);
         Ok(())
@@ -244,6 +260,14 @@ impl Columns {
         let name = column.name;
         Err(self.error(line, format!("{name} must be a finite number, but is {cell:?}")))
     }
+}
+
+/// What the last digit of a number stands for: 0.01 in `1.25`.
+fn last_digit(text: &str) -> f64 {
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let exponent = exponent.parse::<i32>().unwrap_or(0);
+    10.0_f64.powi(exponent.saturating_sub(decimals.try_into().unwrap_or(i32::MAX)))
 }
 
 /// `pressure [MPa]` into its name and its unit.

@@ -1,4 +1,4 @@
-//! Two-dimensional arrays of floating-point numbers in `NumPy`'s .npy format (versions 1 to 3).
+//! Arrays of floating-point numbers in `NumPy`'s .npy format (versions 1 to 3).
 
 /// An array with each row contiguous.
 #[derive(Debug, PartialEq)]
@@ -8,8 +8,24 @@ pub(crate) struct Array {
     pub(crate) values: Vec<f64>,
 }
 
-/// Reads a file; the error follows the name of the file in a sentence.
+/// Reads a file with two dimensions; the error follows the name of the file in a sentence.
 pub(crate) fn parse(bytes: &[u8]) -> Result<Array, String> {
+    parse_shaped(bytes, |sizes| sizes.try_into().ok())
+}
+
+/// The same, where one dimension makes a single row.
+pub(crate) fn parse_map_or_line(bytes: &[u8]) -> Result<Array, String> {
+    parse_shaped(bytes, |sizes| match *sizes {
+        [columns] => Some([1, columns]),
+        _ => sizes.try_into().ok(),
+    })
+}
+
+/// Reads a file whose sizes `shape` turns into rows and columns.
+fn parse_shaped(
+    bytes: &[u8],
+    shape: impl Fn(&[usize]) -> Option<[usize; 2]>,
+) -> Result<Array, String> {
     let not_npy = || "must be an .npy file, but is not".to_owned();
     let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(not_npy)?;
     let (&[major, _minor], rest) = rest.split_first_chunk().ok_or_else(not_npy)?;
@@ -22,7 +38,9 @@ pub(crate) fn parse(bytes: &[u8]) -> Result<Array, String> {
     };
     let (header, data) = rest.split_at_checked(length).ok_or_else(not_npy)?;
     let header = std::str::from_utf8(header).map_err(|_| not_npy())?;
-    let [rows, columns] = shape(header)?;
+    let (sizes, text) = sizes(header)?;
+    let unfit = || format!("must have two dimensions, but has the shape {text}");
+    let [rows, columns] = shape(&sizes).ok_or_else(unfit)?;
     let values = numbers(header, data)?;
     if rows.checked_mul(columns) != Some(values.len()) {
         let found = values.len();
@@ -44,7 +62,8 @@ fn entry<'a>(header: &'a str, key: &str) -> Option<&'a str> {
     Some(after[..end].trim())
 }
 
-fn shape(header: &str) -> Result<[usize; 2], String> {
+/// The sizes along each dimension, and how they are written.
+fn sizes(header: &str) -> Result<(Vec<usize>, &str), String> {
     let text = entry(header, "shape").unwrap_or_default();
     let sizes: Result<Vec<usize>, _> = text
         .trim_matches(['(', ')'])
@@ -54,7 +73,7 @@ fn shape(header: &str) -> Result<[usize; 2], String> {
         .map(str::parse)
         .collect();
     let sizes = sizes.map_err(|_| format!("must have a shape of whole numbers, but has {text}"))?;
-    sizes.try_into().map_err(|_| format!("must have two dimensions, but has the shape {text}"))
+    Ok((sizes, text))
 }
 
 fn numbers(header: &str, data: &[u8]) -> Result<Vec<f64>, String> {
@@ -111,6 +130,15 @@ mod tests {
         let singles: Vec<u8> = order.iter().flat_map(|x| (*x as f32).to_be_bytes()).collect();
         let fortran = parse(&file(&header(">f4", "True", "(2, 3)"), &singles)).unwrap();
         assert_eq!(fortran, c);
+    }
+
+    #[test]
+    fn one_dimension_is_a_row_where_that_is_legal() {
+        let line = file(&header("<f8", "False", "(6,)"), &doubles(6));
+        let array = parse_map_or_line(&line).unwrap();
+        assert_eq!((array.rows, array.columns), (1, 6));
+        let cube = file(&header("<f8", "False", "(1, 2, 3)"), &doubles(6));
+        assert!(parse_map_or_line(&cube).unwrap_err().contains("two dimensions"));
     }
 
     #[test]

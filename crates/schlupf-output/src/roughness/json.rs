@@ -39,6 +39,7 @@ pub fn document(report: &RoughnessReport) -> String {
             .zip(&result.stiffness.fits)
             .map(|(curve, fit)| Curve::new(report, curve, fit))
             .collect(),
+        remarks: &report.remarks,
         warnings: &report.warnings,
     })
 }
@@ -54,6 +55,7 @@ struct Document<'a> {
     normal: Normal,
     contact_law: ContactLaw,
     pressures: Vec<Curve>,
+    remarks: &'a [String],
     warnings: &'a [String],
 }
 

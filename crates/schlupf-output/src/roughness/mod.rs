@@ -30,6 +30,8 @@ pub struct RoughnessReport {
     pub result: MicroModelResult,
     /// The contact at one mean pressure, for a map.
     pub spots: Option<Spots>,
+    /// How the surface was made of what was given.
+    pub remarks: Vec<String>,
     /// Whatever the reader of the numbers must know.
     pub warnings: Vec<String>,
 }

@@ -62,6 +62,12 @@ fn surface(text: &mut String, report: &RoughnessReport) {
         let [long, short] = law.wave_numbers.map(|q| micrometres(TAU / q));
         let range = format!("Hurst exponent of the spectrum from {long} to {short} µm");
         entry(text, "H", (1e3 * law.hurst_exponent).round() / 1e3, "", &range);
+    } else {
+        let none = "Hurst exponent: no self-affine spectrum over half a decade";
+        line(text, &format!("{:<22}{:>11} {:<4} {none}", "H", "-", ""));
+    }
+    for remark in &report.remarks {
+        line(text, remark);
     }
     text.push('\n');
 }

@@ -69,6 +69,25 @@ impl HeightMap {
     }
 }
 
+/// Heights (in m) along a line, points apart by a spacing (in m), over the circle that fits best, and its
+/// radius (in m), positive where convex.
+pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<f64>, f64), Error> {
+    let half = 0.5 * heights.len() as f64;
+    let scale = half * spacing;
+    // A line across a sphere over y = 0: what is said of y stays zero.
+    let points = (0..heights.len()).map(|i| [(i as f64 + 0.5) / half - 1.0, 0.0]);
+    let fit =
+        Fit { points: points.collect(), heights: heights.iter().map(|h| h / scale).collect() };
+    let parameters = fit.polynomial(6).and_then(|p| fit.quadric(start(&p, Form::Sphere)));
+    let parameters = parameters.ok_or_else(|| Error::Contradiction {
+        quantity: "surface.form",
+        reason: "no circle fits the profile".to_owned(),
+    })?;
+    let deviations = fit.points.iter().zip(&fit.heights);
+    let deviations = deviations.map(|(at, z)| scale * (z - height(&parameters, *at)));
+    Ok((deviations.collect(), -scale / parameters[3]))
+}
+
 /// The same direction of a line between −π/2 and π/2.
 fn half_turn(angle: f64) -> f64 {
     use std::f64::consts::PI;
@@ -129,6 +148,9 @@ struct Fit {
 
 const STEPS: usize = 100;
 
+/// How often the curvature to start from may be made less.
+const FLATTENINGS: usize = 200;
+
 /// Change of the parameters at which they have settled; step for the derivatives.
 const SETTLED: f64 = 1e-12;
 const DIFFERENCE: f64 = 1e-6;
@@ -153,10 +175,16 @@ impl Fit {
     fn quadric(&self, start: Vec<f64>) -> Option<Vec<f64>> {
         let mut parameters = start;
         let mut cost = self.cost(&parameters);
-        while !cost.is_finite() {
+        for _ in 0..FLATTENINGS {
+            if cost.is_finite() {
+                break;
+            }
             // The paraboloid was too curved for a sphere of its curvature to reach the corners.
             parameters[3] *= 0.8;
             cost = self.cost(&parameters);
+        }
+        if !cost.is_finite() {
+            return None;
         }
         let mut damping = 1e-6;
         for _ in 0..STEPS {
@@ -288,6 +316,16 @@ mod tests {
             assert_relative_eq!(removal.radius, 5e-3, max_relative = 1e-3);
             assert_relative_eq!(removal.axis, angle, epsilon = 1e-4);
             assert!(largest(&removal.surface) < 1.5e-9, "{}", largest(&removal.surface));
+        }
+    }
+
+    /// Heights whose squares overflow have no form, and are told so in finite time.
+    #[test]
+    fn heights_beyond_all_bounds_have_no_form() {
+        let huge = HeightMap::from_fn(LATTICE, |x, _| 1e165 * (x / 1e-5).sin()).unwrap();
+        for form in [Form::Sphere, Form::Cylinder] {
+            let message = huge.without_form(form).unwrap_err().to_string();
+            assert!(message.contains("fits the surface"), "{message}");
         }
     }
 

@@ -3,10 +3,12 @@
 //! Heights count out of the material. They are taken in the middle of rectangular cells; the first
 //! row holds the cells along x with the smallest y.
 
+pub mod filter;
 pub mod form;
 pub mod holes;
 pub mod profile;
 pub mod resampling;
+pub mod ring_spectrum;
 pub mod spectrum;
 pub mod statistics;
 pub mod synthesis;
@@ -100,6 +102,7 @@ const REQUIRED_COUNT: &str = "between 2 and 1048576";
 pub struct HeightMap {
     lattice: Lattice,
     heights: Vec<f64>,
+    is_periodic: bool,
 }
 
 impl HeightMap {
@@ -112,7 +115,7 @@ impl HeightMap {
         lattice.check()?;
         require_count(&lattice, heights.len())?;
         match heights.iter().position(|height| !height.is_finite()) {
-            None => Ok(Self { lattice, heights }),
+            None => Ok(Self { lattice, heights, is_periodic: false }),
             Some(cell) => {
                 let (row, column) = (cell / lattice.columns, cell % lattice.columns);
                 let requirement = "finite everywhere (holes must be filled)".to_owned();
@@ -126,6 +129,17 @@ impl HeightMap {
     pub fn from_fn(lattice: Lattice, height: impl Fn(f64, f64) -> f64) -> Result<Self, Error> {
         lattice.check()?;
         Self::new(lattice, lattice.points().map(|[x, y]| height(x, y)).collect())
+    }
+
+    /// The same surface, known to continue periodically without a jump, as made ones do.
+    pub fn into_periodic(self) -> Self {
+        Self { is_periodic: true, ..self }
+    }
+
+    /// Whether the surface is known to continue periodically without a jump. One that is not needs a
+    /// window before its spectrum is taken (see [`spectrum::Window::of`]).
+    pub fn is_periodic(&self) -> bool {
+        self.is_periodic
     }
 
     /// Where the heights are.
@@ -188,7 +202,9 @@ impl HeightMap {
             });
         }
         let pairs = self.heights.iter().zip(&other.heights);
-        Ok(Self { lattice: self.lattice, heights: pairs.map(|(a, b)| a + b).collect() })
+        let heights = pairs.map(|(a, b)| a + b).collect();
+        let is_periodic = self.is_periodic && other.is_periodic;
+        Ok(Self { lattice: self.lattice, heights, is_periodic })
     }
 
     /// Refuses a surface without roughness: relative to its size, heights that differ by rounding
@@ -207,7 +223,7 @@ impl HeightMap {
 
     fn with_heights(&self, change: impl Fn(f64) -> f64) -> Self {
         let heights = self.heights.iter().map(|height| change(*height)).collect();
-        Self { lattice: self.lattice, heights }
+        Self { heights, ..*self }
     }
 }
 

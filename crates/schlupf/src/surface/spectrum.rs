@@ -20,6 +20,13 @@ pub enum Window {
     Hann,
 }
 
+impl Window {
+    /// The one that a surface needs.
+    pub fn of(surface: &HeightMap) -> Self {
+        if surface.is_periodic() { Self::None } else { Self::Hann }
+    }
+}
+
 /// Power spectral density averaged over all directions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RadialSpectrum {
@@ -34,17 +41,8 @@ impl RadialSpectrum {
     /// shorter side, up to the shortest wave that the lattice carries in every direction.
     pub fn of(surface: &HeightMap, window: Window) -> Self {
         let lattice = surface.lattice();
-        let mean = surface.mean();
         let weights = [lattice.columns, lattice.rows].map(|count| weights(count, window));
-        let field: Vec<f64> = surface
-            .heights()
-            .iter()
-            .enumerate()
-            .map(|(cell, height)| {
-                let (row, column) = (cell / lattice.columns, cell % lattice.columns);
-                weights[0][column] * weights[1][row] * (height - mean)
-            })
-            .collect();
+        let field = weighted(surface, &weights);
         let spacing = [lattice.spacing_x, lattice.spacing_y];
         let step = TAU / lattice.length_x().min(lattice.length_y());
         let largest = PI / spacing[0].max(spacing[1]);
@@ -60,7 +58,7 @@ impl RadialSpectrum {
 /// The power law C ∝ q^(−2(1+H)) of a self-affine surface, fitted to its spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PowerLaw {
-    /// Hurst exponent H, dimensionless; outside of 0 to 1 the surface is not self-affine.
+    /// Hurst exponent H, dimensionless, from 0 to 1.
     pub hurst_exponent: f64,
     /// Between which wave numbers, in rad/m.
     pub wave_numbers: [f64; 2],
@@ -73,7 +71,8 @@ const LAW_TO: f64 = 0.9;
 
 impl RadialSpectrum {
     /// The power law between the waves that make the height and those that make the gradient; nothing
-    /// where they are the same.
+    /// where there is less than half a decade between them, or where the exponent is none of a self-affine
+    /// surface.
     pub fn power_law(&self) -> Option<PowerLaw> {
         let reached = |power: i32, share: f64| {
             let terms = || self.wave_numbers.iter().zip(&self.densities);
@@ -86,6 +85,9 @@ impl RadialSpectrum {
             })
         };
         let (first, last) = (reached(1, LAW_FROM)?, reached(3, LAW_TO)?);
+        if self.wave_numbers[last] < SHORTEST_LAW * self.wave_numbers[first] {
+            return None;
+        }
         let points = || {
             let rings = first..(last + 1).max(first);
             rings.map(|ring| [self.wave_numbers[ring].ln(), self.densities[ring].ln()])
@@ -102,15 +104,15 @@ impl RadialSpectrum {
         }
         let [n, x, y, xx, xy] = sums;
         let slope = (n * xy - x * y) / (n * xx - x * x);
-        Some(PowerLaw {
-            hurst_exponent: -0.5 * slope - 1.0,
-            wave_numbers: [self.wave_numbers[first], self.wave_numbers[last]],
-        })
+        let hurst_exponent = -0.5 * slope - 1.0;
+        let wave_numbers = [self.wave_numbers[first], self.wave_numbers[last]];
+        (0.0..=1.0).contains(&hurst_exponent).then_some(PowerLaw { hurst_exponent, wave_numbers })
     }
 }
 
-/// Fewer rings make no power law.
+/// Fewer rings, or a shorter range of wave numbers, make no power law: half a decade, √10.
 const FEWEST_RINGS: usize = 5;
+const SHORTEST_LAW: f64 = 3.162_277_660_168_379_5;
 
 /// Weights of the samples along one side; the mean of their squares is one.
 fn weights(count: usize, window: Window) -> Vec<f64> {
@@ -138,14 +140,79 @@ fn squares(field: &[f64], surface: &HeightMap) -> Vec<(f64, [f64; 2])> {
     waves.zip(values).map(|(q, (value, m))| (q, [normalised * value.norm_sqr(), m])).collect()
 }
 
-/// Root mean square gradient h'_rms = √(Σ q² |h_q|²) of the surface continued periodically,
-/// dimensionless.
+/// Heights (in m) about their mean, times weights along x and y.
+fn weighted(surface: &HeightMap, [along, across]: &[Vec<f64>; 2]) -> Vec<f64> {
+    let mean = surface.mean();
+    let weights = across.iter().flat_map(|across| along.iter().map(move |along| across * along));
+    surface.heights().iter().zip(weights).map(|(height, w)| w * (height - mean)).collect()
+}
+
+/// Root mean square gradient h'_rms from the spectrum, dimensionless: √(Σ q² |h_q|²) of a periodic
+/// surface. Of any other the mean over the squared weights w² of a window,
+///
+/// ⟨w² |∇h|²⟩ = ⟨|∇(w h)|²⟩ + ⟨h² w ∇²w⟩
+///
+/// by parts, with the first term from the spectrum: neither the seam nor the slope of the window counts.
+/// The window is Tukey's, level but for sin² flanks over an eighth of each side at either end: it wastes
+/// less of the surface than Hann's.
 pub fn spectral_gradient(surface: &HeightMap) -> f64 {
-    let sum: f64 = squares(surface.heights(), surface)
-        .into_iter()
-        .map(|(q, [square, multiplicity])| multiplicity * q * q * square)
-        .sum();
-    sum.sqrt()
+    if surface.is_periodic() {
+        return mean_square_gradient(surface.heights(), surface).sqrt();
+    }
+    let lattice = surface.lattice();
+    let sides = [(lattice.columns, lattice.length_x()), (lattice.rows, lattice.length_y())];
+    let [along, across] = sides.map(|(count, length)| Tukey::new(count, length));
+    let field = weighted(surface, &[along.weights.clone(), across.weights.clone()]);
+    let flanks = across.terms().flat_map(|[v, bend_v]| {
+        // w = u(x) v(y): w ∇²w = u u'' v² + u² v v''
+        along.terms().map(move |[u, bend_u]| u * u * v * bend_v + u * bend_u * v * v)
+    });
+    let mean = surface.mean();
+    let squares = surface.heights().iter().map(|height| (height - mean).powi(2));
+    let of_flanks: f64 = squares.zip(flanks).map(|(square, flank)| square * flank).sum();
+    let sum = mean_square_gradient(&field, surface) + of_flanks / lattice.len() as f64;
+    sum.max(0.0).sqrt()
+}
+
+/// Σ q² |h_q|² of heights on the lattice of a surface, dimensionless.
+fn mean_square_gradient(heights: &[f64], surface: &HeightMap) -> f64 {
+    let waves = squares(heights, surface).into_iter();
+    waves.map(|(q, [square, multiplicity])| multiplicity * q * q * square).sum()
+}
+
+/// Part of a side that each flank of Tukey's window takes.
+const FLANK: f64 = 0.125;
+
+/// Weights along a side and their second derivatives; the mean of the squared weights is one.
+struct Tukey {
+    weights: Vec<f64>,
+    /// In 1/m².
+    bends: Vec<f64>,
+}
+
+impl Tukey {
+    /// For so many cells on a length (in m).
+    fn new(count: usize, length: f64) -> Self {
+        let from_end = |i: usize| (i.min(count - 1 - i) as f64 + 0.5) / count as f64;
+        // sin²(πt/2f) on the flank, of the second derivative ½ (π/f)² cos(πt/f)
+        let flank = |t: f64| match t / FLANK {
+            part if part < 1.0 => {
+                let bend = 0.5 * (PI / (FLANK * length)).powi(2) * libm::cos(PI * part);
+                (libm::sin(0.5 * PI * part).powi(2), bend)
+            }
+            _ => (1.0, 0.0),
+        };
+        let (mut weights, mut bends): (Vec<f64>, Vec<f64>) =
+            (0..count).map(|i| flank(from_end(i))).unzip();
+        let mean_square = weights.iter().map(|w| w * w).sum::<f64>() / count as f64;
+        let factor = mean_square.sqrt().recip();
+        weights.iter_mut().chain(&mut bends).for_each(|value| *value *= factor);
+        Self { weights, bends }
+    }
+
+    fn terms(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.weights.iter().zip(&self.bends).map(|(weight, bend)| [*weight, *bend])
+    }
 }
 
 /// Sums by wave number.
@@ -182,6 +249,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::super::Lattice;
+    use super::super::form::Form;
     use super::super::synthesis::{Roughness, SelfAffine};
     use super::*;
 
@@ -192,6 +260,7 @@ mod tests {
         let lattice = Lattice { columns: 32, rows: 24, spacing_x: 1e-6, spacing_y: 2e-6 };
         let [kx, ky] = [3.0 * TAU / lattice.length_x(), 4.0 * TAU / lattice.length_y()];
         let surface = HeightMap::from_fn(lattice, |x, y| 5e-7 * (kx * x + ky * y).cos()).unwrap();
+        let surface = surface.into_periodic();
         let spectrum = RadialSpectrum::of(&surface, Window::None);
         let step = TAU / lattice.length_x();
         let ring = (kx.hypot(ky) / step).round();
@@ -205,6 +274,43 @@ mod tests {
         }
         let gradient = 5e-7 * kx.hypot(ky) / 2.0_f64.sqrt();
         assert_relative_eq!(spectral_gradient(&surface), gradient, max_relative = 1e-12);
+    }
+
+    /// Goal: the seam of a map that is not periodic is no slope.
+    /// Set-up: five pieces of 128² cells of a periodic surface of 1024² cells, whose gradient is known;
+    /// with a tilt that the form takes off.
+    #[test]
+    fn a_piece_of_a_surface_has_its_gradient() {
+        let affine = SelfAffine {
+            roughness: Roughness::Gradient(0.1423),
+            hurst_exponent: 0.8,
+            longest_wavelength: 100e-6,
+            roll_off_wavelength: 100e-6,
+            shortest_wavelength: 12e-6,
+        };
+        let whole = affine.surface(Lattice::square(1024, 1.024e-3), 3).unwrap();
+        let of_piece = |piece: usize| {
+            let cell = |[i, j]: [usize; 2]| (150 * piece + j) * 1024 + 170 * piece + i;
+            let at = (0..128).flat_map(|j| (0..128).map(move |i| [i, j]));
+            let tilted = at.map(|[i, j]| whole.heights()[cell([i, j])] + 1e-7 * i as f64);
+            let piece = HeightMap::new(Lattice::square(128, 128e-6), tilted.collect()).unwrap();
+            spectral_gradient(&piece.without_form(Form::Plane).unwrap().surface)
+        };
+        let found: Vec<f64> = (0..5).map(of_piece).collect();
+        for gradient in &found {
+            assert_relative_eq!(*gradient, 0.1423, max_relative = 0.1);
+        }
+        assert_relative_eq!(found.iter().sum::<f64>() / 5.0, 0.1423, max_relative = 0.05);
+    }
+
+    /// Waves of which a fraction fits: the gradient is a k/√2 wherever the seam lies.
+    #[test]
+    fn a_wave_that_does_not_close_has_its_gradient() {
+        let (amplitude, k) = (5e-7, 10.4 * TAU);
+        let wave = |x: f64, y: f64| amplitude * (k * (0.6 * x + 0.8 * y)).cos();
+        let surface = HeightMap::from_fn(Lattice::square(64, 1.0), wave).unwrap();
+        let expected = amplitude * k / 2.0_f64.sqrt();
+        assert_relative_eq!(spectral_gradient(&surface), expected, max_relative = 1e-3);
     }
 
     /// The exponent of a self-affine surface is found.
@@ -225,6 +331,21 @@ mod tests {
         }
         let wave = HeightMap::from_fn(Lattice::square(64, 1.0), |x, _| (TAU * x).cos()).unwrap();
         assert_eq!(RadialSpectrum::of(&wave, Window::None).power_law(), None);
+    }
+
+    /// No exponent from a spectrum that falls as q^(−2(1+H)) with H = 2.3 or −0.9, nor from one over a
+    /// third of a decade.
+    #[test]
+    fn what_is_not_self_affine_has_no_exponent() {
+        let law = |hurst_exponent: f64, decades: f64| {
+            let wave_numbers: Vec<f64> =
+                (0..200).map(|k| 10.0_f64.powf(5.0 + decades * f64::from(k) / 200.0)).collect();
+            let density = |q: &f64| q.powf(-2.0 * (1.0 + hurst_exponent));
+            let densities = wave_numbers.iter().map(density).collect();
+            RadialSpectrum { wave_numbers, densities }.power_law()
+        };
+        assert_relative_eq!(law(0.5, 3.0).unwrap().hurst_exponent, 0.5, max_relative = 1e-9);
+        assert_eq!([law(2.3, 3.0), law(-0.9, 3.0), law(0.5, 0.3)], [None; 3]);
     }
 
     #[test]

@@ -26,8 +26,8 @@ pub struct Statistics {
     pub root_mean_square_gradient: f64,
     /// Developed area ratio Sdr = A/A₀ − 1 from differences of neighbours, dimensionless.
     pub developed_area_ratio: f64,
-    /// Root mean square gradient h'_rms from the spectrum, dimensionless: that of the surface
-    /// continued periodically. It exceeds Sdq by what differences of neighbours smooth.
+    /// Root mean square gradient h'_rms from the spectrum, dimensionless (see
+    /// [`spectral_gradient`]). It exceeds Sdq by what differences of neighbours smooth.
     pub spectral_gradient: f64,
 }
 
@@ -93,7 +93,8 @@ mod tests {
     fn a_sine_has_the_parameters_of_its_definition() {
         let lattice = Lattice { columns: 600, rows: 2, spacing_x: 1e-6, spacing_y: 3e-6 };
         let (a, k) = (0.4e-6, TAU / lattice.length_x());
-        let surface = HeightMap::from_fn(lattice, |x, _| 7e-6 + a * (k * x).sin()).unwrap();
+        let wave = |x: f64, _| 7e-6 + a * (k * x).sin();
+        let surface = HeightMap::from_fn(lattice, wave).unwrap().into_periodic();
         let statistics = Statistics::of(&surface).unwrap();
         assert_relative_eq!(statistics.arithmetic_mean_height, 2.0 * a / PI, max_relative = 1e-5);
         let root = 2.0_f64.sqrt();

@@ -151,7 +151,7 @@ pub fn isotropic(
     }
     let mut heights = vec![0.0; lattice.len()];
     transform.inverse(&mut heights);
-    HeightMap::new(lattice, heights)
+    Ok(HeightMap::new(lattice, heights)?.into_periodic())
 }
 
 /// Wave vectors of which no two are opposite, by growing largest component.

@@ -149,6 +149,12 @@ pub(super) const ROUGHNESS: &[Field] = &[
         ),
         "cylinder",
     ),
+    wavelength(
+        "contact_law.roughness.cutoff_wavelength",
+        Nothing,
+        "λc: longer waves are taken off the file's heights (Gaussian filter, ISO 16610)",
+        "0.8 mm",
+    ),
     flag("contact_law.roughness.fill_holes", "whether points without a height are filled smoothly"),
     flag("contact_law.roughness.square_cells", "whether cells that are not square are made so"),
     of(
