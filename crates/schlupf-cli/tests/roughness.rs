@@ -203,6 +203,32 @@ fn defects_of_measured_surfaces_name_the_option_that_helps() {
     }
 }
 
+/// A piece that is hardly larger than its longest wave is one of many.
+#[test]
+fn a_piece_too_small_is_told() {
+    let bench = Bench::new();
+    let long = "--synthetic=rms_height=1 um,longest=400 um,shortest=100 um";
+    document(&bench, &[long, "--cells", "64", "--heights", "whole.npy"]);
+    let whole = ["whole.npy", "--unit", "m", "--spacing", "50 um"];
+    let whole = document(&bench, &whole)["warnings"].to_string();
+    assert!(!whole.contains("longer than a fifth"), "{whole}");
+    // The upper left sixth of it.
+    let bytes = std::fs::read(bench.path("whole.npy")).unwrap();
+    let start = bytes.len() - 8 * 64 * 64;
+    let value = |k: usize| {
+        let at = start + 8 * k;
+        f64::from_le_bytes(bytes[at..at + 8].try_into().unwrap())
+    };
+    let rows = (0..144).map(|k| {
+        let (i, j) = (k % 12, k / 12);
+        format!("{i},{j},{}\n", 1e9 * value(64 * j + i))
+    });
+    let header = "x [um],y [um],height [nm]\n".to_owned();
+    bench.write("piece.csv", &rows.fold(header, |text, row| text + &row));
+    let piece = document(&bench, &["piece.csv", "--square-cells"])["warnings"].to_string();
+    assert!(piece.contains("waves longer than a fifth of the piece"), "{piece}");
+}
+
 /// Two surfaces must lie on the same lattice.
 #[test]
 fn surfaces_of_different_size_are_refused() {

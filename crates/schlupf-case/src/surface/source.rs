@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use schlupf::Error;
 use schlupf::surface::form::Form;
 use schlupf::surface::profile::Profile;
-use schlupf::surface::spectrum::spectral_gradient;
+use schlupf::surface::spectrum::{RadialSpectrum, Window, spectral_gradient};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 
@@ -72,6 +72,10 @@ const LARGEST_GRADIENT: f64 = 2.0;
 /// From this part of filled points on a surface is doubtful, dimensionless.
 const DOUBTFUL_FILLING: f64 = 0.05;
 
+/// Waves that fit into a piece, at least, and the part of the variance that longer ones may have; dimensionless.
+const WAVES_ACROSS: f64 = 5.0;
+const MOST_IN_LONG_WAVES: f64 = 0.5;
+
 /// Most cells along a side of a surface made from a profile, unless the user asks for more.
 const MOST_CELLS: usize = 1024;
 
@@ -89,6 +93,7 @@ impl SurfaceSource {
         let surface = surface.about_its_mean();
         surface.require_rough().map_err(|error| explained(&error))?;
         said.notices.extend(self.check_gradient(&surface)?);
+        said.notices.extend(self.check_size(&surface));
         Ok(RoughSurface { surface, remarks: said.remarks, notices: said.notices })
     }
 
@@ -123,6 +128,23 @@ impl SurfaceSource {
              heights from {low} to {high} µm{cause}"
         );
         Err(CaseError::new(field, message, Place::Default))
+    }
+
+    /// What to say of a measured piece that is too small to be one of many.
+    fn check_size(&self, surface: &HeightMap) -> Option<String> {
+        let is_measured = matches!(self.origin, SurfaceOrigin::Files { .. });
+        let lattice = surface.lattice();
+        let part = lattice.length_x().min(lattice.length_y()) / WAVES_ACROSS;
+        let spectrum = RadialSpectrum::of(surface, Window::of(surface));
+        let share = spectrum.share_of_longer(part);
+        (is_measured && share > MOST_IN_LONG_WAVES).then(|| {
+            format!(
+                "{:.0} % of the variance of the heights lies in waves longer than a fifth of the piece: its k_c \
+                 is that of this piece, another one may differ by tens of per cent; measure a larger one, or \
+                 take waviness off",
+                1e2 * share
+            )
+        })
     }
 
     fn self_affine(&self, spectrum: &SelfAffine) -> Result<HeightMap, CaseError> {

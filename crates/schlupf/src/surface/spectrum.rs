@@ -110,6 +110,19 @@ impl RadialSpectrum {
     }
 }
 
+impl RadialSpectrum {
+    /// Part of the variance of the heights (dimensionless) in waves longer than a wavelength (in m).
+    pub fn share_of_longer(&self, wavelength: f64) -> f64 {
+        let terms = self.wave_numbers.iter().zip(&self.densities).map(|(q, c)| [*q, q * c]);
+        let [mut longer, mut total] = [0.0; 2];
+        for [q, term] in terms {
+            total += term;
+            longer += if q * wavelength < TAU { term } else { 0.0 };
+        }
+        longer / total
+    }
+}
+
 /// Fewer rings, or a shorter range of wave numbers, make no power law: half a decade, √10.
 const FEWEST_RINGS: usize = 5;
 const SHORTEST_LAW: f64 = 3.162_277_660_168_379_5;
