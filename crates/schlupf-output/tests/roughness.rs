@@ -78,6 +78,7 @@ fn json_has_its_keys() {
         "normal",
         "pressures",
         "program",
+        "remarks",
         "spectrum",
         "status",
         "surface",
@@ -129,6 +130,7 @@ fn the_summary_shows_statistics_pressures_and_warnings() {
         "closed form",
         "γ = 0.45",
         "converged; 25 loads",
+        "\na remark\n",
         "warning: a warning",
     ] {
         assert!(text.contains(part), "{part:?} is not in\n{text}");
