@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use toml_edit::{Array, DocumentMut, Item, Table, TableLike, Value};
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::document::{Content, Entry, Origin};
 use crate::error::CaseError;
@@ -88,6 +88,12 @@ impl Edited {
                 *short = value;
                 return Ok(());
             }
+            if let Some(short) = item.as_value_mut().filter(|old| old.is_str()) {
+                let file = std::mem::replace(short, Value::InlineTable(InlineTable::new()));
+                if let Value::InlineTable(table) = short {
+                    table.insert("file", file);
+                }
+            }
             table = item.as_table_like_mut().ok_or_else(|| {
                 let place = Place::File { name: self.name.clone() };
                 CaseError::new(path, format!("{section} is no section"), place)
@@ -111,6 +117,10 @@ impl Edited {
         let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
         let mut table: &mut dyn TableLike = self.document.as_table_mut();
         for key in section.split('.').filter(|key| !key.is_empty()) {
+            if name == "file" && table.get(key).is_some_and(Item::is_str) {
+                table.remove(key);
+                return;
+            }
             let Some(inner) = table.get_mut(key).and_then(Item::as_table_like_mut) else { return };
             table = inner;
         }
@@ -191,6 +201,17 @@ mod tests {
             let text = edited(old, &[], &[("contact_law.stiffness", 4e6)], "here");
             assert_eq!(text.trim_start_matches('\n'), new, "{old}");
         }
+    }
+
+    /// A file alone stands for the section that names it, until there is more to say.
+    #[test]
+    fn the_short_form_of_a_section_grows() {
+        let text = "[contact_law]\nroughness = \"line.csv\"\n[solver]\nmethod = \"polach\"\n";
+        let grown = edited(text, &["contact_law.roughness.cells=64"], &[], "here");
+        assert!(grown.contains("roughness = { file = \"line.csv\", cells = 64 }"), "{grown}");
+        let overrides = ["contact_law.roughness.file=", "contact_law.stiffness=4e6 1/m"];
+        let gone = edited(text, &overrides, &[], "here");
+        assert!(!gone.contains("roughness") && gone.contains("4e6 1/m"), "{gone}");
     }
 
     #[test]

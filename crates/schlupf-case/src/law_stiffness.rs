@@ -73,6 +73,11 @@ const FEWEST_CELLS_AT_LEAST: f64 = 30.0;
 const USUAL_HEIGHTS: [f64; 2] = [1e-9, 1e-4];
 
 impl LawStiffness {
+    /// Whether it follows from a roughness, and so changes with the coefficient of friction.
+    pub fn is_from_roughness(&self) -> bool {
+        matches!(self.origin, StiffnessOrigin::ClosedForm { .. } | StiffnessOrigin::MicroModel(_))
+    }
+
     /// What is doubtful about it.
     pub fn caveats(&self) -> Vec<String> {
         match &self.origin {
@@ -92,6 +97,11 @@ impl LawStiffness {
 }
 
 impl MicroContact {
+    /// Whether its normal contact serves another request, too: the same, and solved far enough down.
+    pub fn serves(&self, key: &MicroKey, mean_pressures: &[f64]) -> bool {
+        self.key == *key && self.result.covers(mean_pressures)
+    }
+
     /// Where Eq. (8) with one k_c is not what the micro model finds.
     pub fn caveats(&self) -> Vec<String> {
         let caveats = caveats(&self.result, self.cells, &self.key);

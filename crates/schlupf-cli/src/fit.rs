@@ -162,7 +162,7 @@ fn fitted_case(
     path: &Path,
 ) -> Result<String, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let values: Vec<(&str, f64)> = fit
+    let mut values: Vec<(&str, f64)> = fit
         .estimates
         .iter()
         .map(|estimate| match estimate.parameter {
@@ -171,6 +171,12 @@ fn fitted_case(
             parameter => (parameter.name(), estimate.value),
         })
         .collect();
+    let stiffness = Parameter::ContactStiffness.name();
+    let is_written = values.iter().any(|(name, _)| *name == stiffness);
+    if !is_written && contact_stiffness.is_finite() && case.law_stiffness.is_from_roughness() {
+        // From another μ0 the roughness would give another k_c than that of the fit.
+        values.push((stiffness, contact_stiffness));
+    }
     let text = case.edited(&values, folder).map_err(CaseErrors::from)?;
     // What is written can be read again.
     Case::from_str(&text, &path.display().to_string(), folder, &[])?;

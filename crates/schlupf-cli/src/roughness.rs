@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
 
 use schlupf::interface::roughness::load_curve::{LoadCurveOptions, LoadPoint};
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
@@ -11,9 +10,7 @@ use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Status, rolling};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin, renamed};
-use schlupf_case::{
-    Case, CaseErrors, GivenByOption, MicroContact, RoughnessRequest, caveats, pressures,
-};
+use schlupf_case::{Case, CaseErrors, GivenByOption, RoughnessRequest, caveats, pressures};
 use schlupf_output::figures;
 use schlupf_output::roughness::{RoughnessReport, Spots, csv, json, npy, summary};
 
@@ -201,11 +198,7 @@ fn solve(
 ) -> Result<MicroModelResult, Error> {
     let (key, bodies) = (request.key(), request.bodies());
     let mean_pressures = request.mean_pressures();
-    let reaches = |solved: &&Arc<MicroContact>| {
-        let least = solved.result.normal.smallest_pressure();
-        solved.key == *key && mean_pressures.iter().all(|pressure| *pressure >= least)
-    };
-    if let Some(solved) = case.micro_contact().filter(reaches) {
+    if let Some(solved) = case.micro_contact().filter(|solved| solved.serves(key, mean_pressures)) {
         let normal = solved.result.normal.clone();
         return MicroModelResult::new(solved.result.statistics, normal, bodies, mean_pressures);
     }

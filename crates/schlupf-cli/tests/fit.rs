@@ -213,6 +213,29 @@ fn a_case_that_cannot_be_costs_nothing_else() {
     assert_eq!(bench.list(), ["case.toml", "data.csv", "r.json"]);
 }
 
+/// Where k_c follows from a roughness and μ0 is fitted, the case that is written has the k_c of the fit: solved, it has
+/// the fitted forces.
+#[test]
+fn the_case_that_is_written_is_that_of_the_fit() {
+    let bench = bench();
+    let rough = bench
+        .read("case.toml")
+        .replace("stiffness = \"1e6 1/m\"", "roughness = { rms_height = \"9 um\" }");
+    bench.write("case.toml", &rough);
+    let run =
+        fit(&bench, "friction.coefficient", &["--write-case", "new.toml", "--json", "r.json"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let fit: serde_json::Value = serde_json::from_str(&bench.read("r.json")).unwrap();
+    let solved =
+        bench.run(&["solve", "new.toml", "--set", "kinematics.creepage_x=0.001", "--json", "-"]);
+    assert_eq!(solved.code, Some(0), "{}", solved.stderr);
+    let solved: serde_json::Value = serde_json::from_str(&solved.stdout).unwrap();
+    let force =
+        -solved["force"]["x"].as_f64().unwrap() / solved["normal"]["load"].as_f64().unwrap();
+    let fitted = fit["points"]["fitted"][6].as_f64().unwrap();
+    assert!((force / fitted - 1.0).abs() < 1e-4, "{force} {fitted}");
+}
+
 #[test]
 fn bad_requests_are_refused() {
     let rows: &[(&str, &[&str], i32, &str)] = &[

@@ -131,11 +131,15 @@ pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> O
             let moved = here.parameters.iter().zip(&step).enumerate();
             moved.map(|(k, (p, step))| bounded(p + step, model.bounds(k))).collect::<Vec<f64>>()
         });
-        let found = tried.and_then(|tried| model.residuals(&tried).map(|found| (tried, found)));
-        match found.filter(|(_, found)| sum_of_squares(found) < here.sum_of_squares()) {
-            Some((tried, found)) => {
-                here.jacobian = model.jacobian(&tried, &found)?;
-                (here.parameters, here.residuals) = (tried, found);
+        let found = tried.and_then(|tried| {
+            let found = model.residuals(&tried)?;
+            let is_less = sum_of_squares(&found) < here.sum_of_squares();
+            let jacobian = if is_less { model.jacobian(&tried, &found)? } else { return None };
+            Some((tried, found, jacobian))
+        });
+        match found {
+            Some((tried, found, jacobian)) => {
+                (here.parameters, here.residuals, here.jacobian) = (tried, found, jacobian);
                 here.hold(model);
                 damping = (0.2 * damping).max(LEAST_DAMPING);
             }
@@ -151,6 +155,24 @@ fn bounded(value: f64, [low, high]: [f64; 2]) -> f64 {
 }
 
 impl Minimum {
+    /// Places of the parameters that no bound holds.
+    fn free(&self) -> Vec<usize> {
+        (0..self.is_held.len()).filter(|k| !self.is_held[*k]).collect()
+    }
+
+    /// The same minimum of some of the parameters, the others being given.
+    pub fn of(&self, parameters: &[usize]) -> Self {
+        let jacobian = &self.jacobian;
+        let columns =
+            Mat::from_fn(jacobian.nrows(), parameters.len(), |i, j| jacobian[(i, parameters[j])]);
+        Self {
+            parameters: parameters.iter().map(|k| self.parameters[*k]).collect(),
+            is_held: parameters.iter().map(|k| self.is_held[*k]).collect(),
+            jacobian: columns,
+            ..self.clone()
+        }
+    }
+
     /// Finds out what the bounds hold: −Jᵀr points out of the range.
     fn hold(&mut self, model: &impl Residuals) {
         let right = self.descent();
@@ -181,7 +203,7 @@ impl Minimum {
 
     /// (JᵀJ + damping · diag JᵀJ) step = −Jᵀr of the parameters that no bound holds.
     fn damped_step(&self, damping: f64) -> Option<Vec<f64>> {
-        let free: Vec<usize> = (0..self.is_held.len()).filter(|k| !self.is_held[*k]).collect();
+        let free = self.free();
         let mut step = vec![0.0; self.is_held.len()];
         if free.is_empty() {
             return Some(step);

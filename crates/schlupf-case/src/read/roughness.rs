@@ -210,11 +210,7 @@ fn micro_model(
 ) -> Result<MicroContact, CaseError> {
     let explain = |error: schlupf::Error| explain(settings, &error);
     let MicroRequest { key, bodies, mean_pressures } = request;
-    let reaches = |solved: &&Arc<MicroContact>| {
-        let least = solved.result.normal.smallest_pressure();
-        solved.key == key && mean_pressures.iter().all(|pressure| *pressure >= least)
-    };
-    if let Some(solved) = solved.filter(reaches) {
+    if let Some(solved) = solved.filter(|solved| solved.serves(&key, &mean_pressures)) {
         let (statistics, normal) = (solved.result.statistics, solved.result.normal.clone());
         let result = MicroModelResult::new(statistics, normal, &bodies, &mean_pressures);
         let (result, notices) = (result.map_err(explain)?, solved.notices.clone());

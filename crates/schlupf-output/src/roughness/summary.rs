@@ -74,7 +74,12 @@ fn surface(text: &mut String, report: &RoughnessReport) {
 
 fn contact(text: &mut String, report: &RoughnessReport) {
     let hardness = if report.hardness.is_finite() {
-        format!("hardness {} GPa", number(report.hardness / 1e9))
+        let largest = report.result.normal.largest_pressure() / 1e6;
+        format!(
+            "hardness {} GPa, flattened by {} MPa before",
+            number(report.hardness / 1e9),
+            number(largest)
+        )
     } else {
         "elastic".to_owned()
     };

@@ -72,13 +72,22 @@ pub(super) fn check(data: &[DataPoint]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Series: points of one component at one speed (in m/s) under one load (in N).
+/// Speeds and loads that differ by no more than this part of themselves belong to one series, dimensionless.
+const SAME: f64 = 0.05;
+
+/// Series: points of one component at one speed (in m/s) under one load (in N), as well as these are held.
 pub(super) fn series(data: &[DataPoint]) -> Vec<Vec<usize>> {
+    let is_near = |one: f64, other: f64| (one - other).abs() <= SAME * one.abs().max(other.abs());
     let is_of = |one: &DataPoint, other: &DataPoint| {
-        let speeds = [one, other].map(|point| point.condition.kinematics.speed);
+        let (here, there) = (&one.condition, &other.condition);
+        let loads = match (here.load, there.load) {
+            (Some(one), Some(other)) => is_near(one, other),
+            (None, None) => true,
+            _ => false,
+        };
         one.component == other.component
-            && speeds[0] == speeds[1]
-            && one.condition.load == other.condition.load
+            && loads
+            && is_near(here.kinematics.speed, there.kinematics.speed)
     };
     let mut series: Vec<Vec<usize>> = Vec::new();
     for (k, point) in data.iter().enumerate() {
@@ -127,7 +136,7 @@ fn wrong_sign(data: &[DataPoint], points: &[usize]) -> Error {
         String::new()
     } else {
         let load = first.condition.load.map_or(String::new(), |load| format!(" under {load} N"));
-        format!(" at {} m/s{load}", first.condition.kinematics.speed)
+        format!(" at some {} m/s{load}", first.condition.kinematics.speed)
     };
     Error::Contradiction {
         quantity: "force_ratio",

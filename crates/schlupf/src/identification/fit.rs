@@ -248,8 +248,10 @@ fn place(condition: &Condition) -> String {
 fn correlation(covariance: &Mat<f64>) -> Vec<Vec<f64>> {
     let n = covariance.nrows();
     let root = |k: usize| covariance[(k, k)].sqrt();
-    let entry = |i: usize, j: usize| {
-        if i == j { 1.0 } else { covariance[(i, j)] / (root(i) * root(j)) }
+    let entry = |i: usize, j: usize| match covariance[(i, j)] {
+        _ if i == j => 1.0,
+        0.0 => 0.0,
+        together => together / (root(i) * root(j)),
     };
     (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
@@ -269,7 +271,16 @@ struct Found<'a> {
 
 impl Found<'_> {
     fn degrees_of_freedom(&self) -> usize {
-        self.data.len() - self.parameters.len()
+        self.data.len() - self.free().len()
+    }
+
+    /// Places of the parameters that the data decide on; the others are at a bound of their own.
+    fn free(&self) -> Vec<usize> {
+        let is_given = |k: usize| {
+            let (parameter, value) = self.parameters[k];
+            self.minimum.is_held[k] && parameter.may_end_at(value)
+        };
+        (0..self.parameters.len()).filter(|k| !is_given(*k)).collect()
     }
 
     fn points(&self) -> Vec<FittedPoint> {
@@ -279,13 +290,35 @@ impl Found<'_> {
     }
 
     /// Covariance of the moved coordinates for residuals of unit variance, after a check that the data determine the
-    /// parameters.
+    /// parameters. One that a bound holds is given as far as the others are concerned; its own variance is that without the
+    /// bound, for the one side to which its interval counts.
     fn determined(&self, slopes: &[f64]) -> Result<Mat<f64>, Error> {
+        let free = self.free();
+        let values: Vec<(Parameter, f64)> = free.iter().map(|k| self.parameters[*k]).collect();
         determinacy::check_range(&self.parameters, &self.points())?;
-        let unscaled = determinacy::covariance(&self.minimum, &self.parameters)?;
+        let (minimum, count) = (self.minimum.of(&free), self.parameters.len());
+        let mut unscaled = Mat::zeros(count, count);
+        if let Some(unbounded) = self.minimum.covariance() {
+            for k in (0..count).filter(|k| !free.contains(k)) {
+                unscaled[(k, k)] = unbounded[(k, k)];
+            }
+        } else {
+            for k in (0..count).filter(|k| !free.contains(k)) {
+                unscaled[(k, k)] = f64::NAN;
+            }
+        }
+        if free.is_empty() {
+            return Ok(unscaled);
+        }
+        let of_free = determinacy::covariance(&minimum, &values)?;
+        for (i, row) in free.iter().enumerate() {
+            for (j, column) in free.iter().enumerate() {
+                unscaled[(*row, *column)] = of_free[(i, j)];
+            }
+        }
         let errors = standard_errors(&unscaled, slopes, self.judged_scatter());
-        let half_widths: Vec<f64> = errors.iter().map(|error| self.quantile() * error).collect();
-        determinacy::check(&self.parameters, &half_widths, &correlation(&unscaled))?;
+        let half_widths: Vec<f64> = free.iter().map(|k| self.quantile() * errors[*k]).collect();
+        determinacy::check(&values, &half_widths, &correlation(&of_free))?;
         Ok(unscaled)
     }
 

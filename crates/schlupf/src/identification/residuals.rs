@@ -46,12 +46,18 @@ pub(super) struct Weighted<'a> {
     /// The points in the order of solution.
     order: Vec<usize>,
     /// Where the model was evaluated last, and what it gave.
-    last: Option<(Vec<f64>, Vec<f64>)>,
-    jacobian: Mat<f64>,
+    last: Option<Evaluation>,
     /// Why the last residuals could not be computed.
     pub failure: Option<Failure>,
     report: &'a mut dyn FnMut(Progress),
     solved: usize,
+}
+
+/// What the model gave.
+struct Evaluation {
+    moved: Vec<f64>,
+    residuals: Vec<f64>,
+    jacobian: Mat<f64>,
 }
 
 /// Why there are no residuals.
@@ -78,7 +84,6 @@ impl<'a> Weighted<'a> {
             coordinates,
             order: order(data),
             last: None,
-            jacobian: Mat::new(),
             failure: None,
             report,
             solved: 0,
@@ -92,13 +97,13 @@ impl<'a> Weighted<'a> {
     }
 
     fn evaluate(&mut self, moved: &[f64]) -> Result<Vec<f64>, Failure> {
-        if let Some((_, residuals)) = self.last.as_ref().filter(|(at, _)| at == moved) {
-            return Ok(residuals.clone());
+        if let Some(last) = self.last.as_ref().filter(|last| last.moved == moved) {
+            return Ok(last.residuals.clone());
         }
         let values = self.values(moved);
         self.model.set(&values).map_err(Failure::Refused)?;
         let mut residuals = vec![0.0; self.data.len()];
-        self.jacobian = Mat::zeros(self.data.len(), values.len());
+        let mut jacobian = Mat::zeros(self.data.len(), values.len());
         let mut last: Option<(Condition, ForceRatio)> = None;
         for row in self.order.clone() {
             let point = &self.data[row];
@@ -112,11 +117,13 @@ impl<'a> Weighted<'a> {
             residuals[row] = weight * (force.value[component] - point.force_ratio);
             for (column, by) in force.by_parameter.iter().enumerate() {
                 let slope = self.coordinates[column].scale.slope(values[column]);
-                self.jacobian[(row, column)] = weight * slope * by[component];
+                jacobian[(row, column)] = weight * slope * by[component];
             }
             last = Some((point.condition, force));
         }
-        self.last = Some((moved.to_vec(), residuals.clone()));
+        let (moved, known) = (moved.to_vec(), residuals.clone());
+        self.last = Some(Evaluation { moved, residuals: known, jacobian });
+        self.failure = None;
         Ok(residuals)
     }
 
@@ -146,9 +153,10 @@ impl Residuals for Weighted<'_> {
         self.coordinates[parameter].bounds()
     }
 
-    /// That of the last residuals: least squares asks for it where it has just asked for those.
-    fn jacobian(&mut self, _moved: &[f64], _residuals: &[f64]) -> Option<Mat<f64>> {
-        Some(self.jacobian.clone())
+    /// Found together with the residuals.
+    fn jacobian(&mut self, moved: &[f64], _residuals: &[f64]) -> Option<Mat<f64>> {
+        self.residuals(moved)?;
+        self.last.as_ref().map(|last| last.jacobian.clone())
     }
 }
 

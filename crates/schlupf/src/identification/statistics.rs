@@ -5,7 +5,8 @@
 pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> f64 {
     let mean = data.iter().sum::<f64>() / data.len() as f64;
     let total: f64 = data.iter().map(|value| (value - mean).powi(2)).sum();
-    if total == 0.0 { f64::NAN } else { 1.0 - sum_of_squares(residuals) / total }
+    let rounding = f64::EPSILON * sum_of_squares(data);
+    if total <= rounding { f64::NAN } else { 1.0 - sum_of_squares(residuals) / total }
 }
 
 pub(super) fn sum_of_squares(values: &[f64]) -> f64 {
@@ -45,6 +46,9 @@ mod tests {
         let data = [1.0, 2.0, 3.0];
         assert_eq!(r_squared(&data, &[0.0; 3]), 1.0);
         assert_eq!(r_squared(&data, &[-1.0, 0.0, 1.0]), 0.0);
+        assert!(
+            r_squared(&[0.2; 6], &[0.01; 6]).is_nan() && r_squared(&[0.0; 3], &[0.1; 3]).is_nan()
+        );
         assert!((rms(&[3.0, 4.0]) - 12.5_f64.sqrt()).abs() < 1e-15);
     }
 }

@@ -91,6 +91,7 @@ impl LoadCurve {
         require_positive("normal.pressure", largest, "Pa")?;
         let steps = options.steps();
         let area = contact.distance().lattice().area();
+        let hardness = contact.hardness();
         let mut flattened = None;
         let mut first = None;
         if contact.hardness().is_finite() {
@@ -104,8 +105,13 @@ impl LoadCurve {
             let pressure = largest * options.range.powf(-(step as f64) / steps as f64);
             let solution = contact.press(pressure, &options.contact)?;
             let mut point = LoadPoint::of(&solution, area);
+            // The perimeter is corrected as that of round spots, of flat ones by too much.
+            let least = point.mean_pressure / hardness;
+            point.corrected_contact_fraction = point.corrected_contact_fraction.max(least);
             if let Some(first) = first.take() {
                 point.plastic_fraction = first.plastic_area / area;
+                let least = point.plastic_fraction;
+                point.corrected_contact_fraction = point.corrected_contact_fraction.max(least);
                 point.is_converged &= first.is_converged;
                 point.iterations += first.iterations;
             }
@@ -114,7 +120,7 @@ impl LoadCurve {
         }
         points.reverse();
         if points[points.len() - 1].contact_fraction > CLOSED {
-            return Err(all_in_contact(&points));
+            return Err(all_in_contact(&points, hardness));
         }
         Self::new(points)
     }
@@ -246,16 +252,23 @@ impl LoadCurve {
 /// Part of the surface in contact from which on there are no valleys left that the load could close, dimensionless.
 const CLOSED: f64 = 0.999;
 
-fn all_in_contact(points: &[LoadPoint]) -> Error {
+fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
     let is_closed = |point: &&LoadPoint| point.contact_fraction > CLOSED;
     let first = points.iter().find(is_closed).map_or(0.0, |point| point.mean_pressure);
+    let largest = points.last().map_or(0.0, |point| point.mean_pressure);
+    let cause = if hardness.is_finite() {
+        format!(
+            "{:.4} MPa flatten it with a hardness of {:.4} MPa, or its heights are in another unit",
+            1e-6 * largest,
+            1e-6 * hardness
+        )
+    } else {
+        "it is too smooth for that, the pressures are too large, or its heights are in another unit"
+            .to_owned()
+    };
     Error::Contradiction {
         quantity: "surface.heights",
-        reason: format!(
-            "all of the surface is in contact under {:.4} MPa: it is too smooth for that, the pressures are \
-             too large, or its heights are in another unit",
-            1e-6 * first
-        ),
+        reason: format!("all of the surface is in contact under {:.4} MPa: {cause}", 1e-6 * first),
     }
 }
 

@@ -85,6 +85,12 @@ impl MicroModel {
 }
 
 impl MicroModelResult {
+    /// Whether its normal contact reaches as far below mean pressures (in Pa) as one that is solved for them.
+    pub fn covers(&self, mean_pressures: &[f64]) -> bool {
+        let least = (1.0 - 1e-9) * BELOW * self.normal.smallest_pressure();
+        mean_pressures.iter().all(|pressure| *pressure >= least)
+    }
+
     /// From a normal contact that is solved: tangential curves at mean pressures (in Pa), and k_c.
     pub fn new(
         statistics: Statistics,

@@ -6,7 +6,8 @@
 //!
 //! Q = μ (P − P*),  u = μ c (d(P) − d(P*)),  c = (2 − ν)/(2 (1 − ν)).
 //!
-//! Bodies that yielded under P are elastic on the way back, and so must d(P*) be: that of the flattened surfaces
+//! Bodies that have yielded under P or more are elastic on the way back, and so must d(P*) be: that of surfaces which the
+//! largest load has flattened
 //! ([`super::load_curve::LoadCurve::compute`]).
 //!
 //! P* falls from P (all sticks) to 0 (all slides, at a finite displacement). Exact for ν = 0; else the
