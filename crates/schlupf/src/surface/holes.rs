@@ -16,11 +16,11 @@ pub enum Holes {
 /// At most this part of the cells or points may be holes, dimensionless.
 const LARGEST_SHARE: f64 = 0.5;
 
-/// Residual of a cell (root mean square) over the range of heights, dimensionless; and the iterations that reach it on any lattice.
+/// Residual of a cell (root mean square) over the range of heights, dimensionless; and more iterations than reach it.
 const SETTLED: f64 = 1e-8;
 const ITERATIONS: usize = 20_000;
 
-/// Lattices with fewer cells than this along a side are not made coarser.
+/// Lattices with fewer cells than this along a side are not made coarser along it.
 const COARSEST: usize = 8;
 
 /// Refuses heights of which too many are missing.
@@ -58,7 +58,7 @@ impl HeightMap {
     }
 }
 
-/// Solves Laplace's equation in the holes, first on a lattice of half as many cells each way. Where a
+/// Solves Laplace's equation in the holes, first on a lattice of half as many cells along the sides that are long enough. Where a
 /// hole reaches the edge of the map, there is no slope across it.
 fn fill(lattice: &Lattice, heights: &mut [f64]) -> Result<(), Error> {
     let missing: Vec<usize> =
@@ -66,45 +66,54 @@ fn fill(lattice: &Lattice, heights: &mut [f64]) -> Result<(), Error> {
     if missing.is_empty() {
         return Ok(());
     }
-    if lattice.columns.min(lattice.rows) < COARSEST {
+    let by = [lattice.columns, lattice.rows].map(|count| if count < COARSEST { 1 } else { 2 });
+    if by == [1, 1] {
         let known = heights.iter().filter(|height| height.is_finite());
         let mean = known.sum::<f64>() / (heights.len() - missing.len()) as f64;
         for cell in &missing {
             heights[*cell] = mean;
         }
     } else {
-        let (coarse, mut means) = halved(lattice, heights);
+        let (coarse, mut means) = coarser(lattice, heights, by);
         fill(&coarse, &mut means)?;
         for cell in &missing {
-            heights[*cell] =
-                between(&coarse, &means, cell % lattice.columns, cell / lattice.columns);
+            let place = [cell % lattice.columns, cell / lattice.columns];
+            heights[*cell] = between(&coarse, &means, place, by);
         }
     }
     Laplace::new(lattice, &missing, heights).solve(heights)
 }
 
-/// The mean of each two by two cells, of those that are known.
-fn halved(lattice: &Lattice, heights: &[f64]) -> (Lattice, Vec<f64>) {
-    let [columns, rows] = [lattice.columns, lattice.rows].map(|count| count.div_ceil(2));
-    let [spacing_x, spacing_y] = [2.0 * lattice.spacing_x, 2.0 * lattice.spacing_y];
-    let coarse = Lattice { columns, rows, spacing_x, spacing_y };
+/// The mean of each so many by so many cells, of those that are known.
+fn coarser(lattice: &Lattice, heights: &[f64], by: [usize; 2]) -> (Lattice, Vec<f64>) {
+    let columns = lattice.columns.div_ceil(by[0]);
+    let coarse = Lattice {
+        columns,
+        rows: lattice.rows.div_ceil(by[1]),
+        spacing_x: by[0] as f64 * lattice.spacing_x,
+        spacing_y: by[1] as f64 * lattice.spacing_y,
+    };
     let mut sums = vec![[0.0; 2]; coarse.len()];
     for (cell, height) in heights.iter().enumerate().filter(|(_, height)| height.is_finite()) {
-        let (i, j) = (cell % lattice.columns / 2, cell / lattice.columns / 2);
+        let (i, j) = (cell % lattice.columns / by[0], cell / lattice.columns / by[1]);
         let sum = &mut sums[j * columns + i];
         *sum = [sum[0] + height, sum[1] + 1.0];
     }
     (coarse, sums.iter().map(|[sum, count]| sum / count).collect())
 }
 
-/// The height of a fine cell, linear between the four nearest coarse ones.
-fn between(coarse: &Lattice, heights: &[f64], i: usize, j: usize) -> f64 {
-    let near = |at: usize, count: usize| {
+/// The height of a fine cell, linear between the nearest coarse ones.
+fn between(coarse: &Lattice, heights: &[f64], place: [usize; 2], by: [usize; 2]) -> f64 {
+    let near = |at: usize, by: usize, count: usize| {
+        if by == 1 {
+            return [(at, 1.0), (at, 0.0)];
+        }
         let inner = at / 2;
         let outer = if at.is_multiple_of(2) { inner.saturating_sub(1) } else { inner + 1 };
         [(inner, 0.75), (outer.min(count - 1), 0.25)]
     };
-    let [x, y] = [near(i, coarse.columns), near(j, coarse.rows)];
+    let x = near(place[0], by[0], coarse.columns);
+    let y = near(place[1], by[1], coarse.rows);
     let row = |j: usize| x.iter().map(|(i, w)| w * heights[j * coarse.columns + i]).sum::<f64>();
     y.iter().map(|(j, w)| w * row(*j)).sum()
 }

@@ -101,7 +101,12 @@ impl Profile {
         // It fails only on slices of a wrong length.
         let _ = transform.process(&mut field, &mut values);
         let variance = 2.0 / (count as f64 * count as f64);
-        let variances = values.iter().map(|value| variance * value.norm_sqr()).collect();
+        let mut variances: Vec<f64> =
+            values.iter().map(|value| variance * value.norm_sqr()).collect();
+        if let (true, Some(shortest)) = (count.is_multiple_of(2), variances.last_mut()) {
+            // The shortest wave is its own mirror.
+            *shortest *= 0.5;
+        }
         (TAU / (count as f64 * self.spacing), variances)
     }
 }
