@@ -1,13 +1,16 @@
 //! Arguments of the command line.
 
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use schlupf::calibration::CalibrationOptions;
 use schlupf::creep_curve::{MAX_POINTS, Sampling};
 use schlupf::identification::roughness::DEFAULT_GAMMA;
+
+use crate::failure::Failure;
+use crate::stdout;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -76,15 +79,48 @@ pub struct CaseArguments {
     pub overrides: Vec<String>,
 }
 
+/// What stands for standard output.
+const STANDARD_OUTPUT: &str = "-";
+
+/// What of the results is shown.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Write the results as JSON; `-` is standard output, then without the summary
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub json: Option<PathBuf>,
+    /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+impl ReportArguments {
+    /// The file of the JSON, if it goes into one.
+    pub fn json_file(&self) -> Option<&Path> {
+        self.json.as_deref().filter(|path| *path != Path::new(STANDARD_OUTPUT))
+    }
+
+    /// Prints the JSON, if it goes to standard output, else the summary, unless none is wanted.
+    pub fn print(
+        &self,
+        json: impl FnOnce() -> String,
+        summary: impl FnOnce() -> String,
+    ) -> Result<(), Failure> {
+        if self.json.is_some() && self.json_file().is_none() {
+            stdout::write(&json())
+        } else if self.quiet {
+            Ok(())
+        } else {
+            stdout::write(&summary())
+        }
+    }
+}
+
 /// What to solve and where to write it.
 #[derive(Debug, Args)]
 pub struct SolveArguments {
     /// Which case.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Write the results as JSON; `-` is standard output, then without the summary
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
     /// Write the fields as CSV, one row for each cell in contact
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub csv: Option<PathBuf>,
@@ -100,9 +136,9 @@ pub struct SolveArguments {
     /// Write the state at the end, to go on from
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub final_state: Option<PathBuf>,
-    /// Print no summary
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// Which creep curves, and where to write them.
@@ -144,18 +180,15 @@ pub struct CurveArguments {
     /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s"
     #[arg(long, value_name = "SECTION.FIELD=VALUE,…")]
     pub over: Option<String>,
-    /// Write the curves as JSON; `-` is standard output, then without the summary
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
     /// Write the curves as CSV, one row for each point
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub csv: Option<PathBuf>,
     /// Draw the figure `creep_curve` (PNG and SVG) into a directory, created if missing
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub figures: Option<PathBuf>,
-    /// Print no summary
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// Where to look at the temperatures, and where to write them.
@@ -179,18 +212,15 @@ pub struct TemperatureArguments {
     /// Number of points of each line
     #[arg(long, value_name = "N", default_value_t = 201, value_parser = number_of_points)]
     pub points: usize,
-    /// Write the temperatures as JSON; `-` is standard output, then without the summary
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
     /// Write the temperatures as CSV, one row for each point
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub csv: Option<PathBuf>,
     /// Draw the figure `temperature` (PNG and SVG) into a directory, created if missing
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub figures: Option<PathBuf>,
-    /// Print no summary
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// Whose balance to find, and where to write it.
@@ -199,12 +229,9 @@ pub struct BulkArguments {
     /// Which case; its section [cooling] says what cools the wheel.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Write the balance as JSON; `-` is standard output, then without the summary
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
-    /// Print no summary
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// What to calibrate the layer to, and where to write the stiffnesses.
@@ -224,16 +251,13 @@ pub struct CalibrateArguments {
     #[arg(long, value_name = "N", default_value_t = CalibrationOptions::default().cells,
           value_parser = number_of_cells)]
     pub cells: usize,
-    /// Write the stiffnesses as JSON; `-` is standard output, then without the summary
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
     /// Draw the figure `calibration` (PNG and SVG) into a directory, created if missing
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath,
           conflicts_with = "displacements")]
     pub figures: Option<PathBuf>,
-    /// Print no summary
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// What to fit to which data, and where to write it.
@@ -259,9 +283,6 @@ pub struct FitArguments {
     #[arg(long, value_name = "N", default_value_t = 100,
           value_parser = clap::value_parser!(u32).range(1..))]
     pub max_steps: u32,
-    /// Write the results as JSON; `-` is standard output, then without the summary
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
     /// Write data, fit and residuals as CSV, one row for each measured force
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub csv: Option<PathBuf>,
@@ -271,9 +292,9 @@ pub struct FitArguments {
     /// Write the case with the values found, comments and layout kept
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub write_case: Option<PathBuf>,
-    /// Print no summary
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// A γ that theory or measurement may have.
@@ -288,18 +309,15 @@ pub struct CompareArguments {
     /// Which case.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Write the results as JSON; `-` is standard output, then without the table
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
     /// Write the table as CSV, one row for each method
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub csv: Option<PathBuf>,
     /// Draw the figure `comparison` (PNG and SVG) into a directory, created if missing
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub figures: Option<PathBuf>,
-    /// Print no table
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// Which surface to press on which bodies, and where to write the results.
@@ -356,9 +374,6 @@ pub struct RoughnessArguments {
     /// Set a field of the case, such as wheel.young_modulus="200 GPa"
     #[arg(long = "set", value_name = "SECTION.FIELD=VALUE")]
     pub overrides: Vec<String>,
-    /// Write the results as JSON; `-` is standard output, then without the summary
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub json: Option<PathBuf>,
     /// Write the tangential curves as CSV, one row for each point
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub csv: Option<PathBuf>,
@@ -374,9 +389,9 @@ pub struct RoughnessArguments {
     /// Draw curves, surface, contact spots and spectrum (PNG and SVG) into a directory, created if missing
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub figures: Option<PathBuf>,
-    /// Print no summary
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What of the results is shown.
+    #[command(flatten)]
+    pub report: ReportArguments,
 }
 
 /// A number of cells on which a calibration means something and ends.

@@ -13,8 +13,7 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::{self, Input};
 use crate::progress::Progress;
-use crate::solve::is_stdout;
-use crate::{report, stdout};
+use crate::report;
 
 /// Finds the bulk temperature of the wheel and writes the balance.
 pub fn run(arguments: &BulkArguments) -> Result<ExitCode, Failure> {
@@ -54,18 +53,14 @@ fn find(case: &Case, cooling: &Cooling) -> Result<BulkTemperature, Error> {
 }
 
 fn check_outputs(arguments: &BulkArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = json.map(|path| ("--json", path)).into_iter().collect();
     outputs::check(&outputs, &Input::of_case(&arguments.case, case))
 }
 
 fn write(arguments: &BulkArguments, report: &Report) -> Result<(), Failure> {
-    let json = arguments.json.as_deref();
-    if json.is_some_and(is_stdout) {
-        return stdout::write(&document(report));
-    }
-    if let Some(path) = json {
+    if let Some(path) = arguments.report.json_file() {
         outputs::write(&[(path.to_owned(), document(report).into_bytes())], None)?;
     }
-    if arguments.quiet { Ok(()) } else { stdout::write(&text(report)) }
+    arguments.report.print(|| document(report), || text(report))
 }

@@ -24,8 +24,8 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::{self, Input};
 use crate::progress::Progress;
-use crate::solve::{figure_files, is_stdout};
-use crate::{report, stdout};
+use crate::report;
+use crate::solve::figure_files;
 
 const DISPLACEMENTS: &str = "--displacements";
 
@@ -247,7 +247,7 @@ fn components(fitted: &Fitted) -> impl Iterator<Item = &FittedComponent> {
 }
 
 fn check_outputs(arguments: &CalibrateArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = json.map(|path| ("--json", path)).into_iter().collect();
     let mut inputs = Input::of_case(&arguments.case, case);
     inputs.extend(arguments.displacements.iter().map(|path| Input {
@@ -270,8 +270,7 @@ fn write(
     figure: Option<Figure>,
 ) -> Result<(), Failure> {
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
-    let json = arguments.json.as_deref();
-    if let Some(path) = json.filter(|path| !is_stdout(path)) {
+    if let Some(path) = arguments.report.json_file() {
         files.push((path.to_owned(), json::document(report).into_bytes()));
     }
     if let (Some(directory), Some(figure)) = (&arguments.figures, figure) {
@@ -280,11 +279,5 @@ fn write(
         files.push((png, figure.png));
     }
     outputs::write(&files, arguments.figures.as_deref())?;
-    if json.is_some_and(is_stdout) {
-        stdout::write(&json::document(report))
-    } else if arguments.quiet {
-        Ok(())
-    } else {
-        stdout::write(&summary::text(report))
-    }
+    arguments.report.print(|| json::document(report), || summary::text(report))
 }

@@ -8,6 +8,7 @@ use schlupf::normal::Pressure;
 use schlupf::rolling::{self, steady::SteadySolver};
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Options, Problem, Solution};
+use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, Effective, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry, csv, json, summary};
 use schlupf_output::figures;
@@ -17,8 +18,8 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::solve::{figure_files, is_stdout};
-use crate::{outputs, report, stdout};
+use crate::solve::figure_files;
+use crate::{outputs, report};
 
 /// What the fields that a method sets come from, in messages.
 const COMPARE: &str = "compare";
@@ -26,20 +27,7 @@ const COMPARE: &str = "compare";
 const MODEL: &str = "elasticity.model";
 const BOUND: &str = "fastsim.bound";
 
-/// Fields of other models of elasticity; a case may give them for its own.
-const STIFFNESSES: [&str; 11] = [
-    "elasticity.bedding_x",
-    "elasticity.bedding_y",
-    "elasticity.coupling_x",
-    "elasticity.coupling_x_across",
-    "elasticity.coupling_y",
-    "elasticity.coupling_y_across",
-    "elasticity.spring_x",
-    "elasticity.spring_y",
-    "elasticity.spring_coupling_x",
-    "elasticity.spring_coupling_y",
-    "elasticity.margin",
-];
+const MARGIN: &str = "elasticity.margin";
 
 /// Compares all methods on a case and writes the results.
 pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
@@ -55,7 +43,7 @@ pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
     let files = files(arguments, &comparison, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
-    print(arguments, &comparison)?;
+    arguments.report.print(|| json::document(&comparison), || summary::text(&comparison))?;
     for entry in &comparison.entries {
         if let Some(reason) = entry.reason() {
             report::warn(&format!("{}: not available: {reason}", entry.name));
@@ -170,8 +158,9 @@ fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
 /// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
 /// default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c = 1/L.
 fn with_elasticity(case: &Case, model: &str) -> Result<Case, CaseErrors> {
-    let without = STIFFNESSES.map(|field| format!("{field}="));
-    let assignments = [&[format!("{MODEL}={model}")], &without[..]].concat();
+    let without = STIFFNESSES.iter().chain(&[MARGIN]).map(|field| format!("{field}="));
+    let assignments: Vec<String> =
+        [format!("{MODEL}={model}")].into_iter().chain(without).collect();
     case.with_all(COMPARE, &assignments)
 }
 
@@ -229,7 +218,7 @@ fn again_fast(problem: &Problem, options: &Options) -> Result<f64, Error> {
 }
 
 fn check_outputs(arguments: &CompareArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
         .into_iter()
         .filter_map(|(option, path)| Some((option, path?)))
@@ -258,7 +247,7 @@ fn files(
     progress: &Progress,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
-    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+    if let Some(path) = arguments.report.json_file() {
         files.push((path.to_owned(), json::document(comparison).into_bytes()));
     }
     if let Some(path) = &arguments.csv {
@@ -272,14 +261,4 @@ fn files(
         files.push((png, figure.png));
     }
     Ok(files)
-}
-
-fn print(arguments: &CompareArguments, comparison: &Comparison) -> Result<(), Failure> {
-    if arguments.json.as_deref().is_some_and(is_stdout) {
-        stdout::write(&json::document(comparison))
-    } else if arguments.quiet {
-        Ok(())
-    } else {
-        stdout::write(&summary::text(comparison))
-    }
 }

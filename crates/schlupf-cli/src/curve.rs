@@ -16,8 +16,8 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::solve::{figure_files, is_stdout};
-use crate::{outputs, report, stdout};
+use crate::solve::figure_files;
+use crate::{outputs, report};
 
 const CREEPAGE_X: &str = "--creepage-x";
 const CREEPAGE_Y: &str = "--creepage-y";
@@ -57,7 +57,7 @@ pub fn run(arguments: &CurveArguments) -> Result<ExitCode, Failure> {
     let files = files(arguments, &family, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
-    print(arguments, &family)?;
+    arguments.report.print(|| json::document(&family), || summary::text(&family))?;
     if family.is_converged() {
         return Ok(ExitCode::SUCCESS);
     }
@@ -221,7 +221,7 @@ impl Task {
 }
 
 fn check_outputs(arguments: &CurveArguments, tasks: &[Task]) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
         .into_iter()
         .filter_map(|(option, path)| Some((option, path?)))
@@ -244,7 +244,7 @@ fn files(
     progress: &Progress,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
-    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+    if let Some(path) = arguments.report.json_file() {
         files.push((path.to_owned(), json::document(family).into_bytes()));
     }
     if let Some(path) = &arguments.csv {
@@ -258,14 +258,4 @@ fn files(
         files.push((png, figure.png));
     }
     Ok(files)
-}
-
-fn print(arguments: &CurveArguments, family: &CurveFamily) -> Result<(), Failure> {
-    if arguments.json.as_deref().is_some_and(is_stdout) {
-        stdout::write(&json::document(family))
-    } else if arguments.quiet {
-        Ok(())
-    } else {
-        stdout::write(&summary::text(family))
-    }
 }

@@ -18,8 +18,8 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::{self, Input};
 use crate::progress::Progress;
-use crate::solve::{figure_files, is_stdout};
-use crate::{report, stdout};
+use crate::report;
+use crate::solve::figure_files;
 
 const DATA: &str = "--data";
 const FIT: &str = "--fit";
@@ -78,7 +78,7 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
     };
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
-    print(arguments, &report)?;
+    arguments.report.print(|| json::document(&report), || summary::text(&report))?;
     if let Some(failure) = no_case {
         return Err(failure);
     }
@@ -184,7 +184,7 @@ fn fitted_case(
 }
 
 fn check_outputs(arguments: &FitArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = [
         ("--json", json),
         ("--csv", arguments.csv.as_deref()),
@@ -211,7 +211,7 @@ fn files(
     progress: &Progress,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
-    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+    if let Some(path) = arguments.report.json_file() {
         files.push((path.to_owned(), json::document(report).into_bytes()));
     }
     if let Some(path) = &arguments.csv {
@@ -225,14 +225,4 @@ fn files(
         files.push((png, figure.png));
     }
     Ok(files)
-}
-
-fn print(arguments: &FitArguments, report: &FitReport) -> Result<(), Failure> {
-    if arguments.json.as_deref().is_some_and(is_stdout) {
-        stdout::write(&json::document(report))
-    } else if arguments.quiet {
-        Ok(())
-    } else {
-        stdout::write(&summary::text(report))
-    }
 }

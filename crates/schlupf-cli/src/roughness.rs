@@ -19,8 +19,8 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::{self, Input};
 use crate::progress::Progress;
-use crate::solve::{figure_files, is_stdout};
-use crate::{report, stdout};
+use crate::report;
+use crate::solve::figure_files;
 
 /// Solves the micro model of a surface and writes what it says about k_c.
 pub fn run(arguments: &RoughnessArguments) -> Result<ExitCode, Failure> {
@@ -43,7 +43,7 @@ pub fn run(arguments: &RoughnessArguments) -> Result<ExitCode, Failure> {
     let files = files(arguments, &report, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
-    print(arguments, &report)?;
+    arguments.report.print(|| json::document(&report), || summary::text(&report))?;
     match report.status() {
         Status::Converged => Ok(ExitCode::SUCCESS),
         Status::NotConverged => {
@@ -269,7 +269,7 @@ fn check_outputs(
     case_arguments: &CaseArguments,
     case: &Case,
 ) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = [
         ("--json", json),
         ("--csv", arguments.csv.as_deref()),
@@ -303,7 +303,7 @@ fn files(
     progress: &Progress,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
-    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+    if let Some(path) = arguments.report.json_file() {
         files.push((path.to_owned(), json::document(report).into_bytes()));
     }
     if let Some(path) = &arguments.csv {
@@ -326,14 +326,4 @@ fn files(
         }
     }
     Ok(files)
-}
-
-fn print(arguments: &RoughnessArguments, report: &RoughnessReport) -> Result<(), Failure> {
-    if arguments.json.as_deref().is_some_and(is_stdout) {
-        stdout::write(&json::document(report))
-    } else if arguments.quiet {
-        Ok(())
-    } else {
-        stdout::write(&summary::text(report))
-    }
 }

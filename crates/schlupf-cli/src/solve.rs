@@ -16,7 +16,7 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::{contact_law, outputs, report, stdout};
+use crate::{contact_law, outputs, report};
 
 const FINAL_STATE: &str = "--final-state";
 
@@ -38,7 +38,7 @@ pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
     let files = files(arguments, &texts, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
-    print(arguments, &texts)?;
+    arguments.report.print(|| texts.json(), || texts.summary())?;
     match solution.status {
         Status::Converged => Ok(ExitCode::SUCCESS),
         Status::NotConverged => {
@@ -77,13 +77,8 @@ fn refuse_state(arguments: &SolveArguments, method: Method) -> Result<(), Failur
     }
 }
 
-/// Whether a path stands for standard output.
-pub fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
 fn check_outputs(arguments: &SolveArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = [
         ("--json", json),
         ("--csv", arguments.csv.as_deref()),
@@ -190,7 +185,7 @@ fn files(
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let (title, solution) = (texts.title, texts.solution);
     let mut files = Vec::new();
-    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+    if let Some(path) = arguments.report.json_file() {
         files.push((path.to_owned(), texts.json().into_bytes()));
     }
     if let Some(path) = &arguments.csv {
@@ -213,14 +208,4 @@ fn files(
         }
     }
     Ok(files)
-}
-
-fn print(arguments: &SolveArguments, texts: &Texts) -> Result<(), Failure> {
-    if arguments.json.as_deref().is_some_and(is_stdout) {
-        stdout::write(&texts.json())
-    } else if arguments.quiet {
-        Ok(())
-    } else {
-        stdout::write(&texts.summary())
-    }
 }

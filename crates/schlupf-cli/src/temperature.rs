@@ -14,8 +14,8 @@ use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::outputs::{self, Input};
 use crate::progress::Progress;
-use crate::solve::{figure_files, is_stdout};
-use crate::{report, stdout};
+use crate::report;
+use crate::solve::figure_files;
 
 /// Solves a case and writes temperatures below a point and along its row.
 pub fn run(arguments: &TemperatureArguments) -> Result<ExitCode, Failure> {
@@ -45,7 +45,7 @@ pub fn run(arguments: &TemperatureArguments) -> Result<ExitCode, Failure> {
     let files = files(arguments, &temperatures, &progress)?;
     drop(progress);
     outputs::write(&files, arguments.figures.as_deref())?;
-    print(arguments, &temperatures)?;
+    arguments.report.print(|| json::document(&temperatures), || summary::text(&temperatures))?;
     match solution.status {
         Status::Converged => Ok(ExitCode::SUCCESS),
         Status::NotConverged => {
@@ -173,7 +173,7 @@ fn millimetres(value: f64) -> f64 {
 }
 
 fn check_outputs(arguments: &TemperatureArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.json.as_deref().filter(|path| !is_stdout(path));
+    let json = arguments.report.json_file();
     let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
         .into_iter()
         .filter_map(|(option, path)| Some((option, path?)))
@@ -195,7 +195,7 @@ fn files(
     progress: &Progress,
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
-    if let Some(path) = arguments.json.as_deref().filter(|path| !is_stdout(path)) {
+    if let Some(path) = arguments.report.json_file() {
         files.push((path.to_owned(), json::document(temperatures).into_bytes()));
     }
     if let Some(path) = &arguments.csv {
@@ -209,14 +209,4 @@ fn files(
         files.push((png, figure.png));
     }
     Ok(files)
-}
-
-fn print(arguments: &TemperatureArguments, temperatures: &Temperatures) -> Result<(), Failure> {
-    if arguments.json.as_deref().is_some_and(is_stdout) {
-        stdout::write(&json::document(temperatures))
-    } else if arguments.quiet {
-        Ok(())
-    } else {
-        stdout::write(&summary::text(temperatures))
-    }
 }

@@ -41,6 +41,21 @@ pub const OF_FILE: &[&str] = &[
     "contact_law.roughness.square_cells",
 ];
 
+/// Stiffnesses of the elasticity: so many per area, then those for each cell.
+pub const STIFFNESSES: &[&str] = &[
+    "elasticity.bedding_x",
+    "elasticity.bedding_y",
+    "elasticity.coupling_x",
+    "elasticity.coupling_x_across",
+    "elasticity.coupling_y",
+    "elasticity.coupling_y_across",
+    "elasticity.spring_x",
+    "elasticity.spring_y",
+    "elasticity.spring_coupling_x",
+    "elasticity.spring_coupling_y",
+];
+const PER_AREA: usize = 6;
+
 /// All fields of the roughness.
 pub const ROUGHNESS: &[&str] = &[
     "contact_law.roughness.rms_height",
@@ -84,36 +99,13 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "with the semi-axes, the peak pressure determines the load",
     },
     Alternatives {
-        first: &[
-            "elasticity.bedding_x",
-            "elasticity.bedding_y",
-            "elasticity.coupling_x",
-            "elasticity.coupling_x_across",
-            "elasticity.coupling_y",
-            "elasticity.coupling_y_across",
-        ],
-        second: &[
-            "elasticity.spring_x",
-            "elasticity.spring_y",
-            "elasticity.spring_coupling_x",
-            "elasticity.spring_coupling_y",
-        ],
+        first: STIFFNESSES.split_at(PER_AREA).0,
+        second: STIFFNESSES.split_at(PER_AREA).1,
         reason: "stiffnesses are given per area (bedding, coupling) or for each cell (spring)",
     },
     Alternatives {
         first: &["elasticity.calibration"],
-        second: &[
-            "elasticity.bedding_x",
-            "elasticity.bedding_y",
-            "elasticity.coupling_x",
-            "elasticity.coupling_x_across",
-            "elasticity.coupling_y",
-            "elasticity.coupling_y_across",
-            "elasticity.spring_x",
-            "elasticity.spring_y",
-            "elasticity.spring_coupling_x",
-            "elasticity.spring_coupling_y",
-        ],
+        second: STIFFNESSES,
         reason: "the calibration gives all stiffnesses",
     },
     Alternatives {

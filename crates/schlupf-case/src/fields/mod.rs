@@ -8,7 +8,7 @@ mod suggestion;
 mod table;
 
 pub use alternatives::{
-    ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, companion, related,
+    ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companion, related,
 };
 pub use field::{Choice, Default, Field, Kind, Section, UsedWith};
 pub use requirement::{Requirement, readable};
