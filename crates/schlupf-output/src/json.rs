@@ -179,6 +179,7 @@ struct Area {
 #[derive(Serialize)]
 struct History {
     time: Vec<f64>,
+    distance: Vec<f64>,
     speed: Vec<f64>,
     creepage_x: Vec<f64>,
     creepage_y: Vec<f64>,
@@ -187,6 +188,9 @@ struct History {
     force_x: Vec<f64>,
     force_y: Vec<f64>,
     moment_z: Vec<f64>,
+    friction_power: Vec<f64>,
+    creep_power: Vec<f64>,
+    stored_energy: Vec<f64>,
     max_rise: Vec<f64>,
 }
 
@@ -305,6 +309,7 @@ impl History {
         let column = |value: fn(&Instant) -> f64| history.iter().map(value).collect();
         Self {
             time: column(|instant| instant.time),
+            distance: column(|instant| instant.distance),
             speed: column(|instant| instant.kinematics.speed),
             creepage_x: column(|instant| instant.kinematics.creepage_x),
             creepage_y: column(|instant| instant.kinematics.creepage_y),
@@ -313,6 +318,9 @@ impl History {
             force_x: column(|instant| instant.force.x),
             force_y: column(|instant| instant.force.y),
             moment_z: column(|instant| instant.force.moment_z),
+            friction_power: column(|instant| instant.friction_power),
+            creep_power: column(|instant| instant.creep_power),
+            stored_energy: column(|instant| instant.stored_energy),
             max_rise: column(|instant| instant.max_rise),
         }
     }

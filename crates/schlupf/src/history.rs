@@ -1,12 +1,14 @@
-//! Creepages, speed and load over time: transient rolling.
+//! Creepages, speed and load over time: transient rolling, which may start with a shift at rest.
 
-use crate::error::{Error, require_positive};
+use crate::error::{Error, require_finite, require_positive};
 use crate::kinematics::Kinematics;
 
 /// Quantities over time, linear between the times and constant outside. `None` is constant.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
-    /// Times, strictly ascending, in s.
+    /// Shift of the wheel over the rail at rest before it rolls, along and across rolling, in m.
+    pub shift: [f64; 2],
+    /// Times, strictly ascending, in s; none if the shift is all.
     pub time: Vec<f64>,
     /// Speed v0, in m/s.
     pub speed: Option<Vec<f64>>,
@@ -24,8 +26,12 @@ impl History {
     /// Checks the tables, and that the wheel rolls at every time.
     pub fn check(&self, otherwise: &Kinematics) -> Result<(), Error> {
         let contradiction = |quantity, reason| Err(Error::Contradiction { quantity, reason });
+        for (quantity, shift) in ["history.shift_x", "history.shift_y"].into_iter().zip(self.shift)
+        {
+            require_finite(quantity, shift, "m")?;
+        }
         let count = self.time.len();
-        if count < 2 {
+        if count < 2 && !(self.is_shift_only() && self.is_constant()) {
             let reason = format!("at least two times are required, but there are {count}");
             return contradiction("history.time", reason);
         }
@@ -61,6 +67,21 @@ impl History {
         Ok(())
     }
 
+    /// Whether the wheel is shifted before it rolls.
+    pub fn has_shift(&self) -> bool {
+        self.shift != [0.0; 2]
+    }
+
+    /// Whether the wheel is shifted, and does not roll.
+    pub fn is_shift_only(&self) -> bool {
+        self.has_shift() && self.time.is_empty()
+    }
+
+    fn is_constant(&self) -> bool {
+        let series = [&self.speed, &self.creepage_x, &self.creepage_y, &self.spin, &self.load];
+        series.iter().all(|values| values.is_none())
+    }
+
     /// Speed and creepages at a time (in s).
     pub fn kinematics(&self, time: f64, otherwise: &Kinematics) -> Kinematics {
         let at = |table: &Option<Vec<f64>>, constant: f64| {
@@ -72,6 +93,43 @@ impl History {
             creepage_y: at(&self.creepage_y, otherwise.creepage_y),
             spin: at(&self.spin, otherwise.spin),
         }
+    }
+
+    /// Time (in s) in which the wheel rolls over a distance (in m) from a time (in s) on.
+    pub fn duration(&self, start: f64, distance: f64, otherwise: &Kinematics) -> f64 {
+        let mut duration = distance / self.kinematics(start, otherwise).speed;
+        // The mean speed hardly changes with the end of a step.
+        for _ in 0..SPEED_ROUNDS {
+            duration = distance / self.mean(start, start + duration, otherwise).speed;
+        }
+        duration
+    }
+
+    /// Means of speed and creepages between two times, in s.
+    pub fn mean(&self, start: f64, end: f64, otherwise: &Kinematics) -> Kinematics {
+        let over = |table: &Option<Vec<f64>>, constant: f64| {
+            table
+                .as_ref()
+                .map_or(constant, |values| self.integral(values, start, end) / (end - start))
+        };
+        Kinematics {
+            speed: over(&self.speed, otherwise.speed),
+            creepage_x: over(&self.creepage_x, otherwise.creepage_x),
+            creepage_y: over(&self.creepage_y, otherwise.creepage_y),
+            spin: over(&self.spin, otherwise.spin),
+        }
+    }
+
+    /// ∫ value dt, exact for values that are linear in between.
+    fn integral(&self, values: &[f64], start: f64, end: f64) -> f64 {
+        let first = self.time.partition_point(|t| *t <= start);
+        let inside = self.time[first..].iter().copied().take_while(|t| *t < end);
+        let (mut from, mut sum) = (start, 0.0);
+        for to in inside.chain([end]) {
+            sum += (to - from) * self.interpolate(values, 0.5 * (from + to));
+            from = to;
+        }
+        sum
     }
 
     /// Normal load (in N) at a time (in s), where it changes.
@@ -125,8 +183,13 @@ fn in_history(error: &Error, time: f64) -> Error {
     Error::Contradiction { quantity, reason: format!("at {time} s, {error}") }
 }
 
+/// Times the duration of a step is improved.
+const SPEED_ROUNDS: usize = 4;
+
 #[cfg(test)]
 mod tests {
+    use approx::assert_relative_eq;
+
     use super::*;
 
     const ROLLING: Kinematics =
@@ -146,6 +209,35 @@ mod tests {
         assert_eq!(at(2.0).creepage_x, 0.001);
         assert_eq!(at(9.0).creepage_x, 0.0);
         assert_eq!(at(0.5).creepage_y, 0.001);
+    }
+
+    /// Means of a piecewise linear function are exact, over kinks too, and a step lasts as long as the
+    /// wheel takes: v = 30 + 10 t for a second covers 35 m.
+    #[test]
+    fn means_are_exact_and_steps_take_their_time() {
+        let history = History {
+            time: vec![0.0, 1.0, 3.0],
+            speed: Some(vec![30.0, 40.0, 40.0]),
+            creepage_x: Some(vec![0.0, 0.002, 0.0]),
+            ..History::default()
+        };
+        let mean = history.mean(0.5, 2.0, &ROLLING);
+        // ∫ = ½ (0.001 + 0.002) 0.5 + ½ (0.002 + 0.001) 1
+        assert_relative_eq!(mean.creepage_x, 0.00225 / 1.5, max_relative = 1e-14);
+        assert_relative_eq!(history.duration(0.0, 35.0, &ROLLING), 1.0, max_relative = 1e-3);
+        assert_relative_eq!(history.duration(2.0, 0.04, &ROLLING), 1e-3, max_relative = 1e-14);
+    }
+
+    /// A shift alone needs no times, but what changes with time does.
+    #[test]
+    fn a_shift_needs_no_times() {
+        let shift = History { shift: [1e-5, 0.0], ..History::default() };
+        shift.check(&ROLLING).unwrap();
+        assert!(shift.is_shift_only());
+        let changing = History { load: Some(vec![]), ..shift.clone() };
+        assert!(changing.check(&ROLLING).unwrap_err().to_string().contains("at least two times"));
+        let endless = History { shift: [0.0, f64::NAN], ..History::default() };
+        assert!(endless.check(&ROLLING).unwrap_err().to_string().contains("history.shift_y"));
     }
 
     #[test]

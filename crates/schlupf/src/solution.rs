@@ -29,7 +29,7 @@ pub struct Solution {
     pub residual: f64,
     /// The normal contact at the last instant.
     pub normal: NormalSummary,
-    /// Speed and creepages; of a history, in the middle of the last time step.
+    /// Speed and creepages at the last instant.
     pub kinematics: Kinematics,
     /// Forces and moment at the last instant.
     pub force: Resultant,
@@ -70,6 +70,17 @@ pub struct Resultant {
     pub moment_z: f64,
 }
 
+impl Resultant {
+    /// The mean of two.
+    pub(crate) fn mean(&self, other: &Self) -> Self {
+        Self {
+            x: 0.5 * (self.x + other.x),
+            y: 0.5 * (self.y + other.y),
+            moment_z: 0.5 * (self.moment_z + other.moment_z),
+        }
+    }
+}
+
 /// Derivatives of the steady forces and moment on the wheel, everything else staying. Where a law has
 /// a kink they are those of one of its sides.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -90,7 +101,7 @@ pub struct Sensitivity {
     pub contact_stiffness: Resultant,
 }
 
-/// Power put into the contact.
+/// Power put into the contact; in a history, means over the last time step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Power {
     /// Friction power ∫ q dA, in W.
@@ -201,14 +212,23 @@ impl Fields {
 /// Forces at the end of one time step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant {
-    /// Time since the start, in s.
+    /// Time, in s.
     pub time: f64,
-    /// Speed and creepages in the middle of the step.
+    /// Distance rolled since the start, in m.
+    pub distance: f64,
+    /// Speed and creepages at the end of the step.
     pub kinematics: Kinematics,
     /// Normal load at the end of the step, in N.
     pub load: f64,
     /// Forces and moment at the end of the step.
     pub force: Resultant,
+    /// Friction power, mean over the step, in W.
+    pub friction_power: f64,
+    /// Power of the creep forces −v0 (ξ Fx + η Fy + φ Mz), mean over the step, in W: the friction power
+    /// and the change of the stored energy over the duration of the step.
+    pub creep_power: f64,
+    /// Elastic energy ½ ∫ p·u dA of the tangential tractions at the end of the step, in J.
+    pub stored_energy: f64,
     /// Largest temperature rise, in K.
     pub max_rise: f64,
     /// Newton steps of this time step.

@@ -56,6 +56,8 @@ const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
+/// Bodies that are shifted by more than the size of a wheel do not touch where they did.
+const SHIFT: Requirement = Magnitude(1.0);
 
 macro_rules! body {
     ($body:literal, $radius_x:literal, $radius_y:literal) => {
@@ -185,7 +187,8 @@ pub const SECTIONS: &[Section] = &[
     },
     Section {
         name: "history",
-        doc: "Transient rolling: values over time, linear in between, from arrays or from a CSV file.",
+        doc: "Transient rolling: values over time, linear in between, from arrays or from a CSV file; \
+              before it, or alone, a shift at rest.",
         fields: HISTORY,
     },
 ];
@@ -403,6 +406,22 @@ const HISTORY: &[Field] = &[
         .example("[\"30 m/s\", \"30 m/s\"]"),
     field("history.load", Kind::Quantities(&Measure::FORCE), LOAD, Nothing, "N")
         .example("[\"80 kN\", \"60 kN\"]"),
+    field(
+        "history.shift_x",
+        quantity(&Measure::LENGTH),
+        SHIFT,
+        Nothing,
+        "shift of the wheel over the rail along rolling, at rest, before it rolls; times may be left out then",
+    )
+    .example("0.015 mm"),
+    field(
+        "history.shift_y",
+        quantity(&Measure::LENGTH),
+        SHIFT,
+        Nothing,
+        "the same across rolling",
+    )
+    .example("0 mm"),
     field(
         "history.file",
         Kind::Path,

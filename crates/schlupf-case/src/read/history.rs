@@ -11,8 +11,18 @@ use crate::tables;
 const SERIES: [&str; 5] =
     ["history.speed", "history.creepage_x", "history.creepage_y", "history.spin", "history.load"];
 
-/// Values over time, where the case has them.
+/// Values over time and the shift before them, where the case has them.
 pub fn history(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
+    let shift = |path: &str| settings.optional_number(path).map(|shift| shift.unwrap_or(0.0));
+    let shift = [shift("history.shift_x")?, shift("history.shift_y")?];
+    let over_time = over_time(settings, folder)?;
+    if over_time.is_none() && shift == [0.0; 2] {
+        return Ok(None);
+    }
+    Ok(Some(History { shift, ..over_time.unwrap_or_default() }))
+}
+
+fn over_time(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
     if settings.is_given("history.file") {
         let path = folder.join(settings.text("history.file")?);
         let place = settings.place("history.file");
@@ -43,7 +53,8 @@ fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
     }
     let [speed, creepage_x, creepage_y, spin, load] =
         SERIES.map(|path| settings.series(path).map(<[f64]>::to_vec));
-    let history = History { time: time.to_vec(), speed, creepage_x, creepage_y, spin, load };
+    let time = time.to_vec();
+    let history = History { time, speed, creepage_x, creepage_y, spin, load, ..History::default() };
     match tables::check_history(&history) {
         Ok(()) => Ok(history),
         Err((_, message)) => {

@@ -55,7 +55,7 @@ fn history(columns: Vec<Vec<f64>>) -> History {
     let mut next = || columns.next().filter(|values| !values.is_empty());
     let (creepage_x, creepage_y, spin) = (next(), next(), next());
     let (speed, load) = (next(), next());
-    History { time, speed, creepage_x, creepage_y, spin, load }
+    History { time, speed, creepage_x, creepage_y, spin, load, ..History::default() }
 }
 
 /// Checks that time increases; the error names the row.

@@ -11,7 +11,7 @@ use super::units;
 /// rolled.
 pub(super) fn draw(patch: &Patch) -> String {
     let history = &patch.solution.history;
-    let distance = rolled_distance(history);
+    let distance: Vec<f64> = history.iter().map(|instant| instant.distance).collect();
     let total = distance.last().copied().unwrap_or(0.0);
     let unit = units::pick(units::DISTANCE, total);
     let x: Vec<f64> = distance.iter().map(|s| s / unit.size).collect();
@@ -25,20 +25,6 @@ pub(super) fn draw(patch: &Patch) -> String {
     marks::heading(&mut drawing, patch, "Forces over the rolled distance");
     stack.draw(&mut drawing, HEADING + 40.0);
     drawing.finish()
-}
-
-/// Distance rolled up to each instant, in m.
-fn rolled_distance(history: &[Instant]) -> Vec<f64> {
-    let mut before = 0.0;
-    let mut distance = 0.0;
-    history
-        .iter()
-        .map(|instant| {
-            distance += instant.kinematics.speed * (instant.time - before);
-            before = instant.time;
-            distance
-        })
-        .collect()
 }
 
 fn points(x: &[f64], history: &[Instant], value: impl Fn(&Instant) -> f64) -> Vec<[f64; 2]> {

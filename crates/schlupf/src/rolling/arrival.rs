@@ -1,86 +1,204 @@
-//! What the elements bring into their new cells when the material moves on by one cell.
+//! What the elements bring into their new cells when the material moves on by one cell, and when and
+//! where those that are new came into contact.
+//!
+//! A material point that enters within a step is compared with the displacement where and when it
+//! entered, not with that of the last instant. With λ the part of the step that the material of a cell
+//! has spent in contact, m its upstream neighbour, u = A p and e the displacement where the material
+//! entered, it slides by
+//!
+//! Δs_k = D_k − u_k(t) + (u_m − e_m)(t − Δt) + λ e_k(t − Δt) + (1 − λ) e_k(t),
+//!
+//! D_k being the rigid slip over its way; (u_m − e_m) is zero where nothing comes from upstream.
+//!
+//! Where the load changes, the edges of the patch move: [`super::moving_edge`].
 
+use crate::grid::Grid;
 use crate::heat::HeatStep;
 use crate::interface::contact_law::Slide;
-use crate::patch::Patch;
+use crate::patch::{Patch, Strip};
 use crate::state::Element;
 
 use super::contact::DiscreteContact;
+use super::moving_edge::{Reach, motions};
 
 /// What an element brings into its new cell.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Arrival {
     /// Its history; the increment and the turn are still to come.
     pub slide: Slide,
-    /// A p of the new cell a step ago, in m.
-    pub before: [f64; 2],
-    /// Elastic part of its sliding on the last way, over that way, dimensionless; if it has come
-    /// from a cell.
-    pub stretch: Option<[f64; 2]>,
-    /// What A p of its new cell is compared with, in m: A p where it was, and for a cell that lies
-    /// partly behind another piece of the leading edge, the difference between the two places of
-    /// entry.
+    /// Length of its last way (in m) and the elastic part of the sliding on it over that length
+    /// (dimensionless); if it has come from a cell.
+    pub stretch: Option<(f64, [f64; 2])>,
+    /// What is known of the displacement that A p of its new cell is compared with, in m.
     pub displacement: [f64; 2],
+    /// Length of its way in contact within the step, in m.
+    pub way: f64,
+    /// λ: part of the step that it has spent behind the leading edge, dimensionless.
+    pub in_contact: f64,
     /// Heat that it has received.
     pub heat: Vec<HeatStep>,
     /// Its coefficient of friction (dimensionless), if it remembers one.
     pub friction: Option<f64>,
-    /// Whether the element comes into contact only now, in the middle of a strip: a step ago the
-    /// patch had not reached it. It starts without traction.
-    pub joins: bool,
 }
 
-impl Arrival {
-    /// At the leading edge nothing has happened yet.
-    fn at_leading_edge(displacement: [f64; 2]) -> Self {
-        Self { displacement, ..Self::default() }
-    }
+/// What the material leaves a cell with.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Departure {
+    /// A p in the cell, in m.
+    displacement: [f64; 2],
+    /// A p where the material of the cell entered, in m.
+    at_entry: [f64; 2],
+    /// Centroid of its covered part along rolling, in m.
+    x: f64,
+    /// Position of the leading edge, on the mean over that part, in m.
+    pub entry_x: f64,
+    /// Middle of its strip along rolling, in m.
+    pub middle: f64,
+    /// Length of the way into the cell, in m.
+    way: f64,
+}
 
-    /// From the upstream neighbour, if that was in contact.
-    fn from_upstream(element: Option<&Element>, displacement: [f64; 2]) -> Self {
-        let Some(element) = element else {
-            return Self { displacement, joins: true, ..Self::default() };
-        };
-        Self {
-            slide: Slide {
-                traction: element.saturation,
-                distance: element.sliding,
-                ..Slide::default()
-            },
-            stretch: Some(element.stretch),
-            displacement,
-            heat: element.heat.clone(),
-            friction: element.friction_on_leaving,
-            ..Self::default()
+/// The patch at the last instant.
+#[derive(Debug, Default)]
+pub(super) struct Past {
+    /// Of each cell of the grid, if it was in contact: the number of its element, and what it leaves
+    /// the cell with.
+    cells: Vec<Option<(usize, Departure)>>,
+    /// Its strips.
+    pub reaches: Vec<Reach>,
+}
+
+impl Past {
+    /// What remains of an instant. `ways` are the lengths of the ways into the cells, in m.
+    pub fn of(contact: &DiscreteContact, ways: impl Iterator<Item = f64>) -> Self {
+        let patch = &contact.patch;
+        let mut displacement = vec![0.0; 2 * patch.len()];
+        let mut at_entry = displacement.clone();
+        contact.displacement_at_cells(&mut displacement);
+        contact.displacement_at_entries(&mut at_entry);
+        let mut cells = vec![None; patch.grid.len()];
+        let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
+        let strips = patch.strips.iter().zip(&reaches);
+        let middles = strips.flat_map(|(strip, reach)| strip.cells.clone().map(|_| reach.middle));
+        for (k, (way, middle)) in ways.zip(middles).enumerate() {
+            let cell = &patch.cells[k];
+            let departure = Departure {
+                displacement: pair(&displacement, k),
+                at_entry: pair(&at_entry, k),
+                x: cell.x,
+                entry_x: cell.entry_x(),
+                middle,
+                way,
+            };
+            cells[cell.index] = Some((k, departure));
         }
+        Self { cells, reaches }
+    }
+
+    pub fn at(&self, index: usize) -> Option<&Departure> {
+        self.cells[index].as_ref().map(|(_, departure)| departure)
     }
 }
 
-/// Moves all elements on by one cell. The contact has its new patch already, and its displacement
-/// field is still that of the last step.
-pub(super) fn carry_over(contact: &DiscreteContact, elements: &[Element]) -> Vec<Arrival> {
+fn pair(values: &[f64], k: usize) -> [f64; 2] {
+    [values[2 * k], values[2 * k + 1]]
+}
+
+/// Moves all elements on by one cell. The contact has its new patch already, if the load changes
+/// (`moves`), and its displacement field is still that of the last instant.
+pub(super) fn carry_over(
+    contact: &DiscreteContact,
+    (past, moves): (&Past, bool),
+    elements: &[Element],
+) -> Vec<Arrival> {
     let patch = &contact.patch;
-    let at = positions(patch, elements);
-    let mut displacement = vec![0.0; 2 * patch.len()];
-    let mut at_entry = displacement.clone();
-    contact.displacement_at_cells(&mut displacement);
-    contact.displacement_at_entries(&mut at_entry);
-    let pair = |values: &[f64], k: usize| [values[2 * k], values[2 * k + 1]];
+    let mut at_cells = vec![0.0; 2 * patch.len()];
+    contact.displacement_at_cells(&mut at_cells);
+    let motions = if moves { motions(patch, past) } else { Vec::new() };
     let mut arrivals = Vec::with_capacity(patch.len());
-    for strip in &patch.strips {
-        arrivals.push(Arrival::at_leading_edge(pair(&at_entry, strip.cells.start)));
-        for upstream in strip.cells.start..strip.cells.end - 1 {
-            let element = at[patch.cells[upstream].index].map(|e| &elements[e]);
-            let (there, entries) = (pair(&displacement, upstream), pair(&at_entry, upstream));
-            let entry = pair(&at_entry, upstream + 1);
-            let compared = [0, 1].map(|c| entry[c] + there[c] - entries[c]);
-            arrivals.push(Arrival::from_upstream(element, compared));
+    for (n, strip) in patch.strips.iter().enumerate() {
+        let motion = motions.get(n);
+        let nearest = strip.cells.clone().find_map(|k| past.at(patch.cells[k].index));
+        for k in strip.cells.clone() {
+            let cell = &patch.cells[k];
+            let entered = past.at(cell.index).or(nearest).map(|before| before.at_entry);
+            let upstream = upstream_index(patch, strip, k);
+            if let Some((element, departure)) = upstream.and_then(|i| past.cells[i].as_ref()) {
+                let way = motion.map_or(cell.way_in.distance, |motion| {
+                    let before = motion.way_until_start(departure.x, departure.entry_x);
+                    let way = motion.way_until_end(cell.x, cell.entry_x()) - before;
+                    way.clamp(0.0, LONGEST_WAY * patch.grid.spacing_x)
+                });
+                let entered = entered.unwrap_or(departure.at_entry);
+                let element = &elements[*element];
+                arrivals.push(from_upstream(element, departure, (way, entered), &patch.grid));
+                continue;
+            }
+            let way = motion.map_or(cell.since_entry.distance, |motion| {
+                motion.way_until_end(cell.x, cell.entry_x()).clamp(0.0, patch.grid.spacing_x)
+            });
+            let leads = motion.is_none_or(|motion| motion.is_from_leading_edge(cell.x, way));
+            arrivals.push(match entered {
+                Some(entered) if leads => from_outside(way, entered, &patch.grid),
+                // It came into contact about where it is, without traction of its own.
+                _ => Arrival {
+                    way,
+                    in_contact: 1.0,
+                    displacement: pair(&at_cells, k),
+                    ..Arrival::default()
+                },
+            });
         }
-    }
-    for (k, arrival) in arrivals.iter_mut().enumerate() {
-        arrival.before = pair(&displacement, k);
     }
     arrivals
+}
+
+/// Longest way into a cell over its size: more is the noise of edges that move with the material.
+const LONGEST_WAY: f64 = 2.0;
+
+/// The cell of the grid from which the material of a cell comes, unless another strip ends there.
+fn upstream_index(patch: &Patch, strip: &Strip, k: usize) -> Option<usize> {
+    let upstream = patch.cells[k].index + 1;
+    let is_of_other = k == strip.cells.start && k > 0 && patch.cells[k - 1].index == upstream;
+    (!is_of_other).then_some(upstream)
+}
+
+/// λ of a way (in m) within a step.
+fn part_of_step(way: f64, grid: &Grid) -> f64 {
+    (way / grid.spacing_x).clamp(0.0, 1.0)
+}
+
+/// An element that came into contact within the step.
+fn from_outside(way: f64, entered: [f64; 2], grid: &Grid) -> Arrival {
+    let in_contact = part_of_step(way, grid);
+    let displacement = entered.map(|u| in_contact * u);
+    Arrival { way, in_contact, displacement, ..Arrival::default() }
+}
+
+/// An element that was in contact at the last instant. `entered` is what was displaced then where the
+/// material of its new cell enters.
+fn from_upstream(
+    element: &Element,
+    departure: &Departure,
+    (way, entered): (f64, [f64; 2]),
+    grid: &Grid,
+) -> Arrival {
+    let in_contact = part_of_step(way, grid);
+    let compared =
+        |c: usize| in_contact * entered[c] + departure.displacement[c] - departure.at_entry[c];
+    Arrival {
+        slide: Slide {
+            traction: element.saturation,
+            distance: element.sliding,
+            ..Slide::default()
+        },
+        stretch: Some((departure.way, element.stretch)),
+        displacement: [compared(0), compared(1)],
+        way,
+        in_contact,
+        heat: element.heat.clone(),
+        friction: element.friction_on_leaving,
+    }
 }
 
 /// Which element stands in which cell of the grid.

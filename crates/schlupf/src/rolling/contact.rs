@@ -1,7 +1,7 @@
 //! The discretised contact: a patch and the compliance of its cells.
 
 use crate::elasticity::Compliance;
-use crate::equilibrium::norm;
+use crate::equilibrium::{dot, norm};
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
 use crate::interface::contact_law::Slide;
@@ -24,6 +24,13 @@ pub(super) struct DiscreteContact {
     bristles: f64,
     cell_stiffness: f64,
     estimates: Option<Estimates>,
+}
+
+/// A patch that a changing load has replaced by another one on the same grid.
+#[derive(Debug)]
+pub(super) struct Former {
+    pub patch: Patch,
+    interpolation: Interpolation,
 }
 
 /// What marching must know of the compliance of the whole patch.
@@ -59,15 +66,17 @@ impl DiscreteContact {
         Ok(contact)
     }
 
-    /// Another normal contact on the same grid. The displacement field stays that of the last
-    /// product: the history of the elements hangs on it.
-    pub fn set_normal(&mut self, normal: &NormalContact) -> Result<(), Error> {
-        self.patch = touching_patch(normal, self.patch.grid)?;
+    /// Another normal contact on the same grid; returns the patch that it replaces. The displacement
+    /// field stays that of the last product: the history of the elements hangs on it.
+    pub fn set_normal(&mut self, normal: &NormalContact) -> Result<Former, Error> {
+        let patch = touching_patch(normal, self.patch.grid)?;
+        let patch = std::mem::replace(&mut self.patch, patch);
+        let interpolation = self.interpolation.clone();
         self.normal = normal.summary;
         let displacement = self.displacement.clone();
         self.settle();
         self.displacement = displacement;
-        Ok(())
+        Ok(Former { patch, interpolation })
     }
 
     /// The same contact with other laws of friction and contact.
@@ -143,6 +152,12 @@ impl DiscreteContact {
         self.interpolation.gather(&self.displacement, u);
     }
 
+    /// Elastic energy ½ Σ p·(A p) ΔA of the last product, in J.
+    pub fn stored_energy(&self) -> f64 {
+        let (p, u) = (&self.traction, &self.displacement);
+        0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
+    }
+
     /// The same for the change of A p with the logarithm of the size of the patch; whether the
     /// elasticity knows it.
     pub fn product_by_size(&mut self, p: &[f64], u: &mut [f64]) -> bool {
@@ -174,16 +189,32 @@ impl DiscreteContact {
     /// Σ p·change = 0 exactly: elasticity returns what it takes.
     pub fn change_in_passing(&mut self, change: &mut [f64]) {
         let columns = self.patch.grid.columns;
-        let differences = |from: &[f64], to: &mut [f64]| {
-            for (from, to) in from.chunks_exact(columns).zip(to.chunks_exact_mut(columns)) {
-                for i in 1..columns - 1 {
-                    to[i] = 0.5 * (from[i - 1] - from[i + 1]);
-                }
-            }
-        };
-        differences(&self.displacement.x, &mut self.passing.x);
-        differences(&self.displacement.y, &mut self.passing.y);
+        differences(&self.displacement.x, columns, &mut self.passing.x);
+        differences(&self.displacement.y, columns, &mut self.passing.y);
         self.interpolation.gather_means(&self.passing, change);
+    }
+
+    /// By how much A p changes while a material point passes a cell within a time step that began with
+    /// the field `before`: what it changes in passing the mean of both fields, and what changes in
+    /// place; in the cells of the patch, or of its former one.
+    pub fn change_over_step(
+        &mut self,
+        before: &VectorField,
+        former: Option<&Former>,
+        change: &mut [f64],
+    ) {
+        let columns = self.patch.grid.columns;
+        let interpolation = former.map_or(&self.interpolation, |former| &former.interpolation);
+        let [mean, gained] = [(0.5, 0.5), (1.0, -1.0)]
+            .map(|(now, then)| combined(&self.displacement, now, before, then));
+        differences(&mean.x, columns, &mut self.passing.x);
+        differences(&mean.y, columns, &mut self.passing.y);
+        interpolation.gather_means(&self.passing, change);
+        let mut in_place = vec![0.0; change.len()];
+        interpolation.gather_means(&gained, &mut in_place);
+        for (change, in_place) in change.iter_mut().zip(in_place) {
+            *change += in_place;
+        }
     }
 
     /// Displacement at the outer edge of the modelled surface over the largest one, dimensionless.
@@ -265,6 +296,25 @@ impl DiscreteContact {
             std::mem::swap(&mut v, &mut u);
         }
         (SAFETY * largest).recip()
+    }
+}
+
+/// Half the difference of the neighbours' values along rolling, downstream less upstream; the border
+/// keeps its values.
+fn differences(from: &[f64], columns: usize, to: &mut [f64]) {
+    for (from, to) in from.chunks_exact(columns).zip(to.chunks_exact_mut(columns)) {
+        for i in 1..columns - 1 {
+            to[i] = 0.5 * (from[i - 1] - from[i + 1]);
+        }
+    }
+}
+
+/// A sum of multiples of two fields.
+fn combined(one: &VectorField, share: f64, other: &VectorField, rest: f64) -> VectorField {
+    let sum = |(p, q): (&f64, &f64)| share * p + rest * q;
+    VectorField {
+        x: one.x.iter().zip(&other.x).map(sum).collect(),
+        y: one.y.iter().zip(&other.y).map(sum).collect(),
     }
 }
 

@@ -1,9 +1,5 @@
-//! Friction power in the cells and the temperatures that follow from it; Eqs. (17)–(22).
-//!
-//! Each cell's friction power is that of its traction with the mean slip over the cell, so rigid
-//! slip works with the whole force, and the elastic parts cancel in the steady state: the integral
-//! of the friction power is the power of the creep forces. The heat is released on the way through
-//! the cell, evenly.
+//! Temperatures that follow from the friction power in the cells; Eqs. (17)–(22). The heat is released on
+//! the way through a cell, evenly.
 
 use crate::heat::{Heat, HeatStep};
 use crate::patch::{Patch, Strip};
@@ -11,19 +7,6 @@ use crate::problem::Problem;
 use crate::summary::snapshot::Snapshot;
 
 use super::arrival::Arrival;
-
-/// Slip velocity and friction power of every cell. `change` is by how much the displacement A p
-/// changes while a material point passes each cell, in m.
-pub(super) fn set_friction_power(now: &mut Snapshot, patch: &Patch, change: &[f64]) {
-    let spacing = patch.grid.spacing_x;
-    let per_length = now.kinematics.speed / spacing;
-    for (k, cell) in patch.cells.iter().enumerate() {
-        let rigid = now.kinematics.rigid_slip(cell.x, cell.y);
-        now.slip[k] = [0, 1].map(|c| per_length * (rigid[c] * spacing - change[2 * k + c]));
-        let p = now.traction_at(k);
-        now.friction_power[k] = p[0] * now.slip[k][0] + p[1] * now.slip[k][1];
-    }
-}
 
 /// Temperatures of all cells. `records` holds the heat that each cell's element has received before
 /// it came in; on return, what it has when it leaves.
@@ -78,7 +61,7 @@ impl Rubbing {
             if self.friction > 0.0 { self.power / self.friction } else { self.bound_power };
         let per_power = patch.grid.spacing_x / (before + after);
         let mut record = Vec::with_capacity(arrived.heat.len() + 1);
-        record.push(HeatStep { flux: 0.0, duration: before / now.kinematics.speed });
+        record.push(HeatStep { flux: 0.0, duration: before / now.over_step.speed });
         record.extend_from_slice(&arrived.heat);
         common_coefficient(self.friction, |tried| {
             record[0].flux = (tried * per_friction * per_power).max(0.0);
@@ -100,7 +83,7 @@ pub(super) fn lagging(
     let law = problem.friction_response(&now.conduction, rise, slip_speed, y).coefficient;
     let Some(memory) = problem.friction_memory() else { return law };
     let arrived = arrived.unwrap_or_else(|| problem.entry_friction(&now.conduction, y).coefficient);
-    law + (arrived - law) * memory.kept(slip_speed, way / now.kinematics.speed).part
+    law + (arrived - law) * memory.kept(slip_speed, way / now.over_step.speed).part
 }
 
 /// Most steps, each less than a third of the one before: enough for rounding.
@@ -145,7 +128,7 @@ fn pass_cell(
     let energy = now.friction_power[k] * patch.grid.spacing_x;
     // What the bristles of the contact law return does not cool.
     let flux = energy.max(0.0) / (before + after);
-    let step = |way: f64| HeatStep { flux, duration: way / now.kinematics.speed };
+    let step = |way: f64| HeatStep { flux, duration: way / now.over_step.speed };
     record.insert(0, step(before));
     now.rise[k] = heat.rise_times_effusivity(record);
     record[0] = step(before + after);

@@ -6,22 +6,24 @@
 use crate::equilibrium::{Limits, Newton, Outcome, norm};
 use crate::error::Error;
 use crate::grid::Grid;
-use crate::heat::HeatStep;
 use crate::history::History;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::normal::NormalContact;
-use crate::patch::Patch;
+use crate::patch::Cell;
 use crate::problem::{Options, Problem};
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
 
 use super::Progress;
-use super::arrival::{Arrival, carry_over, positions};
-use super::contact::DiscreteContact;
-use super::friction_heat::{Rubbing, lagging, set_friction_power, set_temperatures, ways_through};
-use super::time_step::TimeStep;
+use super::arrival::{Arrival, Past, carry_over, positions};
+use super::contact::{DiscreteContact, Former};
+use super::friction_heat::{Rubbing, lagging, set_temperatures, ways_through};
+use super::initial_state::{fitting, on_patch};
+use super::shift::{AT_REST, Shift};
+use super::step_power::{Start, set_powers};
+use super::time_step::{Prescribed, TimeStep};
 use super::turn::{Way, with_turn};
 use super::warnings;
 
@@ -38,9 +40,10 @@ pub fn march(
     let mut march = March::new(problem, options)?;
     march.check_length()?;
     while !march.is_finished() {
-        let arrivals = march.move_on()?;
+        let mut start = Start::of(&march.contact, &march.now);
+        let arrivals = march.move_on(&mut start)?;
         march.find_equilibrium(&arrivals);
-        march.heat_up(arrivals);
+        march.heat_up(arrivals, &start);
         march.note();
         report(march.progress());
     }
@@ -62,6 +65,7 @@ struct March<'a> {
     now: Snapshot,
     /// The elements, in the order of the patch.
     elements: Vec<Element>,
+    past: Past,
     newton: Newton,
     outcome: Outcome,
     /// Relative change of traction and temperature in the last step.
@@ -99,6 +103,7 @@ impl<'a> March<'a> {
             time,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
             elements: on_patch(&contact.patch, &state.elements),
+            past: Past::default(),
             newton: Newton::default(),
             outcome: Outcome::default(),
             change: f64::INFINITY,
@@ -114,12 +119,17 @@ impl<'a> March<'a> {
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
         march.now.rise = march.elements.iter().map(|e| e.rise).collect();
         march.displace();
+        let ways = march.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
+        march.past = Past::of(&march.contact, ways);
+        if let Some(history) = problem.history.as_ref().filter(|history| history.has_shift()) {
+            march.shift(history.shift);
+        }
         Ok(march)
     }
 
     /// A history must end within the steps that are allowed.
     fn check_length(&self) -> Result<(), Error> {
-        let Some(history) = &self.problem.history else {
+        let Some(history) = self.problem.history.as_ref().filter(|h| !h.is_shift_only()) else {
             return Ok(());
         };
         let [start, end] = history.span();
@@ -141,6 +151,9 @@ impl<'a> March<'a> {
 
     fn is_finished(&self) -> bool {
         if let Some(history) = &self.problem.history {
+            if history.is_shift_only() {
+                return true;
+            }
             let [start, end] = history.span();
             return self.time >= end - 1e-9 * (end - start);
         }
@@ -168,29 +181,64 @@ impl<'a> March<'a> {
         self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
     }
 
+    /// The wheel is shifted at rest (in m), with the friction of the temperature that the material has.
+    fn shift(&mut self, distance: [f64; 2]) {
+        let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
+        self.now.conduction = self.problem.conduction(&at_rest);
+        let patch = &self.contact.patch;
+        for (k, cell) in patch.cells.iter().enumerate() {
+            let rise = self.now.rise[k];
+            let friction = self.problem.friction_response(&self.now.conduction, rise, 0.0, cell.y);
+            self.now.friction[k] = friction.coefficient;
+        }
+        let bound = self.now.bound(patch);
+        let limits = self.limits();
+        let shift = Shift {
+            distance,
+            contact: &mut self.contact,
+            law: self.problem.contact_law.as_ref(),
+            bound: &bound,
+            elements: &mut self.elements,
+        };
+        self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits);
+        self.displace();
+        let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
+        self.past = Past::of(&self.contact, ways);
+        self.work.newton_iterations += self.outcome.iterations;
+        self.work.operator_products += self.outcome.products as f64;
+        (self.now.kinematics, self.now.over_step) = (AT_REST, AT_REST);
+        self.keep_instant();
+    }
+
     /// Carries every element over into the next cell; Eqs. (9)–(12).
-    fn move_on(&mut self) -> Result<Vec<Arrival>, Error> {
-        let speed = kinematics_at(self.problem, self.time).speed;
-        let duration = self.contact.patch.grid.spacing_x / speed;
-        self.time += duration;
-        self.now.kinematics = kinematics_at(self.problem, self.time - 0.5 * duration);
-        self.now.conduction = self.problem.conduction(&self.now.kinematics);
-        self.follow_load()?;
-        let arrivals = carry_over(&self.contact, &self.elements);
+    fn move_on(&mut self, start: &mut Start) -> Result<Vec<Arrival>, Error> {
+        let spacing = self.contact.patch.grid.spacing_x;
+        let otherwise = &self.problem.kinematics;
+        if let Some(history) = &self.problem.history {
+            let duration = history.duration(self.time, spacing, otherwise);
+            self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
+            self.time += duration;
+        } else {
+            self.time += spacing / otherwise.speed;
+            self.now.over_step = *otherwise;
+        }
+        self.now.kinematics = kinematics_at(self.problem, self.time);
+        self.now.conduction = self.problem.conduction(&self.now.over_step);
+        start.former = self.follow_load()?;
+        let arrivals =
+            carry_over(&self.contact, (&self.past, start.former.is_some()), &self.elements);
         self.stay_in_place(&arrivals);
         Ok(arrivals)
     }
 
-    /// Takes over the patch of a load that changes with time.
-    fn follow_load(&mut self) -> Result<(), Error> {
-        let Some(load) = self.problem.history.as_ref().and_then(|h| h.load(self.time)) else {
-            return Ok(());
+    /// Takes over the patch of a load that changes with time; returns the one before.
+    fn follow_load(&mut self) -> Result<Option<Former>, Error> {
+        let load = self.problem.history.as_ref().and_then(|h| h.load(self.time));
+        let Some(load) = load.filter(|load| *load != self.contact.normal.load) else {
+            return Ok(None);
         };
-        if load != self.contact.normal.load {
-            let normal = self.problem.normal.normal_contact(Some(load))?;
-            self.contact.set_normal(&normal)?;
-        }
-        Ok(())
+        let normal = self.problem.normal.normal_contact(Some(load))?;
+        self.contact.set_normal(&normal).map(Some)
     }
 
     /// What stays in its place while the material moves: the last step's traction is the first
@@ -199,7 +247,10 @@ impl<'a> March<'a> {
     fn stay_in_place(&mut self, arrivals: &[Arrival]) {
         let patch = &self.contact.patch;
         let at = positions(patch, &self.elements);
-        let blank = Snapshot::blank(self.now.kinematics, self.now.conduction, patch.len());
+        let blank = Snapshot {
+            over_step: self.now.over_step,
+            ..Snapshot::blank(self.now.kinematics, self.now.conduction, patch.len())
+        };
         let old = std::mem::replace(&mut self.now, blank);
         for strip in &patch.strips {
             for k in strip.cells.clone() {
@@ -225,25 +276,17 @@ impl<'a> March<'a> {
     /// Newton–Raphson on Eq. (13).
     fn find_equilibrium(&mut self, arrivals: &[Arrival]) {
         let patch = &self.contact.patch;
-        let mut bound = self.now.bound(patch);
-        let mut prescribed = Vec::with_capacity(2 * bound.len());
+        let bound = self.now.bound(patch);
+        let mut prescribed = Prescribed::default();
         let mut slides = Vec::with_capacity(bound.len());
-        for (k, (cell, arrival)) in patch.cells.iter().zip(arrivals).enumerate() {
-            let rigid = cell.way_in.rigid_slip(&self.now.kinematics);
-            prescribed.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
-            let upstream = k.checked_sub(1).map_or(0.0, |j| patch.cells[j].way_in.distance);
-            let stretch = arrival.stretch.map(|stretch| (upstream, stretch));
-            let way = Way { distance: cell.way_in.distance, rigid };
-            slides.push(with_turn(arrival.slide, &self.now.kinematics, &way, stretch));
-            if arrival.joins {
-                bound[k] = 0.0;
-            }
+        for (cell, arrival) in patch.cells.iter().zip(arrivals) {
+            let rigid = rigid_slip(cell, arrival.way, &self.now.over_step);
+            prescribed.sliding.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
+            prescribed.in_contact.push(arrival.in_contact);
+            let way = Way { distance: arrival.way, rigid };
+            slides.push(with_turn(arrival.slide, &self.now.over_step, &way, arrival.stretch));
         }
-        let limits = Limits {
-            // Below the tolerance of the steady state, so that its noise does not hide the end.
-            tolerance: 0.1 * self.options.tolerance,
-            max_iterations: self.options.max_iterations,
-        };
+        let limits = self.limits();
         let law = self.problem.contact_law.as_ref();
         let old_traction = self.now.traction.clone();
         let mut step = TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides);
@@ -256,47 +299,40 @@ impl<'a> March<'a> {
             traction: self.now.traction_at(k),
             saturation: responses[k].traction,
             sliding: [0, 1].map(|c| slides[k].distance[c] + slides[k].increment[c]),
-            stretch: self.stretch(k, slides[k].increment),
+            stretch: self.stretch(k, arrivals[k].way, slides[k].increment),
             ..Element::default()
         };
-        // An element that joins has not slid on the rail yet.
-        let element = |k: usize| {
-            if arrivals[k].joins {
-                Element { index: self.contact.patch.cells[k].index, ..Element::default() }
-            } else {
-                element(k)
-            }
-        };
         self.elements = (0..slides.len()).map(element).collect();
+        self.past = Past::of(&self.contact, arrivals.iter().map(|arrival| arrival.way));
     }
 
-    fn stretch(&self, k: usize, slid: [f64; 2]) -> [f64; 2] {
-        let way = &self.contact.patch.cells[k].way_in;
-        let rigid = way.rigid_slip(&self.now.kinematics);
-        [0, 1].map(|c| (slid[c] - rigid[c]) / way.distance)
+    /// Elastic part of the sliding on a way (in m) into a cell, over that way.
+    fn stretch(&self, k: usize, way: f64, slid: [f64; 2]) -> [f64; 2] {
+        let rigid = rigid_slip(&self.contact.patch.cells[k], way, &self.now.over_step);
+        [0, 1].map(|c| if way > 0.0 { (slid[c] - rigid[c]) / way } else { 0.0 })
+    }
+
+    fn limits(&self) -> Limits {
+        Limits {
+            // Below the tolerance of the steady state, so that its noise does not hide the end.
+            tolerance: 0.1 * self.options.tolerance,
+            max_iterations: self.options.max_iterations,
+        }
     }
 
     /// A p of the present traction, on the whole grid and in the cells.
     fn displace(&mut self) {
         self.contact.product(&self.now.traction, &mut self.now.displacement);
+        self.now.stored_energy = self.contact.stored_energy();
         self.work.operator_products += 1.0;
     }
 
     /// Friction power and temperatures, Eqs. (17)–(22).
-    fn heat_up(&mut self, arrivals: Vec<Arrival>) {
-        let patch_cells = self.contact.patch.len();
-        let mut change = vec![0.0; 2 * patch_cells];
-        self.contact.change_in_passing(&mut change);
-        let mut records = Vec::with_capacity(patch_cells);
+    fn heat_up(&mut self, arrivals: Vec<Arrival>, start: &Start) {
+        set_powers(&mut self.now, &mut self.contact, start);
         let remembered: Vec<_> = arrivals.iter().map(|arrival| arrival.friction).collect();
-        for (k, arrival) in arrivals.into_iter().enumerate() {
-            for c in 0..2 {
-                change[2 * k + c] += self.now.displacement[2 * k + c] - arrival.before[c];
-            }
-            records.push(arrival.heat);
-        }
+        let mut records: Vec<_> = arrivals.into_iter().map(|arrival| arrival.heat).collect();
         let patch = &self.contact.patch;
-        set_friction_power(&mut self.now, patch, &change);
         let old_rise = self.now.rise.clone();
         set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
         for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
@@ -334,18 +370,17 @@ impl<'a> March<'a> {
         self.work.operator_products += self.outcome.products as f64;
         self.work.outer_iterations += 1;
         self.compare_passages();
-        self.worst_residual = self.worst_residual.max(self.outcome.residual);
         let has_failed = self.outcome.residual > self.options.tolerance;
         self.failures = if has_failed { self.failures + 1 } else { 0 };
-        self.history.push(Instant {
-            time: self.time,
-            kinematics: self.now.kinematics,
-            load: self.contact.normal.load,
-            force: summary::force(&self.contact.patch, &self.now),
-            max_rise: summary::temperature(&self.contact.patch, &self.now).max_rise,
-            newton_iterations: self.outcome.iterations,
-            residual: self.outcome.residual,
-        });
+        self.keep_instant();
+    }
+
+    fn keep_instant(&mut self) {
+        self.worst_residual = self.worst_residual.max(self.outcome.residual);
+        let now = (&self.contact.normal, &self.contact.patch, &self.now);
+        let solved = (self.outcome.iterations, self.outcome.residual);
+        let distance = self.work.steps as f64 * self.contact.patch.grid.spacing_x;
+        self.history.push(summary::instant(now, [self.time, distance], solved));
     }
 
     fn progress(&self) -> Progress {
@@ -393,7 +428,14 @@ impl<'a> March<'a> {
 
     fn why_not_converged(&self) -> String {
         let tolerance = self.options.tolerance;
-        if self.worst_residual > tolerance {
+        let rolls = self.problem.history.as_ref().is_none_or(|history| !history.is_shift_only());
+        if self.worst_residual > tolerance && !rolls {
+            format!(
+                "not converged: after {} Newton steps the equilibrium has a residual of {:.1e}, above \
+                 the tolerance {tolerance:.1e}",
+                self.outcome.iterations, self.worst_residual
+            )
+        } else if self.worst_residual > tolerance {
             format!(
                 "not converged: the worst equilibrium of a time step has a residual of {:.1e}, \
                  above the tolerance {tolerance:.1e}",
@@ -413,6 +455,13 @@ impl<'a> March<'a> {
             )
         }
     }
+}
+
+/// Rigid slip (in m) on a way in contact (in m) into a cell, which is all of that from its upstream
+/// neighbour or from the leading edge unless the edge moves.
+fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
+    let part = way / cell.way_in.distance;
+    cell.way_in.rigid_slip(kinematics).map(|slip| part * slip)
 }
 
 /// Largest change over the largest new value.
@@ -437,76 +486,4 @@ fn grid_over_history(problem: &Problem, options: &Options) -> Result<Grid, Error
     let largest = problem.history.as_ref().and_then(History::largest_load);
     let contact: NormalContact = problem.normal.normal_contact(largest)?;
     Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
-}
-
-/// Largest coefficient of friction that a state may hold, dimensionless.
-const LARGEST_FRICTION: f64 = 1e3;
-
-/// A state can only be taken up on the grid on which it was left.
-fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
-    let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
-    let mut taken = vec![false; grid.len()];
-    let is_sound = |element: &Element| {
-        let [x, y] = element.saturation;
-        let is_new =
-            element.index < grid.len() && !std::mem::replace(&mut taken[element.index], true);
-        let is_heat = |step: &HeatStep| {
-            step.flux.is_finite() && step.duration > 0.0 && step.duration.is_finite()
-        };
-        let is_friction = |mu: f64| (0.0..=LARGEST_FRICTION).contains(&mu);
-        is_new
-            && x.hypot(y) <= 1.0 + 1e-6
-            && element.rise.is_finite()
-            && (0.0..f64::INFINITY).contains(&element.slip_speed)
-            && element.friction_on_leaving.is_none_or(is_friction)
-            && element.heat.iter().all(is_heat)
-            && element
-                .traction
-                .iter()
-                .chain(&element.sliding)
-                .chain(&element.stretch)
-                .all(|v| v.is_finite())
-    };
-    if !state.elements.iter().all(is_sound) {
-        return Err(Error::Contradiction {
-            quantity: "solver.initial_state",
-            reason: "the state has an element outside the grid, two in one cell, one with more traction \
-                     than friction allows, or one whose slip speed, friction or heat cannot be"
-                .to_owned(),
-        });
-    }
-    let fits = (state.grid.columns, state.grid.rows) == (grid.columns, grid.rows)
-        && close(state.grid.spacing_x, grid.spacing_x)
-        && close(state.grid.spacing_y, grid.spacing_y)
-        && close(state.grid.origin_x, grid.origin_x)
-        && close(state.grid.origin_y, grid.origin_y);
-    if fits {
-        return Ok(state.clone());
-    }
-    Err(Error::Contradiction {
-        quantity: "solver.initial_state",
-        reason: format!(
-            "the state was left on a grid of {} × {} cells of {:e} × {:e} m, but this problem has \
-             {} × {} cells of {:e} × {:e} m",
-            state.grid.columns,
-            state.grid.rows,
-            state.grid.spacing_x,
-            state.grid.spacing_y,
-            grid.columns,
-            grid.rows,
-            grid.spacing_x,
-            grid.spacing_y
-        ),
-    })
-}
-
-/// The elements in the order of the patch; a cell that had none gets one without a past.
-fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
-    let at = positions(patch, elements);
-    let blank = |index| Element { index, ..Element::default() };
-    patch
-        .cells
-        .iter()
-        .map(|c| at[c.index].map_or(blank(c.index), |e| elements[e].clone()))
-        .collect()
 }

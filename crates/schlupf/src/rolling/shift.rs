@@ -1,27 +1,24 @@
 //! Two bodies at rest, pressed together and shifted tangentially: Cattaneo's and Mindlin's problem,
 //! for any patch, elasticity and contact law.
 //!
-//! Nothing is carried along, so there is one equilibrium: every cell slides by D − A p, the shift less
-//! what the bodies yield, with the same D in all of them and no history.
+//! Nothing is carried along, so there is one equilibrium: every cell slides by the shift less what the
+//! bodies yield, with the same shift in all of them.
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::{Error, require_finite};
-use crate::grid::Grid;
-use crate::interface::contact_law::Slide;
+use crate::history::History;
+use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::kinematics::Kinematics;
-use crate::method::Method;
-use crate::patch::Patch;
 use crate::problem::{Options, Problem};
-use crate::solution::{Instant, Solution, Status, Work};
-use crate::state::{Element, State};
-use crate::summary::{self, snapshot::Snapshot};
+use crate::solution::Solution;
+use crate::state::Element;
 
 use super::contact::DiscreteContact;
-use super::time_step::TimeStep;
-use super::warnings;
+use super::marching::march;
+use super::time_step::{Prescribed, TimeStep};
 
 /// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift` (along and
-/// across rolling, in m), in one go.
+/// across rolling, in m), in one go: a history with nothing but a shift.
 ///
 /// The bodies do not roll: creepages and spin of the problem play no part, and those of the solution
 /// are zero, as is its speed. A shift has no duration either, so there is no slip velocity, no friction
@@ -36,33 +33,8 @@ pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<So
     for component in shift {
         require_finite("shift", component, "m")?;
     }
-    let problem = &without_creepage(problem);
-    problem.check()?;
-    options.check()?;
-    let normal = problem.normal.normal_contact(None)?;
-    let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
-    let mut contact = DiscreteContact::new(problem, &normal, grid)?;
-    let cells = contact.patch.len();
-    let mut now = pressed_together(problem, &contact.patch);
-    let bound = now.bound(&contact.patch);
-    let prescribed = shift.repeat(cells);
-    let slides = vec![Slide::default(); cells];
-    let limits = Limits { tolerance: options.tolerance, max_iterations: options.max_iterations };
-    let law = problem.contact_law.as_ref();
-    let mut step = TimeStep::new(&mut contact, law, &bound, &prescribed, slides);
-    let outcome = step.solve(&mut Newton::default(), &mut now.traction, &limits);
-    let (slides, responses) = (step.slides, step.responses);
-    contact.product(&now.traction, &mut now.displacement);
-    let element = |k: usize| Element {
-        index: contact.patch.cells[k].index,
-        traction: now.traction_at(k),
-        saturation: responses[k].traction,
-        sliding: slides[k].increment,
-        ..Element::default()
-    };
-    let elements = (0..cells).map(element).collect();
-    let account = account(problem, options, (&mut contact, &now), (outcome, elements));
-    Ok(summary::solution(problem, options, (&contact.normal, &contact.patch, &now), account))
+    let history = History { shift, ..History::default() };
+    march(&Problem { history: Some(history), ..problem.clone() }, options, &mut |_| ())
 }
 
 fn refuse_a_past(problem: &Problem) -> Result<(), Error> {
@@ -79,66 +51,46 @@ fn refuse_a_past(problem: &Problem) -> Result<(), Error> {
     Ok(())
 }
 
-/// The problem with both bodies at the same speed: whichever it is, they meet as bodies at rest do.
-fn without_creepage(problem: &Problem) -> Problem {
-    let kinematics =
-        Kinematics { creepage_x: 0.0, creepage_y: 0.0, spin: 0.0, ..problem.kinematics };
-    Problem { kinematics, ..problem.clone() }
+/// Speed and creepages of bodies that do not roll.
+pub(super) const AT_REST: Kinematics =
+    Kinematics { speed: 0.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+
+/// A shift on top of what the elements have gone through.
+pub(super) struct Shift<'a> {
+    /// Along and across rolling, in m.
+    pub distance: [f64; 2],
+    /// The contact, with the displacement field of the traction before.
+    pub contact: &'a mut DiscreteContact,
+    pub law: &'a dyn ContactLaw,
+    /// μ pₙ of each cell, in Pa.
+    pub bound: &'a [f64],
+    /// The elements in the order of the patch.
+    pub elements: &'a mut [Element],
 }
 
-/// No traction yet, and the friction of the temperature with which the bodies meet.
-fn pressed_together(problem: &Problem, patch: &Patch) -> Snapshot {
-    let conduction = problem.conduction(&problem.kinematics);
-    let at_rest = Kinematics { speed: 0.0, ..problem.kinematics };
-    let mut now = Snapshot::blank(at_rest, conduction, patch.len());
-    for (friction, cell) in now.friction.iter_mut().zip(&patch.cells) {
-        *friction = problem.entry_friction(&conduction, cell.y).coefficient;
-    }
-    now
-}
-
-fn account(
-    problem: &Problem,
-    options: &Options,
-    (contact, now): (&mut DiscreteContact, &Snapshot),
-    (outcome, elements): (Outcome, Vec<Element>),
-) -> summary::Account {
-    let mut warnings = warnings::warnings(problem, options, contact, now);
-    let has_converged = outcome.residual <= options.tolerance;
-    if !has_converged {
-        warnings.insert(
-            0,
-            format!(
-                "not converged: after {} Newton steps the equilibrium has a residual of {:.1e}, above \
-                 the tolerance {:.1e}",
-                outcome.iterations, outcome.residual, options.tolerance
-            ),
-        );
-    }
-    let instant = Instant {
-        time: 0.0,
-        kinematics: now.kinematics,
-        load: contact.normal.load,
-        force: summary::force(&contact.patch, now),
-        max_rise: summary::temperature(&contact.patch, now).max_rise,
-        newton_iterations: outcome.iterations,
-        residual: outcome.residual,
-    };
-    summary::Account {
-        method: Method::Full,
-        status: if has_converged { Status::Converged } else { Status::NotConverged },
-        residual: outcome.residual,
-        history: vec![instant],
-        warnings,
-        sensitivity: None,
-        work: Work {
-            newton_iterations: outcome.iterations,
-            operator_products: outcome.products as f64 + 1.0,
-            outer_iterations: 1,
-            steps: 0,
-            cells: contact.patch.len(),
-            sensitivity_products: 0,
-        },
-        state: State { grid: contact.patch.grid, time: 0.0, elements },
+impl Shift<'_> {
+    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and leaves it
+    /// there and in the elements.
+    pub fn find(self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
+        let mut before = vec![0.0; p.len()];
+        self.contact.displacement_at_cells(&mut before);
+        let sliding = before.chunks_exact(2);
+        let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
+        let prescribed = Prescribed { sliding, in_contact: vec![1.0; self.elements.len()] };
+        let past = |element: &Element| Slide {
+            traction: element.saturation,
+            distance: element.sliding,
+            ..Slide::default()
+        };
+        let slides = self.elements.iter().map(past).collect();
+        let mut step = TimeStep::new(self.contact, self.law, self.bound, &prescribed, slides);
+        let outcome = step.solve(newton, p, limits);
+        for (k, element) in self.elements.iter_mut().enumerate() {
+            let slide = &step.slides[k];
+            element.traction = [p[2 * k], p[2 * k + 1]];
+            element.saturation = step.responses[k].traction;
+            element.sliding = [0, 1].map(|c| slide.distance[c] + slide.increment[c]);
+        }
+        outcome
     }
 }

@@ -10,7 +10,7 @@ use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
 use crate::simplified::FastContact;
-use crate::solution::{Instant, Resultant, Solution, Status, Work};
+use crate::solution::{Resultant, Solution, Status, Work};
 use crate::state::State;
 use crate::summary::{self, snapshot::Snapshot};
 
@@ -420,6 +420,7 @@ impl Setup {
         let mut now = Snapshot::blank(problem.kinematics, friction.conduction, strips.len());
         now.traction.copy_from_slice(traction);
         contact.product(traction, &mut now.displacement);
+        now.stored_energy = contact.stored_energy();
         work.operator_products += 1.0;
         let mut change = vec![0.0; traction.len()];
         contact.change_in_passing(&mut change);
@@ -440,15 +441,8 @@ impl Setup {
         let patch = &contact.patch;
         let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
         now.exit_rise = exits.collect();
-        let instant = Instant {
-            time: 0.0,
-            kinematics: now.kinematics,
-            load: contact.normal.load,
-            force: summary::force(patch, &now),
-            max_rise: summary::temperature(patch, &now).max_rise,
-            newton_iterations: work.newton_iterations,
-            residual: outcome.residual,
-        };
+        let solved = (work.newton_iterations, outcome.residual);
+        let instant = summary::instant((&contact.normal, patch, &now), [0.0; 2], solved);
         let account = summary::Account {
             method: Method::Full,
             status: Status::Converged,

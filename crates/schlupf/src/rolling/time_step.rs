@@ -15,14 +15,25 @@ use crate::interface::contact_law::{ContactLaw, Response, Slide};
 use super::cell::{CellSolver, inverse_2x2, solve_2x2, times};
 use super::contact::DiscreteContact;
 
-/// The equilibrium of one instant: p = μ pₙ law(D − A p), each cell with its own history.
+/// What is known of a time step beforehand, cell by cell.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Prescribed {
+    /// D: what each cell would slide if the displacement were zero now, x and y in turn, in m.
+    pub sliding: Vec<f64>,
+    /// λ: part of the step that its material has spent in contact, dimensionless.
+    pub in_contact: Vec<f64>,
+}
+
+/// The equilibrium of one instant: p = μ pₙ law(D − B p), each cell with its own history.
+///
+/// Material that came into contact within the step is compared with the displacement where and when
+/// it entered: B = A − diag(1 − λ) A_lead, A_lead p being the displacement at its place of entry now.
 pub(super) struct TimeStep<'a> {
     contact: &'a mut DiscreteContact,
     cell: CellSolver<'a>,
     /// μ pₙ of each cell, in Pa.
     bound: &'a [f64],
-    /// D: what each cell would slide if its displacement were zero now, in m.
-    prescribed: &'a [f64],
+    prescribed: &'a Prescribed,
     /// History of each cell; the increment is that of the last evaluation.
     pub slides: Vec<Slide>,
     /// Answer of each cell at the last evaluation.
@@ -33,6 +44,10 @@ pub(super) struct TimeStep<'a> {
     yielding: Vec<[[f64; 2]; 2]>,
     /// Displacement over traction of the patch as a whole, for each component, in m/Pa.
     stand_in: [f64; 2],
+    /// Whether what enters is displaced by what is in contact.
+    is_coupled: bool,
+    /// A p where the material of each cell entered, in m.
+    at_entry: Vec<f64>,
 }
 
 impl<'a> TimeStep<'a> {
@@ -40,17 +55,20 @@ impl<'a> TimeStep<'a> {
         contact: &'a mut DiscreteContact,
         law: &'a dyn ContactLaw,
         bound: &'a [f64],
-        prescribed: &'a [f64],
+        prescribed: &'a Prescribed,
         slides: Vec<Slide>,
     ) -> Self {
         let cells = slides.len();
         let (gamma, stand_in) = (contact.safe_stiffness(), contact.stand_in());
+        let is_coupled = contact.compliance.couples_cells();
         Self {
             contact,
             cell: CellSolver { law, gamma },
             bound,
             prescribed,
             slides,
+            is_coupled,
+            at_entry: vec![0.0; 2 * cells],
             responses: vec![Response::default(); cells],
             sliding: vec![[0.0; 2]; cells],
             yielding: vec![[[0.0; 2]; 2]; cells],
@@ -66,7 +84,7 @@ impl<'a> TimeStep<'a> {
 
 impl Equilibrium for TimeStep<'_> {
     fn size(&self) -> usize {
-        self.prescribed.len()
+        self.prescribed.sliding.len()
     }
 
     fn scale(&self) -> f64 {
@@ -75,12 +93,20 @@ impl Equilibrium for TimeStep<'_> {
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         self.contact.product(p, u);
+        self.contact.displacement_at_entries(&mut self.at_entry);
+        let entries = self.at_entry.chunks_exact(2).zip(&self.prescribed.in_contact);
+        for (u, (entry, in_contact)) in u.chunks_exact_mut(2).zip(entries) {
+            for c in 0..2 {
+                u[c] -= (1.0 - in_contact) * entry[c];
+            }
+        }
     }
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
         let mut squares = 0.0;
         for k in 0..self.slides.len() {
-            self.slides[k].increment = [0, 1].map(|c| self.prescribed[2 * k + c] - u[2 * k + c]);
+            self.slides[k].increment =
+                [0, 1].map(|c| self.prescribed.sliding[2 * k + c] - u[2 * k + c]);
             self.responses[k] = self.cell.law.respond(&self.slides[k]);
             let traction = self.responses[k].traction.map(|q| self.bound[k] * q);
             squares += (p[2 * k] - traction[0]).powi(2) + (p[2 * k + 1] - traction[1]).powi(2);
@@ -91,7 +117,7 @@ impl Equilibrium for TimeStep<'_> {
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
         let gamma = self.cell.gamma;
         for k in 0..self.slides.len() {
-            let increment = [0, 1].map(|c| self.prescribed[2 * k + c] - u[2 * k + c]);
+            let increment = [0, 1].map(|c| self.prescribed.sliding[2 * k + c] - u[2 * k + c]);
             let target = [0, 1].map(|c| p[2 * k + c] + gamma * increment[c]);
             self.slides[k].increment = self.sliding[k];
             let response = self.cell.solve(&mut self.slides[k], self.bound[k], target);
@@ -117,8 +143,10 @@ impl Equilibrium for TimeStep<'_> {
 
     /// Each cell on its own, on a bedding as stiff as the patch as a whole.
     fn precondition(&mut self, v: &mut [f64]) {
-        let [wx, wy] = self.stand_in.map(|a| 1.0 - self.cell.gamma * a);
         for (k, [[xx, xy], [yx, yy]]) in self.yielding.iter().enumerate() {
+            let share = if self.is_coupled { self.prescribed.in_contact[k] } else { 1.0 };
+            let bedding = self.cell.gamma * share;
+            let [wx, wy] = self.stand_in.map(|a| 1.0 - bedding * a);
             let matrix = [[1.0 - xx * wx, -xy * wy], [-yx * wx, 1.0 - yy * wy]];
             let solved = solve_2x2(matrix, [v[2 * k], v[2 * k + 1]]);
             v[2 * k..2 * k + 2].copy_from_slice(&solved);

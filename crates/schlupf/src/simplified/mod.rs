@@ -159,11 +159,17 @@ impl FastContact {
             work: Work::default(),
             state: State { grid: Grid::default(), time: 0.0, elements: Vec::new() },
         };
+        // What is dissipated in steady rolling is what the creep forces put in.
+        let creep_power = summary::creep_power(&problem.kinematics, &force);
         let mut instant = Instant {
             time: 0.0,
+            distance: 0.0,
             kinematics: problem.kinematics,
             load: normal.load,
             force,
+            friction_power: creep_power,
+            creep_power,
+            stored_energy: UNKNOWN,
             max_rise: f64::NAN,
             newton_iterations: 0,
             residual: 0.0,
@@ -171,6 +177,7 @@ impl FastContact {
         if let Some(fastsim) = &mut self.fastsim {
             let now = fastsim.snapshot(problem);
             instant.max_rise = summary::temperature(&fastsim.patch, &now).max_rise;
+            instant.friction_power = summary::power(&fastsim.patch, &now, &force).friction;
             account.history = vec![instant];
             account.work.cells = fastsim.patch.len();
             let patch = (normal, &fastsim.patch, &now);

@@ -89,11 +89,35 @@ pub(crate) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
 
 pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
     let area = patch.grid.cell_area();
-    let friction = now.friction_power.iter().sum::<f64>() * area;
+    let friction = now.friction_power.iter().sum::<f64>() * area + now.departed_power;
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
     let [into_wheel, into_rail] =
         now.conduction.shares().map(|share| share * (friction + returned));
-    Power { friction, creep: creep_power(&now.kinematics, force), returned, into_wheel, into_rail }
+    let creep = now.creep_power.unwrap_or_else(|| creep_power(&now.kinematics, force));
+    Power { friction, creep, returned, into_wheel, into_rail }
+}
+
+/// What is kept of an instant at a time (in s) and after a distance (in m).
+pub(crate) fn instant(
+    (normal, patch, now): (&NormalSummary, &Patch, &Snapshot),
+    [time, distance]: [f64; 2],
+    (newton_iterations, residual): (usize, f64),
+) -> Instant {
+    let force = force(patch, now);
+    let power = power(patch, now, &force);
+    Instant {
+        time,
+        distance,
+        kinematics: now.kinematics,
+        load: normal.load,
+        force,
+        friction_power: power.friction,
+        creep_power: power.creep,
+        stored_energy: now.stored_energy,
+        max_rise: temperature(patch, now).max_rise,
+        newton_iterations,
+        residual,
+    }
 }
 
 /// −v0 (ξ Fx + η Fy + φ Mz), in W. Without spin the moment does not count, not even an unknown one.

@@ -8,6 +8,8 @@ use crate::patch::Patch;
 #[derive(Debug, Clone)]
 pub(crate) struct Snapshot {
     pub kinematics: Kinematics,
+    /// Means over the last time step; in steady rolling the same.
+    pub over_step: Kinematics,
     pub conduction: Conduction,
     /// Traction on the rail p, in Pa.
     pub traction: Vec<f64>,
@@ -21,6 +23,12 @@ pub(crate) struct Snapshot {
     pub rise: Vec<f64>,
     /// Friction power per area p·slip in each cell, in W/m².
     pub friction_power: Vec<f64>,
+    /// Elastic energy of the tangential tractions, in J.
+    pub stored_energy: f64,
+    /// Friction power in cells that the patch left within the last time step, in W.
+    pub departed_power: f64,
+    /// Power of the creep forces over the last time step, in W; in steady rolling that of the forces.
+    pub creep_power: Option<f64>,
     /// Temperature rise times effusivity at the trailing edge of each strip, in W √s/m².
     pub exit_rise: Vec<f64>,
 }
@@ -30,6 +38,7 @@ impl Snapshot {
     pub fn blank(kinematics: Kinematics, conduction: Conduction, cells: usize) -> Self {
         Self {
             kinematics,
+            over_step: kinematics,
             conduction,
             traction: vec![0.0; 2 * cells],
             displacement: vec![0.0; 2 * cells],
@@ -37,6 +46,9 @@ impl Snapshot {
             friction: vec![0.0; cells],
             rise: vec![0.0; cells],
             friction_power: vec![0.0; cells],
+            stored_energy: 0.0,
+            departed_power: 0.0,
+            creep_power: None,
             exit_rise: Vec::new(),
         }
     }

@@ -1,0 +1,81 @@
+//! The state from which a march goes on: whether it can be, and its elements in the cells of the patch.
+
+use crate::error::Error;
+use crate::grid::Grid;
+use crate::heat::HeatStep;
+use crate::patch::Patch;
+use crate::state::{Element, State};
+
+use super::arrival::positions;
+
+/// Largest coefficient of friction that a state may hold, dimensionless.
+const LARGEST_FRICTION: f64 = 1e3;
+
+/// A state can only be taken up on the grid on which it was left.
+pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
+    let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
+    let mut taken = vec![false; grid.len()];
+    let is_sound = |element: &Element| {
+        let [x, y] = element.saturation;
+        let is_new =
+            element.index < grid.len() && !std::mem::replace(&mut taken[element.index], true);
+        let is_heat = |step: &HeatStep| {
+            step.flux.is_finite() && step.duration > 0.0 && step.duration.is_finite()
+        };
+        let is_friction = |mu: f64| (0.0..=LARGEST_FRICTION).contains(&mu);
+        is_new
+            && x.hypot(y) <= 1.0 + 1e-6
+            && element.rise.is_finite()
+            && (0.0..f64::INFINITY).contains(&element.slip_speed)
+            && element.friction_on_leaving.is_none_or(is_friction)
+            && element.heat.iter().all(is_heat)
+            && element
+                .traction
+                .iter()
+                .chain(&element.sliding)
+                .chain(&element.stretch)
+                .all(|v| v.is_finite())
+    };
+    if !state.elements.iter().all(is_sound) {
+        return Err(Error::Contradiction {
+            quantity: "solver.initial_state",
+            reason: "the state has an element outside the grid, two in one cell, one with more traction \
+                     than friction allows, or one whose slip speed, friction or heat cannot be"
+                .to_owned(),
+        });
+    }
+    let fits = (state.grid.columns, state.grid.rows) == (grid.columns, grid.rows)
+        && close(state.grid.spacing_x, grid.spacing_x)
+        && close(state.grid.spacing_y, grid.spacing_y)
+        && close(state.grid.origin_x, grid.origin_x)
+        && close(state.grid.origin_y, grid.origin_y);
+    if fits {
+        return Ok(state.clone());
+    }
+    Err(Error::Contradiction {
+        quantity: "solver.initial_state",
+        reason: format!(
+            "the state was left on a grid of {} × {} cells of {:e} × {:e} m, but this problem has \
+             {} × {} cells of {:e} × {:e} m",
+            state.grid.columns,
+            state.grid.rows,
+            state.grid.spacing_x,
+            state.grid.spacing_y,
+            grid.columns,
+            grid.rows,
+            grid.spacing_x,
+            grid.spacing_y
+        ),
+    })
+}
+
+/// The elements in the order of the patch; a cell that had none gets one without a past.
+pub(super) fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
+    let at = positions(patch, elements);
+    let blank = |index| Element { index, ..Element::default() };
+    patch
+        .cells
+        .iter()
+        .map(|c| at[c.index].map_or(blank(c.index), |e| elements[e].clone()))
+        .collect()
+}

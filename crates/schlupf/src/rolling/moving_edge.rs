@@ -1,0 +1,197 @@
+//! How long the material of a cell has been in contact where the load changes and the edges of the patch
+//! move.
+//!
+//! In a row, the patch reaches from its middle c by l on either side. Where bodies are round l² changes
+//! evenly with time, and so it is taken to do within a step: by G. Material at a distance x from the
+//! middle moves by Δx in a step, relative to the middle by s = Δx + Δc; it has met the edge θ steps
+//! before, with
+//!
+//! (x + θ s)² = l² − θ G,
+//!
+//! at the leading edge, or where the patch has overtaken it at the trailing one. With edges that stay
+//! θ Δx is the distance from the leading edge.
+
+use std::ops::Range;
+
+use crate::patch::{Patch, Strip};
+
+use super::arrival::Past;
+
+/// A run of contact cells in a row.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reach {
+    row: usize,
+    /// First and last column.
+    columns: [usize; 2],
+    /// Its middle along rolling, in m.
+    pub middle: f64,
+}
+
+impl Reach {
+    pub fn of(patch: &Patch, strip: &Strip) -> Self {
+        let cells = &patch.cells[strip.cells.clone()];
+        let column = |index: usize| index % patch.grid.columns;
+        let (first, last) = (&cells[0], &cells[cells.len() - 1]);
+        Self {
+            row: strip.row,
+            columns: [column(last.index), column(first.index)],
+            middle: 0.5 * (first.entry_x() + patch.exit(strip)),
+        }
+    }
+
+    fn overlaps(&self, other: &Self) -> bool {
+        self.columns[0] <= other.columns[1] && other.columns[0] <= self.columns[1]
+    }
+
+    /// Whether there is a strip beside it on both sides, so that its row is covered over its width.
+    fn is_inside(&self, strips: &[Self]) -> bool {
+        let has = |row: Option<usize>| {
+            row.is_some_and(|row| strips.iter().any(|s| s.row == row && s.overlaps(self)))
+        };
+        has(self.row.checked_sub(1)) && has(Some(self.row + 1))
+    }
+}
+
+/// How the edges of a strip have moved within a step.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Motion {
+    /// Middle of the strip at the end of the step, in m.
+    middle: f64,
+    /// s: by how much material moves relative to the middle, in m.
+    passed: f64,
+    /// G: gain of the square of half the length, in m².
+    gain: f64,
+    /// Δx, in m.
+    spacing: f64,
+}
+
+impl Motion {
+    /// Way in contact (in m) until now of material that is at x, with the leading edge at `edge`, in m.
+    pub fn way_until_end(&self, x: f64, edge: f64) -> f64 {
+        self.way(x - self.middle, edge - self.middle)
+    }
+
+    /// The same until the start of the step, when it was at x and the edge at `edge`, in m.
+    pub fn way_until_start(&self, x: f64, edge: f64) -> f64 {
+        let middle = self.middle - (self.passed - self.spacing);
+        self.way(x - middle, edge - middle)
+    }
+
+    /// Whether material at x (in m), in contact for a way (in m), has come over the leading edge.
+    pub fn is_from_leading_edge(&self, x: f64, way: f64) -> bool {
+        x - self.middle + way * self.passed / self.spacing > 0.0
+    }
+
+    fn way(&self, x: f64, half: f64) -> f64 {
+        if self.gain == 0.0 && self.passed == self.spacing {
+            return half - x;
+        }
+        // s² θ² + 2 b θ − (l² − x²) = 0
+        let b = x * self.passed + 0.5 * self.gain;
+        let c = ((half - x) * (half + x)).max(0.0);
+        let root = (b * b + self.passed * self.passed * c).sqrt();
+        // The form that does not cancel.
+        let steps = if b > 0.0 { c / (b + root) } else { (root - b) / self.passed.powi(2) };
+        steps * self.spacing
+    }
+}
+
+/// The motion of every strip, from what the past says of the same cells. Where a row is not covered over
+/// its width, its mean edges tell how it fills, not how they move: such a strip takes the gain of the
+/// nearest one that is.
+pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
+    let spacing = patch.grid.spacing_x;
+    let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
+    let measured: Vec<Option<Motion>> = (patch.strips.iter().zip(&reaches))
+        .map(|(strip, reach)| measured(patch, &strip.cells, reach, past))
+        .collect();
+    let is_sound = |n: usize| {
+        let reach = &reaches[n];
+        measured[n].is_some() && reach.is_inside(&reaches) && reach.is_inside(&past.reaches)
+    };
+    let sound: Vec<usize> = (0..reaches.len()).filter(|n| is_sound(*n)).collect();
+    let motion = |n: usize| {
+        let reach = &reaches[n];
+        let beside = |other: &&usize| reaches[**other].row.abs_diff(reach.row);
+        let overlapping = sound.iter().filter(|other| reaches[**other].overlaps(reach));
+        let model = overlapping.min_by_key(beside).and_then(|other| measured[*other]);
+        let middle = reach.middle;
+        match (model, measured[n]) {
+            (Some(model), Some(own)) => Motion { gain: model.gain, ..own },
+            (Some(model), None) => Motion { middle, ..model },
+            (None, Some(own)) => own,
+            (None, None) => {
+                // Born alone: in its middle, at the start of the step.
+                let half = patch.cells[patch.strips[n].cells.start].entry_x() - middle;
+                Motion { middle, passed: spacing, gain: half * half, spacing }
+            }
+        }
+    };
+    (0..reaches.len()).map(motion).collect()
+}
+
+/// From the cell next to the middle of the strip that was in contact before, whose entry is the mean of
+/// the edge over the row.
+fn measured(patch: &Patch, cells: &Range<usize>, reach: &Reach, past: &Past) -> Option<Motion> {
+    let center = usize::midpoint(cells.start, cells.end);
+    let known = |k: &usize| past.at(patch.cells[*k].index).is_some();
+    let k = cells.clone().filter(known).min_by_key(|k| k.abs_diff(center))?;
+    let before = past.at(patch.cells[k].index)?;
+    let half = patch.cells[k].entry_x() - reach.middle;
+    let half_before = before.entry_x - before.middle;
+    let spacing = patch.grid.spacing_x;
+    Some(Motion {
+        middle: reach.middle,
+        passed: spacing + reach.middle - before.middle,
+        gain: (half - half_before) * (half + half_before),
+        spacing,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Edges that stay: the way is the distance from the leading edge.
+    #[test]
+    fn edges_that_stay() {
+        let still = Motion { middle: 1.0, passed: 0.1, gain: 0.0, spacing: 0.1 };
+        assert_relative_eq!(still.way_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
+        assert_relative_eq!(still.way_until_start(1.7, 2.0), 0.3, max_relative = 1e-12);
+        // Without the short cut, too.
+        let nearly = Motion { gain: 1e-15, ..still };
+        assert_relative_eq!(nearly.way_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
+    }
+
+    /// l² = 1 + 2t, the material at x − t: the way since x(t) = l(t), by bisection; whether the patch
+    /// grows or shrinks, and for material that it overtakes at the trailing edge.
+    #[test]
+    fn material_meets_the_edge_where_it_was() {
+        for (gain, x) in [(0.2, 0.5), (0.2, 0.99), (-0.15, 0.9), (-0.4, 0.2), (0.5, -0.98)] {
+            let motion = Motion { middle: 0.0, passed: 0.1, gain, spacing: 0.1 };
+            let outside =
+                |steps: f64| (x + 0.1 * steps).abs() - (1.0 - steps * gain).max(0.0).sqrt();
+            let (mut low, mut high) = (0.0, 1e3);
+            for _ in 0..200 {
+                let middle = 0.5 * (low + high);
+                if outside(middle) > 0.0 { high = middle } else { low = middle }
+            }
+            assert_relative_eq!(motion.way_until_end(x, 1.0), 0.1 * low, max_relative = 1e-9);
+            let leads = motion.is_from_leading_edge(x, 0.1 * low);
+            assert_eq!(leads, x + 0.1 * low > 0.0, "{gain} {x}");
+        }
+    }
+
+    /// Material that stays in contact gains a step: the same law told from both ends of it.
+    #[test]
+    fn a_step_adds_a_step() {
+        let motion = Motion { middle: 0.02, passed: 0.12, gain: 0.05, spacing: 0.1 };
+        let (x, edge) = (0.3, 1.02);
+        // The edge before: l² = 1 − G, about a middle 0.02 farther back.
+        let before = (1.0_f64 - 0.05).sqrt();
+        let gained = motion.way_until_end(x, edge) - motion.way_until_start(x + 0.1, before);
+        assert_relative_eq!(gained, 0.1, max_relative = 1e-12);
+    }
+}

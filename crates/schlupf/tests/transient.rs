@@ -1,0 +1,280 @@
+//! Transient rolling: against CONTACT, closed forms and independent computations; loads that change fast;
+//! powers and stored energy of every step.
+
+mod common;
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::{cells, half_space, layer, problem, rolling, solve};
+use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::winkler::Winkler;
+use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
+use schlupf::history::History;
+use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::friction::{constant::Constant, temperature_linear::TemperatureLinear};
+use schlupf::kinematics::Kinematics;
+use schlupf::material::Material;
+use schlupf::normal::hertz::Hertz;
+use schlupf::{Problem, Solution};
+
+/// Load of the reference, in N, and μ N.
+const LOAD: f64 = 75_398.224;
+const LIMIT: f64 = 0.3 * LOAD;
+
+/// E = 210 GPa, ν = 0.28, a = b = 6 mm, p0 = 1 GPa, μ = 0.3, ξ = 0.0011: CONTACT's transients in
+/// `data/contact_transient.csv`. At 1 m/s a second is a metre.
+fn reference() -> Problem {
+    let steel = Material { young_modulus: 210e9, poisson_ratio: 0.28, ..Material::STEEL };
+    let modulus = 0.5 * 210e9 / (1.0 - 0.28 * 0.28);
+    let radius = 2.0 * 6e-3 * modulus / (0.5 * TAU * 1e9);
+    let curvature = 0.5 / radius;
+    let kinematics = Kinematics { speed: 1.0, ..rolling(0.0011, 0.0, 0.0) };
+    let mut reference = problem(kinematics);
+    reference.normal =
+        Arc::new(Hertz::from_curvatures(curvature, curvature, modulus, LOAD).unwrap());
+    reference.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
+    reference.contact_law = Arc::new(Incremental::new(1e8).unwrap());
+    reference.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    reference
+}
+
+/// The load N0 (1 + swing sin(2π s/wave)) up to a distance, lengths in m.
+fn swinging(swing: f64, wave: f64, distance: f64) -> History {
+    let time: Vec<f64> = (0..=2000).map(|k| distance * f64::from(k) / 2000.0).collect();
+    let load = time.iter().map(|s| LOAD * (1.0 + swing * (TAU * s / wave).sin())).collect();
+    History { time, load: Some(load), ..History::default() }
+}
+
+/// The reference is what CONTACT was given.
+#[test]
+fn the_reference_patch_is_a_circle() {
+    let contact = reference().normal.normal_contact(None).unwrap().summary;
+    assert_relative_eq!(contact.semi_axis_x, 6e-3, max_relative = 1e-6);
+    assert_relative_eq!(contact.peak_pressure, 1e9, max_relative = 1e-6);
+}
+
+/// No change over a distance, in m.
+fn constant(distance: f64) -> History {
+    History { time: vec![0.0, distance], ..History::default() }
+}
+
+fn run(history: History, across: usize) -> Solution {
+    solve(&Problem { history: Some(history), ..reference() }, &cells(across))
+}
+
+/// −Fx/(μ N0) after a distance, in m.
+fn force_at(solution: &Solution, distance: f64) -> f64 {
+    let history = &solution.history;
+    let after = history.partition_point(|i| i.distance < distance - 1e-12).min(history.len() - 1);
+    let (start, from) = match after.checked_sub(1) {
+        Some(before) => (history[before].distance, history[before].force.x),
+        None => (0.0, 0.0),
+    };
+    let share = (distance - start) / (history[after].distance - start);
+    -(from + share * (history[after].force.x - from)) / LIMIT
+}
+
+/// Forces of one case of CONTACT over the distance (in m), on its finer grid.
+fn contact(case: &str) -> Vec<[f64; 2]> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/contact_transient.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
+    let lines = reader.records().map(Result::unwrap).filter(|line| &line[0] == case);
+    let number = |line: &csv::StringRecord, k: usize| line[k].parse::<f64>().unwrap();
+    lines.map(|line| [1e-3 * number(&line, 1), -number(&line, 6)]).collect()
+}
+
+fn largest_difference(solution: &Solution, reference: &[[f64; 2]]) -> f64 {
+    let off = reference.iter().map(|[s, force]| (force_at(solution, *s) - force).abs());
+    off.fold(0.0, f64::max)
+}
+
+/// From rest (T1) and under a load that swings by 30 % over 36 mm (T4), forces are those of CONTACT on 80
+/// cells within 0.006 of μN, its own grid error; T1 takes no more products per step than 60.
+#[test]
+fn vollebregt_contact_transients() {
+    let rest = run(constant(23.7e-3), 40);
+    let off = largest_difference(&rest, &contact("T1"));
+    assert!(off < 6e-3, "T1: {off}");
+    let products = rest.work.operator_products / rest.work.steps as f64;
+    assert!(products < 62.0, "{products}");
+    let off = largest_difference(&run(swinging(0.3, 36e-3, 36e-3), 40), &contact("T4"));
+    assert!(off < 6e-3, "T4: {off}");
+}
+
+/// While the force builds up from rest, it converges at an order of at least 1.2; the differences of grids
+/// twice as fine, at each mm.
+#[test]
+fn transients_converge() {
+    let [coarse, middle, fine] = [20, 40, 80].map(|across| run(constant(12e-3), across));
+    let largest = |one: &Solution, other: &Solution| {
+        let off =
+            (1..=12).map(|mm| 1e-3 * f64::from(mm)).map(|s| force_at(one, s) - force_at(other, s));
+        off.map(f64::abs).fold(0.0, f64::max)
+    };
+    let order = (largest(&coarse, &middle) / largest(&middle, &fine)).log2();
+    assert!(order > 1.2, "{order}");
+}
+
+/// The same on 40 cells against 160: within 0.0015 of μN.
+#[test]
+#[ignore = "takes minutes"]
+fn transients_on_forty_cells_are_those_on_four_times_as_many() {
+    let [coarse, fine] = [40, 160].map(|across| run(constant(12e-3), across));
+    for mm in 1..=12 {
+        let s = 1e-3 * f64::from(mm);
+        let off = force_at(&coarse, s) - force_at(&fine, s);
+        assert!(off.abs() < 1.5e-3, "{mm} mm: {off}");
+    }
+}
+
+/// The Winkler bedding c = 2e13 N/m³ under a load that swings by 70 % over 12 mm, so that edges move about
+/// as fast as the wheel rolls. Every point of the material on its own carries q ← min(q + cξ ds, μp) in the
+/// contact; summed over 1600 × 200 points in an independent computation.
+#[test]
+fn winkler_bedding_under_a_load_that_changes_fast() {
+    let exact = [0.38131, 0.50067, 0.24630, 0.40144, 0.62465, 0.53773, 0.24630, 0.40144];
+    let largest = |across: usize| {
+        let mut bedded = reference();
+        bedded.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+        bedded.history = Some(swinging(0.7, 12e-3, 24e-3));
+        let solution = solve(&bedded, &cells(across));
+        let off = (1..=8)
+            .zip(exact)
+            .map(|(k, force)| (force_at(&solution, 3e-3 * f64::from(k)) - force).abs());
+        off.fold(0.0, f64::max)
+    };
+    let [coarse, fine] = [20, 40].map(largest);
+    assert!(coarse < 0.015 && fine < 0.6 * coarse, "{coarse} {fine}");
+}
+
+/// The same load on the half-space: the error falls with the grid, and the force goes on smoothly as cells
+/// come and go: its second differences fall as the steps do, and so stay bounded over the time step.
+#[test]
+fn half_space_under_a_load_that_changes_fast() {
+    let [coarse, middle, fine] =
+        [20, 40, 80].map(|across| run(swinging(0.7, 12e-3, 15e-3), across));
+    let off = |one: &Solution, other: &Solution| {
+        let at = (1..=15).map(|mm| 1e-3 * f64::from(mm));
+        at.map(|s| (force_at(one, s) - force_at(other, s)).powi(2)).sum::<f64>().sqrt()
+    };
+    let (first, second) = (off(&coarse, &middle), off(&middle, &fine));
+    assert!(second < 0.6 * first, "{first} {second}");
+    let jump = |solution: &Solution| {
+        let forces: Vec<f64> = solution.history.iter().map(|i| i.force.x / LIMIT).collect();
+        let bends = forces.windows(3).map(|f| (f[0] - 2.0 * f[1] + f[2]).abs());
+        bends.fold(0.0, f64::max)
+    };
+    let (first, second) = (jump(&coarse), jump(&fine));
+    assert!(second < 0.2 * first, "{first} {second}");
+}
+
+/// In every step creep power = friction power + change of stored energy over its duration, within 1e-4 of
+/// the creep power of full sliding: with spin, heat, creepages and speed that change; on the half-space
+/// and on the layer. The load is constant, or changes: what departs from the patch counts.
+#[test]
+fn powers_of_every_step_balance() {
+    for elasticity in [half_space(), layer()] {
+        for load in [None, Some(vec![LOAD, 1.6 * LOAD, 0.5 * LOAD, LOAD])] {
+            let mut rolls = reference();
+            rolls.elasticity = elasticity.clone();
+            rolls.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
+            rolls.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+            rolls.history = Some(History {
+                shift: [2e-6, -1e-6],
+                time: vec![0.0, 1e-4, 2e-4, 6e-4],
+                speed: Some(vec![20.0, 30.0, 30.0, 25.0]),
+                creepage_x: Some(vec![0.0, 0.004, -0.001, 0.002]),
+                creepage_y: Some(vec![0.001, 0.0, 0.002, 0.001]),
+                spin: Some(vec![0.0, 0.4, 0.2, 0.1]),
+                load,
+            });
+            let solution = solve(&rolls, &cells(24));
+            for pair in solution.history.windows(2) {
+                let duration = pair[1].time - pair[0].time;
+                let stored = (pair[1].stored_energy - pair[0].stored_energy) / duration;
+                let off = pair[1].creep_power - pair[1].friction_power - stored;
+                assert!(off.abs() < 1e-4 * LIMIT * 0.002 * 25.0, "at {} s: {off} W", pair[1].time);
+            }
+            // In between the power is not that of the steady state, and not zero.
+            let step = &solution.history[8];
+            assert!((step.creep_power - step.friction_power).abs() > 1e-2 * step.creep_power.abs());
+            assert_relative_eq!(solution.power.creep, solution.history.last().unwrap().creep_power);
+        }
+    }
+}
+
+/// The stored energy of a shift is the work ½ Q u of a force and a displacement, at small shifts: Mindlin's
+/// (1949) Q = u/L, within the 3 % of the force that bristles and grid take.
+#[test]
+fn mindlin_1949_stored_energy() {
+    let by = 2e-7;
+    let shifted = run(History { shift: [by, 0.0], ..History::default() }, 40);
+    let instant = &shifted.history[0];
+    assert_relative_eq!(instant.stored_energy, -0.5 * instant.force.x * by, max_relative = 0.03);
+    assert_eq!((instant.distance, instant.friction_power, shifted.history.len()), (0.0, 0.0, 1));
+}
+
+/// Creepages, speed and load of an instant are those of the history at its time.
+#[test]
+fn what_belongs_to_an_instant_belongs_together() {
+    let history = History {
+        time: vec![0.0, 2e-4, 5e-4],
+        speed: Some(vec![20.0, 30.0, 30.0]),
+        creepage_x: Some(vec![0.0, 0.003, -0.002]),
+        load: Some(vec![LOAD, 0.8 * LOAD, LOAD]),
+        ..History::default()
+    };
+    let solution = run(history.clone(), 16);
+    let otherwise = reference().kinematics;
+    for instant in &solution.history {
+        assert_eq!(instant.kinematics, history.kinematics(instant.time, &otherwise));
+        assert_relative_eq!(instant.load, history.load(instant.time).unwrap());
+    }
+    let end = solution.history.last().unwrap();
+    assert_eq!((solution.kinematics, solution.normal.load), (end.kinematics, end.load));
+    // A step takes the time in which the wheel rolls over a cell: ∫ v dt, exact on the ramp.
+    let first = &solution.history[0];
+    let rolled = 20.0 * first.time + 0.5 * (10.0 / 2e-4) * first.time.powi(2);
+    assert_relative_eq!(rolled, first.distance, max_relative = 1e-4);
+}
+
+/// Cattaneo (1938) and Mindlin (1949), then rolling: after a shift of 0.015 mm CONTACT has Fx = −0.6530 μN;
+/// the force goes over into that of rolling without a jump and ends in the steady state.
+#[test]
+fn a_history_starts_with_a_shift() {
+    let history = History { shift: [0.015e-3, 0.0], ..constant(60e-3) };
+    let solution = run(history, 40);
+    let force = |k: usize| -solution.history[k].force.x / LIMIT;
+    assert!((force(0) - 0.6530).abs() < 3e-3, "{}", force(0));
+    assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
+    let steady = schlupf::rolling::solve(&reference(), &cells(40), &mut |_| ()).unwrap();
+    assert_relative_eq!(solution.normalised.x, steady.normalised.x, epsilon = 1e-3);
+    // Nothing of the speed and creepages counts in the shift.
+    assert_eq!(solution.history[0].kinematics, rolling_not_at_all());
+}
+
+fn rolling_not_at_all() -> Kinematics {
+    Kinematics { speed: 0.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
+}
+
+/// A patch that shrinks faster than the wheel rolls and grows again converges at every step and carries
+/// no more than friction allows.
+#[test]
+fn edges_faster_than_the_wheel() {
+    let history = History {
+        time: vec![0.0, 2e-3, 3e-3, 4e-3, 10e-3],
+        load: Some(vec![LOAD, LOAD, 0.1 * LOAD, 2.0 * LOAD, 2.0 * LOAD]),
+        ..History::default()
+    };
+    let solution = run(history, 30);
+    let fields = &solution.fields;
+    for k in 0..fields.len() {
+        let traction = fields.traction_x[k].hypot(fields.traction_y[k]);
+        assert!(traction <= 0.3 * fields.pressure[k] * (1.0 + 1e-5));
+    }
+    for instant in &solution.history {
+        assert!(instant.force.x.abs() <= 0.3 * instant.load * (1.0 + 1e-6));
+    }
+}
