@@ -247,3 +247,33 @@ fn a_closed_pipe_is_no_failure() {
     drop(child.stdout.take());
     assert!(child.wait().unwrap().success());
 }
+
+/// Cattaneo (1938) and Mindlin (1949) through the command: steel spheres with a = 6 mm and p0 = 1 GPa, μ = 0.3,
+/// shifted by 0.015 mm. CONTACT has Fx = −0.6530 μN.
+#[test]
+fn a_case_may_be_a_shift_at_rest() {
+    let bench = Bench::new();
+    bench.write(
+        "shift.toml",
+        "[wheel]\nyoung_modulus = \"210 GPa\"\npoisson_ratio = 0.28\n\
+         [rail]\nyoung_modulus = \"210 GPa\"\npoisson_ratio = 0.28\n\
+         [normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"6 mm\"\n\
+         peak_pressure = \"1 GPa\"\n[elasticity]\nmodel = \"half-space\"\n\
+         [contact_law]\nstiffness = \"1e8 1/m\"\n[friction]\nmodel = \"constant\"\n\
+         coefficient = 0.3\n[grid]\ncells_x = 40\ncells_y = 40\n\
+         [history]\nshift_x = \"0.015 mm\"\n",
+    );
+    let run = bench.run(&["solve", "shift.toml", "--quiet", "--json", "-", "--figures", "f"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let result: Value = serde_json::from_str(&run.stdout).unwrap();
+    let force = result["normalised"]["x"].as_f64().unwrap();
+    assert!((force + 0.6530).abs() < 3e-3, "{force}");
+    assert_eq!(result["kinematics"]["creepage_x"], 0.0);
+    assert_eq!(result["power"]["friction"], 0.0);
+    assert!(result["history"]["stored_energy"][0].as_f64().unwrap() > 0.0);
+    let fast = bench.run(&["solve", "shift.toml", "--set", "solver.method=polach"]);
+    assert_eq!(fast.code, Some(2), "{}", fast.stderr);
+    assert!(fast.stderr.contains("history"), "{}", fast.stderr);
+    let bare = bench.run(&["solve", "shift.toml", "--set", "history.shift_x=0.015"]);
+    assert!(bare.stderr.contains("history.shift_x must be a length"), "{}", bare.stderr);
+}

@@ -15,19 +15,23 @@ const SERIES: [&str; 5] =
 pub fn history(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
     let shift = |path: &str| settings.optional_number(path).map(|shift| shift.unwrap_or(0.0));
     let shift = [shift("history.shift_x")?, shift("history.shift_y")?];
-    let over_time = over_time(settings, folder)?;
-    if over_time.is_none() && shift == [0.0; 2] {
-        return Ok(None);
-    }
-    Ok(Some(History { shift, ..over_time.unwrap_or_default() }))
+    let start = History { shift, ..History::default() };
+    let over_time = over_time(settings, folder, &start)?;
+    Ok(over_time.or(start.has_shift().then_some(start)))
 }
 
-fn over_time(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
+/// What goes on after the start.
+fn over_time(
+    settings: &Settings,
+    folder: &Path,
+    start: &History,
+) -> Result<Option<History>, CaseError> {
     if settings.is_given("history.file") {
         let path = folder.join(settings.text("history.file")?);
         let place = settings.place("history.file");
         let bytes = tables::read_bytes(&path, "history.file", place)?;
-        return tables::history_from_csv(path.display().to_string(), bytes).map(Some);
+        let history = tables::history_from_csv(path.display().to_string(), bytes)?;
+        return Ok(Some(History { shift: start.shift, ..history }));
     }
     let Some(time) = settings.series("history.time") else {
         return if settings.any_given(&SERIES) {
@@ -36,10 +40,10 @@ fn over_time(settings: &Settings, folder: &Path) -> Result<Option<History>, Case
             Ok(None)
         };
     };
-    inline(settings, time).map(Some)
+    inline(settings, time, start).map(Some)
 }
 
-fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
+fn inline(settings: &Settings, time: &[f64], start: &History) -> Result<History, CaseError> {
     for path in SERIES {
         let Some(series) = settings.series(path) else { continue };
         if series.len() != time.len() {
@@ -54,7 +58,7 @@ fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
     let [speed, creepage_x, creepage_y, spin, load] =
         SERIES.map(|path| settings.series(path).map(<[f64]>::to_vec));
     let time = time.to_vec();
-    let history = History { time, speed, creepage_x, creepage_y, spin, load, ..History::default() };
+    let history = History { shift: start.shift, time, speed, creepage_x, creepage_y, spin, load };
     match tables::check_history(&history) {
         Ok(()) => Ok(history),
         Err((_, message)) => {

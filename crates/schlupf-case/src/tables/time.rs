@@ -73,7 +73,7 @@ pub fn check(history: &History) -> Result<(), (usize, String)> {
     }
     let values =
         [&history.speed, &history.creepage_x, &history.creepage_y, &history.spin, &history.load];
-    if values.iter().all(|values| values.is_none()) {
+    if values.iter().all(|values| values.is_none()) && !history.has_shift() {
         let message =
             "a history must have creepage_x, creepage_y, spin, speed or load besides time";
         return Err((0, message.to_owned()));

@@ -152,12 +152,6 @@ impl DiscreteContact {
         self.interpolation.gather(&self.displacement, u);
     }
 
-    /// Elastic energy ½ Σ p·(A p) ΔA of the last product, in J.
-    pub fn stored_energy(&self) -> f64 {
-        let (p, u) = (&self.traction, &self.displacement);
-        0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
-    }
-
     /// The same for the change of A p with the logarithm of the size of the patch; whether the
     /// elasticity knows it.
     pub fn product_by_size(&mut self, p: &[f64], u: &mut [f64]) -> bool {
@@ -165,6 +159,12 @@ impl DiscreteContact {
         let is_known = self.compliance.displacement_by_size(&self.traction, &mut self.displacement);
         self.interpolation.gather(&self.displacement, u);
         is_known
+    }
+
+    /// Elastic energy ½ Σ p·(A p) ΔA of the last product, in J.
+    pub fn stored_energy(&self) -> f64 {
+        let (p, u) = (&self.traction, &self.displacement);
+        0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
     }
 
     /// The displacement field of the last product at the cells' points.
