@@ -8,6 +8,7 @@ use common::{RECIPE, solution};
 use schlupf::creep_curve::{
     CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling, Spacing,
 };
+use schlupf::kinematics::ReferencePoint;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{Area, Power, Resultant, Work};
 use schlupf::{Method, Status};
@@ -59,6 +60,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
         method: Method::Full,
         path,
         normal: NormalSummary { load: LOAD, ..solution(RECIPE).normal },
+        reference: ReferencePoint::Patch,
         points,
         initial_slope: Some(InitialSlope {
             force,

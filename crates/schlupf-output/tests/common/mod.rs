@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test file uses its part of it")]
 
 use schlupf::grid::{Extent, Grid};
-use schlupf::kinematics::Kinematics;
+use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{
     Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, TGamma, Temperature, Work,
@@ -56,6 +56,7 @@ pub fn solution(recipe: Recipe) -> Solution {
             peak_pressure: PEAK,
             approach: Some(7.65e-5),
         },
+        reference: ReferencePoint::Patch,
         kinematics: kinematics(recipe),
         force,
         normalised: Resultant { x: force.x / scale, y: force.y / scale, moment_z: 0.01 },

@@ -12,6 +12,7 @@ use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::patch::Patch;
 use crate::problem::{Options, Problem};
+use crate::reference_point::Moved;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
@@ -32,6 +33,18 @@ use super::warnings;
 /// A problem with a history or an initial state, a shift that is not finite, and whatever
 /// [`Problem::check`] and [`Options::check`] refuse.
 pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<Solution, Error> {
+    match Moved::from(problem)? {
+        None => shift_at_patch(problem, shift, options),
+        Some(moved) => Ok(moved.back(shift_at_patch(&moved.problem, shift, options)?)),
+    }
+}
+
+/// The same of a problem with the middle of the patch as its reference point.
+fn shift_at_patch(
+    problem: &Problem,
+    shift: [f64; 2],
+    options: &Options,
+) -> Result<Solution, Error> {
     refuse_a_past(problem)?;
     for component in shift {
         require_finite("shift", component, "m")?;
