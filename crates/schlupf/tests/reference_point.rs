@@ -222,8 +222,7 @@ fn derivatives_are_those_of_central_differences() {
         |own, h| Kinematics { creepage_y: own.creepage_y + h, ..own },
         |own, h| Kinematics { spin: own.spin + 1e2 * h, ..own },
     ];
-    let derivatives =
-        [(exact.creepage_x, scale), (exact.creepage_y, scale), (exact.spin, 0.2)];
+    let derivatives = [(exact.creepage_x, scale), (exact.creepage_y, scale), (exact.spin, 0.2)];
     let differences = derivatives.into_iter().zip(steps);
     for (k, ((exact, scale), moved)) in differences.enumerate() {
         let step = if k == 2 { 1e2 * h } else { h };
