@@ -85,8 +85,9 @@ fn overrides_change_the_result() {
     assert!((load(&["normal.load=\"70 kN\""]) - 70e3).abs() < 1e-6);
 }
 
-/// Creepages at the origin of the file: the result says so, has them and the moment for both points, and the patch's own
-/// creepages in another run give the same forces. By hand: ξ' = ξ − φ y0, Mz' = Mz − (x0 Fy − y0 Fx).
+/// Creepages at the origin of the file: the result says so, has them and the moment for both
+/// points, and the patch's own creepages in another run give the same forces. By hand: ξ' = ξ − φ
+/// y0, Mz' = Mz − (x0 Fy − y0 Fx).
 #[test]
 fn creepages_at_the_origin_of_the_file() {
     let bench = Bench::new();

@@ -74,8 +74,8 @@ impl History {
         }
     }
 
-    /// The same motion with the creepages at another point, which lies at `place` (x and y in m) from the one at
-    /// which these hold.
+    /// The same motion with the creepages at another point, which lies at `place` (x and y in m)
+    /// from the one at which these hold.
     pub(crate) fn at(&self, place: [f64; 2], otherwise: &Kinematics) -> Self {
         let moved = |own: &Option<Vec<f64>>, component: fn(&Kinematics) -> f64| {
             // Both are linear between the times, and so is what they make together.

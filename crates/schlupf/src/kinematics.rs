@@ -24,8 +24,8 @@ impl ReferencePoint {
 
 /// How the wheel moves over the rail.
 ///
-/// The rigid slip of the wheel over the rail, over the speed, is (ξ − φ y, η + φ x), with x and y from
-/// the point at which the creepages hold ([`ReferencePoint`]). Braking has ξ > 0.
+/// The rigid slip of the wheel over the rail, over the speed, is (ξ − φ y, η + φ x), with x and y
+/// from the point at which the creepages hold ([`ReferencePoint`]). Braking has ξ > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kinematics {
     /// Speed of the vehicle and of the contact frame v0, in m/s.
@@ -71,8 +71,8 @@ impl Kinematics {
         [self.creepage_x - self.spin * y, self.creepage_y + self.spin * x]
     }
 
-    /// The same motion with the creepages at another point, which lies at (x, y) (in m) from the one at which
-    /// these hold: ξ' = ξ − φ y, η' = η + φ x.
+    /// The same motion with the creepages at another point, which lies at (x, y) (in m) from the
+    /// one at which these hold: ξ' = ξ − φ y, η' = η + φ x.
     #[must_use]
     pub fn at(&self, [x, y]: [f64; 2]) -> Self {
         let [creepage_x, creepage_y] = self.rigid_slip(x, y);
@@ -140,7 +140,8 @@ mod tests {
         assert_relative_eq!(kinematics.circumferential_speed(), 60.0 * 0.46, max_relative = 1e-14);
     }
 
-    /// A rigid body has one motion: its slip at a place is the same, wherever the creepages are given.
+    /// A rigid body has one motion: its slip at a place is the same, wherever the creepages are
+    /// given.
     #[test]
     fn the_reference_point_does_not_change_the_motion() {
         let one = Kinematics { speed: 30.0, creepage_x: 0.002, creepage_y: -0.001, spin: 0.7 };

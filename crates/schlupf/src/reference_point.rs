@@ -1,8 +1,8 @@
 //! Creepages that hold, and a moment that is taken, at another point than the middle of the patch.
 //!
-//! Whatever solves has the creepages at the middle of the patch, the origin of the contact frame. A problem that
-//! gives them elsewhere is moved there on the way in, and its solution back on the way out; both are the same rigid motion
-//! and the same tractions, so nothing else changes.
+//! Whatever solves has the creepages at the middle of the patch, the origin of the contact frame. A
+//! problem that gives them elsewhere is moved there on the way in, and its solution back on the way
+//! out; both are the same rigid motion and the same tractions, so nothing else changes.
 
 use crate::error::Error;
 use crate::kinematics::{Kinematics, ReferencePoint};
@@ -40,8 +40,8 @@ pub(crate) struct Moved {
 impl Moved {
     /// `None` where they hold there already.
     ///
-    /// # Errors
-    /// A reference point that the normal contact does not have, and whatever [`Problem::check`] refuses.
+    /// # Errors A reference point that the normal contact does not have, and whatever
+    /// [`Problem::check`] refuses.
     pub fn from(problem: &Problem) -> Result<Option<Self>, Error> {
         if problem.reference == ReferencePoint::Patch {
             return Ok(None);
@@ -70,8 +70,8 @@ impl Moved {
     }
 }
 
-/// A solution with the creepages at the middle of the patch as one with the origin of the file, which lies at
-/// `place` (x and y in m), as its reference point.
+/// A solution with the creepages at the middle of the patch as one with the origin of the file,
+/// which lies at `place` (x and y in m), as its reference point.
 pub(crate) fn back(solution: Solution, problem: &Problem, place: [f64; 2]) -> Solution {
     let (kinematics, force) = (solution.kinematics.at(place), solution.force.about(place));
     let instant = |instant: Instant| Instant {

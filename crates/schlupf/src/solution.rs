@@ -29,7 +29,8 @@ pub struct Solution {
     pub residual: f64,
     /// The normal contact at the last instant.
     pub normal: NormalSummary,
-    /// Where the creepages hold, here and in [`Self::history`], and about which point moments are taken.
+    /// Where the creepages hold, here and in [`Self::history`], and about which point moments are
+    /// taken.
     pub reference: ReferencePoint,
     /// Speed and creepages; of a history, in the middle of the last time step.
     pub kinematics: Kinematics,
@@ -62,7 +63,8 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Motion, and forces and moment, with a reference point of choice; `None` where no file has an origin.
+    /// Motion, and forces and moment, with a reference point of choice; `None` where no file has an
+    /// origin.
     pub fn seen_from(&self, reference: ReferencePoint) -> Option<(Kinematics, Resultant)> {
         if reference == self.reference {
             return Some((self.kinematics, self.force));
@@ -83,14 +85,14 @@ pub struct Resultant {
     pub x: f64,
     /// Lateral force Fy, in N (or normalised, dimensionless).
     pub y: f64,
-    /// Moment Mz about the reference point, by default the middle of the patch, in N m (or normalised,
-    /// dimensionless).
+    /// Moment Mz about the reference point, by default the middle of the patch, in N m (or
+    /// normalised, dimensionless).
     pub moment_z: f64,
 }
 
 impl Resultant {
-    /// The same with the moment about another point, which lies at (x, y) (in m) from the one about which this is
-    /// taken: Mz' = Mz − (x Fy − y Fx).
+    /// The same with the moment about another point, which lies at (x, y) (in m) from the one about
+    /// which this is taken: Mz' = Mz − (x Fy − y Fx).
     #[must_use]
     pub fn about(&self, [x, y]: [f64; 2]) -> Self {
         Self { moment_z: self.moment_z - (x * self.y - y * self.x), ..*self }
@@ -126,8 +128,9 @@ pub struct Sensitivity {
 }
 
 impl Sensitivity {
-    /// The same with creepages that hold, and moments that are taken, at another point, which lies at (x, y)
-    /// (in m) from this one. Of the motion there, (ξ', η', φ), ξ is ξ' + φ y and η is η' − φ x.
+    /// The same with creepages that hold, and moments that are taken, at another point, which lies
+    /// at (x, y) (in m) from this one. Of the motion there, (ξ', η', φ), ξ is ξ' + φ y and η is η'
+    /// − φ x.
     pub(crate) fn at(&self, place: [f64; 2]) -> Self {
         let [x, y] = place;
         let spin = self.spin.plus(y, &self.creepage_x).plus(-x, &self.creepage_y);

@@ -1,4 +1,5 @@
-//! Friction that varies across the patch, where the patch sticks in part, against independent computations.
+//! Friction that varies across the patch, where the patch sticks in part, against independent
+//! computations.
 
 mod common;
 
@@ -13,8 +14,8 @@ use schlupf::interface::friction::constant::Constant;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::{Problem, Solution, Status};
 
-/// Coulomb friction of μ0 at y ≥ −1 mm that falls linearly to half of it at y = −4 mm: a rail with a film of
-/// lubricant on its right.
+/// Coulomb friction of μ0 at y ≥ −1 mm that falls linearly to half of it at y = −4 mm: a rail with
+/// a film of lubricant on its right.
 fn lubricated(base: Problem, mu0: f64) -> Problem {
     let constant = Arc::new(Constant::new(mu0).unwrap());
     let across = Across::new(constant, vec![-4e-3, -1e-3], vec![0.5, 1.0]).unwrap();
@@ -34,11 +35,13 @@ fn solve(problem: &Problem, across: usize) -> Solution {
     solution
 }
 
-/// Goal: force and moment on a Winkler bedding, from nearly full stick to nearly full slip, within 0.5 % of μ0 N.
+/// Goal: force and moment on a Winkler bedding, from nearly full stick to nearly full slip, within
+/// 0.5 % of μ0 N.
 /// Set-up: a = 6, b = 5 mm, p0 = 1 GPa, c = 10¹³ N/m³, k_c = 10⁸/m, longitudinal creepage.
-/// Source: Kalker 1982, strip by strip. With the half length h = a √(1 − y²/b²) and κ = c ξ a/(μ(y) p0) the traction of
-/// a strip, c ξ (h − x), meets its bound μ(y) p0/a √(h² − x²) at x = s h, s = (κ² − 1)/(κ² + 1). So the strip carries
-/// T(y) = ½ c ξ h² (1 − s)² + ½ μ(y) p0/a h² (asin s + s √(1 − s²) + π/2), and Fx = −∫ T dy, Mz = ∫ y T dy.
+/// Source: Kalker 1982, strip by strip. With the half length h = a √(1 − y²/b²) and κ = c ξ a/(μ(y)
+/// p0) the traction of a strip, c ξ (h − x), meets its bound μ(y) p0/a √(h² − x²) at x = s h, s =
+/// (κ² − 1)/(κ² + 1). So the strip carries T(y) = ½ c ξ h² (1 − s)² + ½ μ(y) p0/a h² (asin s + s
+/// √(1 − s²) + π/2), and Fx = −∫ T dy, Mz = ∫ y T dy.
 #[test]
 fn kalker_1982_strips_of_different_friction() {
     let (a, b, p0, mu0, c) = (6e-3, 5e-3, 1e9, 0.4, 1e13);
@@ -70,12 +73,15 @@ fn kalker_1982_strips_of_different_friction() {
 }
 
 /// Goal: forces and moment on the half-space within 0.8 % of μ0 N (√(ab)).
-/// Set-up: a = b = 5 mm, p0 = 1 GPa, μ0 = 0.3, E = 210 GPa, ν = 0.28, Coulomb (k_c = 10⁹/m), 60 cells across.
-/// Source: an independent solver (NumPy): cells whose middle lies in the ellipse, Hertz's pressure there, influence numbers
-/// of Cerruti, and p = P(p + γ Δs), P the projection on the circle of radius μ(y) pₙ, by a semismooth Newton method with
-/// dense matrices. Its cells are coarse at the edge, which moves forces by up to 2 % of μ0 N; but as it does so with μ0
-/// everywhere, too, where CONTACT has the converged forces (`data/contact_creep.csv`), what is given here is CONTACT's
-/// plus the difference that the variation makes. That differs between 20, 28 and 40 cells by at most 0.0015.
+/// Set-up: a = b = 5 mm, p0 = 1 GPa, μ0 = 0.3, E = 210 GPa, ν = 0.28, Coulomb (k_c = 10⁹/m), 60
+/// cells across.
+/// Source: an independent solver (NumPy): cells whose middle lies in the ellipse, Hertz's pressure
+/// there, influence numbers of Cerruti, and p = P(p + γ Δs), P the projection on the circle of
+/// radius μ(y) pₙ, by a semismooth Newton method with dense matrices. Its cells are coarse at the
+/// edge, which moves forces by up to 2 % of μ0 N; but as it does so with μ0 everywhere, too, where
+/// CONTACT has the converged forces (`data/contact_creep.csv`), what is given here is CONTACT's
+/// plus the difference that the variation makes. That differs between 20, 28 and 40 cells by at
+/// most 0.0015.
 #[test]
 fn half_space_with_friction_that_varies_across() {
     for (motion, expected) in [

@@ -1,4 +1,5 @@
-//! Creepages and moment at the origin of the file of the normal contact, in place of the middle of the patch.
+//! Creepages and moment at the origin of the file of the normal contact, in place of the middle of
+//! the patch.
 
 mod common;
 
@@ -41,8 +42,8 @@ const OPTIONS: Options = Options {
     sensitivity: false,
 };
 
-/// Hertz's pressure with a = 6 mm, b = 5 mm, p0 = 1 GPa on a lattice whose origin is such that the middle of the
-/// patch lies at `middle` (in m).
+/// Hertz's pressure with a = 6 mm, b = 5 mm, p0 = 1 GPa on a lattice whose origin is such that the
+/// middle of the patch lies at `middle` (in m).
 fn table(middle: [f64; 2]) -> Arc<dyn PressureSource> {
     let count = 41;
     let line = |half: f64, middle: f64| -> Vec<f64> {
@@ -58,15 +59,15 @@ fn table(middle: [f64; 2]) -> Arc<dyn PressureSource> {
     Arc::new(Tabulated::new(PressureTable::new(&x, &y, values).unwrap(), None).unwrap())
 }
 
-/// The creepages at the origin of the file with which the middle of the patch has (ξ, η, φ), by hand: the slip of a
-/// rigid body is (ξ − φ y, η + φ x).
+/// The creepages at the origin of the file with which the middle of the patch has (ξ, η, φ), by
+/// hand: the slip of a rigid body is (ξ − φ y, η + φ x).
 fn at_file([xi, eta, spin]: [f64; 3]) -> Kinematics {
     let [x0, y0] = ORIGIN;
     rolling(xi + spin * y0, eta - spin * x0, spin)
 }
 
-/// The same contact twice: with its creepages at the middle of the patch, in a file that has its origin there, and
-/// at the origin of a file from which the patch is displaced.
+/// The same contact twice: with its creepages at the middle of the patch, in a file that has its
+/// origin there, and at the origin of a file from which the patch is displaced.
 fn both(motion: [f64; 3]) -> [Problem; 2] {
     let [xi, eta, spin] = motion;
     let base = problem(rolling(xi, eta, spin));
@@ -134,8 +135,10 @@ fn assert_same_contact(file: &Solution, patch: &Solution) {
     }
 }
 
-/// Goal: a contact displaced in its file has the forces, powers and temperatures of the same contact in the middle.
-/// Set-up: steady, marched, and by every fast method; with heat whose partition depends on the wheel's speed.
+/// Goal: a contact displaced in its file has the forces, powers and temperatures of the same
+/// contact in the middle.
+/// Set-up: steady, marched, and by every fast method; with heat whose partition depends on the
+/// wheel's speed.
 /// Source: kinematics of a rigid body, by hand.
 #[test]
 fn a_displaced_table_is_the_same_contact() {
@@ -204,8 +207,8 @@ fn a_history_is_that_of_the_same_body() {
     }
 }
 
-/// Goal: derivatives are those by the creepages at the origin of the file, of the moment about it, within
-/// 2·10⁻⁶ of μ0 N of central differences of whole solutions.
+/// Goal: derivatives are those by the creepages at the origin of the file, of the moment about it,
+/// within 2·10⁻⁶ of μ0 N of central differences of whole solutions.
 #[test]
 fn derivatives_are_those_of_central_differences() {
     let [_, file] = both(MOTION);
@@ -262,8 +265,9 @@ fn bulk_temperature_is_that_of_the_same_contact() {
     assert_same_contact(&file.solution, &patch.solution);
 }
 
-/// Goal: creep curves over the creepages at the origin of the file; over ξ alone, which is the same everywhere, the
-/// initial slope is still Kalker's coefficient of the patch, over spin there is none.
+/// Goal: creep curves over the creepages at the origin of the file; over ξ alone, which is the same
+/// everywhere, the initial slope is still Kalker's coefficient of the patch, over spin there is
+/// none.
 #[test]
 fn creep_curves_are_over_the_creepages_of_the_file() {
     let [patch, file] = both([0.0; 3]);

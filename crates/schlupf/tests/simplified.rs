@@ -98,9 +98,10 @@ fn kalker_1982_lateral_creepage_against_spin() {
     assert_relative_eq!(full.y, -0.624, epsilon = 0.003);
 }
 
-/// FASTSIM as Kalker (1982) wrote it down and CONTACT has it: cells whose middle lies in the ellipse; the traction of a cell is
-/// that of the one before and its growth over a whole cell, cut to the bound at its middle. CONTACT takes the spin a sixth
-/// of a cell ahead of that. Forces over μN.
+/// FASTSIM as Kalker (1982) wrote it down and CONTACT has it: cells whose middle lies in the
+/// ellipse; the traction of a cell is that of the one before and its growth over a whole cell, cut
+/// to the bound at its middle. CONTACT takes the spin a sixth of a cell ahead of that. Forces over
+/// μN.
 fn plain_fastsim(
     [a, b, load, mu]: [f64; 4],
     flexibilities: [f64; 3],
@@ -136,12 +137,15 @@ fn plain_fastsim(
     sum.map(|part| part * dx * dy / (mu * load))
 }
 
-/// Goal: FASTSIM with three flexibilities is Kalker's, and why CONTACT's forces differ from it by 1.5 % of μN.
-/// Set-up: Kalker's loop, independent of the cells here; then both cases, the second a circle of 6 mm under 82 kN.
-/// Source: CONTACT's example on FASTSIM (open source, rev. 2707, `examples/fastsim.ref_out`) prints Fy/μN = −0.6118 and −0.6359
-/// (parabolic bound, 40 and 200 cells across), −0.6016 and −0.5956 (elliptic), and the L1, L2, L3 that it took. These are not
-/// Kalker's (they are 1.2 and 1.5 % below, and 0.3 % above): CONTACT moves all three towards one common L by the part
-/// ⅓ √((ξ² + η²)/(ξ_c² + η_c²)), ξ_c = μN/(G c² C11), η_c = μN/(G c² C22), which Kalker (1982) does not.
+/// Goal: FASTSIM with three flexibilities is Kalker's, and why CONTACT's forces differ from it by
+/// 1.5 % of μN.
+/// Set-up: Kalker's loop, independent of the cells here; then both cases, the second a circle of 6
+/// mm under 82 kN.
+/// Source: CONTACT's example on FASTSIM (open source, rev. 2707, `examples/fastsim.ref_out`) prints
+/// Fy/μN = −0.6118 and −0.6359 (parabolic bound, 40 and 200 cells across), −0.6016 and −0.5956
+/// (elliptic), and the L1, L2, L3 that it took. These are not Kalker's (they are 1.2 and 1.5 %
+/// below, and 0.3 % above): CONTACT moves all three towards one common L by the part ⅓ √((ξ² +
+/// η²)/(ξ_c² + η_c²)), ξ_c = μN/(G c² C11), η_c = μN/(G c² C22), which Kalker (1982) does not.
 #[test]
 fn kalker_1982_three_flexibilities_and_those_of_contact() {
     use TractionBound::{Elliptic, Parabolic};
@@ -183,7 +187,8 @@ fn kalker_1982_three_flexibilities_and_those_of_contact() {
             [44, 1600].map(|cells| plain_fastsim(circle, blended, motion, (bound, cells)));
         println!("with CONTACT's flexibilities: {coarse:?}, converged {fine:?}");
     }
-    // What CONTACT gives for the elliptic bound at 40 cells: 1.4 % of μN more, of which 1.0 % is the grid.
+    // What CONTACT gives for the elliptic bound at 40 cells: 1.4 % of μN more, of which 1.0 % is
+    // the grid.
     let ours = normalised(&case, elliptic(), 160);
     let [x, y] = plain_fastsim(circle, blended, motion, (Elliptic, 44));
     assert_relative_eq!(x - ours.x, -0.0137, epsilon = 1.5e-3);

@@ -20,9 +20,9 @@ pub struct InitialSlope {
     /// The same in the form of Kalker's coefficients, dimensionless and positive where the force opposes
     /// the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), over spin each over another c.
     /// Over ξ it is C11, over η C22 (and −C23), over φ C23 and C33 of a half-space with the shear
-    /// modulus G of both bodies that would have this slope, moments about the middle of the patch. `None` where
-    /// another creepage is not zero: then something slides already; and over a spin about another point than that
-    /// middle.
+    /// modulus G of both bodies that would have this slope, moments about the middle of the patch.
+    /// `None` where another creepage is not zero: then something slides already; and over a spin
+    /// about another point than that middle.
     pub kalker: Option<Resultant>,
 }
 

@@ -48,8 +48,8 @@ pub struct FastContact {
     options: Options,
     contact: EllipticContact,
     fastsim: Option<Fastsim>,
-    /// Where the reference point lies in the contact frame (x and y in m), if it is another one than that frame's
-    /// origin, at which the problem above has its creepages.
+    /// Where the reference point lies in the contact frame (x and y in m), if it is another one
+    /// than that frame's origin, at which the problem above has its creepages.
     place: Option<[f64; 2]>,
 }
 
