@@ -81,6 +81,9 @@ fn both(motion: [f64; 3]) -> [Problem; 2] {
     [patch, file]
 }
 
+/// A motion from another one and a step.
+type Step = fn(Kinematics, f64) -> Kinematics;
+
 fn solve(problem: &Problem, options: &Options) -> Solution {
     let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
@@ -219,7 +222,6 @@ fn derivatives_are_those_of_central_differences() {
         |kinematics: Kinematics| solve(&Problem { kinematics, ..file.clone() }, &options).force;
     let own = file.kinematics;
     let (h, scale) = (1e-7, 1e-3);
-    type Step = fn(Kinematics, f64) -> Kinematics;
     let steps: [Step; 3] = [
         |own, h| Kinematics { creepage_x: own.creepage_x + h, ..own },
         |own, h| Kinematics { creepage_y: own.creepage_y + h, ..own },
