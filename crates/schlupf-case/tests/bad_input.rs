@@ -501,3 +501,26 @@ fn overrides_are_checked_as_the_file_is() {
     let case = read(file, &["kinematics.creepage_x=0.1", "kinematics.angular_velocity="]).unwrap();
     assert_eq!(case.problem.kinematics.creepage_x, 0.1);
 }
+
+/// Only a file has an origin of its own.
+#[test]
+fn the_reference_point_needs_a_file() {
+    assert_errors(&[
+        (
+            "[kinematics]\nreference = \"file\"",
+            "kinematics.reference",
+            &["case.toml:2:13", "must be \"patch\"", "normal.model = \"hertz\"", "is \"file\""],
+        ),
+        (
+            "[kinematics]\nreference = \"file\"\n[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"5 mm\"\n\
+             semi_axis_y = \"5 mm\"",
+            "kinematics.reference",
+            &["case.toml:2:13", "normal.model = \"ellipse\""],
+        ),
+        (
+            "[kinematics]\nreference = \"wheel\"",
+            "kinematics.reference",
+            &["case.toml:2:13", "\"patch\"", "\"file\"", "but is \"wheel\""],
+        ),
+    ]);
+}

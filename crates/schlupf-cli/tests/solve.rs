@@ -85,6 +85,51 @@ fn overrides_change_the_result() {
     assert!((load(&["normal.load=\"70 kN\""]) - 70e3).abs() < 1e-6);
 }
 
+/// Creepages at the origin of the file: the result says so, has them and the moment for both
+/// points, and the patch's own creepages in another run give the same forces. By hand: ξ' = ξ − φ
+/// y0, Mz' = Mz − (x0 Fy − y0 Fx).
+#[test]
+fn creepages_at_the_origin_of_the_file() {
+    let bench = Bench::new();
+    let cases = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/");
+    for name in ["worn_profile.toml", "worn_profile.csv"] {
+        bench.write(name, &std::fs::read_to_string(format!("{cases}{name}")).unwrap());
+    }
+    let solve = |overrides: &[&str]| -> Value {
+        let mut arguments = vec!["solve", "worn_profile.toml", "--json", "-"];
+        arguments.extend(["--set", "grid.cells_x=12", "--set", "grid.cells_y=12"]);
+        arguments.extend(["--set", "normal.cells=48", "--set", "solver.tolerance=1e-9"]);
+        arguments.extend(overrides.iter().flat_map(|text| ["--set", text]));
+        serde_json::from_str(&bench.run(&arguments).stdout).unwrap()
+    };
+    let number = |value: &Value| value.as_f64().unwrap();
+    let file = solve(&["kinematics.reference=file"]);
+    assert_eq!(file["reference"]["point"], "file");
+    assert_eq!(file["kinematics"]["creepage_x"], 0.001);
+    assert_eq!(file["reference"]["file"]["moment_z"], file["force"]["moment_z"]);
+    let there = &file["reference"]["patch"];
+    let y0 = number(&file["normal"]["origin_y"]);
+    assert!(y0 > 5e-3);
+    assert!((number(&there["creepage_x"]) - (0.001 - 0.25 * y0)).abs() < 1e-12);
+    let lever = y0 * number(&file["force"]["x"]);
+    let moment = number(&file["force"]["moment_z"]) + lever;
+    assert!((number(&there["moment_z"]) - moment).abs() < 1e-9 * lever.abs());
+    let creepage = format!("kinematics.creepage_x={:e}", number(&there["creepage_x"]));
+    let patch = solve(&["kinematics.reference=patch", &creepage]);
+    assert_eq!(patch["reference"]["point"], "patch");
+    let limit = 0.35 * number(&file["normal"]["load"]);
+    for component in ["x", "y"] {
+        let [one, other] = [&file, &patch].map(|result| number(&result["force"][component]));
+        assert!((one - other).abs() < 1e-6 * limit, "{component}: {one} {other}");
+    }
+    let found = number(&patch["force"]["moment_z"]);
+    assert!((found - moment).abs() < 1e-8 * limit, "{found} {moment}");
+    let summary = bench.run(&["solve", "worn_profile.toml", "--set", "kinematics.reference=file"]);
+    for text in ["those at the origin of the file", "at the middle of the patch"] {
+        assert!(summary.stdout.contains(text), "{}", summary.stdout);
+    }
+}
+
 #[test]
 fn a_field_without_effect_is_among_the_warnings() {
     let bench = Bench::new();

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use schlupf::bulk_temperature::{BulkTemperature, Cooling};
+use schlupf::kinematics::ReferencePoint;
 use schlupf::solution::Status;
 
 use crate::json::{self, PROGRAM};
@@ -29,7 +30,9 @@ pub struct Report {
 impl Report {
     /// How long a revolution lasts, in s.
     fn revolution(&self) -> Option<f64> {
-        let speed = self.balance.solution.kinematics.circumferential_speed();
+        let solution = &self.balance.solution;
+        let (motion, _) = solution.seen_from(ReferencePoint::Patch)?;
+        let speed = motion.circumferential_speed();
         self.wheel_radius.map(|radius| TAU * radius / speed)
     }
 }

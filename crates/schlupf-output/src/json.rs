@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::Serializer;
 use serde_json::ser::{Formatter, PrettyFormatter};
 
+use schlupf::kinematics::ReferencePoint;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{Instant, Resultant, Solution, Status};
 use schlupf::{kinematics, solution};
@@ -88,6 +89,7 @@ pub(crate) struct Document<'a> {
     status: &'static str,
     normal: Normal,
     kinematics: Kinematics,
+    reference: Reference,
     #[serde(skip_serializing_if = "Option::is_none")]
     contact_law: Option<&'a ContactLaw>,
     force: Vector,
@@ -133,6 +135,42 @@ pub(crate) struct Kinematics {
     creepage_x: f64,
     creepage_y: f64,
     spin: f64,
+}
+
+/// Which point creepages and moments of the document refer to, and both by each.
+#[derive(Serialize)]
+struct Reference {
+    point: &'static str,
+    patch: Option<SeenFrom>,
+    file: Option<SeenFrom>,
+}
+
+/// Creepages at a point, and the moment about it.
+#[derive(Serialize)]
+struct SeenFrom {
+    creepage_x: f64,
+    creepage_y: f64,
+    spin: f64,
+    moment_z: f64,
+}
+
+impl Reference {
+    fn new(solution: &Solution) -> Self {
+        let seen_from = |reference| {
+            let (kinematics, force) = solution.seen_from(reference)?;
+            Some(SeenFrom {
+                creepage_x: kinematics.creepage_x,
+                creepage_y: kinematics.creepage_y,
+                spin: kinematics.spin,
+                moment_z: force.moment_z,
+            })
+        };
+        Self {
+            point: solution.reference.name(),
+            patch: seen_from(ReferencePoint::Patch),
+            file: seen_from(ReferencePoint::File),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -215,6 +253,7 @@ impl<'a> Document<'a> {
             status: status(solution.status),
             normal: normal.into(),
             kinematics: kinematics.into(),
+            reference: Reference::new(solution),
             contact_law: None,
             force: solution.force.into(),
             normalised: solution.normalised.into(),

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use schlupf::Method;
+use schlupf::kinematics::ReferencePoint;
 use schlupf::solution::{Solution, Status};
 
 use crate::contact_law::ContactLaw;
@@ -66,6 +67,27 @@ fn normal_contact(text: &mut String, solution: &Solution) {
         number(kinematics.spin)
     );
     entry(text, "creepage", kinematics.creepage_x, "", &creepages);
+    if normal.origin.is_some() {
+        reference(text, solution);
+    }
+}
+
+/// Where creepages hold and about which point the moment is taken, and both for the other point.
+fn reference(text: &mut String, solution: &Solution) {
+    let name = |point| match point {
+        ReferencePoint::Patch => "the middle of the patch",
+        ReferencePoint::File => "the origin of the file",
+    };
+    let (here, there) = match solution.reference {
+        ReferencePoint::Patch => (ReferencePoint::Patch, ReferencePoint::File),
+        ReferencePoint::File => (ReferencePoint::File, ReferencePoint::Patch),
+    };
+    line(text, &format!("  creepages and moment are those at {}", name(here)));
+    if let Some((kinematics, force)) = solution.seen_from(there) {
+        let [x, y] = [kinematics.creepage_x, kinematics.creepage_y].map(number);
+        let moment = number(force.moment_z);
+        line(text, &format!("  at {} {x}, {y}, moment {moment} N m", name(there)));
+    }
 }
 
 fn forces(text: &mut String, solution: &Solution) {

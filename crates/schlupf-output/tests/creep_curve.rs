@@ -8,6 +8,7 @@ use common::{RECIPE, solution};
 use schlupf::creep_curve::{
     CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling, Spacing,
 };
+use schlupf::kinematics::ReferencePoint;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{Area, Power, Resultant, Work};
 use schlupf::{Method, Status};
@@ -59,6 +60,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
         method: Method::Full,
         path,
         normal: NormalSummary { load: LOAD, ..solution(RECIPE).normal },
+        reference: ReferencePoint::Patch,
         points,
         initial_slope: Some(InitialSlope {
             force,
@@ -129,7 +131,9 @@ fn json_has_its_keys() {
     assert!(path["spin"].is_null() && path["direction"].is_null());
     assert_eq!(document["over"]["values"], serde_json::json!(["10 m/s", "20 m/s"]));
     let curve = &document["curves"][1];
-    assert_eq!(keys(curve), set("value method normal initial_slope maximum maxima points work"));
+    let names = "value method normal reference initial_slope maximum maxima points work";
+    assert_eq!(keys(curve), set(names));
+    assert_eq!(curve["reference"], "patch");
     assert_eq!(curve["value"], "20 m/s");
     assert_eq!(keys(&curve["initial_slope"]), set("force normalised kalker"));
     assert_eq!(curve["initial_slope"]["kalker"]["x"], 4.2);

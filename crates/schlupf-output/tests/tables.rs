@@ -22,7 +22,8 @@ const KEYS: &str = "program title status normal normal.load normal.semi_axis_x n
 /// Those that came later.
 const ADDED_KEYS: &str = "normal.origin_x normal.origin_y normal.parts power.returned power.into_wheel power.into_rail history.time history.speed history.creepage_x \
     history.creepage_y history.spin history.load history.force_x history.force_y \
-    history.moment_z history.max_rise";
+    history.moment_z history.max_rise reference reference.point reference.patch reference.patch.creepage_x \
+    reference.patch.creepage_y reference.patch.spin reference.patch.moment_z reference.file";
 
 fn paths(value: &serde_json::Value, prefix: &str, found: &mut BTreeSet<String>) {
     for (key, value) in value.as_object().into_iter().flatten() {

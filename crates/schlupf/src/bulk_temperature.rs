@@ -21,6 +21,7 @@ use crate::error::{Error, require_finite, require_positive};
 use crate::grid::Grid;
 use crate::patch::{Patch, Strip};
 use crate::problem::{Options, Problem};
+use crate::reference_point::Moved;
 use crate::rolling::{Progress, steady::SteadySolver};
 use crate::solution::{Solution, Status};
 
@@ -88,6 +89,20 @@ pub fn bulk_temperature(
     report: &mut dyn FnMut(Progress),
 ) -> Result<BulkTemperature, Error> {
     check(problem, cooling)?;
+    let Some(moved) = Moved::from(problem)? else {
+        return bulk_temperature_at_patch(problem, options, cooling, report);
+    };
+    let found = bulk_temperature_at_patch(&moved.problem, options, cooling, report)?;
+    Ok(BulkTemperature { solution: moved.back(found.solution), ..found })
+}
+
+/// The same of a problem with its creepages at the middle of the patch.
+fn bulk_temperature_at_patch(
+    problem: &Problem,
+    options: &Options,
+    cooling: &Cooling,
+    report: &mut dyn FnMut(Progress),
+) -> Result<BulkTemperature, Error> {
     if !options.method.has_fields() {
         let name = options.method.name();
         return Err(Error::Contradiction {

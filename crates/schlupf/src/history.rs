@@ -132,6 +132,22 @@ impl History {
         sum
     }
 
+    /// The same motion with the creepages at another point, which lies at `place` (x and y in m)
+    /// from the one at which these hold.
+    pub(crate) fn at(&self, place: [f64; 2], otherwise: &Kinematics) -> Self {
+        let moved = |own: &Option<Vec<f64>>, component: fn(&Kinematics) -> f64| {
+            // Both are linear between the times, and so is what they make together.
+            let there = |time: &f64| component(&self.kinematics(*time, otherwise).at(place));
+            (own.is_some() || self.spin.is_some())
+                .then(|| self.time.iter().map(there).collect::<Vec<f64>>())
+        };
+        Self {
+            creepage_x: moved(&self.creepage_x, |kinematics| kinematics.creepage_x),
+            creepage_y: moved(&self.creepage_y, |kinematics| kinematics.creepage_y),
+            ..self.clone()
+        }
+    }
+
     /// Normal load (in N) at a time (in s), where it changes.
     pub fn load(&self, time: f64) -> Option<f64> {
         self.load.as_ref().map(|values| self.interpolate(values, time))
@@ -238,6 +254,29 @@ mod tests {
         assert!(changing.check(&ROLLING).unwrap_err().to_string().contains("at least two times"));
         let endless = History { shift: [0.0, f64::NAN], ..History::default() };
         assert!(endless.check(&ROLLING).unwrap_err().to_string().contains("history.shift_y"));
+    }
+
+    /// At every time, also between those of the table, the motion is that of the same rigid body.
+    #[test]
+    fn the_reference_point_does_not_change_the_motion() {
+        let spins = [None, Some(vec![0.1, -0.4, 0.9])];
+        for (creepage_x, spin) in [None, Some(vec![0.0, 0.002, 0.0])]
+            .into_iter()
+            .flat_map(|x| spins.clone().map(|s| (x.clone(), s)))
+        {
+            let history =
+                History { time: vec![0.0, 1.0, 3.0], creepage_x, spin, ..History::default() };
+            let turning = Kinematics { spin: 0.3, ..ROLLING };
+            let place = [2e-3, -7e-3];
+            let moved = history.at(place, &turning);
+            for time in [-1.0, 0.0, 0.3, 1.0, 2.2, 5.0] {
+                let expected = history.kinematics(time, &turning).at(place);
+                let found = moved.kinematics(time, &turning.at(place));
+                assert!((found.creepage_x - expected.creepage_x).abs() < 1e-15);
+                assert!((found.creepage_y - expected.creepage_y).abs() < 1e-15);
+                assert_eq!(found.spin, expected.spin);
+            }
+        }
     }
 
     #[test]

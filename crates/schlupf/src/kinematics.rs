@@ -2,10 +2,30 @@
 
 use crate::error::{Error, require, require_finite, require_positive};
 
+/// The point at which the creepages hold and about which the moment is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ReferencePoint {
+    /// The middle of the patch, which is the origin of the contact frame.
+    #[default]
+    Patch,
+    /// The origin of the coordinates in which the file of the normal contact gives positions.
+    File,
+}
+
+impl ReferencePoint {
+    /// Its name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Patch => "patch",
+            Self::File => "file",
+        }
+    }
+}
+
 /// How the wheel moves over the rail.
 ///
-/// The rigid slip of the wheel over the rail, over the speed, is (ξ − φ y, η + φ x). Braking has
-/// ξ > 0.
+/// The rigid slip of the wheel over the rail, over the speed, is (ξ − φ y, η + φ x), with x and y
+/// from the point at which the creepages hold ([`ReferencePoint`]). Braking has ξ > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kinematics {
     /// Speed of the vehicle and of the contact frame v0, in m/s.
@@ -49,6 +69,14 @@ impl Kinematics {
     /// Rigid slip of the wheel over the rail at a point (in m), over the speed; dimensionless.
     pub fn rigid_slip(&self, x: f64, y: f64) -> [f64; 2] {
         [self.creepage_x - self.spin * y, self.creepage_y + self.spin * x]
+    }
+
+    /// The same motion with the creepages at another point, which lies at (x, y) (in m) from the
+    /// one at which these hold: ξ' = ξ − φ y, η' = η + φ x.
+    #[must_use]
+    pub fn at(&self, [x, y]: [f64; 2]) -> Self {
+        let [creepage_x, creepage_y] = self.rigid_slip(x, y);
+        Self { creepage_x, creepage_y, ..*self }
     }
 
     /// By how much the rigid slip over a distance (in m) differs between the end of the distance,
@@ -110,6 +138,19 @@ mod tests {
     fn circumferential_speed_undoes_the_creepages() {
         let kinematics = Kinematics::from_wheel(30.0, 60.0, 0.46, 0.02);
         assert_relative_eq!(kinematics.circumferential_speed(), 60.0 * 0.46, max_relative = 1e-14);
+    }
+
+    /// A rigid body has one motion: its slip at a place is the same, wherever the creepages are
+    /// given.
+    #[test]
+    fn the_reference_point_does_not_change_the_motion() {
+        let one = Kinematics { speed: 30.0, creepage_x: 0.002, creepage_y: -0.001, spin: 0.7 };
+        let other = one.at([3e-3, -8e-3]);
+        for [x, y] in [[0.0, 0.0], [5e-3, 2e-3], [-1e-3, 7e-3]] {
+            let [here, there] = [one.rigid_slip(x, y), other.rigid_slip(x - 3e-3, y + 8e-3)];
+            assert_relative_eq!(here[0], there[0], max_relative = 1e-14);
+            assert_relative_eq!(here[1], there[1], max_relative = 1e-14);
+        }
     }
 
     #[test]

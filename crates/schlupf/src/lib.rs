@@ -30,6 +30,7 @@ pub mod state;
 pub mod problem;
 pub mod solution;
 mod summary;
+mod reference_point;
 pub mod reference;
 pub mod kalker_coefficients;
 pub mod simplified;

@@ -10,7 +10,7 @@ use crate::history::History;
 use crate::interface::contact_law::ContactLaw;
 use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::Body;
 use crate::method::Method;
 use crate::normal::PressureSource;
@@ -21,6 +21,8 @@ use crate::state::State;
 pub struct Problem {
     /// Speed and creepages. Where [`Self::history`] gives one as a function of time, that counts.
     pub kinematics: Kinematics,
+    /// Where creepages hold, and about which point the moment of the solution is taken.
+    pub reference: ReferencePoint,
     /// The wheel.
     pub wheel: Body,
     /// The rail.

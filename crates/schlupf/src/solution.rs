@@ -1,7 +1,7 @@
 //! What a solution holds: plain data. All forces and tractions act on the wheel.
 
 use crate::grid::Grid;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::state::State;
@@ -29,6 +29,9 @@ pub struct Solution {
     pub residual: f64,
     /// The normal contact at the last instant.
     pub normal: NormalSummary,
+    /// Where the creepages hold, here and in [`Self::history`], and about which point moments are
+    /// taken.
+    pub reference: ReferencePoint,
     /// Speed and creepages at the last instant.
     pub kinematics: Kinematics,
     /// Forces and moment at the last instant.
@@ -59,6 +62,22 @@ pub struct Solution {
     pub state: State,
 }
 
+impl Solution {
+    /// Motion, and forces and moment, with a reference point of choice; `None` where no file has an
+    /// origin.
+    pub fn seen_from(&self, reference: ReferencePoint) -> Option<(Kinematics, Resultant)> {
+        if reference == self.reference {
+            return Some((self.kinematics, self.force));
+        }
+        let [x, y] = self.normal.origin?;
+        let way = match reference {
+            ReferencePoint::Patch => [x, y],
+            ReferencePoint::File => [-x, -y],
+        };
+        Some((self.kinematics.at(way), self.force.about(way)))
+    }
+}
+
 /// Tangential force and moment on the wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Resultant {
@@ -66,17 +85,29 @@ pub struct Resultant {
     pub x: f64,
     /// Lateral force Fy, in N (or normalised, dimensionless).
     pub y: f64,
-    /// Moment Mz about the centre of the patch, in N m (or normalised, dimensionless).
+    /// Moment Mz about the reference point, by default the middle of the patch, in N m (or
+    /// normalised, dimensionless).
     pub moment_z: f64,
 }
 
 impl Resultant {
     /// The mean of two.
     pub(crate) fn mean(&self, other: &Self) -> Self {
+        Self::default().plus(0.5, self).plus(0.5, other)
+    }
+
+    /// The same with the moment about another point, which lies at (x, y) (in m) from the one about
+    /// which this is taken: Mz' = Mz − (x Fy − y Fx).
+    #[must_use]
+    pub fn about(&self, [x, y]: [f64; 2]) -> Self {
+        Self { moment_z: self.moment_z - (x * self.y - y * self.x), ..*self }
+    }
+
+    fn plus(&self, factor: f64, other: &Self) -> Self {
         Self {
-            x: 0.5 * (self.x + other.x),
-            y: 0.5 * (self.y + other.y),
-            moment_z: 0.5 * (self.moment_z + other.moment_z),
+            x: self.x + factor * other.x,
+            y: self.y + factor * other.y,
+            moment_z: self.moment_z + factor * other.moment_z,
         }
     }
 }
@@ -99,6 +130,24 @@ pub struct Sensitivity {
     pub friction_coefficient: Resultant,
     /// By the stiffness k_c of the contact law, in N m and N m².
     pub contact_stiffness: Resultant,
+}
+
+impl Sensitivity {
+    /// The same with creepages that hold, and moments that are taken, at another point, which lies
+    /// at (x, y) (in m) from this one. Of the motion there, (ξ', η', φ), ξ is ξ' + φ y and η is η'
+    /// − φ x.
+    pub(crate) fn at(&self, place: [f64; 2]) -> Self {
+        let [x, y] = place;
+        let spin = self.spin.plus(y, &self.creepage_x).plus(-x, &self.creepage_y);
+        Self {
+            creepage_x: self.creepage_x.about(place),
+            creepage_y: self.creepage_y.about(place),
+            spin: spin.about(place),
+            load: self.load.map(|load| load.about(place)),
+            friction_coefficient: self.friction_coefficient.about(place),
+            contact_stiffness: self.contact_stiffness.about(place),
+        }
+    }
 }
 
 /// Power put into the contact; in a history, means over the last time step.

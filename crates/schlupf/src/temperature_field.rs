@@ -10,6 +10,7 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use crate::error::Error;
 use crate::heat::HeatStep;
+use crate::kinematics::ReferencePoint;
 use crate::material::Body;
 use crate::method::Method;
 use crate::patch::{Patch, Strip};
@@ -132,7 +133,10 @@ impl TemperatureField {
                 speed,
             }
         };
-        let conduction = problem.conduction(&solution.kinematics);
+        let (motion, _) = solution
+            .seen_from(ReferencePoint::Patch)
+            .unwrap_or((solution.kinematics, solution.force));
+        let conduction = problem.conduction(&motion);
         let [wheel_share, rail_share] = conduction.shares();
         let conductor = |body: &Body, share: f64, slowness: f64| Conductor {
             bulk: body.bulk_temperature,

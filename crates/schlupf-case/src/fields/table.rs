@@ -247,6 +247,16 @@ const KINEMATICS: &[Field] = &[
         Text("0 1/m"),
         "φ, spin creepage",
     ),
+    field(
+        "kinematics.reference",
+        Kind::Choice(&[
+            choice("patch", "the middle of the patch"),
+            choice("file", "the origin of the positions in normal.file"),
+        ]),
+        Finite,
+        Text("patch"),
+        "where creepages hold (those of a history, too) and about which point the moment is taken",
+    ),
 ];
 
 const NORMAL: &[Field] = &[

@@ -1,6 +1,6 @@
 //! `[kinematics]`.
 
-use schlupf::kinematics::Kinematics;
+use schlupf::kinematics::{Kinematics, ReferencePoint};
 
 use crate::error::CaseError;
 use crate::fields::readable;
@@ -26,6 +26,23 @@ pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
     };
     let spin = settings.number("kinematics.spin")?;
     Ok(Kinematics { speed, creepage_x, creepage_y, spin })
+}
+
+/// The point at which the creepages hold and about which the moment is taken.
+pub fn reference(settings: &Settings) -> Result<ReferencePoint, CaseError> {
+    const FIELD: &str = "kinematics.reference";
+    if settings.choice(FIELD)? != ReferencePoint::File.name() {
+        return Ok(ReferencePoint::Patch);
+    }
+    let model = settings.choice("normal.model")?;
+    if ["tabulated", "profile"].contains(&model) {
+        return Ok(ReferencePoint::File);
+    }
+    let message = format!(
+        "{FIELD} must be \"patch\" with normal.model = {model:?}, which has no file and so no other origin, but \
+         is \"file\""
+    );
+    Err(settings.error(FIELD, message))
 }
 
 /// Checks that a wheel with an angular velocity rolls forwards; the core would name the creepage.

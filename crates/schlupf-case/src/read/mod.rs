@@ -42,6 +42,7 @@ pub fn problem(
     let (contact_law, stiffness) = interface::contact_law(settings, &circumstances)?;
     let problem = Problem {
         kinematics,
+        reference: kinematics::reference(settings)?,
         elasticity: elasticity::model(settings, materials, &*normal, history.as_ref())?,
         normal,
         contact_law,

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use schlupf::kinematics::ReferencePoint;
+
 use super::{Answer, Comparison, Entry};
 use crate::number::significant as number;
 use crate::summary::without_noise;
@@ -68,6 +70,9 @@ fn conditions(text: &mut String, answer: &Answer) {
     }
     if motion.spin != 0.0 {
         parts.push(format!("spin {} 1/m", number(motion.spin)));
+    }
+    if answer.solution.reference == ReferencePoint::File {
+        parts.push("creepages and moment at the origin of the file".to_owned());
     }
     line(text, &parts.join(", "));
     text.push('\n');

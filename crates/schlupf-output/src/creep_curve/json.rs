@@ -87,6 +87,8 @@ struct Curve<'a> {
     value: Option<&'a str>,
     method: &'static str,
     normal: Normal,
+    /// Where creepages hold, and about which point moments are taken.
+    reference: &'static str,
     initial_slope: Option<Slope>,
     maximum: Option<Top>,
     maxima: Vec<Top>,
@@ -101,6 +103,7 @@ impl<'a> Curve<'a> {
             value: member.value.as_deref(),
             method: curve.method.name(),
             normal: (&curve.normal).into(),
+            reference: curve.reference.name(),
             initial_slope: curve.initial_slope.as_ref().map(Slope::new),
             maximum: curve.maximum().map(Top::new),
             maxima: curve.maxima.iter().map(Top::new).collect(),

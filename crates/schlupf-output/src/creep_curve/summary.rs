@@ -3,12 +3,16 @@
 use std::fmt::Write;
 
 use schlupf::creep_curve::{Abscissa, CreepCurve, InitialSlope, Maximum, PLATEAU, Path, Point};
+use schlupf::kinematics::ReferencePoint;
 use schlupf::solution::Resultant;
 use schlupf::{Method, Status};
 
 use super::{CurveFamily, Member};
 use crate::number::significant as number;
 use crate::summary::without_noise;
+
+/// What creepages and moments refer to where that is not the middle of the patch.
+const FROM_THE_FILE: &str = "creepages and moment at the origin of the file";
 
 /// Most points of a curve in the table, apart from those that did not converge.
 const MOST_ROWS: usize = 21;
@@ -69,6 +73,9 @@ fn conditions(text: &mut String, curve: &CreepCurve) {
     }
     if let Abscissa::Total { direction } = curve.path.abscissa() {
         parts.push(format!("direction {}°", number(direction.to_degrees())));
+    }
+    if curve.reference == ReferencePoint::File {
+        parts.push(FROM_THE_FILE.to_owned());
     }
     if curve.method != Method::Full {
         parts.push(format!("by the fast method {:?}", curve.method.name()));

@@ -1,6 +1,7 @@
 //! What several figures have in common: heading, colour bar, arrows, legend.
 
 use schlupf::Status;
+use schlupf::kinematics::ReferencePoint;
 
 use super::color::{ColorScale, LEVELS, paint};
 use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
@@ -59,6 +60,9 @@ fn conditions(patch: &Patch) -> String {
     }
     if kinematics.spin != 0.0 {
         parts.push(format!("$φ$ = {} 1/m", short(kinematics.spin)));
+    }
+    if patch.solution.reference == ReferencePoint::File {
+        parts.push("at the origin of the file".to_owned());
     }
     parts.push(format!("$v$_0 = {} m/s", short(kinematics.speed)));
     parts.push(format!("$N$ = {} kN", short(patch.solution.normal.load / 1e3)));

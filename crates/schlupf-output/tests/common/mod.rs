@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test file uses its part of it")]
 
 use schlupf::grid::{Extent, Grid};
-use schlupf::kinematics::Kinematics;
+use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{
     Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, TGamma, Temperature, Work,
@@ -56,6 +56,7 @@ pub fn solution(recipe: Recipe) -> Solution {
             peak_pressure: PEAK,
             approach: Some(7.65e-5),
         },
+        reference: ReferencePoint::Patch,
         kinematics: kinematics(recipe),
         force,
         normalised: Resultant { x: force.x / scale, y: force.y / scale, moment_z: 0.01 },
@@ -174,9 +175,13 @@ fn history(recipe: Recipe, force: Resultant, hottest: f64) -> Vec<Instant> {
             let grown = 1.0 - (-f64::from(step) / 6.0).exp();
             Instant {
                 time,
+                distance: kinematics(recipe).speed * time,
                 kinematics: kinematics(recipe),
                 load: 80e3,
                 force: Resultant { x: force.x * grown, y: force.y * grown, moment_z: grown },
+                friction_power: 5e3 * grown,
+                creep_power: 5e3 * grown,
+                stored_energy: 1e-2 * grown,
                 max_rise: hottest * grown,
                 newton_iterations: 3,
                 residual: 1e-8,

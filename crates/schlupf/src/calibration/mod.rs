@@ -1,4 +1,5 @@
-//! Stiffnesses with which the elastic layer answers like the half-space. Neuhaus and Sextro (2014) leave
+//! Stiffnesses with which the elastic layer answers like the half-space in steady rolling. Neuhaus
+//! and Sextro (2014) leave
 //! them open.
 //!
 //! First the displacements are fitted that the half-space has under the tractions of sticking and of full

@@ -11,7 +11,7 @@ use crate::interface::contact_law::Incremental;
 use crate::interface::friction::Friction;
 use crate::interface::friction::constant::Constant;
 use crate::kalker_coefficients::creep_coefficients;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::{Body, Material};
 use crate::normal::ellipse::Ellipse;
 use crate::problem::Problem;
@@ -48,6 +48,7 @@ impl RollingContact {
         let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
         let problem = Problem {
             kinematics: Kinematics { speed: 1.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 },
+            reference: ReferencePoint::Patch,
             wheel: Body { material, ..Body::STEEL },
             rail: Body { material, ..Body::STEEL },
             normal: Arc::new(ellipse),

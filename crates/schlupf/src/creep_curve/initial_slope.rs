@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
+use crate::reference_point;
 use crate::solution::{Resultant, Sensitivity};
 
 use super::{Abscissa, Creepages, Path, Solver};
@@ -19,8 +20,9 @@ pub struct InitialSlope {
     /// The same in the form of Kalker's coefficients, dimensionless and positive where the force opposes
     /// the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), over spin each over another c.
     /// Over ξ it is C11, over η C22 (and −C23), over φ C23 and C33 of a half-space with the shear
-    /// modulus G of both bodies that would have this slope. `None` where another creepage is not zero:
-    /// then something slides already.
+    /// modulus G of both bodies that would have this slope, moments about the middle of the patch.
+    /// `None` where another creepage is not zero: then something slides already; and over a spin
+    /// about another point than that middle.
     pub kalker: Option<Resultant>,
 }
 
@@ -60,7 +62,13 @@ pub(super) fn find(solver: &mut Solver, normal: &NormalSummary) -> Result<Findin
         return Ok(Finding { value: None, warning: Some(warning) });
     };
     let normalised = scale.normalised(&force);
-    let kalker = (origin == Creepages::default()).then(|| scale.kalker(&force, problem, path));
+    let place = reference_point::place(problem.reference, normal)?;
+    // About another point a spin is also a creepage of the patch; a creepage is the same there.
+    let is_comparable = place == [0.0; 2] || path.start().spin == path.end().spin;
+    let kalker = (origin == Creepages::default() && is_comparable).then(|| {
+        let about_patch = force.about(place.map(|part| -part));
+        scale.kalker(&about_patch, problem, path)
+    });
     Ok(Finding { value: Some(InitialSlope { force, normalised, kalker }), warning: None })
 }
 

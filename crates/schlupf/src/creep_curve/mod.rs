@@ -12,7 +12,7 @@ mod sampling;
 mod warnings;
 
 use crate::error::Error;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::{Driver, Options, Problem};
@@ -36,6 +36,8 @@ pub struct CreepCurve {
     pub path: Path,
     /// The normal contact, the same at all points.
     pub normal: NormalSummary,
+    /// Where creepages hold, and about which point moments are taken.
+    pub reference: ReferencePoint,
     /// The points in the order of the path.
     pub points: Vec<Point>,
     /// Slope where everything that varies is zero. `None` where the path does not go there, or where
@@ -189,6 +191,7 @@ pub fn trace_with(
         method: options.method,
         path: *path,
         normal,
+        reference: problem.reference,
         warnings: warnings.texts(path.abscissa(), &points),
         points,
         initial_slope: slope.value,

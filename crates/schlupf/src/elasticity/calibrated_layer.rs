@@ -84,7 +84,7 @@ fn cubic(position: f64, entries: usize) -> (usize, [f64; 4]) {
     (first, std::array::from_fn(weight))
 }
 
-/// A layer that answers like the half-space of two bodies, whatever the patch.
+/// A layer that in steady rolling answers like the half-space of two bodies, whatever the patch.
 ///
 /// Its stiffnesses follow from the size of the grid: a = half its length, b = half its width. On
 /// elliptic patches forces agree with those of the half-space as

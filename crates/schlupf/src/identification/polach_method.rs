@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::method::{AreaReduction, Method};
 use crate::problem::{Options, Problem};
+use crate::reference_point;
 use crate::simplified::polach::{Differentiated, differentiated_force};
 use crate::simplified::{EllipticContact, friction_state};
 use crate::solution::Work;
@@ -107,11 +108,13 @@ impl CreepForceModel for PolachModel {
     fn force_ratio(&mut self, condition: &Condition) -> Result<Option<ForceRatio>, Error> {
         condition.kinematics.check()?;
         let contact = self.contact(condition.load)?;
-        self.problem.kinematics = condition.kinematics;
+        let place = reference_point::place(self.problem.reference, &contact.normal)?;
+        let kinematics = reference_point::at_patch(&condition.kinematics, place);
+        self.problem.kinematics = kinematics;
         let (load, state) = (contact.normal.load, friction_state(&self.problem));
         let law = &self.problem.friction.law;
         let limit = load * law.respond(&state).coefficient;
-        let found = differentiated_force(&contact, &condition.kinematics, limit, self.reduction);
+        let found = differentiated_force(&contact, &kinematics, limit, self.reduction);
         let Differentiated { force, by_limit, by_area_adhesion, by_area_slip } = found;
         let ratio = |force: [f64; 2]| force.map(|component| -component / load);
         let by_constant = |constant| {

@@ -12,6 +12,7 @@ use crate::method::Method;
 use crate::normal::NormalContact;
 use crate::patch::Cell;
 use crate::problem::{Options, Problem};
+use crate::reference_point::Moved;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
@@ -31,6 +32,18 @@ use super::warnings;
 ///
 /// `report` is called after every time step.
 pub fn march(
+    problem: &Problem,
+    options: &Options,
+    report: &mut dyn FnMut(Progress),
+) -> Result<Solution, Error> {
+    match Moved::from(problem)? {
+        None => march_at_patch(problem, options, report),
+        Some(moved) => Ok(moved.back(march_at_patch(&moved.problem, options, report)?)),
+    }
+}
+
+/// The same of a problem with its creepages at the middle of the patch.
+fn march_at_patch(
     problem: &Problem,
     options: &Options,
     report: &mut dyn FnMut(Progress),

@@ -9,6 +9,7 @@ use crate::interface::InterfaceConstant;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
+use crate::reference_point::Moved;
 use crate::simplified::FastContact;
 use crate::solution::{Resultant, Solution, Status, Work};
 use crate::state::State;
@@ -84,6 +85,18 @@ impl SteadySolver {
         problem: &Problem,
         report: &mut dyn FnMut(Progress),
     ) -> Result<Solution, Error> {
+        match Moved::from(problem)? {
+            None => self.solve_at_patch(problem, report),
+            Some(moved) => Ok(moved.back(self.solve_at_patch(&moved.problem, report)?)),
+        }
+    }
+
+    /// The same of a problem with its creepages at the middle of the patch.
+    fn solve_at_patch(
+        &mut self,
+        problem: &Problem,
+        report: &mut dyn FnMut(Progress),
+    ) -> Result<Solution, Error> {
         if self.options.method != Method::Full {
             let solution = self.solve_fast(problem)?;
             report(Progress { step: 1, steps: Some(1), change: 0.0 });
@@ -124,13 +137,34 @@ impl SteadySolver {
         if self.options.method != Method::Full {
             return Ok(None);
         }
-        self.solve_at_once(problem, true).map(Result::ok)
+        match Moved::from(problem)? {
+            None => self.solve_at_once(problem, true).map(Result::ok),
+            Some(moved) => {
+                let found = self.solve_at_once(&moved.problem, true)?.ok();
+                Ok(found.map(|solution| moved.back(solution)))
+            }
+        }
     }
 
     /// The steady state with the derivatives of forces and moment by some constants of contact law and
     /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
     /// have has no effect. Nothing where Newton's method or a linear system fails, and with a fast method.
     pub fn solve_with_derivatives_by(
+        &mut self,
+        problem: &Problem,
+        constants: &[InterfaceConstant],
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let Some(moved) = Moved::from(problem)? else {
+            return self.solve_with_derivatives_by_at_patch(problem, constants);
+        };
+        let found = self.solve_with_derivatives_by_at_patch(&moved.problem, constants)?;
+        Ok(found.map(|(solution, derivatives)| {
+            let derivatives = derivatives.iter().map(|by| moved.resultant_back(by)).collect();
+            (moved.back(solution), derivatives)
+        }))
+    }
+
+    fn solve_with_derivatives_by_at_patch(
         &mut self,
         problem: &Problem,
         constants: &[InterfaceConstant],

@@ -22,10 +22,11 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::grid::Grid;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
+use crate::reference_point::{self, Moved};
 use crate::solution::{
     Area, Fields, Instant, Power, Resultant, Solution, Status, Temperature, Work,
 };
@@ -47,6 +48,9 @@ pub struct FastContact {
     options: Options,
     contact: EllipticContact,
     fastsim: Option<Fastsim>,
+    /// Where the reference point lies in the contact frame (x and y in m), if it is another one
+    /// than that frame's origin, at which the problem above has its creepages.
+    place: Option<[f64; 2]>,
 }
 
 impl FastContact {
@@ -58,6 +62,16 @@ impl FastContact {
     pub fn new(problem: &Problem, options: &Options) -> Result<Self, Error> {
         options.check()?;
         check(problem, options)?;
+        match Moved::from(problem)? {
+            None => Self::at_patch(problem, options),
+            Some(Moved { problem, place }) => {
+                Ok(Self { place: Some(place), ..Self::at_patch(&problem, options)? })
+            }
+        }
+    }
+
+    /// The same of a problem with its creepages at the middle of the patch.
+    fn at_patch(problem: &Problem, options: &Options) -> Result<Self, Error> {
         let fastsim = match options.method {
             Method::Fastsim(brush) => Some((brush, None)),
             Method::ModifiedFastsim(brush, reduction) => Some((brush, Some(reduction))),
@@ -67,7 +81,13 @@ impl FastContact {
         let set_up = |kind| Fastsim::new(problem, options, kind, &normal);
         let fastsim = fastsim.map(set_up).transpose()?;
         let contact = EllipticContact::of(problem, normal.summary)?;
-        Ok(Self { problem: problem.clone(), options: options.clone(), contact, fastsim })
+        Ok(Self {
+            problem: problem.clone(),
+            options: options.clone(),
+            contact,
+            fastsim,
+            place: None,
+        })
     }
 
     /// The contact as the method sees it.
@@ -85,7 +105,12 @@ impl FastContact {
             return Ok(());
         }
         check(problem, &self.options)?;
-        self.problem.clone_from(problem);
+        if let Some(Moved { problem, place }) = Moved::from(problem)? {
+            (self.problem, self.place) = (problem, Some(place));
+        } else {
+            self.problem.clone_from(problem);
+            self.place = None;
+        }
         if let Some(fastsim) = &mut self.fastsim {
             fastsim.set_friction(&self.problem);
         }
@@ -126,8 +151,12 @@ impl FastContact {
     /// Whatever [`Kinematics::check`] refuses.
     pub fn force(&mut self, motion: &Kinematics) -> Result<Resultant, Error> {
         motion.check()?;
-        self.problem.kinematics = *motion;
-        Ok(self.present_force())
+        let Some(place) = self.place else {
+            self.problem.kinematics = *motion;
+            return Ok(self.present_force());
+        };
+        self.problem.kinematics = reference_point::at_patch(motion, place);
+        Ok(self.present_force().about(place))
     }
 
     fn present_force(&mut self) -> Resultant {
@@ -145,6 +174,15 @@ impl FastContact {
     /// The solution of the problem. Where the method has no fields there are no cells, and temperatures,
     /// areas of stick and slip, and whatever else it does not know are NaN.
     pub fn solution(&mut self) -> Solution {
+        let solution = self.solution_at_patch();
+        match self.place {
+            None => solution,
+            Some(place) => reference_point::back(solution, &self.problem, place),
+        }
+    }
+
+    /// The same with the middle of the patch as its reference point.
+    fn solution_at_patch(&mut self) -> Solution {
         let force = self.present_force();
         let (problem, normal) = (&self.problem, &self.contact.normal);
         let limit = friction_limit(problem, normal.load);
@@ -204,6 +242,7 @@ impl FastContact {
             status: account.status,
             residual: account.residual,
             normal,
+            reference: ReferencePoint::Patch,
             kinematics: motion,
             force,
             normalised: summary::normalised(problem, &normal, &force),

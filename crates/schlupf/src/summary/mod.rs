@@ -2,7 +2,7 @@
 
 pub(crate) mod snapshot;
 
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::patch::Patch;
@@ -41,6 +41,7 @@ pub(crate) fn solution(
         status: account.status,
         residual: account.residual,
         normal: *normal,
+        reference: ReferencePoint::Patch,
         kinematics: now.kinematics,
         force,
         normalised: normalised(problem, normal, &force),

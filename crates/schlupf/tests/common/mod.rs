@@ -10,7 +10,7 @@ use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::heat::{Heat, partition::Partition};
 use schlupf::interface::contact_law::Incremental;
 use schlupf::interface::friction::{Friction, constant::Constant};
-use schlupf::kinematics::Kinematics;
+use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::marching::march;
@@ -42,6 +42,7 @@ pub fn half_space() -> Arc<dyn Elasticity> {
 pub fn problem(kinematics: Kinematics) -> Problem {
     Problem {
         kinematics,
+        reference: ReferencePoint::Patch,
         wheel: Body::STEEL,
         rail: Body::STEEL,
         normal: Arc::new(Ellipse::from_peak_pressure(6e-3, 5e-3, 1e9).unwrap()),

@@ -36,7 +36,7 @@ pub(super) const FIELDS: &[Field] = &[
         "elasticity.calibration",
         Kind::Choice(&[choice(
             "half-space",
-            "stiffnesses with which the springs answer like the half-space on the same patch; without \
+            "stiffnesses with which the springs answer like the half-space on the same patch in steady rolling; without \
              coupling those of Kalker 1982",
         )]),
         Finite,
