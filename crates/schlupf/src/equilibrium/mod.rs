@@ -20,8 +20,8 @@ pub trait Equilibrium {
         self.size()
     }
 
-    /// ‖μ pₙ‖₂ at the last evaluation, in Pa: what residuals are measured against.
-    fn scale(&self) -> f64;
+    /// What residuals are measured against, in Pa: see [`measure`], at p and the last evaluation.
+    fn scale(&self, p: &[f64]) -> f64;
 
     /// u = L p: one product with the compliance.
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]);
@@ -63,6 +63,21 @@ pub struct Outcome {
     /// Safe steps in between.
     pub safe_steps: usize,
 }
+
+/// What a residual is measured against, in Pa, for ‖μ pₙ‖₂ (`bound`) and ‖p‖₂ (`traction`), both in Pa:
+/// the former, where the traction is a hundredth of it or more; the traction itself below 1e-4, where
+/// the contact sticks and all is proportional to the motion, however slow it is; and what lies between.
+/// Without friction it is 1 Pa.
+pub(crate) fn measure(bound: f64, traction: f64) -> f64 {
+    if bound == 0.0 {
+        return 1.0;
+    }
+    let share = (traction / bound).min(1.0);
+    bound * (share / RELATIVE).powi(2).max(share).min(1.0)
+}
+
+/// See [`measure`]: the geometric mean of the two parts.
+const RELATIVE: f64 = 0.01;
 
 pub(crate) fn norm(v: &[f64]) -> f64 {
     dot(v, v).sqrt()

@@ -67,7 +67,9 @@ impl Newton {
         let mut forcing = LARGEST_FORCING;
         let mut best = Best { length, iteration: 0 };
         loop {
-            let scale = if system.scale() > 0.0 { system.scale() } else { 1.0 };
+            let scale = system.scale(p);
+            // Nothing is known of the size of a traction that is still zero.
+            let scale = if scale == 0.0 { f64::MIN_POSITIVE } else { scale };
             best.note(outcome.iterations, length);
             let given_up = outcome.iterations == limits.max_iterations
                 || !length.is_finite()
