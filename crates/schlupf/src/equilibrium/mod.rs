@@ -36,6 +36,11 @@ pub trait Equilibrium {
     /// Jacobian of F times v, with L v given, at the p of the last residual.
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]);
 
+    /// Another first guess, where the one given tells next to nothing; whether there is one.
+    fn other_guess(&mut self, _p: &mut [f64]) -> bool {
+        false
+    }
+
     /// Replaces v by an approximation of the inverse Jacobian times v, linear in v.
     fn precondition(&mut self, v: &mut [f64]);
 }

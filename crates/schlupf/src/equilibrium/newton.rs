@@ -17,6 +17,9 @@ const NEAR: f64 = 1e3;
 /// Least fall of the residual norm that a step of length λ must bring, relative to λ.
 const SUFFICIENT_FALL: f64 = 1e-4;
 
+/// ‖F‖₂ over the scale from which on a first guess tells next to nothing.
+const WORTHLESS: f64 = 0.8;
+
 /// Halvings of a step before it is given up.
 const MAX_HALVINGS: usize = 10;
 
@@ -64,6 +67,9 @@ impl Newton {
         system.compliance_product(p, &mut self.u);
         system.residual(p, &self.u, &mut self.residual);
         let mut length = norm(&self.residual);
+        if length > WORTHLESS * system.scale(p) {
+            self.start_anew(system, p, &mut length, &mut outcome);
+        }
         let mut forcing = LARGEST_FORCING;
         let mut best = Best { length, iteration: 0 };
         loop {
@@ -108,6 +114,32 @@ impl Newton {
         }
         for vector in [u, &mut self.u, &mut self.response_step] {
             vector.resize(system.response_size(), 0.0);
+        }
+    }
+
+    /// Starts from what the system has besides the first guess, if that is nearer.
+    fn start_anew(
+        &mut self,
+        system: &mut impl Equilibrium,
+        p: &mut [f64],
+        length: &mut f64,
+        outcome: &mut Outcome,
+    ) {
+        let [trial_p, trial_u, trial_residual] = &mut self.trial;
+        if !system.other_guess(trial_p) {
+            return;
+        }
+        outcome.products += 1;
+        system.compliance_product(trial_p, trial_u);
+        system.residual(trial_p, trial_u, trial_residual);
+        let trial_length = norm(trial_residual);
+        if trial_length < *length {
+            *length = trial_length;
+            p.copy_from_slice(trial_p);
+            std::mem::swap(&mut self.u, trial_u);
+            std::mem::swap(&mut self.residual, trial_residual);
+        } else {
+            system.residual(p, &self.u, &mut self.residual);
         }
     }
 

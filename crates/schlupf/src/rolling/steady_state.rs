@@ -87,6 +87,15 @@ impl Equilibrium for SteadyState<'_> {
         strips.tangent(v, response, Some(&room.bound), None, product);
     }
 
+    /// The state of rigid bodies, which is near where friction follows a fast slip.
+    fn other_guess(&mut self, p: &mut [f64]) -> bool {
+        if self.is_coupled() {
+            let Level { contact, strips, friction, .. } = &mut self.levels[0];
+            friction.rub_rigidly(self.problem, &contact.patch, &strips.rigid_saturation(), p);
+        }
+        self.is_coupled()
+    }
+
     fn precondition(&mut self, v: &mut [f64]) {
         precondition(self.levels, v);
     }

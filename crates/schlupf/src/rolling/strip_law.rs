@@ -181,6 +181,14 @@ impl StripLaw {
         }
     }
 
+    /// Traction on the rail over μ pₙ of each cell, if nothing gave way but the bristles; dimensionless.
+    pub fn rigid_saturation(&self) -> Vec<[f64; 2]> {
+        let mut saturation = Vec::with_capacity(self.len());
+        let nothing = vec![0.0; 2 * self.len()];
+        self.follow(&nothing, |_, _, response| saturation.push(response.traction));
+        saturation
+    }
+
     /// ‖p − μ pₙ law(D − b)‖₂, in Pa.
     pub fn defect(&self, p: &[f64], b: &[f64]) -> f64 {
         let mut squares = 0.0;
