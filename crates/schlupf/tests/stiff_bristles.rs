@@ -89,7 +89,8 @@ fn stiff_bristles_with_friction_memory() {
     let sliding = steel(at(94.0, 2.78e-4, 7.39e-4), axes[0], total(8.07e11));
     let hot = steel(at(72.2, 5.13e-3, 0.0), axes[1], total(7.47e11));
     let slow = steel(at(4.08, 4.07e-3, 3.09e-3), axes[2], total(1.96e10));
-    let turning = steel(at(35.7, -3.69e-3, 1.32e-3), [5.04e-3, 6.73e-3, 1.01e9], incremental(5.5e11));
+    let turning =
+        steel(at(35.7, -3.69e-3, 1.32e-3), [5.04e-3, 6.73e-3, 1.01e9], incremental(5.5e11));
     let cases = [
         remembering(falling(sliding, 0.2, 1.0), 5.8e-6, 2.6e-3),
         remembering(heated(hot, 0.49), 7.2e-5, 8.7e-4),
@@ -115,12 +116,8 @@ fn stiff_bristles() {
     let small = steel(at(4.7, 3.04e-4, 8.35e-4), [3.16e-3, 2.19e-3, 6.89e8], incremental(1.37e11));
     let long = steel(at(54.6, -2.13e-3, 0.0), [1.05e-2, 2.89e-3, 9.94e8], incremental(3.56e9));
     let across = steel(at(23.4, 0.0, 2.35e-3), [3.39e-3, 4.71e-3, 9.78e8], incremental(2.37e11));
-    let cases = [
-        constant(narrow, 0.42),
-        constant(small, 0.21),
-        heated(long, 0.27),
-        heated(across, 0.2),
-    ];
+    let cases =
+        [constant(narrow, 0.42), constant(small, 0.21), heated(long, 0.27), heated(across, 0.2)];
     for case in &cases {
         let work = at_once(case, &cells(12)).work;
         println!("{work:?}");

@@ -36,8 +36,8 @@ pub(super) const DISTINCT: f64 = 30.0;
 pub(super) const LOST: &str = "friction falls so fast that there may be several steady states; they \
     could not be followed along the creepage, so it is open which one this is";
 
-/// Whether friction feeds back on the slip so strongly that there may be several steady states.  `has_state`:
-/// the slip is that of one.
+/// Whether friction feeds back on the slip so strongly that there may be several steady states;
+/// `has_state` says that the slip is that of one.
 pub(super) fn may_be_several(problem: &Problem, level: &Level, has_state: bool) -> bool {
     level.friction.is_coupled && feedback(problem, level, has_state) > STRONG
 }
@@ -50,7 +50,8 @@ fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let loosening =
         contact.cell_looseness() * problem.kinematics.speed / contact.patch.grid.spacing_x;
     // Where no state was found the slip is any, and may hide where the law is steep: the rigid one counts.
-    let rigid = contact.patch.cells.iter().map(|cell| problem.kinematics.rigid_slip(cell.x, cell.y));
+    let rigid =
+        contact.patch.cells.iter().map(|cell| problem.kinematics.rigid_slip(cell.x, cell.y));
     let rigid = rigid.map(|v| problem.kinematics.speed * v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = friction.slip.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = if has_state { fastest } else { rigid };
