@@ -52,6 +52,9 @@ pub struct Limits {
     pub tolerance: f64,
     /// Most Newton steps.
     pub max_iterations: usize,
+    /// Whether the residual norm must fall in every step: where there may be several solutions, one that
+    /// rises can lead to another than the one that is followed.
+    pub is_monotone: bool,
 }
 
 /// How it went.

@@ -103,7 +103,9 @@ impl Newton {
             let enough = ENOUGH * limits.tolerance / outcome.residual;
             outcome.products += self.direction(system, forcing.max(enough).min(0.5));
             let before = length;
-            recent[outcome.iterations % MEMORY] = before;
+            if !limits.is_monotone {
+                recent[outcome.iterations % MEMORY] = before;
+            }
             length = match self.line_search(system, p, before, &recent) {
                 Some(length) => length,
                 None => self.safe_steps(system, p, &mut outcome),

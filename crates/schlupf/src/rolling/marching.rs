@@ -247,6 +247,7 @@ impl<'a> March<'a> {
             // Below the tolerance of the steady state, so that its noise does not hide the end.
             tolerance: 0.1 * self.options.tolerance,
             max_iterations: self.options.max_iterations,
+            is_monotone: false,
         };
         let law = self.problem.contact_law.as_ref();
         let old_traction = self.now.traction.clone();

@@ -47,7 +47,11 @@ pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<So
     let bound = now.bound(&contact.patch);
     let prescribed = shift.repeat(cells);
     let slides = vec![Slide::default(); cells];
-    let limits = Limits { tolerance: options.tolerance, max_iterations: options.max_iterations };
+    let limits = Limits {
+        tolerance: options.tolerance,
+        max_iterations: options.max_iterations,
+        is_monotone: false,
+    };
     let law = problem.contact_law.as_ref();
     let mut step = TimeStep::new(&mut contact, law, &bound, &prescribed, slides);
     let outcome = step.solve(&mut Newton::default(), &mut now.traction, &limits);

@@ -306,6 +306,7 @@ impl Setup {
             let limits = Limits {
                 tolerance: if depth == 0 { options.tolerance } else { coarse },
                 max_iterations: options.max_iterations,
+                is_monotone: branches::may_be_several(problem, &self.levels[depth], false),
             };
             let mut traction = std::mem::take(&mut self.levels[depth].traction);
             let mut system = SteadyState::new(problem, &mut self.levels[depth..]);
