@@ -24,8 +24,8 @@ pub struct Solution {
     /// Whether to trust it.
     pub status: Status,
     /// Relative residual reached, dimensionless: the largest of the last equilibrium's
-    /// ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂ and, in steady rolling, of the last change of traction and
-    /// temperature.
+    /// ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, measured as [`crate::problem::Options::tolerance`] says, and, in
+    /// steady rolling, of the last change of traction and temperature.
     pub residual: f64,
     /// The normal contact at the last instant.
     pub normal: NormalSummary,

@@ -20,8 +20,8 @@ pub trait Equilibrium {
         self.size()
     }
 
-    /// ‖μ pₙ‖₂ at the last evaluation, in Pa: what residuals are measured against.
-    fn scale(&self) -> f64;
+    /// What residuals are measured against, in Pa: see [`measure`], at p and the last evaluation.
+    fn scale(&self, p: &[f64]) -> f64;
 
     /// u = L p: one product with the compliance.
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]);
@@ -36,6 +36,11 @@ pub trait Equilibrium {
     /// Jacobian of F times v, with L v given, at the p of the last residual.
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]);
 
+    /// Another first guess, where the one given tells next to nothing; whether there is one.
+    fn other_guess(&mut self, _p: &mut [f64]) -> bool {
+        false
+    }
+
     /// Replaces v by an approximation of the inverse Jacobian times v, linear in v.
     fn precondition(&mut self, v: &mut [f64]);
 }
@@ -47,6 +52,9 @@ pub struct Limits {
     pub tolerance: f64,
     /// Most Newton steps.
     pub max_iterations: usize,
+    /// Whether the residual norm must fall in every step: where there may be several solutions, one that
+    /// rises can lead to another than the one that is followed.
+    pub is_monotone: bool,
 }
 
 /// How it went.
@@ -63,6 +71,21 @@ pub struct Outcome {
     /// Safe steps in between.
     pub safe_steps: usize,
 }
+
+/// What a residual is measured against, in Pa, for ‖μ pₙ‖₂ (`bound`) and ‖p‖₂ (`traction`), both in Pa:
+/// the former, where the traction is a hundredth of it or more; the traction itself below 1e-4, where
+/// the contact sticks and all is proportional to the motion, however slow it is; and what lies between.
+/// Without friction it is 1 Pa.
+pub(crate) fn measure(bound: f64, traction: f64) -> f64 {
+    if bound == 0.0 {
+        return 1.0;
+    }
+    let share = (traction / bound).min(1.0);
+    bound * (share / RELATIVE).powi(2).max(share).min(1.0)
+}
+
+/// See [`measure`]: the geometric mean of the two parts.
+const RELATIVE: f64 = 0.01;
 
 pub(crate) fn norm(v: &[f64]) -> f64 {
     dot(v, v).sqrt()

@@ -1,4 +1,6 @@
-//! Inexact Newton's method with a line search on the residual norm (Eisenstat and Walker 1996).
+//! Inexact Newton's method with a line search on the residual norm (Eisenstat and Walker 1996), where that
+//! leaves only short steps a non-monotone one (Grippo, Lampariello and Lucidi 1986): near Coulomb's law F has
+//! kinks, and a norm that must fall in every step creeps along them.
 
 use super::{Equilibrium, Gmres, Limits, Outcome, add_scaled, norm};
 
@@ -16,6 +18,15 @@ const NEAR: f64 = 1e3;
 
 /// Least fall of the residual norm that a step of length λ must bring, relative to λ.
 const SUFFICIENT_FALL: f64 = 1e-4;
+
+/// ‖F‖₂ over the scale from which on a first guess tells next to nothing.
+const WORTHLESS: f64 = 0.8;
+
+/// Halvings of a step before the residual norm need only fall below the largest of some steps.
+const MONOTONE_HALVINGS: usize = 1;
+
+/// How many steps these are.
+const MEMORY: usize = 5;
 
 /// Halvings of a step before it is given up.
 const MAX_HALVINGS: usize = 10;
@@ -64,10 +75,16 @@ impl Newton {
         system.compliance_product(p, &mut self.u);
         system.residual(p, &self.u, &mut self.residual);
         let mut length = norm(&self.residual);
+        if length > WORTHLESS * system.scale(p) {
+            self.start_anew(system, p, &mut length, &mut outcome);
+        }
         let mut forcing = LARGEST_FORCING;
         let mut best = Best { length, iteration: 0 };
+        let mut recent = [0.0; MEMORY];
         loop {
-            let scale = if system.scale() > 0.0 { system.scale() } else { 1.0 };
+            let scale = system.scale(p);
+            // Nothing is known of the size of a traction that is still zero.
+            let scale = if scale == 0.0 { f64::MIN_POSITIVE } else { scale };
             best.note(outcome.iterations, length);
             let given_up = outcome.iterations == limits.max_iterations
                 || !length.is_finite()
@@ -86,7 +103,10 @@ impl Newton {
             let enough = ENOUGH * limits.tolerance / outcome.residual;
             outcome.products += self.direction(system, forcing.max(enough).min(0.5));
             let before = length;
-            length = match self.line_search(system, p, before) {
+            if !limits.is_monotone {
+                recent[outcome.iterations % MEMORY] = before;
+            }
+            length = match self.line_search(system, p, before, &recent) {
                 Some(length) => length,
                 None => self.safe_steps(system, p, &mut outcome),
             };
@@ -109,21 +129,62 @@ impl Newton {
         }
     }
 
+    /// Starts from what the system has besides the first guess, if that is nearer.
+    fn start_anew(
+        &mut self,
+        system: &mut impl Equilibrium,
+        p: &mut [f64],
+        length: &mut f64,
+        outcome: &mut Outcome,
+    ) {
+        let [trial_p, trial_u, trial_residual] = &mut self.trial;
+        if !system.other_guess(trial_p) {
+            return;
+        }
+        outcome.products += 1;
+        system.compliance_product(trial_p, trial_u);
+        system.residual(trial_p, trial_u, trial_residual);
+        let trial_length = norm(trial_residual);
+        if trial_length < *length {
+            *length = trial_length;
+            p.copy_from_slice(trial_p);
+            std::mem::swap(&mut self.u, trial_u);
+            std::mem::swap(&mut self.residual, trial_residual);
+        } else {
+            system.residual(p, &self.u, &mut self.residual);
+        }
+    }
+
     fn direction(&mut self, system: &mut impl Equilibrium, forcing: f64) -> usize {
         let target = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
         self.krylov.solve(system, &self.residual, forcing, target)
     }
 
-    /// Goes along the step as far as the residual norm falls enough, and returns it. A trial costs
-    /// no product, because L is linear.
+    /// Goes along the step as far as the residual norm falls enough, and returns it; where that is less
+    /// than a half of it, as far as the norm falls below the largest of the recent ones.
     fn line_search(
         &mut self,
         system: &mut impl Equilibrium,
         p: &mut [f64],
         length: f64,
+        recent: &[f64],
+    ) -> Option<f64> {
+        let largest = recent.iter().copied().fold(length, f64::max);
+        self.go_along(system, p, length, MONOTONE_HALVINGS)
+            .or_else(|| self.go_along(system, p, largest, MAX_HALVINGS))
+    }
+
+    /// Halves the step until the residual norm falls enough below `length`. A trial costs no product,
+    /// because L is linear.
+    fn go_along(
+        &mut self,
+        system: &mut impl Equilibrium,
+        p: &mut [f64],
+        length: f64,
+        most_halvings: usize,
     ) -> Option<f64> {
         let mut fraction = 1.0;
-        for _ in 0..=MAX_HALVINGS {
+        for _ in 0..=most_halvings {
             let [trial_p, trial_u, trial_residual] = &mut self.trial;
             trial_p.copy_from_slice(p);
             trial_u.copy_from_slice(&self.u);

@@ -2,7 +2,6 @@
 //! relax, a part of the patch may stick as well as slide. Which state a wheel is in depends on where it
 //! comes from, so this follows the creepage: from low slip, and from high slip.
 
-use crate::equilibrium::Outcome;
 use crate::kinematics::Kinematics;
 use crate::problem::{Branch, Problem};
 
@@ -37,20 +36,25 @@ pub(super) const DISTINCT: f64 = 30.0;
 pub(super) const LOST: &str = "friction falls so fast that there may be several steady states; they \
     could not be followed along the creepage, so it is open which one this is";
 
-/// Whether friction feeds back on the slip so strongly that there may be several steady states, or that
-/// none was found.
-pub(super) fn may_be_several(problem: &Problem, level: &Level, outcome: &Outcome) -> bool {
-    level.friction.is_coupled && (!outcome.converged || feedback(problem, level) > STRONG)
+/// Whether friction feeds back on the slip so strongly that there may be several steady states;
+/// `has_state` says that the slip is that of one.
+pub(super) fn may_be_several(problem: &Problem, level: &Level, has_state: bool) -> bool {
+    level.friction.is_coupled && feedback(problem, level, has_state) > STRONG
 }
 
 /// Slip speed that follows elastically, over the one that caused it, dimensionless. Heat does not count:
 /// it comes from upstream, so that it acts on the slip that made it only by way of the elasticity of the
 /// whole patch; no contact with several states by heat was found.
-fn feedback(problem: &Problem, level: &Level) -> f64 {
+fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let Level { contact, friction, .. } = level;
     let loosening =
         contact.cell_looseness() * problem.kinematics.speed / contact.patch.grid.spacing_x;
+    // Where no state was found the slip is any, and may hide where the law is steep: the rigid one counts.
+    let rigid =
+        contact.patch.cells.iter().map(|cell| problem.kinematics.rigid_slip(cell.x, cell.y));
+    let rigid = rigid.map(|v| problem.kinematics.speed * v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = friction.slip.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
+    let fastest = if has_state { fastest } else { rigid };
     // Every cell at its y and its temperature, each at another speed: neighbours complete each other.
     let cells = contact.patch.cells.iter().zip(&friction.rise).enumerate();
     let fall = cells.map(|(k, (cell, rise))| {

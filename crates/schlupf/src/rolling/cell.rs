@@ -29,7 +29,8 @@ impl CellSolver<'_> {
     /// Finds the sliding by Newton's method with a line search, from the increment in `slide`,
     /// where it leaves it. `bound` is μ pₙ. The equation is strongly monotone, so there is one.
     pub fn solve(&self, slide: &mut Slide, bound: f64, target: [f64; 2]) -> Response {
-        let scale = bound + length(target);
+        // What cancels: a small pull is answered as exactly as a large one.
+        let scale = bound * length(slide.traction) + length(target);
         let (mut response, mut rest) = self.first_guess(slide, bound, target, GOOD * scale);
         for _ in 0..ITERATIONS {
             let before = length(rest);

@@ -22,6 +22,7 @@ pub(super) struct DiscreteContact {
     passing: VectorField,
     /// μ0 k_c, in 1/m: times the pressure, the stiffness of the contact law at the start.
     bristles: f64,
+    /// Infinite between rigid bodies.
     cell_stiffness: f64,
     estimates: Option<Estimates>,
 }
@@ -109,7 +110,7 @@ impl DiscreteContact {
     /// strips swing against each other. Linear interpolation cannot; it is half as exact on softer
     /// bristles.
     fn cubic_share(&self) -> f64 {
-        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness;
+        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness();
         let [all, none] = CUBIC_RANGE;
         ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
     }
@@ -133,7 +134,7 @@ impl DiscreteContact {
         let mut u = vec![0.0; p.len()];
         let is_known = self.product_by_size(&p, &mut u);
         let grown = 0.5 * (u[2 * middle] + u[2 * middle + 1]);
-        is_known.then_some(-grown * self.cell_stiffness)
+        is_known.then_some(-grown * self.cell_stiffness())
     }
 
     /// Traction of 1 Pa in both directions on the cell in the middle, and its number.
@@ -228,9 +229,10 @@ impl DiscreteContact {
         self.estimates().stand_in
     }
 
-    /// 1/‖A‖ or somewhat less, in Pa/m.
+    /// 1/‖A‖ or somewhat less, in Pa/m; of rigid bodies as [`Self::cell_stiffness`].
     pub fn safe_stiffness(&mut self) -> f64 {
-        self.estimates().safe_stiffness
+        let stiffness = self.estimates().safe_stiffness;
+        if stiffness.is_finite() { stiffness } else { self.like_rigid() }
     }
 
     fn estimates(&mut self) -> Estimates {
@@ -247,14 +249,19 @@ impl DiscreteContact {
         self.compliance.is_short_ranged()
     }
 
-    /// Traction over displacement of a cell in the middle under its own traction, in Pa/m.
+    /// Traction over displacement of a cell in the middle under its own traction, in Pa/m. Between rigid
+    /// bodies it is one beside which the bristles give way alone.
     pub fn cell_stiffness(&self) -> f64 {
-        self.cell_stiffness
+        if self.cell_stiffness.is_finite() { self.cell_stiffness } else { self.like_rigid() }
+    }
+
+    fn like_rigid(&self) -> f64 {
+        (RIGID * self.bristles * self.normal.peak_pressure).max(LEAST_RIGID)
     }
 
     /// Displacement over traction of that cell, in m/Pa; zero between rigid bodies.
     pub fn cell_looseness(&self) -> f64 {
-        if self.cell_stiffness == RIGID_STIFFNESS { 0.0 } else { self.cell_stiffness.recip() }
+        self.cell_stiffness.recip()
     }
 
     fn measure_cell_stiffness(&mut self) -> f64 {
@@ -262,7 +269,7 @@ impl DiscreteContact {
         let mut u = vec![0.0; p.len()];
         self.product(&p, &mut u);
         let own = 0.5 * (u[2 * middle] + u[2 * middle + 1]);
-        if own > 0.0 { own.recip() } else { RIGID_STIFFNESS }
+        if own > 0.0 { own.recip() } else { f64::INFINITY }
     }
 
     /// Under tractions like the pressure.
@@ -291,7 +298,7 @@ impl DiscreteContact {
             self.product(&v, &mut u);
             largest = norm(&u);
             if largest == 0.0 {
-                return RIGID_STIFFNESS;
+                return f64::INFINITY;
             }
             std::mem::swap(&mut v, &mut u);
         }
@@ -323,9 +330,12 @@ const POWER_ITERATIONS: usize = 10;
 /// The power iteration comes from below.
 const SAFETY: f64 = 1.1;
 
-/// In Pa/m. Where nothing deforms any stiffness is safe: this one is that of steel in a patch of
-/// some millimetres.
-const RIGID_STIFFNESS: f64 = 1e13;
+/// Stiffness of rigid bodies over that of the bristles at the start, dimensionless: what they leave of
+/// the rigid slip is then an explicit recursion down the strips, to the tolerance of a Newton step.
+const RIGID: f64 = 1e8;
+
+/// The same in Pa/m, where there are no bristles: that of steel in a patch of some millimetres.
+const LEAST_RIGID: f64 = 1e13;
 
 /// The patch, which must touch the grid somewhere.
 fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {

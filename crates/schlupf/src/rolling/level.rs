@@ -79,7 +79,7 @@ impl Level {
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
         Ok(Self {
-            strips: StripLaw::new(problem, &contact.patch, contact.cell_stiffness()),
+            strips: StripLaw::new(problem, &contact.patch),
             friction: SteadyFriction::new(problem, &contact.patch),
             transfer: None,
             traction: zeros(),
@@ -99,9 +99,10 @@ impl Level {
     /// Takes over another motion and other laws on the same grid.
     pub fn set_problem(&mut self, problem: &Problem) {
         let patch = &self.contact.patch;
-        self.strips.set_problem(problem, patch);
         self.friction.set_problem(problem, patch);
         self.contact.set_laws(problem);
+        let stiffness = self.contact.cell_stiffness();
+        self.strips.set_problem(problem, &self.contact.patch, stiffness);
         self.take_bound();
     }
 

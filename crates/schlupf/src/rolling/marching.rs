@@ -3,7 +3,7 @@
 //! the slip speed of the step before: where it falls steeply with the slip speed, a march may swing for
 //! ever, and says so.
 
-use crate::equilibrium::{Limits, Newton, Outcome, norm};
+use crate::equilibrium::{Limits, Newton, Outcome, measure, norm};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
@@ -81,6 +81,8 @@ struct March<'a> {
     past: Past,
     newton: Newton,
     outcome: Outcome,
+    /// Largest ‖p‖₂ so far, in Pa.
+    largest_traction: f64,
     /// Relative change of traction and temperature in the last step.
     change: f64,
     /// The same over the last passage of the material through the whole patch.
@@ -119,6 +121,7 @@ impl<'a> March<'a> {
             past: Past::default(),
             newton: Newton::default(),
             outcome: Outcome::default(),
+            largest_traction: 0.0,
             change: f64::INFINITY,
             passage_change: f64::INFINITY,
             largest_step: 0.0,
@@ -131,6 +134,7 @@ impl<'a> March<'a> {
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
         march.now.rise = march.elements.iter().map(|e| e.rise).collect();
+        march.largest_traction = norm(&march.now.traction);
         march.displace();
         let ways = march.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
         march.past = Past::of(&march.contact, ways);
@@ -184,7 +188,7 @@ impl<'a> March<'a> {
         }
         let [traction, rise] = &self.passage_start;
         if traction.len() == self.now.traction.len() {
-            let scale = norm(&self.now.bound(&self.contact.patch));
+            let scale = measure(norm(&self.now.bound(&self.contact.patch)), self.largest_traction);
             let warmed = largest_change(rise, &self.now.rise);
             let changed = relative_change(traction, &self.now.traction, scale);
             // What swings to and fro may be the same after a passage.
@@ -214,6 +218,7 @@ impl<'a> March<'a> {
             elements: &mut self.elements,
         };
         self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits);
+        self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         self.displace();
         let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
         self.past = Past::of(&self.contact, ways);
@@ -302,11 +307,14 @@ impl<'a> March<'a> {
         let limits = self.limits();
         let law = self.problem.contact_law.as_ref();
         let old_traction = self.now.traction.clone();
-        let mut step = TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides);
+        let step = TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides);
+        let mut step = step.measured_against(self.largest_traction);
         self.outcome = step.solve(&mut self.newton, &mut self.now.traction, &limits);
         let (slides, responses) = (step.slides, step.responses);
         self.displace();
-        self.change = relative_change(&old_traction, &self.now.traction, norm(&bound));
+        self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
+        let scale = measure(norm(&bound), self.largest_traction);
+        self.change = relative_change(&old_traction, &self.now.traction, scale);
         let element = |k: usize| Element {
             index: self.contact.patch.cells[k].index,
             traction: self.now.traction_at(k),
@@ -330,6 +338,7 @@ impl<'a> March<'a> {
             // Below the tolerance of the steady state, so that its noise does not hide the end.
             tolerance: 0.1 * self.options.tolerance,
             max_iterations: self.options.max_iterations,
+            is_monotone: false,
         }
     }
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
+use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
@@ -208,7 +209,7 @@ impl SteadySolver {
         let mut work = Work::default();
         let mut outcome = setup.find(problem, &self.options, &mut self.newton, &mut work);
         let mut warning = None;
-        if branches::may_be_several(problem, &setup.levels[0], &outcome) {
+        if branches::may_be_several(problem, &setup.levels[0], outcome.converged) {
             (outcome, warning) =
                 setup.follow_branches(problem, &self.options, &mut self.newton, &mut work);
         }
@@ -259,6 +260,19 @@ struct Setup {
     earlier: Vec<Kinematics>,
 }
 
+/// Parts of k_c by way of which a state is looked for that is not found otherwise.
+const SOFTER: [f64; 2] = [0.01, 0.1];
+
+/// The same problem with softer bristles, the softest first, if the law can be made softer.
+fn softened(problem: &Problem) -> Vec<Problem> {
+    let stiffness = problem.contact_law.respond(&Slide::default()).by_increment[0][0];
+    let soften = |part: f64| {
+        let contact_law = problem.contact_law.with_stiffness(part * stiffness).ok()??;
+        Some(Problem { contact_law, ..problem.clone() })
+    };
+    SOFTER.into_iter().filter_map(soften).collect()
+}
+
 /// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same where
 /// only the change since an earlier solution counts.
 const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
@@ -278,7 +292,8 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
     }
 
-    /// The steady state, from the solutions before; where that fails, from none.
+    /// The steady state, from the solutions before; where that fails, from none; and then by way of softer
+    /// bristles, with which it is smoother.
     fn find(
         &mut self,
         problem: &Problem,
@@ -286,10 +301,21 @@ impl Setup {
         newton: &mut Newton,
         work: &mut Work,
     ) -> Outcome {
-        let is_warm = !self.earlier.is_empty();
+        if !self.earlier.is_empty() {
+            let outcome = self.find_equilibrium(problem, options, newton, work);
+            if outcome.converged {
+                return outcome;
+            }
+        }
         let outcome = self.find_equilibrium(problem, options, newton, work);
-        if outcome.converged || !is_warm {
+        if outcome.converged {
             return outcome;
+        }
+        for softer in softened(problem) {
+            let found = self.find_equilibrium(&softer, options, newton, work);
+            if !found.converged {
+                return outcome;
+            }
         }
         self.find_equilibrium(problem, options, newton, work)
     }
@@ -314,6 +340,7 @@ impl Setup {
             let limits = Limits {
                 tolerance: if depth == 0 { options.tolerance } else { coarse },
                 max_iterations: options.max_iterations,
+                is_monotone: branches::may_be_several(problem, &self.levels[depth], false),
             };
             let mut traction = std::mem::take(&mut self.levels[depth].traction);
             let mut system = SteadyState::new(problem, &mut self.levels[depth..]);

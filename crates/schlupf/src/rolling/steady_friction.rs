@@ -6,6 +6,7 @@
 //! is the power of the creep forces. The heat is released on the way through the cell, evenly.
 
 use crate::heat::{HeatStep, partition::Conduction};
+use crate::interface::friction::common_coefficient::common_coefficient;
 use crate::interface::friction::{FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
 use crate::patch::{Patch, Strip};
@@ -163,21 +164,56 @@ impl SteadyFriction {
     /// changes while a material point passes each cell, in m.
     pub fn evaluate(&mut self, problem: &Problem, patch: &Patch, p: &[f64], change: &[f64]) {
         self.traction.copy_from_slice(p);
-        let is_linear = problem.heat.model.as_ref().is_some_and(|model| model.is_linear());
+        let is_linear = problem.heat.model.as_ref().is_none_or(|model| model.is_linear());
         let per_length = self.kinematics.speed / self.spacing;
         for k in 0..self.rows.len() {
             self.slip[k] = [0, 1].map(|c| self.rigid[k][c] - per_length * change[2 * k + c]);
             self.power[k] = p[2 * k] * self.slip[k][0] + p[2 * k + 1] * self.slip[k][1];
             // What the bristles of the contact law return does not cool.
             self.flux[k] = self.power[k].max(0.0) * self.flux_over_power[k];
-            if is_linear {
-                self.rise[k] = self.weighted(k, &self.flux);
-            } else if let Some(model) = &problem.heat.model {
-                self.recall(k);
-                self.rise[k] = model.rise_times_effusivity(&self.record);
+            self.warm(problem, k);
+            if !is_linear {
                 self.weigh(problem, k);
             }
             self.respond(problem, patch, k);
+        }
+    }
+
+    /// The traction on the rail p (in Pa) that goes with its share of μ pₙ in each cell (dimensionless),
+    /// if all slip is rigid: cell by cell down the strips, each with the friction that its own heat leaves.
+    pub fn rub_rigidly(
+        &mut self,
+        problem: &Problem,
+        patch: &Patch,
+        saturation: &[[f64; 2]],
+        p: &mut [f64],
+    ) {
+        self.slip.copy_from_slice(&self.rigid);
+        for (k, along) in saturation.iter().enumerate() {
+            let start = if k == self.first[k] { None } else { Some(self.lag.coefficient[k - 1]) };
+            let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
+            let power = along[0] * self.rigid[k][0] + along[1] * self.rigid[k][1];
+            let flux = self.pressure[k] * power.max(0.0) * self.flux_over_power[k];
+            let coefficient = common_coefficient(start, |coefficient| {
+                self.flux[k] = coefficient * flux;
+                self.warm(problem, k);
+                self.respond(problem, patch, k);
+                self.lag.coefficient[k]
+            });
+            for c in 0..2 {
+                p[2 * k + c] = coefficient * self.pressure[k] * along[c];
+            }
+        }
+    }
+
+    /// Temperature rise of a cell with the present fluxes.
+    fn warm(&mut self, problem: &Problem, k: usize) {
+        let Some(model) = &problem.heat.model else { return };
+        if model.is_linear() {
+            self.rise[k] = self.weighted(k, &self.flux);
+        } else {
+            self.recall(k);
+            self.rise[k] = model.rise_times_effusivity(&self.record);
         }
     }
 
@@ -198,7 +234,7 @@ impl SteadyFriction {
     /// Change of the heat flux with that of the traction of a cell, in W/m².
     pub fn flux_change(&self, k: usize, traction: [f64; 2]) -> f64 {
         let power = traction[0] * self.slip[k][0] + traction[1] * self.slip[k][1];
-        if self.power[k] > 0.0 { power * self.flux_over_power[k] } else { 0.0 }
+        if self.power[k] >= 0.0 { power * self.flux_over_power[k] } else { 0.0 }
     }
 
     /// Change of μ pₙ in a cell (in Pa) whose traction changes by `traction` and by `by_bound` for
@@ -243,7 +279,7 @@ impl SteadyFriction {
             let own = [traction[2 * k], traction[2 * k + 1]];
             let rubbed = self.traction[2 * k] * slid[0] + self.traction[2 * k + 1] * slid[1];
             flux[k] = self.flux_change(k, own);
-            if self.power[k] > 0.0 {
+            if self.power[k] >= 0.0 {
                 flux[k] += rubbed * self.flux_over_power[k];
             }
             let speed = speed_of(v);

@@ -1,7 +1,7 @@
 //! The steady state at once: an element's history is what lies upstream of it in its own strip, and
 //! so is its heat. Traction, temperature and friction are one equilibrium.
 
-use crate::equilibrium::Equilibrium;
+use crate::equilibrium::{self, Equilibrium};
 use crate::problem::Problem;
 
 use super::contact::DiscreteContact;
@@ -53,8 +53,8 @@ impl Equilibrium for SteadyState<'_> {
         self.size() * if self.is_coupled() { 2 } else { 1 }
     }
 
-    fn scale(&self) -> f64 {
-        self.level().strips.scale()
+    fn scale(&self, p: &[f64]) -> f64 {
+        equilibrium::measure(self.level().strips.scale(), equilibrium::norm(p))
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
@@ -85,6 +85,15 @@ impl Equilibrium for SteadyState<'_> {
         let passing = &response[v.len()..];
         friction.bound_changes((v, passing), None, &mut room.flux, &mut room.bound);
         strips.tangent(v, response, Some(&room.bound), None, product);
+    }
+
+    /// The state of rigid bodies, which is near where friction follows a fast slip.
+    fn other_guess(&mut self, p: &mut [f64]) -> bool {
+        if self.is_coupled() {
+            let Level { contact, strips, friction, .. } = &mut self.levels[0];
+            friction.rub_rigidly(self.problem, &contact.patch, &strips.rigid_saturation(), p);
+        }
+        self.is_coupled()
     }
 
     fn precondition(&mut self, v: &mut [f64]) {

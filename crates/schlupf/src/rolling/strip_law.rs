@@ -102,8 +102,8 @@ pub(super) struct Cause {
 }
 
 impl StripLaw {
-    /// The strips of a patch, with γ in Pa/m.
-    pub fn new(problem: &Problem, patch: &Patch, gamma: f64) -> Self {
+    /// The strips of a patch; [`Self::set_problem`] says what happens in them.
+    pub fn new(problem: &Problem, patch: &Patch) -> Self {
         let cells = patch.len();
         let mut is_first = vec![false; cells];
         for strip in &patch.strips {
@@ -111,7 +111,7 @@ impl StripLaw {
         }
         Self {
             law: Arc::clone(&problem.contact_law),
-            gamma,
+            gamma: 0.0,
             kinematics: problem.kinematics,
             bound: vec![0.0; cells],
             ways: Vec::with_capacity(cells),
@@ -125,8 +125,9 @@ impl StripLaw {
         }
     }
 
-    /// Takes over another motion and another law.
-    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
+    /// Takes over another motion and another law, and γ in Pa/m.
+    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64) {
+        self.gamma = gamma;
         self.law = Arc::clone(&problem.contact_law);
         self.remembers_distance = self.law.respond(&Slide::default()).by_distance != [[0.0; 2]; 2];
         self.kinematics = problem.kinematics;
@@ -178,6 +179,14 @@ impl StripLaw {
             visit(k, &slide, &response);
             handed = Handed::after(&slide, &response);
         }
+    }
+
+    /// Traction on the rail over μ pₙ of each cell, if nothing gave way but the bristles; dimensionless.
+    pub fn rigid_saturation(&self) -> Vec<[f64; 2]> {
+        let mut saturation = Vec::with_capacity(self.len());
+        let nothing = vec![0.0; 2 * self.len()];
+        self.follow(&nothing, |_, _, response| saturation.push(response.traction));
+        saturation
     }
 
     /// ‖p − μ pₙ law(D − b)‖₂, in Pa.

@@ -14,7 +14,6 @@
 //! one flexibility does without both, but has worse forces with spin.
 
 mod cell;
-mod common_coefficient;
 mod flexibility;
 mod passage;
 mod strip_heat;
@@ -23,6 +22,7 @@ use std::f64::consts::FRAC_2_PI;
 
 use crate::error::Error;
 use crate::grid::Grid;
+use crate::interface::friction::common_coefficient::common_coefficient;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
 use crate::normal::{NormalContact, NormalSummary, Pressure};
@@ -33,7 +33,6 @@ use crate::summary::snapshot::Snapshot;
 
 use super::elliptic_contact::{EllipticContact, friction_limit};
 use cell::{Carried, cut};
-use common_coefficient::common_coefficient;
 use flexibility::{Flexibility, slope_reduction};
 use passage::Passage;
 use strip_heat::StripHeat;

@@ -9,7 +9,7 @@ const ACCURACY: f64 = 1e-12;
 /// The coefficient μ ≥ 0 (dimensionless) with answer(μ) = μ: by the secant through the last two, and by
 /// bisection where that leaves what is known to hold the root. `answer` is never negative. Where
 /// there are several roots, one of them.
-pub(super) fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut tried = start;
     let mut last: Option<[f64; 2]> = None;

@@ -1,0 +1,138 @@
+//! Contacts that Newton's method found late or not at all: bristles almost as stiff as Coulomb's friction, very high
+//! slip. Found by random search; the work is what is asserted.
+
+mod common;
+
+use std::sync::Arc;
+
+use common::{cells, half_space, layer, problem, rolling};
+use schlupf::elasticity::Elasticity;
+use schlupf::heat::Heat;
+use schlupf::heat::duhamel::Duhamel;
+use schlupf::heat::partition::Partition;
+use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::exponential::Exponential;
+use schlupf::interface::friction::memory::FrictionMemory;
+use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::kinematics::Kinematics;
+use schlupf::normal::ellipse::Ellipse;
+use schlupf::solution::Work;
+use schlupf::{Options, Problem, Solution, Status};
+
+fn at_once(problem: &Problem, options: &Options) -> Solution {
+    let solution = schlupf::rolling::solve(problem, options, &mut |_| ()).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
+    solution
+}
+
+fn heated(mut problem: Problem, coefficient: f64) -> Problem {
+    problem.friction.law = Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.0).unwrap());
+    problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    problem
+}
+
+/// Steel on the half-space: a, b (in m), p0 (in Pa), k_c (in 1/m).
+fn steel(kinematics: Kinematics, [a, b, p0]: [f64; 3], law: Arc<dyn ContactLaw>) -> Problem {
+    let mut steel = problem(kinematics);
+    steel.normal = Arc::new(Ellipse::from_peak_pressure(a, b, p0).unwrap());
+    steel.elasticity = half_space();
+    steel.contact_law = law;
+    steel
+}
+
+fn incremental(stiffness: f64) -> Arc<dyn ContactLaw> {
+    Arc::new(Incremental::new(stiffness).unwrap())
+}
+
+fn total(stiffness: f64) -> Arc<dyn ContactLaw> {
+    Arc::new(TotalDisplacement::new(stiffness).unwrap())
+}
+
+/// A wheel that spins up to ten thousand times too fast. Friction has all but vanished where the material has
+/// entered; the interpolated solution of a coarser grid is too hot everywhere, and the state of rigid bodies is a better
+/// first guess. It is the solution, nearly, so no Newton step is left; heat moves friction from one step to the next
+/// only where the bodies yield.
+#[test]
+fn any_creepage_is_found_at_once() {
+    for elasticity in [layer(), half_space()] {
+        for creepage in [-1.0, -10.0, -100.0, -1e3, -1e4] {
+            for stiffness in [5e6, 1e9] {
+                let mut spinning = heated(problem(rolling(creepage, 0.0, 0.0)), 0.3);
+                spinning.elasticity = Arc::<dyn Elasticity>::clone(&elasticity);
+                spinning.contact_law = incremental(stiffness);
+                let Work { newton_iterations, operator_products, .. } =
+                    at_once(&spinning, &cells(24)).work;
+                assert!(newton_iterations <= 6, "{creepage}: {newton_iterations}");
+                assert!(operator_products < 14.0, "{creepage}: {operator_products}");
+            }
+        }
+    }
+}
+
+/// Friction that follows its law over a sliding distance, k_c from 2e10/m to 8e11/m: each marched for seconds.
+#[test]
+fn stiff_bristles_with_friction_memory() {
+    let at = |speed, x, y| Kinematics { speed, creepage_x: x, creepage_y: y, spin: 0.0 };
+    let falling = |mut problem: Problem, coefficient: f64, half_speed: f64| {
+        let terms = SlipTerms::new(coefficient, 0.5 * coefficient, half_speed, None).unwrap();
+        problem.friction.law = Arc::new(Exponential(terms));
+        problem
+    };
+    let remembering = |mut problem: Problem, distance: f64, least_speed: f64| {
+        problem.friction.memory = Some(FrictionMemory::new(distance, least_speed).unwrap());
+        problem
+    };
+    let axes = [[4.9e-3, 5.96e-3, 3.13e8], [2.45e-3, 1e-2, 1.27e9], [4.89e-3, 1.18e-2, 1.53e9]];
+    let sliding = steel(at(94.0, 2.78e-4, 7.39e-4), axes[0], total(8.07e11));
+    let hot = steel(at(72.2, 5.13e-3, 0.0), axes[1], total(7.47e11));
+    let slow = steel(at(4.08, 4.07e-3, 3.09e-3), axes[2], total(1.96e10));
+    let turning =
+        steel(at(35.7, -3.69e-3, 1.32e-3), [5.04e-3, 6.73e-3, 1.01e9], incremental(5.5e11));
+    let cases = [
+        remembering(falling(sliding, 0.2, 1.0), 5.8e-6, 2.6e-3),
+        remembering(heated(hot, 0.49), 7.2e-5, 8.7e-4),
+        remembering(falling(slow, 0.24, 1.0), 6.3e-5, 1.3e-3),
+        remembering(falling(turning, 0.28, 1.0), 3.7e-5, 0.0),
+    ];
+    for case in &cases {
+        let work = at_once(case, &cells(12)).work;
+        println!("{work:?}");
+        assert!(work.newton_iterations <= 150, "{work:?} {case:?}");
+    }
+}
+
+/// The same without memory, with constant friction and with heat.
+#[test]
+fn stiff_bristles() {
+    let at = |speed, x, y| Kinematics { speed, creepage_x: x, creepage_y: y, spin: 0.0 };
+    let constant = |mut problem: Problem, coefficient: f64| {
+        problem.friction.law = Arc::new(Constant::new(coefficient).unwrap());
+        problem
+    };
+    let narrow = steel(at(90.6, -3.375e-3, 1.1e-5), [3.92e-3, 3.3e-3, 7.29e8], total(6.9e11));
+    let small = steel(at(4.7, 3.04e-4, 8.35e-4), [3.16e-3, 2.19e-3, 6.89e8], incremental(1.37e11));
+    let long = steel(at(54.6, -2.13e-3, 0.0), [1.05e-2, 2.89e-3, 9.94e8], incremental(3.56e9));
+    let across = steel(at(23.4, 0.0, 2.35e-3), [3.39e-3, 4.71e-3, 9.78e8], incremental(2.37e11));
+    let cases =
+        [constant(narrow, 0.42), constant(small, 0.21), heated(long, 0.27), heated(across, 0.2)];
+    for case in &cases {
+        let work = at_once(case, &cells(12)).work;
+        println!("{work:?}");
+        assert!(work.newton_iterations <= 150, "{work:?} {case:?}");
+    }
+}
+
+/// Where Newton's method fails although friction does not fall with the slip speed, that is what is said, not that
+/// there may be several steady states.
+#[test]
+fn a_failure_is_not_several_states() {
+    let hot = heated(problem(rolling(0.004, 0.002, 0.3)), 0.4);
+    let options = Options { max_iterations: 1, max_steps: 30, ..cells(8) };
+    let solution = schlupf::rolling::solve(&hot, &options, &mut |_| ()).unwrap();
+    let says = |what: &str| solution.warnings.iter().any(|text| text.contains(what));
+    assert!(says("was not found at once"), "{:?}", solution.warnings);
+    assert!(!says("several"), "{:?}", solution.warnings);
+}
