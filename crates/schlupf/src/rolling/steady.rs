@@ -440,6 +440,8 @@ impl Setup {
         let patch = &contact.patch;
         let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
         now.exit_rise = exits.collect();
+        now.surfaces = friction.surfaces(patch);
+        let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
         let instant = Instant {
             time: 0.0,
             kinematics: now.kinematics,
@@ -451,7 +453,7 @@ impl Setup {
         };
         let account = summary::Account {
             method: Method::Full,
-            status: Status::Converged,
+            status: if is_found { Status::Converged } else { Status::NotConverged },
             residual: outcome.residual,
             history: vec![instant],
             warnings: warnings::warnings(problem, options, contact, &now),

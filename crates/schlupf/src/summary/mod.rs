@@ -1,11 +1,13 @@
 //! From the fields of an instant to forces, powers and everything else that is reported.
 
+pub(crate) mod caveats;
 pub(crate) mod snapshot;
 
+use crate::heat::peclet::semi_axes;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::normal::NormalSummary;
-use crate::patch::Patch;
+use crate::patch::{Patch, Strip};
 use crate::problem::{Options, Problem};
 use crate::solution::{
     Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma, Temperature,
@@ -45,9 +47,10 @@ pub(crate) fn solution(
         force,
         normalised: normalised(problem, normal, &force),
         traction_coefficient: force.x.hypot(force.y) / normal.load,
-        power: power(patch, now, &force),
+        power: Power { exchanged: exchanged(problem, patch, now), ..power(patch, now, &force) },
         t_gamma: t_gamma(&now.kinematics, &force),
         temperature: temperature(patch, now),
+        peclet: problem.peclet(&now.kinematics, semi_axes(normal)).numbers,
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
         history: account.history,
@@ -91,9 +94,28 @@ pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
     let area = patch.grid.cell_area();
     let friction = now.friction_power.iter().sum::<f64>() * area;
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
-    let [into_wheel, into_rail] =
-        now.conduction.shares().map(|share| share * (friction + returned));
-    Power { friction, creep: creep_power(&now.kinematics, force), returned, into_wheel, into_rail }
+    let shared = || now.conduction.shares().map(|share| share * (friction + returned));
+    let [into_wheel, into_rail] = now.surfaces.as_ref().map_or_else(shared, |found| found.into);
+    let creep = creep_power(&now.kinematics, force);
+    Power { friction, creep, returned, into_wheel, into_rail, exchanged: 0.0 }
+}
+
+/// Heat from the wheel into the rail (in W) because their bulk temperatures differ: a surface held by
+/// T_w − T_m below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t (Carslaw and Jaeger 1959,
+/// §2.5), in the contact L/v_w, and v_w dy of it passes every second.
+fn exchanged(problem: &Problem, patch: &Patch, now: &Snapshot) -> f64 {
+    if let Some(surfaces) = &now.surfaces {
+        return surfaces.exchanged;
+    }
+    let conduction = &now.conduction;
+    let step = conduction.bulk_temperatures()[0] - conduction.entry_temperature;
+    let wheel_speed = now.kinematics.speed / conduction.slowness();
+    let of_strip = |strip: &Strip| {
+        let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
+        (wheel_speed * covered * patch.grid.spacing_x / std::f64::consts::PI).sqrt()
+    };
+    let sum: f64 = patch.strips.iter().map(of_strip).sum();
+    2.0 * problem.wheel.material.effusivity() * step * patch.grid.spacing_y * sum
 }
 
 /// −v0 (ξ Fx + η Fy + φ Mz), in W. Without spin the moment does not count, not even an unknown one.
@@ -110,24 +132,28 @@ pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
 
 /// Largest temperatures, in the cells and at the trailing edges.
 pub(crate) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
-    let cells = patch.cells.iter().zip(&now.rise).map(|(cell, rise)| (*rise, cell.x, cell.y));
-    let exits = patch
-        .strips
-        .iter()
-        .zip(&now.exit_rise)
-        .map(|(strip, rise)| (*rise, patch.exit(strip), patch.cells[strip.cells.end - 1].y));
-    let hottest = cells.chain(exits).reduce(|p, q| if q.0 > p.0 { q } else { p });
-    let Some((rise, x, y)) = hottest else {
+    let bulk = now.conduction.bulk_temperatures();
+    let cells = patch.cells.iter().enumerate();
+    let cells = cells.map(|(k, cell)| (now.surface_temperatures(k), cell.x, cell.y));
+    let exits = patch.strips.iter().enumerate().take(now.exit_rise.len());
+    let exits = exits.map(|(k, strip)| {
+        (now.exit_temperatures(k), patch.exit(strip), patch.cells[strip.cells.end - 1].y)
+    });
+    let places: Vec<([f64; 2], f64, f64)> = cells.chain(exits).collect();
+    let hottest = |body: usize| {
+        places.iter().reduce(|p, q| if q.0[body] > p.0[body] { q } else { p }).copied()
+    };
+    let (Some(wheel), Some(rail)) = (hottest(0), hottest(1)) else {
         return Temperature::default();
     };
-    let [rise_wheel, rise_rail] = now.conduction.rises(rise);
-    let [wheel, rail] = now.conduction.surface_temperatures(rise);
+    let [rise_wheel, rise_rail] = [wheel.0[0] - bulk[0], rail.0[1] - bulk[1]];
+    let (_, x, y) = if rise_wheel >= rise_rail { wheel } else { rail };
     Temperature {
         max_rise: rise_wheel.max(rise_rail),
         max_rise_wheel: rise_wheel,
         max_rise_rail: rise_rail,
-        max_wheel: wheel,
-        max_rail: rail,
+        max_wheel: wheel.0[0],
+        max_rail: rail.0[1],
         x,
         y,
     }
@@ -158,7 +184,12 @@ fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
     let component = |values: &[f64], c: usize, sign: f64| -> Vec<f64> {
         values.iter().skip(c).step_by(2).map(|v| sign * v).collect()
     };
-    let rises: Vec<[f64; 2]> = now.rise.iter().map(|r| now.conduction.rises(*r)).collect();
+    let bulk = now.conduction.bulk_temperatures();
+    let rises = (0..cells.len()).map(|k| {
+        let surfaces = now.surface_temperatures(k);
+        [surfaces[0] - bulk[0], surfaces[1] - bulk[1]]
+    });
+    let rises: Vec<[f64; 2]> = rises.collect();
     Fields {
         grid,
         cell: cells.iter().map(|c| [c.index % grid.columns, c.index / grid.columns]).collect(),
