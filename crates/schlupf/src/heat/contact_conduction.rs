@@ -323,9 +323,7 @@ impl ContactConduction {
             let position = (patch.exit(strip) - grid.x(0)) / grid.spacing_x;
             let column = position.floor().clamp(0.0, (grid.columns - 2) as f64);
             let (first, part) = (grid.index(column as usize, strip.row), position - column);
-            let between = |values: &[f64]| {
-                (1.0 - part) * values[first] + part * values[first + 1]
-            };
+            let between = |values: &[f64]| (1.0 - part) * values[first] + part * values[first + 1];
             [between(&self.field.x), between(&self.field.y)]
         };
         [cells, patch.strips.iter().map(at_exit).collect()]
@@ -366,4 +364,73 @@ fn conduct(
         *value *= factor;
     }
     transform.inverse(field);
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::heat::partition::Partition;
+    use crate::kinematics::Kinematics;
+    use crate::material::Body;
+    use crate::normal::PressureSource;
+    use crate::normal::ellipse::Ellipse;
+
+    const RADIUS: f64 = 5e-3;
+
+    /// Rises of the rail in every cell over q a/λ, all of a uniform flux q over a circle going into it, and
+    /// the patch; at a Péclet number v a/κ.
+    fn under_uniform_circle(peclet: f64, cells: usize) -> (Vec<f64>, Patch) {
+        let source = Ellipse::from_peak_pressure(RADIUS, RADIUS, 1e9).unwrap();
+        let contact = source.normal_contact(None).unwrap();
+        let patch = Patch::new(&contact, Grid::across(&contact.extent(), cells, cells));
+        let speed = peclet * Material::STEEL.diffusivity() / RADIUS;
+        let kinematics = Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+        let given = Partition::Given(0.0);
+        let conductors = Conductors {
+            conduction: Conduction::new(given, &Body::STEEL, &Body::STEEL, &kinematics),
+            materials: [Material::STEEL; 2],
+            speed,
+            scale: 1.0,
+        };
+        let flux: Vec<f64> = patch.cells.iter().map(|cell| cell.covered).collect();
+        let mut conduction = ContactConduction::new(&patch, conductors);
+        let surfaces = conduction.surfaces(&patch, &flux);
+        assert!(surfaces.is_found);
+        let unit = RADIUS / Material::STEEL.conductivity;
+        let rise = |surfaces: &[f64; 2]| (surfaces[1] - Body::STEEL.bulk_temperature) / unit;
+        (surfaces.cells.iter().map(rise).collect(), patch)
+    }
+
+    /// Carslaw and Jaeger 1959, §10.5: under a uniform flux over a circle at rest the centre has q a/λ and the
+    /// mean is 8 q a/(3πλ); the mean converges with the cells.
+    #[test]
+    fn carslaw_jaeger_1959_uniform_circle_at_rest() {
+        for (cells, allowed) in [(11, 1e-2), (21, 4e-3), (41, 1.5e-3)] {
+            let (rises, patch) = under_uniform_circle(1e-9, cells);
+            let largest = rises.iter().copied().fold(0.0, f64::max);
+            let covered = patch.cells.iter().map(|cell| cell.covered);
+            let area: f64 = covered.clone().sum();
+            let mean = covered.zip(&rises).map(|(part, rise)| part * rise).sum::<f64>() / area;
+            println!("{cells} cells: {largest} and {mean}");
+            assert_relative_eq!(largest, 1.0, max_relative = 2.5e-3);
+            assert_relative_eq!(mean, 8.0 / (3.0 * PI), max_relative = allowed);
+        }
+    }
+
+    /// Tian and Kennedy 1994: a moving uniform circle, at most 2 q a/(λ √(π (1.273 + v a/2κ))), an
+    /// interpolation between the limits that is good to 2.5 %.
+    #[test]
+    fn tian_kennedy_1994_moving_uniform_circle() {
+        for peclet in [0.2, 1.0, 4.0, 10.0, 40.0, 100.0, 400.0] {
+            let (rises, _) = under_uniform_circle(peclet, 41);
+            let largest = rises.iter().copied().fold(0.0, f64::max);
+            let expected = 2.0 / (PI * (1.273 + 0.5 * peclet)).sqrt();
+            println!("{peclet}: {largest}, {expected}");
+            assert_relative_eq!(largest, expected, max_relative = 0.025);
+        }
+    }
 }

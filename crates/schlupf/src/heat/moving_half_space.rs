@@ -78,8 +78,8 @@ impl MovingHalfSpace {
         let longest = STEP * root / self.speed;
         let last = FARTHEST * reach / root;
         let mut nodes = Vec::new();
-        // Before that nothing has left its cell.
-        let mut panel = [0.0, smallest / (4.0 * NEGLIGIBLE * root)];
+        // Before that nothing has spread beyond its cell.
+        let mut panel = [0.0, (smallest / (4.0 * NEGLIGIBLE * root)).min(longest)];
         loop {
             let [from, to] = panel;
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -87,8 +87,7 @@ impl MovingHalfSpace {
                 nodes.push([middle - half * node, half * weight]);
                 nodes.push([middle + half * node, half * weight]);
             }
-            let is_carried_off =
-                self.speed * to * to > reach + 2.0 * NEGLIGIBLE * root * to;
+            let is_carried_off = self.speed * to * to > reach + 2.0 * NEGLIGIBLE * root * to;
             if is_carried_off || to > last {
                 return nodes;
             }

@@ -194,8 +194,7 @@ impl SteadyFriction {
         let Some(conduction) = &mut self.conduction_along else { return };
         let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
         conduction.contact_rise(&heat, &mut self.rise);
-        let (entry, factor) =
-            (self.conduction.entry_temperature, self.conduction.contact_factor());
+        let (entry, factor) = (self.conduction.entry_temperature, self.conduction.contact_factor());
         for (rise, unheated) in self.rise.iter_mut().zip(&conduction.unheated) {
             *rise = (unheated + *rise - entry) / factor;
         }
