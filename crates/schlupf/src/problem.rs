@@ -48,8 +48,8 @@ impl Problem {
         Conduction::new(self.heat.partition, &self.wheel, &self.rail, kinematics)
     }
 
-    /// Péclet numbers of the material that passes, at the speeds of `kinematics`, through a contact of
-    /// semi-axes a and b (in m).
+    /// Péclet numbers of the material that passes, at the speeds of `kinematics`, through a contact
+    /// of semi-axes a and b (in m).
     pub fn peclet(&self, kinematics: &Kinematics, semi_axes: [f64; 2]) -> Peclet {
         let wheel_speed = kinematics.speed / self.conduction(kinematics).slowness();
         let diffusivities = [&self.wheel, &self.rail].map(|body| body.material.diffusivity());

@@ -43,8 +43,8 @@ pub struct Solution {
     pub t_gamma: TGamma,
     /// Largest temperatures.
     pub temperature: Temperature,
-    /// Péclet numbers v a/κ of wheel and rail, dimensionless: v is the speed with which their material
-    /// passes the contact in the temperatures above.
+    /// Péclet numbers v a/κ of wheel and rail, dimensionless: v is the speed with which their
+    /// material passes the contact in the temperatures above.
     pub peclet: [f64; 2],
     /// Contact, stick and slip areas.
     pub area: Area,

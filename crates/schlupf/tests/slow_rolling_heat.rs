@@ -1,5 +1,5 @@
-//! Frictional heat in slow rolling, where it also flows along the surface: conduction in all directions in
-//! both bodies (Jaeger 1942), each of which passes at its own speed.
+//! Frictional heat in slow rolling, where it also flows along the surface: conduction in all
+//! directions in both bodies (Jaeger 1942), each of which passes at its own speed.
 
 mod common;
 
@@ -15,8 +15,9 @@ use schlupf::heat::partition::Partition;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
-use schlupf::material::{Body, Material};
+use schlupf::material::{Body, Material, contact_modulus};
 use schlupf::normal::ellipse::Ellipse;
+use schlupf::normal::hertz::{Hertz, Radii};
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::{Options, Problem, Solution, Status};
 
@@ -44,8 +45,8 @@ fn speed(peclet: f64) -> f64 {
     peclet * Material::STEEL.diffusivity() / A
 }
 
-/// Rigid steel bodies, a = 5 mm, μ = 0.4, p0 = 1 GPa: the wheel slides by `slip` (in m/s; negative when it
-/// spins) over the rail, which passes at a speed (in m/s).
+/// Rigid steel bodies, a = 5 mm, μ = 0.4, p0 = 1 GPa: the wheel slides by `slip` (in m/s; negative
+/// when it spins) over the rail, which passes at a speed (in m/s).
 fn slide(b: f64, speed: f64, slip: f64, partition: Partition) -> Problem {
     let mut slide = problem(rolling(slip / speed, 0.0, 0.0));
     slide.kinematics.speed = speed;
@@ -64,9 +65,10 @@ fn solve(problem: &Problem, options: &Options) -> Solution {
 /// Largest flux q0 of 0.01 m/s at μ p0 = 400 MPa, times a/λ, in K.
 const UNIT: f64 = 0.01 * 400e6 * A / 50.0;
 
-/// Johnson 1985, §3.2 and 4.2: under the flux q0 √(1 − x²/a² − y²/b²) on a body at rest the centre is the
-/// hottest place, with q0 b K(e)/(2λ), b being the smaller semi-axis and K the complete elliptic integral
-/// (as under Hertz's pressure the displacement), π q0 a/(4λ) on a circle. All of the heat goes into the rail.
+/// Johnson 1985, §3.2 and 4.2: under the flux q0 √(1 − x²/a² − y²/b²) on a body at rest the centre
+/// is the hottest place, with q0 b K(e)/(2λ), b being the smaller semi-axis and K the complete
+/// elliptic integral (as under Hertz's pressure the displacement), π q0 a/(4λ) on a circle. All of
+/// the heat goes into the rail.
 #[test]
 fn carslaw_jaeger_1959_hertzian_flux_at_rest() {
     // K(0) and K(√(1 − 1/4)).
@@ -83,8 +85,9 @@ fn carslaw_jaeger_1959_hertzian_flux_at_rest() {
     }
 }
 
-/// Jaeger 1942: the largest rise under a moving flux like Hertz's pressure over a circle, over q0 a/λ, and its
-/// place. Expected: (1/2πλ) ∫∫ q exp(−v(R + X)/2κ)/R dA in polar coordinates about the place (SciPy, 5 digits).
+/// Jaeger 1942: the largest rise under a moving flux like Hertz's pressure over a circle, over q0
+/// a/λ, and its place. Expected: (1/2πλ) ∫∫ q exp(−v(R + X)/2κ)/R dA in polar coordinates about the
+/// place (SciPy, 5 digits).
 #[test]
 fn jaeger_1942_moving_hertzian_flux() {
     for (peclet, expected, place) in [
@@ -104,8 +107,9 @@ fn jaeger_1942_moving_hertzian_flux() {
     }
 }
 
-/// From conduction in all directions to that perpendicular to the surface: where one takes the other's place,
-/// at a Péclet number of 500 (times (a/b)² on a long patch), all changes by less than 0.5 %.
+/// From conduction in all directions to that perpendicular to the surface: where one takes the
+/// other's place, at a Péclet number of 500 (times (a/b)² on a long patch), all changes by less
+/// than 0.5 %.
 #[test]
 fn the_rises_are_continuous_where_conduction_along_the_surface_ends() {
     for (b, peclet) in [(A, 500.0), (2.0 * A, 500.0), (A / 3.0, 4500.0)] {
@@ -130,9 +134,10 @@ fn the_rises_are_continuous_where_conduction_along_the_surface_ends() {
     }
 }
 
-/// The wheel spins near standstill: Péclet numbers 100 of the wheel and 0.01 of the rail. Both surfaces are
-/// equally hot everywhere, the heat is all there, and share and largest rise over q0 a/λ are those of an
-/// independent computation (NumPy, GMRES for the equal temperatures, 80 cells): 0.8996 and 0.1057.
+/// The wheel spins near standstill: Péclet numbers 100 of the wheel and 0.01 of the rail. Both
+/// surfaces are equally hot everywhere, the heat is all there, and share and largest rise over q0
+/// a/λ are those of an independent computation (NumPy, GMRES for the equal temperatures, 80 cells):
+/// 0.8996 and 0.1057.
 #[test]
 fn jaeger_1942_partition_of_a_wheel_that_spins_near_standstill() {
     let slip = speed(100.0) - speed(0.01);
@@ -157,8 +162,8 @@ fn jaeger_1942_partition_of_a_wheel_that_spins_near_standstill() {
     }
 }
 
-/// Different bodies at rest: both half-spaces have the same kernel over 1/λ, so λ_w/(λ_w + λ_r) of the heat goes
-/// into the wheel, and the circle's centre has π q0 a/(4 (λ_w + λ_r)).
+/// Different bodies at rest: both half-spaces have the same kernel over 1/λ, so λ_w/(λ_w + λ_r) of
+/// the heat goes into the wheel, and the circle's centre has π q0 a/(4 (λ_w + λ_r)).
 #[test]
 fn bodies_at_rest_share_by_their_conductivities() {
     let mut rest = slide(A, speed(1e-7), 1e-10, Partition::Velocity);
@@ -173,8 +178,21 @@ fn bodies_at_rest_share_by_their_conductivities() {
     assert_relative_eq!(solution.temperature.max_rise_rail, expected, max_relative = 2e-3);
 }
 
-/// Holm 1967: two equal half-spaces at rest that touch in a circle exchange 2 λ a ΔT; the middle of both
-/// surfaces has the mean temperature.
+/// One row of cells, and two columns: the heat is still all there.
+#[test]
+fn the_coarsest_grids_keep_the_heat() {
+    for (cells_x, cells_y) in [(2, 1), (30, 1), (2, 30)] {
+        let options = Options { cells_x, cells_y, ..Options::default() };
+        let solution = solve(&slide(A, speed(1.0), -0.01, Partition::Velocity), &options);
+        let sum = solution.power.into_wheel + solution.power.into_rail;
+        assert_relative_eq!(sum, solution.power.creep, max_relative = 1e-10);
+        let rise = solution.temperature.max_rise / UNIT;
+        assert!(rise > 0.1 && rise < 0.5 * PI, "{rise}");
+    }
+}
+
+/// Holm 1967: two equal half-spaces at rest that touch in a circle exchange 2 λ a ΔT; the middle of
+/// both surfaces has the mean temperature.
 #[test]
 fn holm_1967_constriction_between_bodies_at_rest() {
     for (along, allowed) in [(20, 1.5e-2), (40, 1e-2), (80, 6e-3)] {
@@ -204,9 +222,10 @@ fn exchanged_heat_is_continuous_where_conduction_along_the_surface_ends() {
     assert!(change.abs() < 0.02, "{change}");
 }
 
-/// A spinning wheel near standstill, friction falling with temperature (T_E = 700 K): as hot, as strong and
-/// shared as in an independent computation (NumPy, the linear system of temperatures under μ0 (1 − T/T_E) p w,
-/// 120 cells across): 353.4 K, 0.6249 of μ0 N, 0.8211 into the wheel; 630.7 K if friction did not fall.
+/// A spinning wheel near standstill, friction falling with temperature (T_E = 700 K): as hot, as
+/// strong and shared as in an independent computation (NumPy, the linear system of temperatures
+/// under μ0 (1 − T/T_E) p w, 120 cells across): 353.4 K, 0.6249 of μ0 N, 0.8211 into the wheel;
+/// 630.7 K if friction did not fall.
 fn spinning() -> Problem {
     let mut spinning = slide(A, 1e-3, -0.1, Partition::Velocity);
     spinning.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
@@ -236,7 +255,15 @@ fn friction_sees_the_temperature_of_a_wheel_that_spins_near_standstill() {
     assert_relative_eq!(hottest, 630.7, max_relative = 3e-3);
 }
 
-/// The same on elastic bodies: derivatives by creepage and load agree with differences of solutions.
+fn hertz(load: f64) -> Arc<Hertz> {
+    let wheel = Radii { x: 0.46, y: f64::INFINITY };
+    let rail = Radii { x: f64::INFINITY, y: 0.3 };
+    let modulus = contact_modulus(&Material::STEEL, &Material::STEEL);
+    Arc::new(Hertz::new(wheel, rail, modulus, load).unwrap())
+}
+
+/// The same on elastic bodies: derivatives by creepage and load agree with differences of
+/// solutions.
 #[test]
 fn derivatives_know_the_conduction_along_the_surface() {
     let mut base = problem(rolling(-0.05, 0.01, 0.0));
@@ -245,6 +272,7 @@ fn derivatives_know_the_conduction_along_the_surface() {
     base.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     base.elasticity = common::half_space();
     base.wheel.bulk_temperature = 25.0;
+    base.normal = hertz(30e3);
     let options = Options { tolerance: 1e-10, ..cells(16) };
     let found = SteadySolver::new(&options).solve_with_derivatives(&base).unwrap().unwrap();
     println!("rise {} K, {:?}", found.temperature.max_rise, found.peclet);
@@ -271,10 +299,20 @@ fn derivatives_know_the_conduction_along_the_surface() {
         let scale = expected[0].hypot(expected[1]);
         assert!((derivative.x - expected[0]).hypot(derivative.y - expected[1]) < 1e-4 * scale);
     }
+    let loaded = |load: f64| {
+        let loaded = Problem { normal: hertz(load), ..base.clone() };
+        solve(&loaded, &options).force
+    };
+    let (more, less) = (loaded(30e3 + 3.0), loaded(30e3 - 3.0));
+    let expected = [more.x - less.x, more.y - less.y].map(|change| change / 6.0);
+    let derivative = sensitivity.load.unwrap();
+    println!("{expected:?} {derivative:?}");
+    assert!((derivative.x - expected[0]).hypot(derivative.y - expected[1]) < 1e-4 * 0.4);
 }
 
-/// At 30 m/s, aluminium on steel and rubber on steel: with the partition from the velocities both surfaces are
-/// equally hot. Half to each heats rubber alone many times too much, and equal steel bodies hardly differ.
+/// At 30 m/s, aluminium on steel and rubber on steel: with the partition from the velocities both
+/// surfaces are equally hot. Half to each heats rubber alone many times too much, and equal steel
+/// bodies hardly differ.
 #[test]
 fn jaeger_1942_partition_of_different_bodies() {
     let hottest = |wheel: Material, partition| {
@@ -296,8 +334,9 @@ fn jaeger_1942_partition_of_different_bodies() {
     assert_relative_eq!(own, given, max_relative = 0.01);
 }
 
-/// Marching, the paper's heat model and temperatures below the surface conduct perpendicular to the surface
-/// only: in slow rolling they say so, with the Péclet numbers. So does a surface that steel does not stand.
+/// Marching, the paper's heat model and temperatures below the surface conduct perpendicular to the
+/// surface only: in slow rolling they say so, with the Péclet numbers. So does a surface that steel
+/// does not stand.
 #[test]
 fn what_does_not_hold_is_said() {
     let slow = slide(A, speed(10.0), 0.01, Partition::Given(0.5));

@@ -1,9 +1,10 @@
-//! Steady conduction in wheel and rail where heat also flows along the surface: slow rolling, and a wheel
-//! that spins near standstill.
+//! Steady conduction in wheel and rail where heat also flows along the surface: slow rolling, and a
+//! wheel that spins near standstill.
 //!
-//! Each body is a half-space that moves with its own speed under the patch, and both surfaces touch: with
-//! the partition from the velocities q_w + q_r = q and T_w + G_w q_w = T_r + G_r q_r hold in every cell.
-//! So the heat that goes into the wheel has one part by a fixed share, and an exchange e of which
+//! Each body is a half-space that moves with its own speed under the patch, and both surfaces
+//! touch: with the partition from the velocities q_w + q_r = q and T_w + G_w q_w = T_r + G_r q_r
+//! hold in every cell. So the heat that goes into the wheel has one part by a fixed share, and an
+//! exchange e of which
 //!
 //! (G_w + G_r) e = T_r − T_w + G_r (1 − ε) q − G_w ε q.
 //!
@@ -65,8 +66,8 @@ pub(crate) struct ContactConduction {
     interpolation: Interpolation,
     /// Position of each cell on the grid.
     index: Vec<usize>,
-    /// Cells in which the surfaces are made equally hot: those of which the patch covers half. So its
-    /// area is right on the mean, which counts for the heat that flows in at its edge.
+    /// Cells in which the surfaces are made equally hot: those of which the patch covers half. So
+    /// its area is right on the mean, which counts for the heat that flows in at its edge.
     joined: Vec<usize>,
     /// Exchange by the bulk temperatures: flux into wheel and rail of each cell, in W/m².
     bulk_flux: Vec<f64>,
@@ -134,8 +135,8 @@ impl ContactConduction {
         found
     }
 
-    /// Shares with which little is left to the exchange: equal mean temperatures under a flux like the
-    /// pressure.
+    /// Shares with which little is left to the exchange: equal mean temperatures under a flux like
+    /// the pressure.
     fn divide(&mut self, patch: &Patch) {
         if !self.conductors.conduction.has_equal_surfaces() {
             return;
@@ -162,14 +163,14 @@ impl ContactConduction {
         [wheel, 1.0 - wheel]
     }
 
-    /// Contact temperature (in K m²/W) over the flux of a cell of the same row so many columns upstream,
-    /// without the change of the exchange.
+    /// Contact temperature (in K m²/W) over the flux of a cell of the same row so many columns
+    /// upstream, without the change of the exchange.
     pub fn downstream(&self, columns: usize) -> f64 {
         self.downstream[columns]
     }
 
-    /// Surface temperature rises of wheel and rail in each cell (in K) under the fluxes into them (in
-    /// W/m²). Those of the whole grid are left in the field.
+    /// Surface temperature rises of wheel and rail in each cell (in K) under the fluxes into them
+    /// (in W/m²). Those of the whole grid are left in the field.
     fn rises(&mut self, flux: &[f64]) -> Vec<f64> {
         self.interpolation.spread(flux, &mut self.source);
         conduct(&mut self.transform, &self.symbols[0], &self.source.x, &mut self.field.x);
@@ -192,8 +193,8 @@ impl ContactConduction {
         self.joined.iter().map(|k| flux[2 * k]).collect()
     }
 
-    /// About the exchange that makes the surfaces differ by so much in the joined cells: that of bodies
-    /// which touch everywhere.
+    /// About the exchange that makes the surfaces differ by so much in the joined cells: that of
+    /// bodies which touch everywhere.
     fn estimate(&mut self, parting: &[f64]) -> Vec<f64> {
         self.source.x.fill(0.0);
         for (k, value) in self.joined.iter().zip(parting) {
@@ -278,8 +279,8 @@ impl ContactConduction {
         flux
     }
 
-    /// Rise of the contact temperature (in K) by a friction power over area, mean over each cell (in
-    /// W/m²).
+    /// Rise of the contact temperature (in K) by a friction power over area, mean over each cell
+    /// (in W/m²).
     pub fn contact_rise(&mut self, power: &[f64], rise: &mut [f64]) {
         let flux = self.divided(power);
         let rises = self.rises(&flux);
@@ -314,7 +315,8 @@ impl ContactConduction {
         Surfaces { cells, exits, into, exchanged, is_found: self.is_found }
     }
 
-    /// Rises of wheel and rail (in K) in the cells and at the trailing edges, linear between columns.
+    /// Rises of wheel and rail (in K) in the cells and at the trailing edges, linear between
+    /// columns.
     fn at_cells_and_exits(&mut self, patch: &Patch, flux: &[f64]) -> [Vec<[f64; 2]>; 2] {
         let rises = self.rises(flux);
         let cells = rises.chunks_exact(2).map(|rise| [rise[0], rise[1]]).collect();
@@ -381,8 +383,8 @@ mod tests {
 
     const RADIUS: f64 = 5e-3;
 
-    /// Rises of the rail in every cell over q a/λ, all of a uniform flux q over a circle going into it, and
-    /// the patch; at a Péclet number v a/κ.
+    /// Rises of the rail in every cell over q a/λ, all of a uniform flux q over a circle going into
+    /// it, and the patch; at a Péclet number v a/κ.
     fn under_uniform_circle(peclet: f64, cells: usize) -> (Vec<f64>, Patch) {
         let source = Ellipse::from_peak_pressure(RADIUS, RADIUS, 1e9).unwrap();
         let contact = source.normal_contact(None).unwrap();
@@ -405,8 +407,8 @@ mod tests {
         (surfaces.cells.iter().map(rise).collect(), patch)
     }
 
-    /// Carslaw and Jaeger 1959, §10.5: under a uniform flux over a circle at rest the centre has q a/λ and the
-    /// mean is 8 q a/(3πλ); the mean converges with the cells.
+    /// Carslaw and Jaeger 1959, §10.5: under a uniform flux over a circle at rest the centre has q
+    /// a/λ and the mean is 8 q a/(3πλ); the mean converges with the cells.
     #[test]
     fn carslaw_jaeger_1959_uniform_circle_at_rest() {
         for (cells, allowed) in [(11, 1e-2), (21, 4e-3), (41, 1.5e-3)] {

@@ -1,8 +1,8 @@
 //! Frictional heating and surface temperatures, Eqs. (17)–(22).
 //!
-//! A material point carries the record of the heat it has received since it entered the contact.
-//! At the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt
-//! 1995), so this record determines the temperature of the point. In slow rolling it flows along the
+//! A material point carries the record of the heat it has received since it entered the contact. At
+//! the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt 1995),
+//! so this record determines the temperature of the point. In slow rolling it flows along the
 //! surface too; then the steady driver solves for the temperatures of the whole patch
 //! (`contact_conduction`).
 

@@ -3,9 +3,9 @@
 use crate::grid::{BORDER, Grid};
 use crate::normal::NormalSummary;
 
-/// The Péclet number v a/κ below which, times (b/a)² on patches that are longer than wide, heat also flows
-/// along the surface. At this number a flux like Hertz's pressure gives 0.2 % less than with conduction
-/// perpendicular to the surface only; the difference falls as its inverse.
+/// The Péclet number v a/κ below which, times (b/a)² on patches that are longer than wide, heat
+/// also flows along the surface. At this number a flux like Hertz's pressure gives 0.2 % less than
+/// with conduction perpendicular to the surface only; the difference falls as its inverse.
 const FAST: f64 = 500.0;
 
 /// Péclet numbers of wheel and rail in a contact of semi-axes a along and b across rolling.
@@ -18,8 +18,8 @@ pub struct Peclet {
 }
 
 impl Peclet {
-    /// For semi-axes `a`, `b` (in m), speeds of the material of wheel and rail through the contact (in
-    /// m/s), and diffusivities κ (in m²/s).
+    /// For semi-axes `a`, `b` (in m), speeds of the material of wheel and rail through the contact
+    /// (in m/s), and diffusivities κ (in m²/s).
     pub fn new([a, b]: [f64; 2], speeds: [f64; 2], diffusivities: [f64; 2]) -> Self {
         let number = |body: usize| speeds[body] * a / diffusivities[body];
         Self { numbers: [number(0), number(1)], aspect: b / a }
@@ -32,8 +32,8 @@ impl Peclet {
         self.numbers.iter().all(|number| number * narrow >= FAST)
     }
 
-    /// What the reader of temperatures must know that count on that, if it is not so. `what` are the
-    /// temperatures, the subject of the sentence.
+    /// What the reader of temperatures must know that count on that, if it is not so. `what` are
+    /// the temperatures, the subject of the sentence.
     pub fn caveat(&self, what: &str) -> Option<String> {
         let [wheel, rail] = self.numbers;
         let narrow = if self.aspect < 1.0 { ", the less the narrower the patch" } else { "" };

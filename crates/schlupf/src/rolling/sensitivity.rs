@@ -1,10 +1,10 @@
 //! Derivatives of the steady forces, exact: from F(p, θ) = 0 follows J dp/dθ = −∂F/∂θ with the Jacobian
 //! of the converged equilibrium, one linear solution for each parameter θ.
 //!
-//! ∂F/∂θ is known in closed form: creepages and spin enter by the rigid slip, μ0 by the bound μ pₙ. The
-//! contact law depends on k_c times lengths only, so its derivative by k_c follows from those by the
-//! lengths. A load that makes the patch grow scales all lengths. Only what conduction along the surface
-//! changes with speeds and lengths is a difference of two kernels.
+//! ∂F/∂θ is known in closed form: creepages and spin enter by the rigid slip, μ0 by the bound μ pₙ.
+//! The contact law depends on k_c times lengths only, so its derivative by k_c follows from those
+//! by the lengths. A load that makes the patch grow scales all lengths. Only what conduction along
+//! the surface changes with speeds and lengths is a difference of two kernels.
 
 use crate::equilibrium::{Equilibrium, Gmres, add_scaled, norm};
 use crate::interface::InterfaceConstant;
@@ -144,7 +144,8 @@ impl<'a> Derivatives<'a> {
         Some(direct)
     }
 
-    /// Change of the contact temperature in every cell (in K) with ln(v0/(ωR)), at the same friction power.
+    /// Change of the contact temperature in every cell (in K) with ln(v0/(ωR)), at the same
+    /// friction power.
     fn warmer(&self) -> Vec<f64> {
         let Level { contact, friction, .. } = &self.levels[0];
         let by_slowness = |rise: &f64| friction.conduction.contact_temperature_by_slowness(*rise);
@@ -154,8 +155,8 @@ impl<'a> Derivatives<'a> {
             .unwrap_or_else(perpendicular)
     }
 
-    /// What changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`, with which the
-    /// contact temperature changes by `warmer` (in K).
+    /// What changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`, with which
+    /// the contact temperature changes by `warmer` (in K).
     fn by_motion(&self, motion: &Kinematics, slowness: f64, warmer: &[f64]) -> Direct {
         let Level { contact, friction, .. } = &self.levels[0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());

@@ -140,6 +140,7 @@ impl SteadyFriction {
         self.rise.fill(0.0);
         if self.is_coupled && self.conductors.is_some() {
             self.weigh_upstream();
+            self.power.fill(0.0);
             self.conduct();
         }
         for k in 0..self.rows.len() {
@@ -188,8 +189,8 @@ impl SteadyFriction {
         }
     }
 
-    /// Rises by the friction power, where heat flows along the surface too: those which give the contact
-    /// temperature of that.
+    /// Rises by the friction power, where heat flows along the surface too: those which give the
+    /// contact temperature of that.
     fn conduct(&mut self) {
         let Some(conduction) = &mut self.conduction_along else { return };
         let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
@@ -207,8 +208,9 @@ impl SteadyFriction {
         conduction.map(|conduction| conduction.surfaces(patch, &heat))
     }
 
-    /// Change of the contact temperature at the same friction power with the logarithm of v0/(ωR) or of
-    /// the size of the patch, in K; nothing where heat flows perpendicular to the surface only.
+    /// Change of the contact temperature at the same friction power with the logarithm of v0/(ωR)
+    /// or of the size of the patch, in K; nothing where heat flows perpendicular to the surface
+    /// only.
     pub fn contact_temperature_by(
         &self,
         problem: &Problem,
@@ -373,7 +375,8 @@ impl SteadyFriction {
         risen.iter_mut().for_each(|risen| *risen /= factor);
     }
 
-    /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m), and with a cause.
+    /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m), and with a
+    /// cause.
     fn slip_change(&self, change: &[f64], cause: Option<&FrictionCause>, k: usize) -> [f64; 2] {
         let per_length = self.kinematics.speed / self.spacing;
         let given = cause.map_or([0.0; 2], |cause| cause.slip[k]);

@@ -8,8 +8,8 @@ use crate::problem::Problem;
 
 use super::snapshot::Snapshot;
 
-/// Temperature from which on steel austenitises (A1, 1000 K), in degC: it takes up heat without warming,
-/// has lost half of its stiffness, and is another steel afterwards.
+/// Temperature from which on steel austenitises (A1, 1000 K), in degC: it takes up heat without
+/// warming, has lost half of its stiffness, and is another steel afterwards.
 const AUSTENITE: f64 = 727.0;
 
 /// Solidus of rail steel with 0.8 % carbon, in degC.

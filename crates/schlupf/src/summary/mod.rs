@@ -100,9 +100,9 @@ pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
     Power { friction, creep, returned, into_wheel, into_rail, exchanged: 0.0 }
 }
 
-/// Heat from the wheel into the rail (in W) because their bulk temperatures differ: a surface held by
-/// T_w − T_m below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t (Carslaw and Jaeger 1959,
-/// §2.5), in the contact L/v_w, and v_w dy of it passes every second.
+/// Heat from the wheel into the rail (in W) because their bulk temperatures differ: a surface held
+/// by T_w − T_m below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t (Carslaw and
+/// Jaeger 1959, §2.5), in the contact L/v_w, and v_w dy of it passes every second.
 fn exchanged(problem: &Problem, patch: &Patch, now: &Snapshot) -> f64 {
     if let Some(surfaces) = &now.surfaces {
         return surfaces.exchanged;
@@ -133,27 +133,34 @@ pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
 /// Largest temperatures, in the cells and at the trailing edges.
 pub(crate) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
     let bulk = now.conduction.bulk_temperatures();
-    let cells = patch.cells.iter().enumerate();
-    let cells = cells.map(|(k, cell)| (now.surface_temperatures(k), cell.x, cell.y));
-    let exits = patch.strips.iter().enumerate().take(now.exit_rise.len());
-    let exits = exits.map(|(k, strip)| {
-        (now.exit_temperatures(k), patch.exit(strip), patch.cells[strip.cells.end - 1].y)
+    // Both surfaces follow from the rise, of which less is lost by rounding, or are found on their own.
+    let key = |rise: f64, surfaces: [f64; 2]| {
+        if now.surfaces.is_some() { surfaces } else { [rise; 2] }
+    };
+    let cells = patch.cells.iter().enumerate().map(|(k, cell)| {
+        let surfaces = now.surface_temperatures(k);
+        (key(now.rise[k], surfaces), surfaces, cell.x, cell.y)
     });
-    let places: Vec<([f64; 2], f64, f64)> = cells.chain(exits).collect();
+    let exits = now.exit_rise.iter().zip(&patch.strips).enumerate().map(|(k, (rise, strip))| {
+        let surfaces = now.exit_temperatures(k);
+        (key(*rise, surfaces), surfaces, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
+    });
+    let places: Vec<_> = cells.chain(exits).collect();
     let hottest = |body: usize| {
         places.iter().reduce(|p, q| if q.0[body] > p.0[body] { q } else { p }).copied()
     };
-    let (Some(wheel), Some(rail)) = (hottest(0), hottest(1)) else {
+    let (Some((_, wheel, ..)), Some((_, rail, ..))) = (hottest(0), hottest(1)) else {
         return Temperature::default();
     };
-    let [rise_wheel, rise_rail] = [wheel.0[0] - bulk[0], rail.0[1] - bulk[1]];
-    let (_, x, y) = if rise_wheel >= rise_rail { wheel } else { rail };
+    let [rise_wheel, rise_rail] = [wheel[0] - bulk[0], rail[1] - bulk[1]];
+    let place = hottest(usize::from(rise_rail > rise_wheel));
+    let (x, y) = place.map_or((0.0, 0.0), |(_, _, x, y)| (x, y));
     Temperature {
         max_rise: rise_wheel.max(rise_rail),
         max_rise_wheel: rise_wheel,
         max_rise_rail: rise_rail,
-        max_wheel: wheel.0[0],
-        max_rail: rail.0[1],
+        max_wheel: wheel[0],
+        max_rail: rail[1],
         x,
         y,
     }
