@@ -73,7 +73,8 @@ pub(crate) struct ContactConduction {
     bulk_flux: Vec<f64>,
     /// Contact temperature without friction in each cell, in degC.
     pub unheated: Vec<f64>,
-    is_found: bool,
+    /// Whether it was found, and all that was asked for since.
+    is_found: [bool; 2],
     grid: Grid,
     source: VectorField,
     field: VectorField,
@@ -124,7 +125,7 @@ impl ContactConduction {
             joined: (0..cells).filter(half).collect(),
             bulk_flux: vec![0.0; 2 * cells],
             unheated: vec![0.0; cells],
-            is_found: true,
+            is_found: [true; 2],
             grid: scaled,
             source: VectorField::zeros(scaled.len()),
             field: VectorField::zeros(scaled.len()),
@@ -223,16 +224,16 @@ impl ContactConduction {
             if length == 0.0 {
                 break;
             }
-            let scale = |v: &mut Vec<f64>| v.iter_mut().for_each(|v| *v /= length);
-            scale(&mut direction);
-            scale(&mut product);
+            for value in direction.iter_mut().chain(&mut product) {
+                *value /= length;
+            }
             let step = dot(&residual, &product);
             add_scaled(&mut exchange, step, &direction);
             add_scaled(&mut residual, -step, &product);
             past.push([direction, product]);
         }
         // Not so where a number is none.
-        self.is_found &= norm(&residual) <= ACCURACY * start;
+        self.is_found[1] &= norm(&residual) <= ACCURACY * start;
         exchange
     }
 
@@ -255,6 +256,7 @@ impl ContactConduction {
         let of = |k: usize| self.mean([wheel + rises[2 * k], rail + rises[2 * k + 1]]);
         self.unheated = (0..self.index.len()).map(of).collect();
         self.bulk_flux = flux;
+        self.is_found[0] = self.is_found[1];
     }
 
     /// The contact temperature of two surfaces.
@@ -291,6 +293,7 @@ impl ContactConduction {
 
     /// Both surfaces under a friction power over area, mean over each cell (in W/m²).
     pub fn surfaces(&mut self, patch: &Patch, power: &[f64]) -> Surfaces {
+        self.is_found[1] = self.is_found[0];
         let flux = self.divided(power);
         let bulk = self.conductors.conduction.bulk_temperatures();
         let bulk_flux = std::mem::take(&mut self.bulk_flux);
@@ -312,7 +315,7 @@ impl ContactConduction {
         let whole = |flux: &[f64], body| area * flux.iter().skip(body).step_by(2).sum::<f64>();
         let into = [0, 1].map(|body| whole(&flux, body));
         let exchanged = whole(&self.bulk_flux, 1);
-        Surfaces { cells, exits, into, exchanged, is_found: self.is_found }
+        Surfaces { cells, exits, into, exchanged, is_found: self.is_found[1] }
     }
 
     /// Rises of wheel and rail (in K) in the cells and at the trailing edges, linear between

@@ -229,7 +229,9 @@ impl SteadyFriction {
         };
         let (mut change, less) = (at(DIFFERENCE), at(-DIFFERENCE));
         crate::equilibrium::add_scaled(&mut change, -1.0, &less);
-        change.iter_mut().for_each(|change| *change /= 2.0 * DIFFERENCE);
+        for change in &mut change {
+            *change /= 2.0 * DIFFERENCE;
+        }
         Some(change)
     }
 
@@ -267,16 +269,21 @@ impl SteadyFriction {
             self.conduct();
         }
         for k in 0..self.rows.len() {
-            if is_along {
-                // The whole patch was done at once.
-            } else if is_linear {
-                self.rise[k] = self.weighted(k, &self.flux);
-            } else if let Some(model) = &problem.heat.model {
-                self.recall(k);
-                self.rise[k] = model.rise_times_effusivity(&self.record);
-                self.weigh(problem, k);
+            if !is_along {
+                self.raise(problem, k, is_linear);
             }
             self.respond(problem, patch, k);
+        }
+    }
+
+    /// Rise of a cell by the heat from upstream and its own, perpendicular to the surface.
+    fn raise(&mut self, problem: &Problem, k: usize, is_linear: bool) {
+        if is_linear {
+            self.rise[k] = self.weighted(k, &self.flux);
+        } else if let Some(model) = &problem.heat.model {
+            self.recall(k);
+            self.rise[k] = model.rise_times_effusivity(&self.record);
+            self.weigh(problem, k);
         }
     }
 
@@ -372,7 +379,9 @@ impl SteadyFriction {
         let heat = flux.iter().zip(&self.flux_over_power).map(|(flux, over)| flux / over);
         conduction.contact_rise(&heat.collect::<Vec<f64>>(), risen);
         let factor = self.conduction.contact_factor();
-        risen.iter_mut().for_each(|risen| *risen /= factor);
+        for risen in risen {
+            *risen /= factor;
+        }
     }
 
     /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m), and with a
