@@ -57,7 +57,8 @@ fn the_heat_of_both_bodies_is_the_friction_power() {
         let text = case(1.0 / 30.0, [20.0, 20.0]);
         let partition =
             if partition == "velocity" { "\"velocity\"".to_owned() } else { partition.to_owned() };
-        let result = solve(&format!("{text}[heat]\npartition = {partition}\n"));
+        let given = text.replace("partition = 0.5", &format!("partition = {partition}"));
+        let result = solve(&given);
         let power = |name: &str| number(&result, &format!("/power/{name}"));
         let sum = power("into_wheel") + power("into_rail");
         assert!((sum - power("friction") - power("returned")).abs() < 1e-9 * sum);
