@@ -287,9 +287,9 @@ fn derivatives_know_the_conduction_along_the_surface() {
         let moved = |step: f64| {
             let mut moved = base.kinematics;
             if c == 0 {
-                moved.creepage_x += step
+                moved.creepage_x += step;
             } else {
-                moved.creepage_y += step
+                moved.creepage_y += step;
             }
             force(&moved)
         };
