@@ -62,6 +62,14 @@ fn temperatures_are_in_degrees_whatever_the_unit() {
     assert!(matches!(problem.heat.partition, Partition::Velocity));
 }
 
+/// Half to each only where that is asked for: both surfaces are equally hot.
+#[test]
+fn the_partition_follows_from_the_velocities_by_default() {
+    let partition = |text| read(text, &[]).problem.heat.partition;
+    assert!(matches!(partition(""), Partition::Velocity));
+    assert!(matches!(partition("[heat]\npartition = 0.5"), Partition::Given(0.5)));
+}
+
 #[test]
 fn concave_radii_and_negative_creepages_are_legal() {
     let text = "[kinematics]\ncreepage_x = -0.1\ncreepage_y = -0.1\n\

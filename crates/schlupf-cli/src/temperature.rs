@@ -32,7 +32,7 @@ pub fn run(arguments: &TemperatureArguments) -> Result<ExitCode, Failure> {
     let request = wanted.request(&case.problem, &solution, &field)?;
     let (profile, rows) = Temperatures::sample(&field, &request);
     solution.warnings.splice(0..0, case.notices.iter().cloned());
-    solution.warnings.extend(TemperatureField::caveat(&case.problem));
+    solution.warnings.extend(TemperatureField::caveat(&case.problem, &solution));
     let temperatures = Temperatures {
         title: case.title,
         status: solution.status,

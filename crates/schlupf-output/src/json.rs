@@ -187,6 +187,7 @@ struct Power {
     returned: f64,
     into_wheel: f64,
     into_rail: f64,
+    exchanged: f64,
 }
 
 #[derive(Serialize)]
@@ -204,6 +205,8 @@ struct Temperature {
     max_rail: f64,
     x: f64,
     y: f64,
+    peclet_wheel: f64,
+    peclet_rail: f64,
 }
 
 #[derive(Serialize)]
@@ -264,6 +267,7 @@ impl<'a> Document<'a> {
                 returned: power.returned,
                 into_wheel: power.into_wheel,
                 into_rail: power.into_rail,
+                exchanged: power.exchanged,
             },
             t_gamma: TGamma { without_spin: t_gamma.without_spin, with_spin: t_gamma.with_spin },
             temperature: Temperature {
@@ -274,6 +278,8 @@ impl<'a> Document<'a> {
                 max_rail: temperature.max_rail,
                 x: temperature.x,
                 y: temperature.y,
+                peclet_wheel: solution.peclet[0],
+                peclet_rail: solution.peclet[1],
             },
             area: Area { contact: area.contact, stick: area.stick, slip: area.slip },
             sensitivity: solution.sensitivity.as_ref().map(Sensitivity::from),

@@ -142,6 +142,14 @@ fn heat(text: &mut String, solution: &Solution) {
     entry(text, "  wheel", temperature.max_rise_wheel, "K", &wheel);
     let rail = format!("to {} °C", number(temperature.max_rail));
     entry(text, "  rail", temperature.max_rise_rail, "K", &rail);
+    let [wheel, rail] = solution.peclet;
+    entry(
+        text,
+        "Péclet number",
+        wheel,
+        "",
+        &format!("v a/κ of the wheel, {} of the rail", number(rail)),
+    );
     let share = |part: f64| format!("{} % slides", number(100.0 * part / area.contact));
     entry(text, "contact area", area.contact / 1e-6, "mm²", &share(area.slip));
     text.push('\n');

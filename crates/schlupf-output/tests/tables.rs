@@ -20,7 +20,8 @@ const KEYS: &str = "program title status normal normal.load normal.semi_axis_x n
     work.outer_iterations work.steps work.cells";
 
 /// Those that came later.
-const ADDED_KEYS: &str = "normal.origin_x normal.origin_y normal.parts power.returned power.into_wheel power.into_rail history.time history.speed history.creepage_x \
+const ADDED_KEYS: &str = "normal.origin_x normal.origin_y normal.parts power.returned power.into_wheel power.into_rail power.exchanged \
+    temperature.peclet_wheel temperature.peclet_rail history.time history.speed history.creepage_x \
     history.creepage_y history.spin history.load history.force_x history.force_y \
     history.moment_z history.max_rise reference reference.point reference.patch reference.patch.creepage_x \
     reference.patch.creepage_y reference.patch.spin reference.patch.moment_z reference.file";
@@ -175,6 +176,7 @@ fn rounding_noise_is_no_force_and_no_rise_has_no_place() {
     assert_eq!(words("lateral force"), "lateral force 0 kN 0 μ0 N");
     assert_eq!(words("moment"), "moment 0 N m 0 μ0 N √(ab)");
     assert_eq!(words("largest temp"), "largest temp. rise 0 K");
+    assert_eq!(words("Péclet"), "Péclet number 2500 v a/κ of the wheel, 2600 of the rail");
 }
 
 #[test]

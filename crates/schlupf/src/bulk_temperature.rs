@@ -170,14 +170,12 @@ impl Balance {
         self.iterations += 1;
         report(Progress { step: self.iterations, steps: None, change: solution.residual });
         let conduction = self.problem.conduction(&solution.kinematics);
-        let heat = solution.power.friction + solution.power.returned;
-        let step = temperature - conduction.entry_temperature;
         Ok(BulkTemperature {
             temperature,
             entry_temperature: conduction.entry_temperature,
-            frictional_heat: conduction.shares()[0] * heat,
+            frictional_heat: solution.power.into_wheel,
             convection: self.convection(temperature),
-            conduction: step * self.chill()?,
+            conduction: solution.power.exchanged,
             solution,
             iterations: self.iterations,
         })

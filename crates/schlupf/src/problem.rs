@@ -6,6 +6,7 @@ use crate::elasticity::Elasticity;
 use crate::error::{Error, require, require_positive};
 use crate::heat::Heat;
 use crate::heat::partition::Conduction;
+use crate::heat::peclet::Peclet;
 use crate::history::History;
 use crate::interface::contact_law::ContactLaw;
 use crate::interface::friction::memory::FrictionMemory;
@@ -47,6 +48,14 @@ impl Problem {
     /// How the two bodies divide and conduct heat at the speeds of `kinematics`.
     pub fn conduction(&self, kinematics: &Kinematics) -> Conduction {
         Conduction::new(self.heat.partition, &self.wheel, &self.rail, kinematics)
+    }
+
+    /// Péclet numbers of the material that passes, at the speeds of `kinematics`, through a contact
+    /// of semi-axes a and b (in m).
+    pub fn peclet(&self, kinematics: &Kinematics, semi_axes: [f64; 2]) -> Peclet {
+        let wheel_speed = kinematics.speed / self.conduction(kinematics).slowness();
+        let diffusivities = [&self.wheel, &self.rail].map(|body| body.material.diffusivity());
+        Peclet::new(semi_axes, [wheel_speed, kinematics.speed], diffusivities)
     }
 
     /// Friction in a cell at y (in m) with a temperature rise times effusivity (in W √s/m²) and a

@@ -46,6 +46,9 @@ pub struct Solution {
     pub t_gamma: TGamma,
     /// Largest temperatures.
     pub temperature: Temperature,
+    /// Péclet numbers v a/κ of wheel and rail, dimensionless: v is the speed with which their
+    /// material passes the contact in the temperatures above.
+    pub peclet: [f64; 2],
     /// Contact, stick and slip areas.
     pub area: Area,
     /// Traction, slip and temperature in every contact cell.
@@ -166,6 +169,9 @@ pub struct Power {
     /// Part of the heat that goes into the rail, in W; both together are the friction power and what is
     /// returned.
     pub into_rail: f64,
+    /// Heat that flows from the wheel through the contact into the rail besides, because their bulk
+    /// temperatures differ, in W.
+    pub exchanged: f64,
 }
 
 /// T-gamma, the wear number of the railways.

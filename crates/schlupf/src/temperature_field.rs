@@ -10,6 +10,7 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use crate::error::Error;
 use crate::heat::HeatStep;
+use crate::heat::peclet::semi_axes;
 use crate::kinematics::ReferencePoint;
 use crate::material::Body;
 use crate::method::Method;
@@ -83,7 +84,15 @@ impl TemperatureField {
     }
 
     /// What the reader of the temperatures must know, if anything.
-    pub fn caveat(problem: &Problem) -> Option<String> {
+    pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<String> {
+        let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
+        let slow = peclet.caveat(
+            "below the surface and in the wake temperatures are those, unlike in the cells of the contact,",
+        );
+        Self::caveat_of_model(problem).into_iter().chain(slow).collect()
+    }
+
+    fn caveat_of_model(problem: &Problem) -> Option<String> {
         let model = problem.heat.model.as_ref()?;
         (!model.is_linear()).then(|| {
             "heat.model: below the surface and in the wake temperatures follow from the heat that is \

@@ -358,7 +358,7 @@ const HEAT: &[Field] = &[
         "heat.partition",
         Kind::NumberOr(&[choice("velocity", "from speeds and effusivities of both bodies")]),
         Between(0.0, 1.0),
-        Text("0.5"),
+        Text("velocity"),
         "share of the wheel, or \"velocity\"",
     )
     .with("heat.model", &["duhamel", "constant-source"]),

@@ -67,6 +67,7 @@ pub fn solution(recipe: Recipe) -> Solution {
             returned: 1.2,
             into_wheel: 3e3,
             into_rail: 3.1e3,
+            exchanged: 0.0,
         },
         t_gamma: TGamma { without_spin: 210.0, with_spin: 210.0 },
         temperature: Temperature {
@@ -78,6 +79,7 @@ pub fn solution(recipe: Recipe) -> Solution {
             x: -a,
             y: 0.0,
         },
+        peclet: [2.5e3, 2.6e3],
         area: Area { contact: 194.7e-6, stick: 60e-6, slip: 134.7e-6 },
         history: history(recipe, force, hottest),
         sensitivity: Some(Sensitivity {

@@ -38,6 +38,10 @@ impl HeatModel for Duhamel {
     fn is_linear(&self) -> bool {
         true
     }
+
+    fn is_conduction(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

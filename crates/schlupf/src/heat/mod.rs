@@ -1,12 +1,17 @@
 //! Frictional heating and surface temperatures, Eqs. (17)–(22).
 //!
-//! A material point carries the record of the heat it has received since it entered the contact.
-//! At the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt
-//! 1995), so this record determines the temperature of the point.
+//! A material point carries the record of the heat it has received since it entered the contact. At
+//! the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt 1995),
+//! so this record determines the temperature of the point. In slow rolling it flows along the
+//! surface too; then the steady driver solves for the temperatures of the whole patch
+//! (`contact_conduction`).
 
 pub mod constant_source;
+pub(crate) mod contact_conduction;
 pub mod duhamel;
+mod moving_half_space;
 pub mod partition;
+pub mod peclet;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -36,6 +41,12 @@ pub trait HeatModel: Debug + Send + Sync {
 
     /// Whether the derivatives do not depend on the fluxes.
     fn is_linear(&self) -> bool;
+
+    /// Whether it is the exact conduction perpendicular to the surface, in whose place that in all
+    /// directions is taken where they differ.
+    fn is_conduction(&self) -> bool {
+        false
+    }
 }
 
 /// How friction heats the bodies.

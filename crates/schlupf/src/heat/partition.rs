@@ -64,6 +64,16 @@ impl Conduction {
         [self.share, 1.0 - self.share]
     }
 
+    /// Bulk temperatures of wheel and rail, in degC.
+    pub fn bulk_temperatures(&self) -> [f64; 2] {
+        self.bulk
+    }
+
+    /// Whether both surfaces are equally hot wherever they touch.
+    pub fn has_equal_surfaces(&self) -> bool {
+        self.follows_speed
+    }
+
     /// Weight of the wheel's bulk temperature in that of material that enters, dimensionless.
     pub fn wheel_weight(&self) -> f64 {
         self.wheel_weight

@@ -1,9 +1,10 @@
 //! Derivatives of the steady forces, exact: from F(p, θ) = 0 follows J dp/dθ = −∂F/∂θ with the Jacobian
 //! of the converged equilibrium, one linear solution for each parameter θ.
 //!
-//! ∂F/∂θ is known in closed form: creepages and spin enter by the rigid slip, μ0 by the bound μ pₙ. The
-//! contact law depends on k_c times lengths only, so its derivative by k_c follows from those by the
-//! lengths. A load that makes the patch grow scales all lengths.
+//! ∂F/∂θ is known in closed form: creepages and spin enter by the rigid slip, μ0 by the bound μ pₙ.
+//! The contact law depends on k_c times lengths only, so its derivative by k_c follows from those
+//! by the lengths. A load that makes the patch grow scales all lengths. Only what conduction along
+//! the surface changes with speeds and lengths is a difference of two kernels.
 
 use crate::equilibrium::{Equilibrium, Gmres, add_scaled, norm};
 use crate::interface::InterfaceConstant;
@@ -16,7 +17,7 @@ use crate::solution::{Resultant, Sensitivity};
 use crate::summary;
 
 use super::level::Level;
-use super::steady_friction::SteadyFriction;
+use super::steady_friction::{Scaling, SteadyFriction};
 use super::steady_state::{Direct, SteadyState};
 
 /// Linear residual of the derivatives relative to ∂F/∂θ, over the tolerance of the solution, within
@@ -99,13 +100,14 @@ impl<'a> Derivatives<'a> {
 
     fn all(&mut self, response: &[f64]) -> Option<Sensitivity> {
         let [slowness_x, slowness_y] = self.problem.kinematics.slowness_by_creepage();
+        let warmer = self.warmer();
         let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
         let along_y = Kinematics { creepage_y: 1.0, ..standing(self.problem) };
         let turning = Kinematics { spin: 1.0, ..standing(self.problem) };
         Some(Sensitivity {
-            creepage_x: self.by(&self.by_motion(&along_x, slowness_x))?,
-            creepage_y: self.by(&self.by_motion(&along_y, slowness_y))?,
-            spin: self.by(&self.by_motion(&turning, 0.0))?,
+            creepage_x: self.by(&self.by_motion(&along_x, slowness_x, &warmer))?,
+            creepage_y: self.by(&self.by_motion(&along_y, slowness_y, &warmer))?,
+            spin: self.by(&self.by_motion(&turning, 0.0, &warmer))?,
             load: match self.direct_by_load(response) {
                 Some(direct) => Some(self.by_load(&direct)?),
                 None => None,
@@ -142,15 +144,26 @@ impl<'a> Derivatives<'a> {
         Some(direct)
     }
 
-    /// What changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`.
-    fn by_motion(&self, motion: &Kinematics, slowness: f64) -> Direct {
+    /// Change of the contact temperature in every cell (in K) with ln(v0/(ωR)), at the same
+    /// friction power.
+    fn warmer(&self) -> Vec<f64> {
+        let Level { contact, friction, .. } = &self.levels[0];
+        let by_slowness = |rise: &f64| friction.conduction.contact_temperature_by_slowness(*rise);
+        let perpendicular = || friction.rise.iter().map(by_slowness).collect();
+        friction
+            .contact_temperature_by(self.problem, &contact.patch, Scaling::Slowness)
+            .unwrap_or_else(perpendicular)
+    }
+
+    /// What changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`, with which
+    /// the contact temperature changes by `warmer` (in K).
+    fn by_motion(&self, motion: &Kinematics, slowness: f64, warmer: &[f64]) -> Direct {
         let Level { contact, friction, .. } = &self.levels[0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             direct.set_motion(k, cell, motion);
-            let warmer = friction.conduction.contact_temperature_by_slowness(friction.rise[k]);
             let by_temperature = friction.response[k].by_temperature;
-            direct.friction.law[k] = by_temperature * slowness * warmer;
+            direct.friction.law[k] = by_temperature * slowness * warmer[k];
             let entry = friction.conduction.contact_temperature_by_slowness(0.0);
             direct.friction.entry[k] = friction.lag.entry[k].by_temperature * slowness * entry;
         }
@@ -201,6 +214,7 @@ impl<'a> Derivatives<'a> {
         }
         let kinematics = &self.problem.kinematics;
         let turning = Kinematics { spin: kinematics.spin, ..standing(self.problem) };
+        let warmer = friction.contact_temperature_by(self.problem, &contact.patch, Scaling::Size);
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             // All ways grow; what the spin makes of them does so twice.
             direct.set_motion(k, cell, &turning);
@@ -213,7 +227,10 @@ impl<'a> Derivatives<'a> {
                 direct.friction.slip[k][c] *= growth;
             }
             // T β is a flux times the root of a time.
-            direct.friction.rise[k] = 0.5 * growth * friction.rise[k];
+            let by_size = warmer.as_ref().map_or(0.5 * friction.rise[k], |warmer| {
+                warmer[k] / friction.conduction.contact_factor()
+            });
+            direct.friction.rise[k] = growth * by_size;
             direct.friction.law[k] = growth * friction.response[k].by_y * cell.y;
             direct.friction.entry[k] = growth * friction.lag.entry[k].by_y * cell.y;
             direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k];

@@ -502,11 +502,13 @@ impl Setup {
         let patch = &contact.patch;
         let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
         now.exit_rise = exits.collect();
+        now.surfaces = friction.surfaces(patch);
+        let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
         let solved = (work.newton_iterations, outcome.residual);
         let instant = summary::instant((&contact.normal, patch, &now), [0.0; 2], solved);
         let account = summary::Account {
             method: Method::Full,
-            status: Status::Converged,
+            status: if is_found { Status::Converged } else { Status::NotConverged },
             residual: outcome.residual,
             history: vec![instant],
             warnings: warnings::warnings(problem, options, contact, &now),

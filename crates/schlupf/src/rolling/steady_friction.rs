@@ -4,7 +4,13 @@
 //! Each cell's friction power is that of its traction with the mean slip over the cell, so rigid
 //! slip works with the whole force, and the elastic parts cancel: the integral of the friction power
 //! is the power of the creep forces. The heat is released on the way through the cell, evenly.
+//!
+//! In slow rolling the temperatures are those of conduction in all directions
+//! ([`ContactConduction`]), which act on all cells; then the weights of those upstream in a strip
+//! only precondition.
 
+use crate::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
+use crate::heat::peclet::semi_axes_of_grid;
 use crate::heat::{HeatStep, partition::Conduction};
 use crate::interface::friction::common_coefficient::common_coefficient;
 use crate::interface::friction::{FrictionResponse, FrictionState};
@@ -49,6 +55,12 @@ pub(super) struct SteadyFriction {
     /// The coefficients that follow.
     pub lag: Lag,
     record: Vec<HeatStep>,
+    /// What conducts heat along the surface too, where that counts.
+    conductors: Option<Conductors>,
+    /// Their conduction, once it is asked for.
+    conduction_along: Option<Box<ContactConduction>>,
+    /// Changes of the rise times effusivity, to be overwritten, in W √s/m².
+    risen: Vec<f64>,
 }
 
 impl SteadyFriction {
@@ -75,6 +87,9 @@ impl SteadyFriction {
             response: vec![FrictionResponse::default(); cells],
             lag: Lag::new(cells),
             record: Vec::new(),
+            conductors: None,
+            conduction_along: None,
+            risen: vec![0.0; cells],
         };
         let mut row = 0;
         for strip in &patch.strips {
@@ -94,6 +109,10 @@ impl SteadyFriction {
         self.is_coupled = !problem.friction.law.is_constant();
         self.conduction = problem.conduction(&problem.kinematics);
         self.kinematics = problem.kinematics;
+        self.conductors = conductors_along(problem, patch);
+        if self.is_coupled {
+            self.prepare_conduction(patch);
+        }
         self.lag.set_problem(problem, patch);
         let speed = problem.kinematics.speed;
         for strip in &patch.strips {
@@ -119,8 +138,13 @@ impl SteadyFriction {
                 }
             }
         }
+        self.rise.fill(0.0);
+        if self.is_coupled && self.conductors.is_some() {
+            self.weigh_upstream();
+            self.power.fill(0.0);
+            self.conduct();
+        }
         for k in 0..self.rows.len() {
-            self.rise[k] = 0.0;
             self.slip[k] = [0.0; 2];
             self.respond(problem, patch, k);
         }
@@ -144,6 +168,74 @@ impl SteadyFriction {
         row.reverse();
     }
 
+    /// Conduction along the surface, if it counts.
+    fn prepare_conduction(&mut self, patch: &Patch) {
+        let ready = self.conduction_along.as_ref().map(|conduction| conduction.conductors);
+        if ready != self.conductors {
+            let new = |conductors| Box::new(ContactConduction::new(patch, conductors));
+            self.conduction_along = self.conductors.map(new);
+        }
+    }
+
+    /// The weights of the cells upstream where heat flows along the surface too.
+    fn weigh_upstream(&mut self) {
+        let Some(conduction) = &self.conduction_along else { return };
+        let over_factor = self.conduction.contact_factor().recip();
+        for (k, &first) in self.first.iter().enumerate() {
+            let row = &mut self.weights[self.rows[k]..][..=k - first];
+            for (j, weight) in (first..=k).zip(row) {
+                let per_power = over_factor * conduction.downstream(k - j);
+                *weight = per_power / self.flux_over_power[j];
+            }
+        }
+    }
+
+    /// Rises by the friction power, where heat flows along the surface too: those which give the
+    /// contact temperature of that.
+    fn conduct(&mut self) {
+        let Some(conduction) = &mut self.conduction_along else { return };
+        let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
+        conduction.contact_rise(&heat, &mut self.rise);
+        let (entry, factor) = (self.conduction.entry_temperature, self.conduction.contact_factor());
+        for (rise, unheated) in self.rise.iter_mut().zip(&conduction.unheated) {
+            *rise = (unheated + *rise - entry) / factor;
+        }
+    }
+
+    /// Both surfaces at the last evaluation, where heat flows along them too.
+    pub fn surfaces(&mut self, patch: &Patch) -> Option<Surfaces> {
+        let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
+        let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
+        conduction.map(|conduction| conduction.surfaces(patch, &heat))
+    }
+
+    /// Change of the contact temperature at the same friction power with the logarithm of v0/(ωR)
+    /// or of the size of the patch, in K; nothing where heat flows perpendicular to the surface
+    /// only.
+    pub fn contact_temperature_by(
+        &self,
+        problem: &Problem,
+        patch: &Patch,
+        scaling: Scaling,
+    ) -> Option<Vec<f64>> {
+        let conductors = self.conductors.filter(|_| self.is_coupled)?;
+        let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
+        let at = |change: f64| {
+            let conductors = scaling.of(problem, conductors, change);
+            let mut conduction = ContactConduction::new(patch, conductors);
+            let mut rise = vec![0.0; heat.len()];
+            conduction.contact_rise(&heat, &mut rise);
+            crate::equilibrium::add_scaled(&mut rise, 1.0, &conduction.unheated);
+            rise
+        };
+        let (mut change, less) = (at(DIFFERENCE), at(-DIFFERENCE));
+        crate::equilibrium::add_scaled(&mut change, -1.0, &less);
+        for change in &mut change {
+            *change /= 2.0 * DIFFERENCE;
+        }
+        Some(change)
+    }
+
     /// What the law is given in a cell, and for the material that enters at its y.
     pub fn states(&self, problem: &Problem, patch: &Patch, k: usize) -> [FrictionState; 2] {
         let y = patch.cells[k].y;
@@ -165,15 +257,24 @@ impl SteadyFriction {
     pub fn evaluate(&mut self, problem: &Problem, patch: &Patch, p: &[f64], change: &[f64]) {
         self.traction.copy_from_slice(p);
         let is_linear = problem.heat.model.as_ref().is_none_or(|model| model.is_linear());
+        let is_along = self.conductors.is_some();
         let per_length = self.kinematics.speed / self.spacing;
         for k in 0..self.rows.len() {
             self.slip[k] = [0, 1].map(|c| self.rigid[k][c] - per_length * change[2 * k + c]);
             self.power[k] = p[2 * k] * self.slip[k][0] + p[2 * k + 1] * self.slip[k][1];
             // What the bristles of the contact law return does not cool.
             self.flux[k] = self.power[k].max(0.0) * self.flux_over_power[k];
-            self.warm(problem, k);
-            if !is_linear {
-                self.weigh(problem, k);
+        }
+        if is_along {
+            self.prepare_conduction(patch);
+            self.conduct();
+        }
+        for k in 0..self.rows.len() {
+            if !is_along {
+                self.warm(problem, k);
+                if !is_linear {
+                    self.weigh(problem, k);
+                }
             }
             self.respond(problem, patch, k);
         }
@@ -206,7 +307,7 @@ impl SteadyFriction {
         }
     }
 
-    /// Temperature rise of a cell with the present fluxes.
+    /// Rise of a cell by the heat from upstream and its own, perpendicular to the surface.
     fn warm(&mut self, problem: &Problem, k: usize) {
         let Some(model) = &problem.heat.model else { return };
         if model.is_linear() {
@@ -260,31 +361,33 @@ impl SteadyFriction {
     /// Change of μ pₙ in every cell (in Pa) with that of the traction (in Pa) and of A p in passing
     /// the cell (in m), and with a cause besides. `flux` is room for the changes of the heat flux.
     pub fn bound_changes(
-        &self,
+        &mut self,
         (traction, passing): (&[f64], &[f64]),
         cause: Option<&FrictionCause>,
         flux: &mut [f64],
         bound: &mut [f64],
     ) {
-        let mut carried = 0.0;
         for k in 0..self.rows.len() {
-            let v = self.slip[k];
-            let mut slid = self.slip_change(passing, k);
-            if let Some(cause) = cause {
-                slid = [0, 1].map(|c| slid[c] + cause.slip[k][c]);
-            }
-            if k == self.first[k] {
-                carried = cause.map_or(0.0, |cause| cause.entry[k]);
-            }
+            let slid = self.slip_change(passing, cause, k);
             let own = [traction[2 * k], traction[2 * k + 1]];
             let rubbed = self.traction[2 * k] * slid[0] + self.traction[2 * k + 1] * slid[1];
             flux[k] = self.flux_change(k, own);
             if self.power[k] >= 0.0 {
                 flux[k] += rubbed * self.flux_over_power[k];
             }
+        }
+        let mut risen = std::mem::take(&mut self.risen);
+        self.rise_changes(flux, &mut risen);
+        let mut carried = 0.0;
+        for k in 0..self.rows.len() {
+            let v = self.slip[k];
+            let slid = self.slip_change(passing, cause, k);
+            if k == self.first[k] {
+                carried = cause.map_or(0.0, |cause| cause.entry[k]);
+            }
             let speed = speed_of(v);
             let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
-            let rise = self.weighted(k, flux) + cause.map_or(0.0, |cause| cause.rise[k]);
+            let rise = risen[k] + cause.map_or(0.0, |cause| cause.rise[k]);
             let law = self.by_rise(k) * rise
                 + self.response[k].by_slip_speed * faster
                 + cause.map_or(0.0, |cause| cause.law[k]);
@@ -292,12 +395,32 @@ impl SteadyFriction {
             let lagged = LagCause { law, slip_speed: faster, way };
             bound[k] = self.pressure[k] * self.lag.change(k, &lagged, &mut carried);
         }
+        self.risen = risen;
     }
 
-    /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m).
-    fn slip_change(&self, change: &[f64], k: usize) -> [f64; 2] {
+    /// Changes of the rises times effusivity (in W √s/m²) with those of the heat fluxes, in W/m².
+    fn rise_changes(&mut self, flux: &[f64], risen: &mut [f64]) {
+        let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
+        let Some(conduction) = conduction else {
+            for (k, risen) in risen.iter_mut().enumerate() {
+                *risen = self.weighted(k, flux);
+            }
+            return;
+        };
+        let heat = flux.iter().zip(&self.flux_over_power).map(|(flux, over)| flux / over);
+        conduction.contact_rise(&heat.collect::<Vec<f64>>(), risen);
+        let factor = self.conduction.contact_factor();
+        for risen in risen {
+            *risen /= factor;
+        }
+    }
+
+    /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m), and with a
+    /// cause.
+    fn slip_change(&self, change: &[f64], cause: Option<&FrictionCause>, k: usize) -> [f64; 2] {
         let per_length = self.kinematics.speed / self.spacing;
-        [0, 1].map(|c| -per_length * change[2 * k + c])
+        let given = cause.map_or([0.0; 2], |cause| cause.slip[k]);
+        [0, 1].map(|c| given[c] - per_length * change[2 * k + c])
     }
 
     /// The record of an element when it leaves a cell, the latest step first.
@@ -311,6 +434,44 @@ impl SteadyFriction {
     /// Temperature rise times effusivity at the trailing edge of a strip, in W √s/m².
     pub fn exit_rise(&mut self, problem: &Problem, strip: &Strip) -> f64 {
         problem.heat.rise_times_effusivity(&self.record_on_leaving(strip.cells.end - 1))
+    }
+}
+
+/// The conductors of a problem where heat flows along the surface too.
+fn conductors_along(problem: &Problem, patch: &Patch) -> Option<Conductors> {
+    let peclet = problem.peclet(&problem.kinematics, semi_axes_of_grid(&patch.grid));
+    let is_conduction = problem.heat.model.as_ref().is_some_and(|model| model.is_conduction());
+    (is_conduction && !peclet.is_fast()).then(|| Conductors {
+        conduction: problem.conduction(&problem.kinematics),
+        materials: [problem.wheel.material, problem.rail.material],
+        speed: problem.kinematics.speed,
+        scale: 1.0,
+    })
+}
+
+/// What is scaled when heat flows along the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Scaling {
+    /// v0/(ωR).
+    Slowness,
+    /// All lengths of the patch.
+    Size,
+}
+
+/// Change of a logarithm by which a central difference is taken.
+const DIFFERENCE: f64 = 1e-4;
+
+impl Scaling {
+    /// The conductors after a change of the logarithm.
+    fn of(self, problem: &Problem, conductors: Conductors, change: f64) -> Conductors {
+        if self == Self::Size {
+            return Conductors { scale: change.exp(), ..conductors };
+        }
+        let motion = problem.kinematics;
+        let rolling = motion.circumferential_speed() / motion.speed;
+        let creepage_x = motion.creepage_x + rolling * (1.0 - (-change).exp());
+        let conduction = problem.conduction(&Kinematics { creepage_x, ..motion });
+        Conductors { conduction, ..conductors }
     }
 }
 

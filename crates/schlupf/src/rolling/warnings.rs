@@ -39,6 +39,8 @@ pub(super) fn warnings(
     warnings.extend(problem.elasticity.caveat_of_parts(contact.normal.parts));
     warnings.extend(problem.normal.caveat());
     warnings.extend(yielding(problem, contact.normal.peak_pressure));
+    warnings
+        .extend(summary::caveats::of_temperatures(problem, (&contact.normal, &contact.patch, now)));
     let edge = contact.edge_displacement(&now.traction);
     if edge > LARGEST_EDGE_DISPLACEMENT {
         warnings.push(format!(

@@ -22,6 +22,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::grid::Grid;
+use crate::heat::peclet::semi_axes;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalContact;
@@ -217,6 +218,8 @@ impl FastContact {
             instant.max_rise = summary::temperature(&fastsim.patch, &now).max_rise;
             instant.friction_power = summary::power(&fastsim.patch, &now, &force).friction;
             account.history = vec![instant];
+            let seen = (normal, &fastsim.patch, &now);
+            account.warnings.extend(summary::caveats::of_temperatures(problem, seen));
             account.work.cells = fastsim.patch.len();
             let patch = (normal, &fastsim.patch, &now);
             let mut solution = summary::solution(problem, &self.options, patch, account);
@@ -247,7 +250,14 @@ impl FastContact {
             force,
             normalised: summary::normalised(problem, &normal, &force),
             traction_coefficient: force.x.hypot(force.y) / normal.load,
-            power: Power { friction: creep, creep, returned: 0.0, into_wheel, into_rail },
+            power: Power {
+                friction: creep,
+                creep,
+                returned: 0.0,
+                into_wheel,
+                into_rail,
+                exchanged: UNKNOWN,
+            },
             t_gamma: summary::t_gamma(&motion, &force),
             temperature: Temperature {
                 max_rise: UNKNOWN,
@@ -258,6 +268,7 @@ impl FastContact {
                 x: UNKNOWN,
                 y: UNKNOWN,
             },
+            peclet: problem.peclet(&motion, semi_axes(&normal)).numbers,
             area: Area { contact: contact_area, stick: UNKNOWN, slip: UNKNOWN },
             fields: Fields::default(),
             history: account.history,

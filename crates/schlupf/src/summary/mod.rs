@@ -1,11 +1,13 @@
 //! From the fields of an instant to forces, powers and everything else that is reported.
 
+pub(crate) mod caveats;
 pub(crate) mod snapshot;
 
+use crate::heat::peclet::semi_axes;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
-use crate::patch::Patch;
+use crate::patch::{Patch, Strip};
 use crate::problem::{Options, Problem};
 use crate::solution::{
     Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma, Temperature,
@@ -46,9 +48,10 @@ pub(crate) fn solution(
         force,
         normalised: normalised(problem, normal, &force),
         traction_coefficient: force.x.hypot(force.y) / normal.load,
-        power: power(patch, now, &force),
+        power: Power { exchanged: exchanged(problem, patch, now), ..power(patch, now, &force) },
         t_gamma: t_gamma(&now.kinematics, &force),
         temperature: temperature(patch, now),
+        peclet: problem.peclet(&now.kinematics, semi_axes(normal)).numbers,
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
         history: account.history,
@@ -92,10 +95,10 @@ pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
     let area = patch.grid.cell_area();
     let friction = now.friction_power.iter().sum::<f64>() * area + now.departed_power;
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
-    let [into_wheel, into_rail] =
-        now.conduction.shares().map(|share| share * (friction + returned));
+    let shared = || now.conduction.shares().map(|share| share * (friction + returned));
+    let [into_wheel, into_rail] = now.surfaces.as_ref().map_or_else(shared, |found| found.into);
     let creep = now.creep_power.unwrap_or_else(|| creep_power(&now.kinematics, force));
-    Power { friction, creep, returned, into_wheel, into_rail }
+    Power { friction, creep, returned, into_wheel, into_rail, exchanged: 0.0 }
 }
 
 /// What is kept of an instant at a time (in s) and after a distance (in m).
@@ -121,6 +124,24 @@ pub(crate) fn instant(
     }
 }
 
+/// Heat from the wheel into the rail (in W) because their bulk temperatures differ: a surface held
+/// by T_w − T_m below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t (Carslaw and
+/// Jaeger 1959, §2.5), in the contact L/v_w, and v_w dy of it passes every second.
+fn exchanged(problem: &Problem, patch: &Patch, now: &Snapshot) -> f64 {
+    if let Some(surfaces) = &now.surfaces {
+        return surfaces.exchanged;
+    }
+    let conduction = &now.conduction;
+    let step = conduction.bulk_temperatures()[0] - conduction.entry_temperature;
+    let wheel_speed = now.kinematics.speed / conduction.slowness();
+    let of_strip = |strip: &Strip| {
+        let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
+        (wheel_speed * covered * patch.grid.spacing_x / std::f64::consts::PI).sqrt()
+    };
+    let sum: f64 = patch.strips.iter().map(of_strip).sum();
+    2.0 * problem.wheel.material.effusivity() * step * patch.grid.spacing_y * sum
+}
+
 /// −v0 (ξ Fx + η Fy + φ Mz), in W. Without spin the moment does not count, not even an unknown one.
 pub(crate) fn creep_power(motion: &Kinematics, force: &Resultant) -> f64 {
     let turning = if motion.spin == 0.0 { 0.0 } else { motion.spin * force.moment_z };
@@ -135,24 +156,35 @@ pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
 
 /// Largest temperatures, in the cells and at the trailing edges.
 pub(crate) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
-    let cells = patch.cells.iter().zip(&now.rise).map(|(cell, rise)| (*rise, cell.x, cell.y));
-    let exits = patch
-        .strips
-        .iter()
-        .zip(&now.exit_rise)
-        .map(|(strip, rise)| (*rise, patch.exit(strip), patch.cells[strip.cells.end - 1].y));
-    let hottest = cells.chain(exits).reduce(|p, q| if q.0 > p.0 { q } else { p });
-    let Some((rise, x, y)) = hottest else {
+    let bulk = now.conduction.bulk_temperatures();
+    // Both surfaces follow from the rise, of which less is lost by rounding, or are found on their own.
+    let key = |rise: f64, surfaces: [f64; 2]| {
+        if now.surfaces.is_some() { surfaces } else { [rise; 2] }
+    };
+    let cells = patch.cells.iter().enumerate().map(|(k, cell)| {
+        let surfaces = now.surface_temperatures(k);
+        (key(now.rise[k], surfaces), surfaces, cell.x, cell.y)
+    });
+    let exits = now.exit_rise.iter().zip(&patch.strips).enumerate().map(|(k, (rise, strip))| {
+        let surfaces = now.exit_temperatures(k);
+        (key(*rise, surfaces), surfaces, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
+    });
+    let places: Vec<_> = cells.chain(exits).collect();
+    let hottest = |body: usize| {
+        places.iter().reduce(|p, q| if q.0[body] > p.0[body] { q } else { p }).copied()
+    };
+    let (Some((_, wheel, ..)), Some((_, rail, ..))) = (hottest(0), hottest(1)) else {
         return Temperature::default();
     };
-    let [rise_wheel, rise_rail] = now.conduction.rises(rise);
-    let [wheel, rail] = now.conduction.surface_temperatures(rise);
+    let [rise_wheel, rise_rail] = [wheel[0] - bulk[0], rail[1] - bulk[1]];
+    let place = hottest(usize::from(rise_rail > rise_wheel));
+    let (x, y) = place.map_or((0.0, 0.0), |(_, _, x, y)| (x, y));
     Temperature {
         max_rise: rise_wheel.max(rise_rail),
         max_rise_wheel: rise_wheel,
         max_rise_rail: rise_rail,
-        max_wheel: wheel,
-        max_rail: rail,
+        max_wheel: wheel[0],
+        max_rail: rail[1],
         x,
         y,
     }
@@ -183,7 +215,12 @@ fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
     let component = |values: &[f64], c: usize, sign: f64| -> Vec<f64> {
         values.iter().skip(c).step_by(2).map(|v| sign * v).collect()
     };
-    let rises: Vec<[f64; 2]> = now.rise.iter().map(|r| now.conduction.rises(*r)).collect();
+    let bulk = now.conduction.bulk_temperatures();
+    let rises = (0..cells.len()).map(|k| {
+        let surfaces = now.surface_temperatures(k);
+        [surfaces[0] - bulk[0], surfaces[1] - bulk[1]]
+    });
+    let rises: Vec<[f64; 2]> = rises.collect();
     Fields {
         grid,
         cell: cells.iter().map(|c| [c.index % grid.columns, c.index / grid.columns]).collect(),

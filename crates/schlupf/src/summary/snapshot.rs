@@ -1,5 +1,6 @@
 //! Everything about the contact at one instant, cell by cell.
 
+use crate::heat::contact_conduction::Surfaces;
 use crate::heat::partition::Conduction;
 use crate::kinematics::Kinematics;
 use crate::patch::Patch;
@@ -31,6 +32,8 @@ pub(crate) struct Snapshot {
     pub creep_power: Option<f64>,
     /// Temperature rise times effusivity at the trailing edge of each strip, in W √s/m².
     pub exit_rise: Vec<f64>,
+    /// Both surfaces where heat flows along them too: they do not follow from the rises then.
+    pub surfaces: Option<Surfaces>,
 }
 
 impl Snapshot {
@@ -50,12 +53,25 @@ impl Snapshot {
             departed_power: 0.0,
             creep_power: None,
             exit_rise: Vec::new(),
+            surfaces: None,
         }
     }
 
     /// Traction on the rail in a cell, in Pa.
     pub fn traction_at(&self, k: usize) -> [f64; 2] {
         [self.traction[2 * k], self.traction[2 * k + 1]]
+    }
+
+    /// Surface temperatures of wheel and rail in a cell, in degC.
+    pub fn surface_temperatures(&self, k: usize) -> [f64; 2] {
+        let follow = || self.conduction.surface_temperatures(self.rise[k]);
+        self.surfaces.as_ref().map_or_else(follow, |surfaces| surfaces.cells[k])
+    }
+
+    /// The same at the trailing edge of a strip, in degC.
+    pub fn exit_temperatures(&self, strip: usize) -> [f64; 2] {
+        let follow = || self.conduction.surface_temperatures(self.exit_rise[strip]);
+        self.surfaces.as_ref().map_or_else(follow, |surfaces| surfaces.exits[strip])
     }
 
     /// μ pₙ of each cell, in Pa.
