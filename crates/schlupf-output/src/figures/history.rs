@@ -49,8 +49,10 @@ fn forces(history: &[Instant], x: &[f64]) -> Panel {
     Panel { label: format!("force on the rail ({})", unit.symbol), height: 260.0, curves }
 }
 
-/// Nothing where they are constant.
+/// Nothing where they are constant. A shift at rest has none.
 fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
+    let at_rest = history.iter().take_while(|instant| instant.kinematics.speed == 0.0).count();
+    let (history, x) = (&history[at_rest..], &x[at_rest..]);
     let first = history.first()?.kinematics;
     let changes = history.iter().any(|instant| {
         instant.kinematics.creepage_x != first.creepage_x

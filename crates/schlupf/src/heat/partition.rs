@@ -39,7 +39,10 @@ impl Conduction {
         // Time in contact of the wheel's material over that of the rail's.
         let slowness = match partition {
             Partition::Given(_) => 1.0,
-            Partition::Velocity => kinematics.speed / kinematics.circumferential_speed(),
+            // A ratio of speeds, also of bodies at rest.
+            Partition::Velocity => {
+                Kinematics { speed: 1.0, ..*kinematics }.circumferential_speed().recip()
+            }
         };
         let drawn = [effusivity[0] / slowness.sqrt(), effusivity[1]];
         let wheel_weight = drawn[0] / (drawn[0] + drawn[1]);
