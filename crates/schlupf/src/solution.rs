@@ -153,7 +153,7 @@ impl Sensitivity {
     }
 }
 
-/// Power put into the contact; in a history, means over the last time step.
+/// Power put into the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Power {
     /// Friction power ∫ q dA, in W.

@@ -65,7 +65,7 @@ fn kalker_1982_strips_of_different_friction() {
         bed.contact_law = Arc::new(Incremental::new(1e8).unwrap());
         let found = solve(&bed, 60);
         let limit = mu0 * found.normal.load;
-        println!("{creepage}: {:?} {force} {moment}", found.force);
+        println!("{creepage}: {:?} {force} {moment} {:?}", found.force, found.work);
         assert_relative_eq!(-found.force.x, force, epsilon = 5e-3 * limit);
         assert_relative_eq!(found.force.moment_z, moment, epsilon = 5e-3 * limit * 5e-3);
         assert!(found.work.operator_products < 200.0, "{:?}", found.work);

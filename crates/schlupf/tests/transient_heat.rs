@@ -76,8 +76,9 @@ fn uniform_pressure() -> (Arc<dyn PressureSource>, f64, f64) {
     (normal, to - from, (to - from) / ALONG as f64 / SPEED)
 }
 
-/// The solution a number of time steps after the creepage has changed, and how long ago (in s) that was. The
-/// creepage of a step is that in its middle, so it counts from there on.
+/// The solution a number of time steps after the creepage has changed, and how long ago (in s) that was. An
+/// element passes its cell from half a step before an instant until half a step after it, and heats up with the
+/// slip of the instant: so the change counts from the middle of its step on.
 fn after_switching(
     (normal, step): (&Arc<dyn PressureSource>, f64),
     creepage: [f64; 2],

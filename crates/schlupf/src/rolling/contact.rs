@@ -27,6 +27,13 @@ pub(super) struct DiscreteContact {
     estimates: Option<Estimates>,
 }
 
+/// Which field a material point passes within a time step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Passing {
+    AtEnd,
+    OnAverage,
+}
+
 /// A patch that a changing load has replaced by another one on the same grid.
 #[derive(Debug)]
 pub(super) struct Former {
@@ -196,20 +203,24 @@ impl DiscreteContact {
     }
 
     /// By how much A p changes while a material point passes a cell within a time step that began with
-    /// the field `before`: what it changes in passing the mean of both fields, and what changes in
-    /// place; in the cells of the patch, or of its former one.
+    /// the field `before`: what it changes in passing the field at the end of the step, or on the
+    /// average of both ends, and what changes in place; in the cells of the patch, or of its former one.
     pub fn change_over_step(
         &mut self,
         before: &VectorField,
         former: Option<&Former>,
-        change: &mut [f64],
+        (passing, change): (Passing, &mut [f64]),
     ) {
         let columns = self.patch.grid.columns;
         let interpolation = former.map_or(&self.interpolation, |former| &former.interpolation);
-        let [mean, gained] = [(0.5, 0.5), (1.0, -1.0)]
-            .map(|(now, then)| combined(&self.displacement, now, before, then));
-        differences(&mean.x, columns, &mut self.passing.x);
-        differences(&mean.y, columns, &mut self.passing.y);
+        let (end, start) = match passing {
+            Passing::AtEnd => (1.0, 0.0),
+            Passing::OnAverage => (0.5, 0.5),
+        };
+        let passed = combined(&self.displacement, end, before, start);
+        let gained = combined(&self.displacement, 1.0, before, -1.0);
+        differences(&passed.x, columns, &mut self.passing.x);
+        differences(&passed.y, columns, &mut self.passing.y);
         interpolation.gather_means(&self.passing, change);
         let mut in_place = vec![0.0; change.len()];
         interpolation.gather_means(&gained, &mut in_place);

@@ -23,7 +23,7 @@ use super::contact::{DiscreteContact, Former};
 use super::friction_heat::{Rubbing, lagging, set_temperatures, ways_through};
 use super::initial_state::{fitting, on_patch};
 use super::shift::{AT_REST, Shift};
-use super::step_power::{Start, set_powers};
+use super::step_power::{Start, StepPower};
 use super::time_step::{Prescribed, TimeStep};
 use super::turn::{Way, with_turn};
 use super::warnings;
@@ -81,6 +81,8 @@ struct March<'a> {
     past: Past,
     newton: Newton,
     outcome: Outcome,
+    /// Powers over the last step.
+    powers: Option<StepPower>,
     /// Largest ‖p‖₂ so far, in Pa.
     largest_traction: f64,
     /// Relative change of traction and temperature in the last step.
@@ -121,6 +123,7 @@ impl<'a> March<'a> {
             past: Past::default(),
             newton: Newton::default(),
             outcome: Outcome::default(),
+            powers: None,
             largest_traction: 0.0,
             change: f64::INFINITY,
             passage_change: f64::INFINITY,
@@ -351,7 +354,8 @@ impl<'a> March<'a> {
 
     /// Friction power and temperatures, Eqs. (17)–(22).
     fn heat_up(&mut self, arrivals: Vec<Arrival>, start: &Start) {
-        set_powers(&mut self.now, &mut self.contact, start);
+        start.set_friction_power(&mut self.now, &mut self.contact);
+        self.powers = Some(start.powers_until(&self.now, &mut self.contact));
         let remembered: Vec<_> = arrivals.iter().map(|arrival| arrival.friction).collect();
         let mut records: Vec<_> = arrivals.into_iter().map(|arrival| arrival.heat).collect();
         let patch = &self.contact.patch;
@@ -402,7 +406,12 @@ impl<'a> March<'a> {
         let now = (&self.contact.normal, &self.contact.patch, &self.now);
         let solved = (self.outcome.iterations, self.outcome.residual);
         let distance = self.work.steps as f64 * self.contact.patch.grid.spacing_x;
-        self.history.push(summary::instant(now, [self.time, distance], solved));
+        let instant = summary::instant(now, [self.time, distance], solved);
+        self.history.push(self.powers.map_or(instant, |powers| Instant {
+            friction_power: powers.friction,
+            creep_power: powers.creep,
+            ..instant
+        }));
     }
 
     fn progress(&self) -> Progress {

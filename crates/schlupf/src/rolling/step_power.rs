@@ -1,4 +1,5 @@
-//! Powers over a time step, and the energy that the bodies store.
+//! Slip and friction power at an instant, the powers over the time step before it, and the energy that the
+//! bodies store.
 //!
 //! Over a step the traction is the mean of that at its two ends, and the displacement changes by its
 //! difference, both in place. With a symmetric compliance the elastic part of the work is then exactly
@@ -6,13 +7,16 @@
 //! through the patch cancels, so that
 //!
 //! power of the creep forces = friction power + change of the stored energy over the duration.
+//!
+//! Heat follows from the friction power at the instant: an element is in the middle of its cell then.
 
 use crate::grid::VectorField;
+use crate::kinematics::Kinematics;
 use crate::patch::Patch;
 use crate::solution::Resultant;
 use crate::summary::{self, snapshot::Snapshot};
 
-use super::contact::{DiscreteContact, Former};
+use super::contact::{DiscreteContact, Former, Passing};
 
 /// The last instant, as far as the powers of the step after it depend on it.
 #[derive(Debug)]
@@ -22,6 +26,15 @@ pub(super) struct Start {
     force: Resultant,
     /// The patch of that instant, where the step has another one.
     pub former: Option<Former>,
+}
+
+/// Means over a time step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StepPower {
+    /// Friction power, in W.
+    pub friction: f64,
+    /// Power of the creep forces, in W.
+    pub creep: f64,
 }
 
 impl Start {
@@ -34,54 +47,46 @@ impl Start {
             former: None,
         }
     }
-}
 
-/// Slip velocity and friction power of every cell, means over the step that began with `start` and
-/// has ended in an equilibrium; and the power of the creep forces.
-///
-/// Each cell's friction power is that of its traction with the mean slip over the cell, so rigid slip
-/// works with the whole force. The half of a cell that the patch has left counts as departed.
-pub(super) fn set_powers(now: &mut Snapshot, contact: &mut DiscreteContact, start: &Start) {
-    let mut change = vec![0.0; now.traction.len()];
-    contact.change_over_step(&start.displacement, None, &mut change);
-    let patch = &contact.patch;
-    now.slip = slip(now, patch, &change);
-    let at_end = half_power(&now.traction, &now.slip);
-    let mut power = vec![0.0; patch.grid.len()];
-    for (cell, half) in patch.cells.iter().zip(at_end) {
-        power[cell.index] += half;
+    /// Slip velocity and friction power of every cell at the instant in which a step has ended. Each
+    /// cell's friction power is that of its traction with the mean slip over the cell, so rigid slip
+    /// works with the whole force.
+    pub fn set_friction_power(&self, now: &mut Snapshot, contact: &mut DiscreteContact) {
+        let mut change = vec![0.0; now.traction.len()];
+        contact.change_over_step(&self.displacement, None, (Passing::AtEnd, &mut change));
+        now.slip = slip(&now.kinematics, &contact.patch, &change);
+        now.friction_power = power_per_area(&now.traction, &now.slip);
     }
-    change.resize(start.traction.len(), 0.0);
-    contact.change_over_step(&start.displacement, start.former.as_ref(), &mut change);
-    let before = start.former.as_ref().map_or(&contact.patch, |former| &former.patch);
-    let at_start = half_power(&start.traction, &slip(now, before, &change));
-    for (cell, half) in before.cells.iter().zip(at_start) {
-        power[cell.index] += half;
+
+    /// Powers over the step that has ended, with those cells that the patch has left within it.
+    pub fn powers_until(&self, now: &Snapshot, contact: &mut DiscreteContact) -> StepPower {
+        let mut half = |traction: &[f64], former: Option<&Former>| {
+            let mut change = vec![0.0; traction.len()];
+            contact.change_over_step(&self.displacement, former, (Passing::OnAverage, &mut change));
+            let patch = former.map_or(&contact.patch, |former| &former.patch);
+            let slip = slip(&now.over_step, patch, &change);
+            0.5 * power_per_area(traction, &slip).iter().sum::<f64>() * patch.grid.cell_area()
+        };
+        let friction = half(&now.traction, None) + half(&self.traction, self.former.as_ref());
+        let force = summary::force(&contact.patch, now).mean(&self.force);
+        StepPower { friction, creep: summary::creep_power(&now.over_step, &force) }
     }
-    let patch = &contact.patch;
-    for (cell, power_here) in patch.cells.iter().zip(&mut now.friction_power) {
-        *power_here = std::mem::take(&mut power[cell.index]);
-    }
-    now.departed_power = power.iter().sum::<f64>() * patch.grid.cell_area();
-    let force = summary::force(patch, now).mean(&start.force);
-    now.creep_power = Some(summary::creep_power(&now.over_step, &force));
 }
 
 /// Slip velocity of every cell (in m/s) from the change of A p on the way through it (in m).
-fn slip(now: &Snapshot, patch: &Patch, change: &[f64]) -> Vec<[f64; 2]> {
+fn slip(kinematics: &Kinematics, patch: &Patch, change: &[f64]) -> Vec<[f64; 2]> {
     let spacing = patch.grid.spacing_x;
-    let per_length = now.over_step.speed / spacing;
+    let per_length = kinematics.speed / spacing;
     let cells = patch.cells.iter().zip(change.chunks_exact(2));
-    cells
-        .map(|(cell, change)| {
-            let rigid = now.over_step.rigid_slip(cell.x, cell.y);
-            [0, 1].map(|c| per_length * (rigid[c] * spacing - change[c]))
-        })
-        .collect()
+    let of_cell = cells.map(|(cell, change)| {
+        let rigid = kinematics.rigid_slip(cell.x, cell.y);
+        [0, 1].map(|c| per_length * (rigid[c] * spacing - change[c]))
+    });
+    of_cell.collect()
 }
 
-/// Half of p·slip in every cell, in W/m².
-fn half_power<'a>(traction: &'a [f64], slip: &'a [[f64; 2]]) -> Vec<f64> {
+/// p·slip in every cell, in W/m².
+fn power_per_area(traction: &[f64], slip: &[[f64; 2]]) -> Vec<f64> {
     let cells = traction.chunks_exact(2).zip(slip);
-    cells.map(|(p, slip)| 0.5 * (p[0] * slip[0] + p[1] * slip[1])).collect()
+    cells.map(|(p, slip)| p[0] * slip[0] + p[1] * slip[1]).collect()
 }

@@ -93,15 +93,15 @@ pub(crate) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
 
 pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
     let area = patch.grid.cell_area();
-    let friction = now.friction_power.iter().sum::<f64>() * area + now.departed_power;
+    let friction = now.friction_power.iter().sum::<f64>() * area;
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
     let shared = || now.conduction.shares().map(|share| share * (friction + returned));
     let [into_wheel, into_rail] = now.surfaces.as_ref().map_or_else(shared, |found| found.into);
-    let creep = now.creep_power.unwrap_or_else(|| creep_power(&now.kinematics, force));
+    let creep = creep_power(&now.kinematics, force);
     Power { friction, creep, returned, into_wheel, into_rail, exchanged: 0.0 }
 }
 
-/// What is kept of an instant at a time (in s) and after a distance (in m).
+/// What is kept of an instant at a time (in s) and after a distance (in m), with its own powers.
 pub(crate) fn instant(
     (normal, patch, now): (&NormalSummary, &Patch, &Snapshot),
     [time, distance]: [f64; 2],

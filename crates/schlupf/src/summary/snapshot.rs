@@ -26,10 +26,6 @@ pub(crate) struct Snapshot {
     pub friction_power: Vec<f64>,
     /// Elastic energy of the tangential tractions, in J.
     pub stored_energy: f64,
-    /// Friction power in cells that the patch left within the last time step, in W.
-    pub departed_power: f64,
-    /// Power of the creep forces over the last time step, in W; in steady rolling that of the forces.
-    pub creep_power: Option<f64>,
     /// Temperature rise times effusivity at the trailing edge of each strip, in W √s/m².
     pub exit_rise: Vec<f64>,
     /// Both surfaces where heat flows along them too: they do not follow from the rises then.
@@ -50,8 +46,6 @@ impl Snapshot {
             rise: vec![0.0; cells],
             friction_power: vec![0.0; cells],
             stored_energy: 0.0,
-            departed_power: 0.0,
-            creep_power: None,
             exit_rise: Vec::new(),
             surfaces: None,
         }
