@@ -23,7 +23,7 @@ const SUFFICIENT_FALL: f64 = 1e-4;
 const WORTHLESS: f64 = 0.8;
 
 /// Halvings of a step before the residual norm need only fall below the largest of some steps.
-const MONOTONE_HALVINGS: usize = 1;
+const MONOTONE_HALVINGS: usize = 3;
 
 /// How many steps these are.
 const MEMORY: usize = 5;
