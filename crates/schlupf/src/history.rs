@@ -7,7 +7,7 @@ use crate::kinematics::Kinematics;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     /// Shift of the wheel over the rail at rest before it rolls, along and across rolling, in m.
-    pub shift: [f64; 2],
+    pub shift: Option<[f64; 2]>,
     /// Times, strictly ascending, in s; none if the shift is all.
     pub time: Vec<f64>,
     /// Speed v0, in m/s.
@@ -26,9 +26,9 @@ impl History {
     /// Checks the tables, and that the wheel rolls at every time.
     pub fn check(&self, otherwise: &Kinematics) -> Result<(), Error> {
         let contradiction = |quantity, reason| Err(Error::Contradiction { quantity, reason });
-        for (quantity, shift) in ["history.shift_x", "history.shift_y"].into_iter().zip(self.shift)
-        {
-            require_finite(quantity, shift, "m")?;
+        if let Some([x, y]) = self.shift {
+            require_finite("history.shift_x", x, "m")?;
+            require_finite("history.shift_y", y, "m")?;
         }
         let count = self.time.len();
         if count < 2 && !(self.is_shift_only() && self.is_constant()) {
@@ -67,14 +67,9 @@ impl History {
         Ok(())
     }
 
-    /// Whether the wheel is shifted before it rolls.
-    pub fn has_shift(&self) -> bool {
-        self.shift != [0.0; 2]
-    }
-
     /// Whether the wheel is shifted, and does not roll.
     pub fn is_shift_only(&self) -> bool {
-        self.has_shift() && self.time.is_empty()
+        self.shift.is_some() && self.time.is_empty()
     }
 
     fn is_constant(&self) -> bool {
@@ -247,12 +242,12 @@ mod tests {
     /// A shift alone needs no times, but what changes with time does.
     #[test]
     fn a_shift_needs_no_times() {
-        let shift = History { shift: [1e-5, 0.0], ..History::default() };
+        let shift = History { shift: Some([1e-5, 0.0]), ..History::default() };
         shift.check(&ROLLING).unwrap();
         assert!(shift.is_shift_only());
         let changing = History { load: Some(vec![]), ..shift.clone() };
         assert!(changing.check(&ROLLING).unwrap_err().to_string().contains("at least two times"));
-        let endless = History { shift: [0.0, f64::NAN], ..History::default() };
+        let endless = History { shift: Some([0.0, f64::NAN]), ..History::default() };
         assert!(endless.check(&ROLLING).unwrap_err().to_string().contains("history.shift_y"));
     }
 

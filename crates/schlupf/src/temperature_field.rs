@@ -87,7 +87,7 @@ impl TemperatureField {
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<String> {
         let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
         let slow = peclet.caveat(
-            "below the surface and in the wake temperatures are those, unlike in the cells of the contact,",
+            "Temperatures below the surface and in the wake, unlike those in the contact,",
         );
         Self::caveat_of_model(problem).into_iter().chain(slow).collect()
     }

@@ -236,7 +236,7 @@ fn work_is_that_of_the_points() {
 #[test]
 fn what_did_not_converge_is_kept_and_named() {
     let hot = hot();
-    let options = Options { driver: Some(Driver::Marching), max_steps: 24, ..cells(8) };
+    let options = Options { driver: Some(Driver::Marching), max_steps: 3, ..cells(8) };
     let curve = curve(&hot, &options, &over_x(&hot, [0.0, 0.05]), 4);
     let statuses: Vec<bool> =
         curve.points.iter().map(|point| point.status == Status::Converged).collect();

@@ -13,25 +13,22 @@ const SERIES: [&str; 5] =
 
 /// Values over time and the shift before them, where the case has them.
 pub fn history(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
-    let shift = |path: &str| settings.optional_number(path).map(|shift| shift.unwrap_or(0.0));
-    let shift = [shift("history.shift_x")?, shift("history.shift_y")?];
-    let start = History { shift, ..History::default() };
-    let over_time = over_time(settings, folder, &start)?;
-    Ok(over_time.or(start.has_shift().then_some(start)))
+    let [x, y] = ["history.shift_x", "history.shift_y"].map(|path| settings.optional_number(path));
+    let (x, y) = (x?, y?);
+    let shift = x.or(y).map(|_| [x.unwrap_or(0.0), y.unwrap_or(0.0)]);
+    let over_time = over_time(settings, folder)?;
+    if over_time.is_none() && shift.is_none() {
+        return Ok(None);
+    }
+    Ok(Some(History { shift, ..over_time.unwrap_or_default() }))
 }
 
-/// What goes on after the start.
-fn over_time(
-    settings: &Settings,
-    folder: &Path,
-    start: &History,
-) -> Result<Option<History>, CaseError> {
+fn over_time(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
     if settings.is_given("history.file") {
         let path = folder.join(settings.text("history.file")?);
         let place = settings.place("history.file");
         let bytes = tables::read_bytes(&path, "history.file", place)?;
-        let history = tables::history_from_csv(path.display().to_string(), bytes)?;
-        return Ok(Some(History { shift: start.shift, ..history }));
+        return tables::history_from_csv(path.display().to_string(), bytes).map(Some);
     }
     let Some(time) = settings.series("history.time") else {
         return if settings.any_given(&SERIES) {
@@ -40,10 +37,10 @@ fn over_time(
             Ok(None)
         };
     };
-    inline(settings, time, start).map(Some)
+    inline(settings, time).map(Some)
 }
 
-fn inline(settings: &Settings, time: &[f64], start: &History) -> Result<History, CaseError> {
+fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
     for path in SERIES {
         let Some(series) = settings.series(path) else { continue };
         if series.len() != time.len() {
@@ -58,7 +55,7 @@ fn inline(settings: &Settings, time: &[f64], start: &History) -> Result<History,
     let [speed, creepage_x, creepage_y, spin, load] =
         SERIES.map(|path| settings.series(path).map(<[f64]>::to_vec));
     let time = time.to_vec();
-    let history = History { shift: start.shift, time, speed, creepage_x, creepage_y, spin, load };
+    let history = History { shift: None, time, speed, creepage_x, creepage_y, spin, load };
     match tables::check_history(&history) {
         Ok(()) => Ok(history),
         Err((_, message)) => {

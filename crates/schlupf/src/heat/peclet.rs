@@ -32,16 +32,16 @@ impl Peclet {
         self.numbers.iter().all(|number| number * narrow >= FAST)
     }
 
-    /// What the reader of temperatures must know that count on that, if it is not so. `what` are
-    /// the temperatures, the subject of the sentence.
+    /// A warning about temperatures that rely on that, if it is not so. `what` is the subject of the
+    /// sentence.
     pub fn caveat(&self, what: &str) -> Option<String> {
         let [wheel, rail] = self.numbers;
-        let narrow = if self.aspect < 1.0 { ", the less the narrower the patch" } else { "" };
+        let narrow = if self.aspect < 1.0 { " (less on a narrower patch)" } else { "" };
         (!self.is_fast()).then(|| {
             format!(
-                "heat.model: the Péclet number v a/κ is {wheel:.3e} of the wheel and {rail:.3e} of the rail; \
-                 {what} of conduction perpendicular to the surface only, too hot by about 1 % at 100, by 10 % \
-                 at 10 and without bound below{narrow}"
+                "heat.model: the Péclet numbers v a/κ are {wheel:.3e} (wheel) and {rail:.3e} (rail). {what} \
+                 assume conduction perpendicular to the surface only, which is too hot by about 1 % at a \
+                 Péclet number of 100, by 10 % at 10 and without bound below{narrow}"
             )
         })
     }
@@ -70,8 +70,8 @@ mod tests {
         assert!(!of([1e-2, 1e-2], [1.0, 0.4]).is_fast());
         assert!(!of([1e-2, 5e-3], [1.0, 1.0]).is_fast());
         assert!(of([1e-2, 5e-2], [1.0, 1.0]).is_fast());
-        assert_eq!(of([1e-2, 5e-2], [1.0, 1.0]).caveat("they are those"), None);
-        let caveat = of([1e-2, 1e-2], [1.0, 1e-2]).caveat("they are those").unwrap();
-        assert!(caveat.contains("1.000e3 of the wheel and 1.000e1 of the rail; they are those of"));
+        assert_eq!(of([1e-2, 5e-2], [1.0, 1.0]).caveat("Temperatures"), None);
+        let caveat = of([1e-2, 1e-2], [1.0, 1e-2]).caveat("Temperatures").unwrap();
+        assert!(caveat.contains("1.000e3 (wheel) and 1.000e1 (rail). Temperatures assume"));
     }
 }

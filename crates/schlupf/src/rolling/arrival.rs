@@ -15,11 +15,11 @@
 use crate::grid::Grid;
 use crate::heat::HeatStep;
 use crate::interface::contact_law::Slide;
-use crate::patch::{Patch, Strip};
+use crate::patch::{Cell, Patch, Strip};
 use crate::state::Element;
 
 use super::contact::DiscreteContact;
-use super::moving_edge::{Reach, motions};
+use super::moving_edge::{Motion, Reach, motions};
 
 /// What an element brings into its new cell.
 #[derive(Debug, Clone, Default)]
@@ -33,8 +33,10 @@ pub(super) struct Arrival {
     pub displacement: [f64; 2],
     /// Length of its way in contact within the step, in m.
     pub way: f64,
-    /// λ: part of the step that it has spent behind the leading edge, dimensionless.
+    /// λ: part of the step that it has spent in contact, dimensionless.
     pub in_contact: f64,
+    /// Whether it came into contact where it is, not over the leading edge.
+    pub in_place: bool,
     /// Heat that it has received.
     pub heat: Vec<HeatStep>,
     /// Its coefficient of friction (dimensionless), if it remembers one.
@@ -117,40 +119,83 @@ pub(super) fn carry_over(
     let motions = if moves { motions(patch, past) } else { Vec::new() };
     let mut arrivals = Vec::with_capacity(patch.len());
     for (n, strip) in patch.strips.iter().enumerate() {
-        let motion = motions.get(n);
         let nearest = strip.cells.clone().find_map(|k| past.at(patch.cells[k].index));
         for k in strip.cells.clone() {
             let cell = &patch.cells[k];
             let entered = past.at(cell.index).or(nearest).map(|before| before.at_entry);
-            let upstream = upstream_index(patch, strip, k);
-            if let Some((element, departure)) = upstream.and_then(|i| past.cells[i].as_ref()) {
-                let way = motion.map_or(cell.way_in.distance, |motion| {
-                    let before = motion.way_until_start(departure.x, departure.entry_x);
-                    let way = motion.way_until_end(cell.x, cell.entry_x()) - before;
-                    way.clamp(0.0, LONGEST_WAY * patch.grid.spacing_x)
-                });
-                let entered = entered.unwrap_or(departure.at_entry);
-                let element = &elements[*element];
-                arrivals.push(from_upstream(element, departure, (way, entered), &patch.grid));
-                continue;
-            }
-            let way = motion.map_or(cell.since_entry.distance, |motion| {
-                motion.way_until_end(cell.x, cell.entry_x()).clamp(0.0, patch.grid.spacing_x)
-            });
-            let leads = motion.is_none_or(|motion| motion.is_from_leading_edge(cell.x, way));
-            arrivals.push(match entered {
-                Some(entered) if leads => from_outside(way, entered, &patch.grid),
-                // It came into contact about where it is, without traction of its own.
-                _ => Arrival {
-                    way,
-                    in_contact: 1.0,
-                    displacement: pair(&at_cells, k),
-                    ..Arrival::default()
-                },
+            let upstream = upstream_index(patch, strip, k).and_then(|i| past.cells[i].as_ref());
+            let place = Place { cell, motion: motions.get(n), grid: &patch.grid, entered };
+            arrivals.push(match upstream {
+                Some((element, departure)) => place.carry_on(&elements[*element], departure),
+                None => place.enter(pair(&at_cells, k)),
             });
         }
     }
     arrivals
+}
+
+/// A cell into which an element comes.
+struct Place<'a> {
+    cell: &'a Cell,
+    /// How the edges of its strip move, if they do.
+    motion: Option<&'a Motion>,
+    grid: &'a Grid,
+    /// A p of the last instant where the material of the cell entered then, in m; if the strip was in
+    /// contact.
+    entered: Option<[f64; 2]>,
+}
+
+impl Place<'_> {
+    /// An element that came into contact within the step; `here` is A p of the last instant, in m.
+    fn enter(&self, here: [f64; 2]) -> Arrival {
+        let cell = self.cell;
+        let way = self.motion.map_or(cell.since_entry.distance, |motion| {
+            motion.way_until_end(cell.x, cell.entry_x()).clamp(0.0, self.grid.spacing_x)
+        });
+        let leads = self.motion.is_none_or(|motion| motion.is_from_leading_edge(cell.x, way));
+        let in_contact = self.part_of_step(way);
+        let over_edge = self.entered.filter(|_| leads);
+        Arrival {
+            displacement: over_edge.unwrap_or(here).map(|u| in_contact * u),
+            way,
+            in_contact,
+            in_place: over_edge.is_none(),
+            ..Arrival::default()
+        }
+    }
+
+    /// An element that was in contact at the last instant.
+    fn carry_on(&self, element: &Element, departure: &Departure) -> Arrival {
+        let cell = self.cell;
+        let way = self.motion.map_or(cell.way_in.distance, |motion| {
+            let before = motion.way_until_start(departure.x, departure.entry_x);
+            let way = motion.way_until_end(cell.x, cell.entry_x()) - before;
+            way.clamp(0.0, LONGEST_WAY * self.grid.spacing_x)
+        });
+        let in_contact = self.part_of_step(way);
+        let entered = self.entered.unwrap_or(departure.at_entry);
+        let compared =
+            |c: usize| in_contact * entered[c] + departure.displacement[c] - departure.at_entry[c];
+        Arrival {
+            slide: Slide {
+                traction: element.saturation,
+                distance: element.sliding,
+                ..Slide::default()
+            },
+            stretch: Some((departure.way, element.stretch)),
+            displacement: [compared(0), compared(1)],
+            way,
+            in_contact,
+            in_place: false,
+            heat: element.heat.clone(),
+            friction: element.friction_on_leaving,
+        }
+    }
+
+    /// λ of a way (in m) within the step.
+    fn part_of_step(&self, way: f64) -> f64 {
+        (way / self.grid.spacing_x).clamp(0.0, 1.0)
+    }
 }
 
 /// Longest way into a cell over its size: more is the noise of edges that move with the material.
@@ -161,44 +206,6 @@ fn upstream_index(patch: &Patch, strip: &Strip, k: usize) -> Option<usize> {
     let upstream = patch.cells[k].index + 1;
     let is_of_other = k == strip.cells.start && k > 0 && patch.cells[k - 1].index == upstream;
     (!is_of_other).then_some(upstream)
-}
-
-/// λ of a way (in m) within a step.
-fn part_of_step(way: f64, grid: &Grid) -> f64 {
-    (way / grid.spacing_x).clamp(0.0, 1.0)
-}
-
-/// An element that came into contact within the step.
-fn from_outside(way: f64, entered: [f64; 2], grid: &Grid) -> Arrival {
-    let in_contact = part_of_step(way, grid);
-    let displacement = entered.map(|u| in_contact * u);
-    Arrival { way, in_contact, displacement, ..Arrival::default() }
-}
-
-/// An element that was in contact at the last instant. `entered` is what was displaced then where the
-/// material of its new cell enters.
-fn from_upstream(
-    element: &Element,
-    departure: &Departure,
-    (way, entered): (f64, [f64; 2]),
-    grid: &Grid,
-) -> Arrival {
-    let in_contact = part_of_step(way, grid);
-    let compared =
-        |c: usize| in_contact * entered[c] + departure.displacement[c] - departure.at_entry[c];
-    Arrival {
-        slide: Slide {
-            traction: element.saturation,
-            distance: element.sliding,
-            ..Slide::default()
-        },
-        stretch: Some((departure.way, element.stretch)),
-        displacement: [compared(0), compared(1)],
-        way,
-        in_contact,
-        heat: element.heat.clone(),
-        friction: element.friction_on_leaving,
-    }
 }
 
 /// Which element stands in which cell of the grid.

@@ -141,8 +141,8 @@ impl<'a> March<'a> {
         march.displace();
         let ways = march.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
         march.past = Past::of(&march.contact, ways);
-        if let Some(history) = problem.history.as_ref().filter(|history| history.has_shift()) {
-            march.shift(history.shift);
+        if let Some(shift) = problem.history.as_ref().and_then(|history| history.shift) {
+            march.shift(shift);
         }
         Ok(march)
     }
@@ -304,6 +304,7 @@ impl<'a> March<'a> {
             let rigid = rigid_slip(cell, arrival.way, &self.now.over_step);
             prescribed.sliding.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
             prescribed.in_contact.push(arrival.in_contact);
+            prescribed.in_place.push(arrival.in_place);
             let way = Way { distance: arrival.way, rigid };
             slides.push(with_turn(arrival.slide, &self.now.over_step, &way, arrival.stretch));
         }

@@ -33,7 +33,7 @@ pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<So
     for component in shift {
         require_finite("shift", component, "m")?;
     }
-    let history = History { shift, ..History::default() };
+    let history = History { shift: Some(shift), ..History::default() };
     march(&Problem { history: Some(history), ..problem.clone() }, options, &mut |_| ())
 }
 
@@ -76,7 +76,9 @@ impl Shift<'_> {
         self.contact.displacement_at_cells(&mut before);
         let sliding = before.chunks_exact(2);
         let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
-        let prescribed = Prescribed { sliding, in_contact: vec![1.0; self.elements.len()] };
+        let cells = self.elements.len();
+        let prescribed =
+            Prescribed { sliding, in_contact: vec![1.0; cells], in_place: vec![false; cells] };
         let past = |element: &Element| Slide {
             traction: element.saturation,
             distance: element.sliding,

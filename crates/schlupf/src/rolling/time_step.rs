@@ -22,12 +22,15 @@ pub(super) struct Prescribed {
     pub sliding: Vec<f64>,
     /// λ: part of the step that its material has spent in contact, dimensionless.
     pub in_contact: Vec<f64>,
+    /// Whether its material came into contact where it is, not over the leading edge.
+    pub in_place: Vec<bool>,
 }
 
 /// The equilibrium of one instant: p = μ pₙ law(D − B p), each cell with its own history.
 ///
 /// Material that came into contact within the step is compared with the displacement where and when
-/// it entered: B = A − diag(1 − λ) A_lead, A_lead p being the displacement at its place of entry now.
+/// it entered: B = A − diag(1 − λ) A_lead, A_lead p being the displacement at its place of entry now: at
+/// the leading edge, or, where it came into contact in its place, what the tractions of the others make there.
 pub(super) struct TimeStep<'a> {
     contact: &'a mut DiscreteContact,
     cell: CellSolver<'a>,
@@ -103,11 +106,13 @@ impl Equilibrium for TimeStep<'_> {
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         self.contact.product(p, u);
         self.contact.displacement_at_entries(&mut self.at_entry);
-        let entries = self.at_entry.chunks_exact(2).zip(&self.prescribed.in_contact);
-        for (u, (entry, in_contact)) in u.chunks_exact_mut(2).zip(entries) {
-            for c in 0..2 {
-                u[c] -= (1.0 - in_contact) * entry[c];
-            }
+        let own = self.contact.cell_looseness();
+        let Prescribed { in_contact, in_place, .. } = self.prescribed;
+        for (at, u) in u.iter_mut().enumerate() {
+            let k = at / 2;
+            let is_moved = in_place[k] && self.is_coupled;
+            let entry = if is_moved { *u - own * p[at] } else { self.at_entry[at] };
+            *u -= (1.0 - in_contact[k]) * entry;
         }
     }
 

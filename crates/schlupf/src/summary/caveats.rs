@@ -47,8 +47,8 @@ fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) ->
         return None;
     }
     problem.peclet(&now.kinematics, semi_axes(normal)).caveat(
-        "temperatures are those (steady rolling with solver.method = \"full\", solver.driver = \"steady\" and \
-         heat.model = \"duhamel\" has conduction in all directions)",
+        "Temperatures of all but steady rolling with solver.method = \"full\", solver.driver = \"steady\" \
+         and heat.model = \"duhamel\"",
     )
 }
 
@@ -58,9 +58,9 @@ fn of_hot_body((name, temperature, material): (&str, f64, &Material)) -> Option<
     let is_steel = is_near(material.young_modulus, known.young_modulus)
         && is_near(material.density, known.density);
     let what = match (is_steel, temperature > MOLTEN) {
-        (true, true) => "where steel has melted",
-        (true, false) => "and steel austenitises from 727 degC on",
-        (false, _) => "more than most materials stand",
+        (true, true) => "above the melting range of steel",
+        (true, false) => "above 727 degC, where steel starts to austenitise",
+        (false, _) => "more than most materials withstand",
     };
     (temperature > AUSTENITE).then(|| {
         format!(
