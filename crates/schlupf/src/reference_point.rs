@@ -40,8 +40,9 @@ pub(crate) struct Moved {
 impl Moved {
     /// `None` where they hold there already.
     ///
-    /// # Errors A reference point that the normal contact does not have, and whatever
-    /// [`Problem::check`] refuses.
+    /// # Errors
+    /// A reference point that the normal contact does not have, a motion that is no rolling at the middle
+    /// of the patch, and whatever [`Problem::check`] refuses.
     pub fn from(problem: &Problem) -> Result<Option<Self>, Error> {
         if problem.reference == ReferencePoint::Patch {
             return Ok(None);
@@ -56,6 +57,14 @@ impl Moved {
             history,
             ..problem.clone()
         };
+        problem.kinematics.check().map_err(|error| Error::Contradiction {
+            quantity: "kinematics.reference",
+            reason: format!(
+                "creepages at the middle of the patch, {:e} m and {:e} m from the origin of the file, follow \
+                 from those at the origin and from the spin: {error}",
+                place[0], place[1]
+            ),
+        })?;
         Ok(Some(Self { problem, place }))
     }
 

@@ -86,9 +86,8 @@ impl TemperatureField {
     /// What the reader of the temperatures must know, if anything.
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<String> {
         let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
-        let slow = peclet.caveat(
-            "Temperatures below the surface and in the wake, unlike those in the contact,",
-        );
+        let slow = peclet
+            .caveat("Temperatures below the surface and in the wake, unlike those in the contact,");
         Self::caveat_of_model(problem).into_iter().chain(slow).collect()
     }
 

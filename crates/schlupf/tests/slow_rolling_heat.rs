@@ -355,7 +355,7 @@ fn what_does_not_hold_is_said() {
         (
             solution.temperature.max_rail,
             is_about(&solution, "austenitise"),
-            is_about(&solution, "melted"),
+            is_about(&solution, "melting"),
         )
     };
     let (temperature, austenite, molten) = limits(&hot);
