@@ -20,7 +20,7 @@ pub trait Equilibrium {
         self.size()
     }
 
-    /// What residuals are measured against, in Pa: see [`measure`], at p and the last evaluation.
+    /// What residuals are measured against, in Pa: see `measure`, at p and the last evaluation.
     fn scale(&self, p: &[f64]) -> f64;
 
     /// u = L p: one product with the compliance.
