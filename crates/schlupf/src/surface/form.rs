@@ -13,7 +13,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use super::HeightMap;
-use crate::error::Error;
+use crate::error::{Error, SurfaceError};
 
 /// A nominal form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +24,17 @@ pub enum Form {
     Cylinder,
     /// A sphere.
     Sphere,
+}
+
+impl Form {
+    /// Its name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plane => "plane",
+            Self::Cylinder => "cylinder",
+            Self::Sphere => "sphere",
+        }
+    }
 }
 
 /// A surface and the form that was taken off it.
@@ -54,10 +65,7 @@ impl HeightMap {
                 fit.polynomial(6).and_then(|p| fit.quadric(start(&p, form)))
             }
         };
-        let parameters = parameters.ok_or_else(|| Error::Contradiction {
-            quantity: "surface.form",
-            reason: format!("no {form:?} fits the surface").to_lowercase(),
-        })?;
+        let parameters = parameters.ok_or(SurfaceError::NoForm { form: form.name() })?;
         let deviations = fit.points.iter().zip(&fit.heights);
         let deviations = deviations.map(|(at, z)| scale * (z - height(&parameters, *at)));
         Ok(FormRemoval {
@@ -79,10 +87,7 @@ pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<
     let fit =
         Fit { points: points.collect(), heights: heights.iter().map(|h| h / scale).collect() };
     let parameters = fit.polynomial(6).and_then(|p| fit.quadric(start(&p, Form::Sphere)));
-    let parameters = parameters.ok_or_else(|| Error::Contradiction {
-        quantity: "surface.form",
-        reason: "no circle fits the profile".to_owned(),
-    })?;
+    let parameters = parameters.ok_or(SurfaceError::NoForm { form: "circle" })?;
     let deviations = fit.points.iter().zip(&fit.heights);
     let deviations = deviations.map(|(at, z)| scale * (z - height(&parameters, *at)));
     Ok((deviations.collect(), -scale / parameters[3]))

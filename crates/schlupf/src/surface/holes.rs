@@ -1,7 +1,7 @@
 //! Cells in which nothing was measured: NaN or infinite heights.
 
 use super::{HeightMap, Lattice, require_count};
-use crate::error::Error;
+use crate::error::{Error, SurfaceError};
 
 /// What becomes of holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -29,13 +29,8 @@ pub fn require_few(heights: &[f64]) -> Result<(), Error> {
     if missing as f64 <= LARGEST_SHARE * heights.len() as f64 {
         return Ok(());
     }
-    Err(Error::Contradiction {
-        quantity: "surface.heights",
-        reason: format!(
-            "at most half of the points may be holes, but {missing} of {} are",
-            heights.len()
-        ),
-    })
+    let count = heights.len();
+    Err(SurfaceError::TooManyHoles { holes: missing, count }.into())
 }
 
 impl HeightMap {
@@ -189,10 +184,7 @@ impl<'a> Laplace<'a> {
             found.iter_mut().zip(&direction).for_each(|(x, p)| *x += step * p);
             residual.iter_mut().zip(&image).for_each(|(r, a)| *r -= step * a);
         }
-        Err(Error::Contradiction {
-            quantity: "surface.heights",
-            reason: format!("the holes are not filled after {ITERATIONS} iterations"),
-        })
+        Err(SurfaceError::HolesNotFilled { iterations: ITERATIONS }.into())
     }
 
     fn apply(&self, values: &[f64], image: &mut [f64]) {

@@ -4,6 +4,7 @@ use super::tangential_curve::{SimilarBodies, TangentialCurve};
 
 /// 1 − exp(−k_c u) fitted to curves Q/(μP) over u.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ExponentialFit {
     /// Exponent k_c, in 1/m.
     pub stiffness: f64,
