@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 pub mod error;
+mod numerics;
 pub mod least_squares;
 pub mod material;
 pub mod kinematics;

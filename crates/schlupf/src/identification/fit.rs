@@ -4,6 +4,7 @@ use faer::Mat;
 
 use crate::error::Error;
 use crate::least_squares::{self, Limits, Minimum, Residuals};
+use crate::numerics::vector::root_mean_square;
 use crate::solution::{Status, Work};
 
 use super::confidence::students_t;
@@ -12,7 +13,7 @@ use super::determinacy::{self, LEAST_SCATTER};
 use super::model::CreepForceModel;
 use super::parameter::Parameter;
 use super::residuals::{Failure, Weighted, order};
-use super::statistics::{autocorrelation, r_squared, rms};
+use super::statistics::{autocorrelation, r_squared};
 
 /// A fit ends where no parameter would move by more than this part of itself,
 const TOLERANCE: f64 = 1e-6;
@@ -184,7 +185,7 @@ pub fn fit(
         status: if converged { Status::Converged } else { Status::NotConverged },
         estimates,
         correlation,
-        rms_residual: rms(&residuals),
+        rms_residual: root_mean_square(&residuals),
         r_squared: r_squared(&measured, &residuals),
         reduced_chi_squared: found.reduced_chi_squared(),
         degrees_of_freedom: found.degrees_of_freedom(),
@@ -366,7 +367,7 @@ impl Found<'_> {
         /// Residuals over the largest force, root mean square.
         const FAR: f64 = 0.05;
         let residuals: Vec<f64> = self.points().iter().map(FittedPoint::residual).collect();
-        rms(&residuals) > FAR * self.largest_force()
+        root_mean_square(&residuals) > FAR * self.largest_force()
     }
 
     /// Largest measured force over the load, dimensionless.
@@ -482,7 +483,7 @@ impl Found<'_> {
             .collect();
         let residuals = series.concat();
         let limit = SMALL * self.largest_force();
-        let is_seen = self.degrees_of_freedom() >= ENOUGH && rms(&residuals) > limit;
+        let is_seen = self.degrees_of_freedom() >= ENOUGH && root_mean_square(&residuals) > limit;
         (is_seen && autocorrelation(series.iter().map(Vec::as_slice)) > SYSTEMATIC).then(|| {
             "the residuals are no scatter, neighbours have the same sign: the model does not follow \
              the data, and the parameters are less certain than their intervals say"

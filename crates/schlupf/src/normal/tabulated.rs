@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require, require_positive};
-use crate::grid::Extent;
+use crate::grid::{Axis, Extent};
+use crate::numerics::interpolation::mix;
 
 /// Samples below this part of the largest one are taken for noise, and for zero.
 const NOISE: f64 = 1e-4;
@@ -24,50 +25,33 @@ pub struct PressureTable {
     origin: [f64; 2],
 }
 
-/// Equidistant positions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Axis {
-    /// First position, in m.
-    pub start: f64,
-    /// Distance of the positions, in m.
-    pub spacing: f64,
-    pub count: usize,
-}
-
-impl Axis {
-    /// Position number `k`, in m.
-    pub fn at(&self, k: usize) -> f64 {
-        self.start + k as f64 * self.spacing
-    }
-
-    fn from_positions(positions: &[f64]) -> Result<Self, Error> {
-        let invalid = |requirement: &str, value: String| Error::Invalid {
-            quantity: "normal.file",
-            requirement: format!("a table with {requirement}"),
-            value,
-        };
-        let count = positions.len();
-        if count < 2 {
-            return Err(invalid(
-                "at least two positions in each direction",
-                format!("one with {count} in one direction"),
-            ));
-        }
-        let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
-        let axis = Self { start: positions[0], spacing, count };
-        let fits = |k: &usize| (positions[*k] - axis.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
-        if let Some(k) = (0..count).find(|k| !fits(k)) {
-            return Err(invalid(
-                "ascending, equidistant positions",
-                format!("one with {} m where {} m was expected", positions[k], axis.at(k)),
-            ));
-        }
-        Ok(axis)
-    }
-}
-
 /// Positions may deviate from equidistance by this part of the spacing: printed numbers are rounded.
 const SPACING_TOLERANCE: f64 = 1e-2;
+
+fn axis(positions: &[f64]) -> Result<Axis, Error> {
+    let invalid = |requirement: &str, value: String| Error::Invalid {
+        quantity: "normal.file",
+        requirement: format!("a table with {requirement}"),
+        value,
+    };
+    let count = positions.len();
+    if count < 2 {
+        return Err(invalid(
+            "at least two positions in each direction",
+            format!("one with {count} in one direction"),
+        ));
+    }
+    let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
+    let axis = Axis { start: positions[0], spacing, count };
+    let fits = |k: &usize| (positions[*k] - axis.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
+    if let Some(k) = (0..count).find(|k| !fits(k)) {
+        return Err(invalid(
+            "ascending, equidistant positions",
+            format!("one with {} m where {} m was expected", positions[k], axis.at(k)),
+        ));
+    }
+    Ok(axis)
+}
 
 impl PressureTable {
     /// A table of `pressure` (in Pa) at the positions `x` × `y` (in m, ascending and equidistant),
@@ -84,7 +68,7 @@ impl PressureTable {
 
     /// The same with positions that count from where they were given, not from the middle of the patch.
     pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
-        let (x, y) = (Axis::from_positions(x)?, Axis::from_positions(y)?);
+        let (x, y) = (axis(x)?, axis(y)?);
         let invalid = |requirement: String, value: String| Error::Invalid {
             quantity: "normal.file",
             requirement,
@@ -211,7 +195,7 @@ impl PressureTable {
         (0..self.x.count)
             .map(|i| {
                 let square = [self.square(i, j, j + 1), self.square(i, j + 1, j)];
-                ((1.0 - share) * square[0] + share * square[1]).max(0.0).sqrt()
+                mix(square, share).max(0.0).sqrt()
             })
             .collect()
     }

@@ -3,13 +3,14 @@
 //! the slip speed of the step before: where it falls steeply with the slip speed, a march may swing for
 //! ever, and says so.
 
-use crate::equilibrium::{Limits, Newton, Outcome, measure, norm};
+use crate::equilibrium::{Limits, Newton, Outcome, measure};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::normal::NormalContact;
+use crate::numerics::vector::norm;
 use crate::patch::Cell;
 use crate::problem::{Options, Problem};
 use crate::reference_point::Moved;
