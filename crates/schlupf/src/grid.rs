@@ -36,6 +36,11 @@ impl Axis {
         self.start + k as f64 * self.spacing
     }
 
+    /// Number of the position that is nearest to one (in m) within the axis.
+    pub fn nearest(&self, position: f64) -> usize {
+        ((position - self.start) / self.spacing).round() as usize
+    }
+
     /// All positions, in m.
     pub fn positions(&self) -> Vec<f64> {
         (0..self.count).map(|k| self.at(k)).collect()
