@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::interface::friction::constants::FrictionConstant;
 use crate::least_squares::{Minimum, column_norms};
 
-use super::fit::FittedPoint;
+use super::data::FittedPoint;
 use super::parameter::Parameter;
 
 /// Forces are never measured better than to this part of the largest one: of data without scatter this

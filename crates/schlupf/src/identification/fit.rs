@@ -8,9 +8,9 @@ use crate::numerics::vector::root_mean_square;
 use crate::solution::{Status, Work};
 
 use super::confidence::students_t;
-use super::data::{self, Condition, DataPoint};
+use super::data::{self, Condition, DataPoint, FittedPoint};
 use super::determinacy::{self, LEAST_SCATTER};
-use super::model::CreepForceModel;
+use super::model::{CreepForceModel, Progress};
 use super::parameter::Parameter;
 use super::residuals::{Failure, Weighted, order};
 use super::statistics::{autocorrelation, r_squared};
@@ -23,13 +23,6 @@ const OF_STANDARD_ERROR: f64 = 0.01;
 
 /// or where forces over the load would change by less than this: they are computed no better.
 const ROUNDING: f64 = 1e-6;
-
-/// How far a fit has got.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Forces computed so far.
-    pub solved: usize,
-}
 
 /// A parameter that was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,22 +37,6 @@ pub struct Estimate {
     pub standard_error: f64,
     /// Half-width of its 95 % confidence interval, in its SI unit, if it is not dimensionless.
     pub half_width: f64,
-}
-
-/// A measured point and what the model says there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FittedPoint {
-    /// What was measured.
-    pub data: DataPoint,
-    /// Computed force on the rail over the load, dimensionless.
-    pub fitted: f64,
-}
-
-impl FittedPoint {
-    /// Measured less computed force over the load, dimensionless.
-    pub fn residual(&self) -> f64 {
-        self.data.force_ratio - self.fitted
-    }
 }
 
 /// A fit.

@@ -19,11 +19,12 @@ use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
 
 use super::Progress;
-use super::arrival::{Arrival, Past, carry_over, positions};
+use super::arrival::{Arrival, carry_over, positions};
 use super::contact::{DiscreteContact, Former};
 use super::friction_heat::{Rubbing, lagging, set_temperatures, ways_through};
 use super::initial_state::{fitting, on_patch};
-use super::shift::{AT_REST, Shift};
+use super::past::Past;
+use super::shift_step::{AT_REST, Shift};
 use super::step_power::{Start, StepPower};
 use super::time_step::{Prescribed, TimeStep};
 use super::turn::{Way, with_turn};
