@@ -88,9 +88,9 @@ impl<'a> Crate<'a> {
         one.starts_with(other) || other.starts_with(one)
     }
 
-    /// The shortest way from a file back to it.
-    fn circle(&self, start: usize) -> Option<Vec<usize>> {
-        let mut ways = VecDeque::from([vec![start]]);
+    /// The shortest way from a file back to it by way of one that it uses.
+    fn circle(&self, start: usize, used: usize) -> Option<Vec<usize>> {
+        let mut ways = VecDeque::from([vec![start, used]]);
         let mut is_reached = vec![false; self.files.len()];
         while let Some(way) = ways.pop_front() {
             for &next in self.uses[*way.last()?].keys() {
@@ -111,14 +111,19 @@ const MOST_EXPORTS: usize = 8;
 
 /// Each circle once, at the first of its files.
 fn circles(files: &Crate) -> Vec<Finding> {
-    let starts = (0..files.files.len()).filter_map(|start| Some((start, files.circle(start)?)));
-    let circles = starts.filter(|(start, circle)| circle.iter().min() == Some(start));
-    let findings = circles.map(|(start, circle)| {
-        let names = circle.iter().chain([&start]).map(|file| files.files[*file].0.join("::"));
-        let line = files.uses[start].get(circle.get(1).unwrap_or(&start)).copied().unwrap_or(1);
-        files.files[start].1.finding(line, names.collect::<Vec<_>>().join(" uses "))
-    });
-    findings.collect()
+    let mut findings = Vec::new();
+    for (start, (module, source)) in files.files.iter().enumerate() {
+        for (&used, &line) in &files.uses[start] {
+            let circle = files.circle(start, used);
+            let Some(circle) = circle.filter(|circle| circle.iter().min() == Some(&start)) else {
+                continue;
+            };
+            let names = circle.iter().map(|file| &files.files[*file].0).chain([module]);
+            let names: Vec<String> = names.map(|module| module.join("::")).collect();
+            findings.push(source.finding(line, names.join(" uses ")));
+        }
+    }
+    findings
 }
 
 #[cfg(test)]
