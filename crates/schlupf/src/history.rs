@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Place, require_at, require_finite};
 use crate::kinematics::Kinematics;
+use crate::numerics::interpolation::piecewise_linear;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -164,16 +165,7 @@ impl History {
     }
 
     fn interpolate(&self, values: &[f64], time: f64) -> f64 {
-        let after = self.time.partition_point(|t| *t <= time);
-        if after == 0 {
-            return values[0];
-        }
-        if after == values.len() {
-            return values[after - 1];
-        }
-        let (start, end) = (self.time[after - 1], self.time[after]);
-        let share = (time - start) / (end - start);
-        (1.0 - share) * values[after - 1] + share * values[after]
+        piecewise_linear(&self.time, values, time)[0]
     }
 }
 

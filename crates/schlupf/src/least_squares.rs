@@ -4,6 +4,8 @@
 use faer::Mat;
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 
+use crate::numerics::vector::dot;
+
 /// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
 pub trait Residuals {
     /// The residuals (dimensionless) at some parameters within their bounds; `None` where the model cannot be
@@ -80,7 +82,7 @@ pub struct Minimum {
 impl Minimum {
     /// Sum of the squared residuals, dimensionless.
     pub fn sum_of_squares(&self) -> f64 {
-        sum_of_squares(&self.residuals)
+        dot(&self.residuals, &self.residuals)
     }
 
     /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters. `None` where it is
@@ -133,7 +135,7 @@ pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> O
         });
         let found = tried.and_then(|tried| {
             let found = model.residuals(&tried)?;
-            let is_less = sum_of_squares(&found) < here.sum_of_squares();
+            let is_less = dot(&found, &found) < here.sum_of_squares();
             let jacobian = if is_less { model.jacobian(&tried, &found)? } else { return None };
             Some((tried, found, jacobian))
         });
@@ -194,7 +196,7 @@ impl Minimum {
 
     fn is_minimum(&self, limits: &Limits) -> bool {
         let Some(step) = self.damped_step(LEAST_DAMPING) else { return false };
-        let gain: f64 = step.iter().zip(self.descent()).map(|(step, along)| step * along).sum();
+        let gain = dot(&step, &self.descent());
         let mut moves = step.iter().zip(&self.parameters);
         gain <= limits.negligible
             || gain <= limits.reducible * self.sum_of_squares()
@@ -225,14 +227,8 @@ impl Minimum {
     }
 }
 
-fn sum_of_squares(residuals: &[f64]) -> f64 {
-    residuals.iter().map(|r| r * r).sum()
-}
-
-fn column_norms(matrix: &Mat<f64>) -> Vec<f64> {
-    (0..matrix.ncols())
-        .map(|j| (0..matrix.nrows()).map(|i| matrix[(i, j)].powi(2)).sum::<f64>().sqrt())
-        .collect()
+pub(crate) fn column_norms(matrix: &Mat<f64>) -> Vec<f64> {
+    matrix.col_iter().map(|column| column.norm_l2()).collect()
 }
 
 #[cfg(test)]

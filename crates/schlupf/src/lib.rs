@@ -16,6 +16,7 @@ pub mod message;
 pub mod requirement;
 pub mod error;
 pub mod warning;
+mod numerics;
 pub mod least_squares;
 pub mod material;
 pub mod kinematics;

@@ -2,11 +2,12 @@
 
 use schlupf::{Method, Status};
 
+use super::color::{BLUE, GREEN, MUTED, VERMILION};
 use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, HEADING, short};
-use super::panels::{BLUE, GREEN, VERMILION, ZERO};
-use super::svg::{Drawing, GRID_LINE, MUTED};
+use super::panels::ZERO;
+use super::svg::{Drawing, GRID_LINE};
 use super::ticks::{powers_of_ten, round_ticks};
 use crate::comparison::{Answer, Comparison, Entry};
 use crate::report::Report;

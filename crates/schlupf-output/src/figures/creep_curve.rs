@@ -5,12 +5,13 @@ use schlupf::creep_curve::{Abscissa, CreepCurve, Point};
 use schlupf::solution::Resultant;
 
 use super::color;
+use super::color::{INK, MUTED};
 use super::frame::{Frame, TICK_SIZE};
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, ALARM, Entry, HEADING, Sample, short};
 use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
 use super::smooth::smooth;
-use super::svg::{Drawing, INK, MUTED};
+use super::svg::Drawing;
 use crate::creep_curve::{CurveFamily, Member};
 use crate::report::Report;
 

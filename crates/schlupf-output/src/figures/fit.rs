@@ -4,12 +4,12 @@ use schlupf::Status;
 use schlupf::creep_curve::Abscissa;
 use schlupf::identification::{Component, Condition, Estimate, FittedPoint};
 
-use super::color::{LEVELS, Palette, paint};
+use super::color::{BLUE, INK, LEVELS, Palette, paint};
 use super::fit_panel::{Mark, MarkedPanel, Shape, curve_stroke};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{BLUE, Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
-use super::svg::{Drawing, INK};
+use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
+use super::svg::Drawing;
 use crate::identification::{FitReport, in_usual_unit, with_uncertainty};
 
 /// Height of the panel of forces where there is one, and of each where there are two.

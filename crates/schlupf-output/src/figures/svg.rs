@@ -2,13 +2,10 @@
 
 use std::fmt::Write;
 
+use super::color::INK;
 use super::font;
 use super::label::{self, TextStyle};
 
-/// Colour of text and axes.
-pub(super) const INK: &str = "#222222";
-/// Colour of what stands back: titles of the case, units, grid labels.
-pub(super) const MUTED: &str = "#5f5f5f";
 /// Stroke of grid lines.
 pub(super) const GRID_LINE: &str = r##"stroke="#dddddd" stroke-width="1""##;
 

@@ -9,6 +9,7 @@ use crate::elasticity::{Compliance, Elasticity};
 use crate::error::{Error, require_positive, require_several};
 use crate::grid::{Grid, VectorField};
 use crate::least_squares::{Limits, Residuals, minimise};
+use crate::numerics::vector::{dot, norm};
 use crate::quantity::Quantity;
 use crate::solution::Solution;
 
@@ -120,7 +121,7 @@ pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
     let mut rest = found.residuals.as_slice();
     for sample in samples {
         let (own, others) = rest.split_at(sample.displacement.iter().flatten().count());
-        deviation.push(own.iter().map(|r| r * r).sum::<f64>().sqrt());
+        deviation.push(norm(own));
         rest = others;
     }
     Ok(DisplacementFit {
@@ -161,8 +162,8 @@ impl Fit<'_> {
             for sample in self.samples {
                 let [unit, given] =
                     self.displacements(sample, &[0.0, reach, reach]).ok_or(Error::NoLayer {})?;
-                along += unit.iter().zip(&given).map(|(u, v)| u * v).sum::<f64>();
-                squares += unit.iter().map(|u| u * u).sum::<f64>();
+                along += dot(&unit, &given);
+                squares += dot(&unit, &unit);
             }
             // The sum of squares with the best bedding squares/along is this less than without a layer.
             let gain = along * along.abs() / squares;
@@ -213,6 +214,6 @@ fn compared(sample: &Sample, compliance: &mut dyn Compliance) -> [Vec<f64>; 2] {
         values.iter().map(|value| value - mean).collect()
     };
     let (found, given) = (less_mean(found), less_mean(given));
-    let size = given.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let size = norm(&given);
     [found, given].map(|values| values.into_iter().map(|value| value / size).collect())
 }

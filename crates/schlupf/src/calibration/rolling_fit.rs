@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::elasticity::Elasticity;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::numerics::vector::norm;
 use crate::problem::{Options, Problem};
 use crate::rolling::steady::SteadySolver;
 use crate::solution::Solution;
@@ -201,6 +202,5 @@ const REACHES: [f64; 2] = [0.05, 0.8];
 /// ‖t‖₂ over all cells, in Pa.
 fn size_of(solution: &Solution) -> f64 {
     let fields = &solution.fields;
-    let squares = fields.traction_x.iter().chain(&fields.traction_y).map(|t| t * t);
-    squares.sum::<f64>().sqrt()
+    norm(&fields.traction_x).hypot(norm(&fields.traction_y))
 }

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::numerics::root::GOLDEN;
 use crate::solution::{Resultant, Status};
 
 use super::{Point, Solver};
@@ -203,11 +204,10 @@ impl Side<'_, '_> {
 /// Where to look next: on the side of the top of the parabola, at least half the precision away from the
 /// middle point, so that the range closes on both sides of it.
 fn next_abscissa(three: &[Point; 3], narrowed: bool, precision: f64) -> f64 {
-    const GOLDEN: f64 = 0.381_966_011_250_105;
     let [before, middle, after] = three.map(|point| point.abscissa);
     let larger = if (before - middle).abs() > (after - middle).abs() { before } else { after };
     if !narrowed {
-        return middle + GOLDEN * (larger - middle);
+        return middle + (1.0 - GOLDEN) * (larger - middle);
     }
     let top = top_of_parabola(&three.map(|point| [point.abscissa, force(&point)]));
     let least = 0.5 * precision;

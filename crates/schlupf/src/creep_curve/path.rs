@@ -2,6 +2,8 @@
 
 use crate::error::{Error, require_finite};
 use crate::kinematics::Kinematics;
+use crate::numerics::interpolation::mix;
+use crate::numerics::root::bisection;
 use crate::quantity::Quantity;
 
 /// Longitudinal, lateral and spin creepage.
@@ -152,7 +154,7 @@ impl Path {
         let [from, to] = self.range;
         let share = (abscissa - from) / (to - from);
         let along = |start: f64, end: f64| {
-            if start == end { start } else { (1.0 - share) * start + share * end }
+            if start == end { start } else { mix([start, end], share) }
         };
         let mut creepages = Creepages {
             x: along(self.start.x, self.end.x),
@@ -196,11 +198,7 @@ impl Path {
         if rolls(to) {
             return None;
         }
-        let (mut rolling, mut locked) = (from, to);
-        for _ in 0..f64::MANTISSA_DIGITS {
-            let middle = 0.5 * (rolling + locked);
-            *(if rolls(middle) { &mut rolling } else { &mut locked }) = middle;
-        }
+        let [_, locked] = bisection([from, to], f64::MANTISSA_DIGITS, rolls);
         Some(locked)
     }
 }

@@ -9,6 +9,7 @@ use super::{Compliance, Elasticity};
 use crate::error::{Error, require};
 use crate::grid::{BORDER, Grid};
 use crate::material::Material;
+use crate::numerics::interpolation::cubic;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 use crate::warning::Warning;
@@ -69,17 +70,6 @@ pub fn tabulated_stiffness(
         reach_along_y: value(k + 2),
     };
     Ok([component(0), component(3)])
-}
-
-/// First of the four entries around a position, and their Lagrangian weights.
-fn cubic(position: f64, entries: usize) -> (usize, [f64; 4]) {
-    let first = (position.floor() as usize).saturating_sub(1).min(entries - 4);
-    let t = position - first as f64;
-    let weight = |n: usize| {
-        let others = (0..4).filter(|m| *m != n);
-        others.map(|m| (t - m as f64) / (n as f64 - m as f64)).product()
-    };
-    (first, std::array::from_fn(weight))
 }
 
 /// A layer that in steady rolling answers like the half-space of two bodies, whatever the patch.

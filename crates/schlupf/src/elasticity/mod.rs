@@ -5,7 +5,6 @@ mod calibration_table;
 pub mod elastic_layer;
 pub mod half_space;
 pub mod rigid;
-pub mod static_condensation;
 pub mod winkler;
 
 use std::fmt::Debug;

@@ -50,6 +50,23 @@ pub struct DataPoint {
     pub standard_deviation: Option<f64>,
 }
 
+/// A measured point and what the model says there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FittedPoint {
+    /// What was measured.
+    pub data: DataPoint,
+    /// Computed force on the rail over the load, dimensionless.
+    pub fitted: f64,
+}
+
+impl FittedPoint {
+    /// Measured less computed force over the load, dimensionless.
+    pub fn residual(&self) -> f64 {
+        self.data.force_ratio - self.fitted
+    }
+}
+
 /// Checks points by themselves.
 pub(super) fn check(data: &[DataPoint]) -> Result<(), Error> {
     for point in data {

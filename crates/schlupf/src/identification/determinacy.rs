@@ -4,9 +4,9 @@ use faer::{Mat, Side};
 
 use crate::error::{Error, FitError};
 use crate::interface::friction::constants::FrictionConstant;
-use crate::least_squares::Minimum;
+use crate::least_squares::{Minimum, column_norms};
 
-use super::fit::FittedPoint;
+use super::data::FittedPoint;
 use super::parameter::Parameter;
 
 /// Forces are never measured better than to this part of the largest one: of data without scatter this
@@ -48,10 +48,7 @@ pub(super) fn check_count(
 /// (JᵀJ)⁻¹ of a minimum, or which parameters no force tells apart.
 pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, Error> {
     let jacobian = &minimum.jacobian;
-    let norm = |column: usize| {
-        (0..jacobian.nrows()).map(|row| jacobian[(row, column)].powi(2)).sum::<f64>().sqrt()
-    };
-    let norms: Vec<f64> = (0..jacobian.ncols()).map(norm).collect();
+    let norms = column_norms(jacobian);
     if let Some(k) = norms.iter().position(|norm| *norm == 0.0 || !norm.is_finite()) {
         let (parameter, value) = values[k];
         return Err(FitError::NoInfluence { quantity: parameter.quantity(), value }.into());

@@ -4,17 +4,18 @@ use faer::Mat;
 
 use crate::error::{Error, FitCause, FitError, FitStop};
 use crate::least_squares::{self, Limits, Minimum, Residuals};
+use crate::numerics::vector::root_mean_square;
 use crate::quantity::Quantity;
 use crate::solution::{Status, Work};
 use crate::warning::{Unconverged, Warning};
 
 use super::confidence::students_t;
-use super::data::{self, Condition, DataPoint};
+use super::data::{self, Condition, DataPoint, FittedPoint};
 use super::determinacy::{self, LEAST_SCATTER};
-use super::model::CreepForceModel;
+use super::model::{CreepForceModel, Progress};
 use super::parameter::Parameter;
 use super::residuals::{Failure, Weighted, order};
-use super::statistics::{autocorrelation, r_squared, rms};
+use super::statistics::{autocorrelation, r_squared};
 
 /// A fit ends where no parameter would move by more than this part of itself,
 const TOLERANCE: f64 = 1e-6;
@@ -24,13 +25,6 @@ const OF_STANDARD_ERROR: f64 = 0.01;
 
 /// or where forces over the load would change by less than this: they are computed no better.
 const ROUNDING: f64 = 1e-6;
-
-/// How far a fit has got.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Forces computed so far.
-    pub solved: usize,
-}
 
 /// A parameter that was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,23 +40,6 @@ pub struct Estimate {
     pub standard_error: f64,
     /// Half-width of its 95 % confidence interval, in its SI unit, if it is not dimensionless.
     pub half_width: f64,
-}
-
-/// A measured point and what the model says there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct FittedPoint {
-    /// What was measured.
-    pub data: DataPoint,
-    /// Computed force on the rail over the load, dimensionless.
-    pub fitted: f64,
-}
-
-impl FittedPoint {
-    /// Measured less computed force over the load, dimensionless.
-    pub fn residual(&self) -> f64 {
-        self.data.force_ratio - self.fitted
-    }
 }
 
 /// A fit.
@@ -187,7 +164,7 @@ pub fn fit(
         status: if converged { Status::Converged } else { Status::NotConverged },
         estimates,
         correlation,
-        rms_residual: rms(&residuals),
+        rms_residual: root_mean_square(&residuals),
         r_squared: r_squared(&measured, &residuals),
         reduced_chi_squared: found.reduced_chi_squared(),
         degrees_of_freedom: found.degrees_of_freedom(),
@@ -365,7 +342,7 @@ impl Found<'_> {
         /// Residuals over the largest force, root mean square.
         const FAR: f64 = 0.05;
         let residuals: Vec<f64> = self.points().iter().map(FittedPoint::residual).collect();
-        rms(&residuals) > FAR * self.largest_force()
+        root_mean_square(&residuals) > FAR * self.largest_force()
     }
 
     /// Largest measured force over the load, dimensionless.
@@ -447,7 +424,7 @@ impl Found<'_> {
             .collect();
         let residuals = series.concat();
         let limit = SMALL * self.largest_force();
-        let is_seen = self.degrees_of_freedom() >= ENOUGH && rms(&residuals) > limit;
+        let is_seen = self.degrees_of_freedom() >= ENOUGH && root_mean_square(&residuals) > limit;
         let is_systematic = || autocorrelation(series.iter().map(Vec::as_slice)) > SYSTEMATIC;
         (is_seen && is_systematic()).then_some(Warning::SystematicResiduals {})
     }

@@ -38,3 +38,10 @@ pub trait CreepForceModel {
     /// All work so far.
     fn work(&self) -> Work;
 }
+
+/// How far a fit has got.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Forces computed so far.
+    pub solved: usize,
+}

@@ -6,8 +6,7 @@ use crate::error::Error;
 use crate::least_squares::Residuals;
 
 use super::data::{Condition, DataPoint};
-use super::fit::Progress;
-use super::model::{CreepForceModel, ForceRatio};
+use super::model::{CreepForceModel, ForceRatio, Progress};
 use super::parameter::{Parameter, Scale};
 
 /// A parameter as the fit moves it.

@@ -15,6 +15,7 @@ use ellip::{elliprd, elliprf};
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require, require_positive};
+use crate::numerics::root::bisection;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -127,16 +128,8 @@ fn axis_ratio(curvature_ratio: f64) -> f64 {
         let square = log_ratio.exp();
         carlson_d(square.recip(), square) / carlson_d(square, square.recip()) - curvature_ratio
     };
-    let (mut low, mut high) = (-10.0, 10.0);
     // 20 · 2⁻⁶⁰ is below the spacing of the numbers around 10.
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let [low, high] = bisection([-10.0, 10.0], 60, |log_ratio| excess(log_ratio) > 0.0);
     (0.5 * (low + high)).exp()
 }
 

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, Place, require_at, require_positive};
-use crate::grid::Extent;
+use crate::grid::{Axis, Extent};
+use crate::numerics::interpolation::mix;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -26,40 +27,23 @@ pub struct PressureTable {
     origin: [f64; 2],
 }
 
-/// Equidistant positions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Axis {
-    /// First position, in m.
-    pub start: f64,
-    /// Distance of the positions, in m.
-    pub spacing: f64,
-    pub count: usize,
-}
-
-impl Axis {
-    /// Position number `k`, in m.
-    pub fn at(&self, k: usize) -> f64 {
-        self.start + k as f64 * self.spacing
-    }
-
-    fn from_positions(axis: char, positions: &[f64]) -> Result<Self, Error> {
-        let (quantity, fewest, count) = (Quantity::PressureTable, 2, positions.len());
-        if count < fewest {
-            return Err(Error::TooFewPositions { quantity, axis, fewest, count });
-        }
-        let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
-        let line = Self { start: positions[0], spacing, count };
-        let fits = |k: &usize| (positions[*k] - line.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
-        if let Some(k) = (0..count).find(|k| !fits(k)) {
-            let (position, expected) = (positions[k], line.at(k));
-            return Err(Error::NotEquidistant { axis, position, expected });
-        }
-        Ok(line)
-    }
-}
-
 /// Positions may deviate from equidistance by this part of the spacing: printed numbers are rounded.
 const SPACING_TOLERANCE: f64 = 1e-2;
+
+fn axis(name: char, positions: &[f64]) -> Result<Axis, Error> {
+    let (quantity, fewest, count) = (Quantity::PressureTable, 2, positions.len());
+    if count < fewest {
+        return Err(Error::TooFewPositions { quantity, axis: name, fewest, count });
+    }
+    let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
+    let axis = Axis { start: positions[0], spacing, count };
+    let fits = |k: &usize| (positions[*k] - axis.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
+    if let Some(k) = (0..count).find(|k| !fits(k)) {
+        let (position, expected) = (positions[k], axis.at(k));
+        return Err(Error::NotEquidistant { axis: name, position, expected });
+    }
+    Ok(axis)
+}
 
 impl PressureTable {
     /// A table of `pressure` (in Pa) at the positions `x` × `y` (in m, ascending and equidistant),
@@ -76,7 +60,7 @@ impl PressureTable {
 
     /// The same with positions that count from where they were given, not from the middle of the patch.
     pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
-        let (x, y) = (Axis::from_positions('x', x)?, Axis::from_positions('y', y)?);
+        let (x, y) = (axis('x', x)?, axis('y', y)?);
         let (quantity, expected, count) =
             (Quantity::PressureTable, x.count * y.count, pressure.len());
         if count != expected {
@@ -190,7 +174,7 @@ impl PressureTable {
         (0..self.x.count)
             .map(|i| {
                 let square = [self.square(i, j, j + 1), self.square(i, j + 1, j)];
-                ((1.0 - share) * square[0] + share * square[1]).max(0.0).sqrt()
+                mix(square, share).max(0.0).sqrt()
             })
             .collect()
     }

@@ -1,11 +1,11 @@
 //! The discretised contact: a patch and the compliance of its cells.
 
 use crate::elasticity::Compliance;
-use crate::equilibrium::{dot, norm};
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
 use crate::interface::contact_law::Slide;
 use crate::normal::{NormalContact, NormalSummary};
+use crate::numerics::vector::{dot, norm};
 use crate::patch::{Interpolation, Patch};
 use crate::problem::Problem;
 

@@ -3,13 +3,14 @@
 //! the slip speed of the step before: where it falls steeply with the slip speed, a march may swing for
 //! ever, and says so.
 
-use crate::equilibrium::{Limits, Newton, Outcome, measure, norm};
+use crate::equilibrium::{Limits, Newton, Outcome, measure};
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::history::History;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::normal::NormalContact;
+use crate::numerics::vector::norm;
 use crate::patch::Cell;
 use crate::problem::{Options, Problem};
 use crate::reference_point::Moved;
@@ -19,11 +20,12 @@ use crate::summary::{self, snapshot::Snapshot};
 use crate::warning::{Unconverged, Warning};
 
 use super::Progress;
-use super::arrival::{Arrival, Past, carry_over, positions};
+use super::arrival::{Arrival, carry_over, positions};
 use super::contact::{DiscreteContact, Former};
 use super::friction_heat::{Rubbing, lagging, set_temperatures, ways_through};
 use super::initial_state::{fitting, on_patch};
-use super::shift::{AT_REST, Shift};
+use super::past::Past;
+use super::shift_step::{AT_REST, Shift};
 use super::step_power::{Start, StepPower};
 use super::time_step::{Prescribed, TimeStep};
 use super::turn::{Way, with_turn};

@@ -13,44 +13,9 @@
 
 use std::ops::Range;
 
-use crate::patch::{Patch, Strip};
+use crate::patch::Patch;
 
-use super::arrival::Past;
-
-/// A run of contact cells in a row.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Reach {
-    row: usize,
-    /// First and last column.
-    columns: [usize; 2],
-    /// Its middle along rolling, in m.
-    pub middle: f64,
-}
-
-impl Reach {
-    pub fn of(patch: &Patch, strip: &Strip) -> Self {
-        let cells = &patch.cells[strip.cells.clone()];
-        let column = |index: usize| index % patch.grid.columns;
-        let (first, last) = (&cells[0], &cells[cells.len() - 1]);
-        Self {
-            row: strip.row,
-            columns: [column(last.index), column(first.index)],
-            middle: 0.5 * (first.entry_x() + patch.exit(strip)),
-        }
-    }
-
-    fn overlaps(&self, other: &Self) -> bool {
-        self.columns[0] <= other.columns[1] && other.columns[0] <= self.columns[1]
-    }
-
-    /// Whether there is a strip beside it on both sides, so that its row is covered over its width.
-    fn is_inside(&self, strips: &[Self]) -> bool {
-        let has = |row: Option<usize>| {
-            row.is_some_and(|row| strips.iter().any(|s| s.row == row && s.overlaps(self)))
-        };
-        has(self.row.checked_sub(1)) && has(Some(self.row + 1))
-    }
-}
+use super::past::{Past, Reach};
 
 /// How the edges of a strip have moved within a step.
 #[derive(Debug, Clone, Copy, Default)]
@@ -153,6 +118,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::numerics::root::bisection;
 
     /// Edges that stay: the way is the distance from the leading edge.
     #[test]
@@ -173,11 +139,7 @@ mod tests {
             let motion = Motion { middle: 0.0, passed: 0.1, gain, spacing: 0.1 };
             let outside =
                 |steps: f64| (x + 0.1 * steps).abs() - (1.0 - steps * gain).max(0.0).sqrt();
-            let (mut low, mut high) = (0.0, 1e3);
-            for _ in 0..200 {
-                let middle = 0.5 * (low + high);
-                if outside(middle) > 0.0 { high = middle } else { low = middle }
-            }
+            let [low, _] = bisection([0.0, 1e3], 200, |steps| outside(steps) <= 0.0);
             assert_relative_eq!(motion.way_until_end(x, 1.0), 0.1 * low, max_relative = 1e-9);
             let leads = motion.is_from_leading_edge(x, 0.1 * low);
             assert_eq!(leads, x + 0.1 * low > 0.0, "{gain} {x}");

@@ -9,6 +9,7 @@ use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
+use crate::numerics::vector::dot;
 use crate::problem::{Branch, Options, Problem};
 use crate::quantity::Quantity;
 use crate::reference_point::Moved;
@@ -452,7 +453,6 @@ impl Setup {
             ]
         };
         let (made, next) = (difference(last, before), difference(&problem.kinematics, last));
-        let dot = |v: &[f64; 3], w: &[f64; 3]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
         let squared = dot(&made, &made);
         if squared == 0.0 {
             return 0.0;

@@ -12,9 +12,10 @@
 use crate::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
 use crate::heat::peclet::semi_axes_of_grid;
 use crate::heat::{HeatStep, partition::Conduction};
-use crate::interface::friction::common_coefficient::common_coefficient;
 use crate::interface::friction::{FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
+use crate::numerics::root::fixed_point;
+use crate::numerics::vector::{add_scaled, dot};
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 
@@ -225,11 +226,11 @@ impl SteadyFriction {
             let mut conduction = ContactConduction::new(patch, conductors);
             let mut rise = vec![0.0; heat.len()];
             conduction.contact_rise(&heat, &mut rise);
-            crate::equilibrium::add_scaled(&mut rise, 1.0, &conduction.unheated);
+            add_scaled(&mut rise, 1.0, &conduction.unheated);
             rise
         };
         let (mut change, less) = (at(DIFFERENCE), at(-DIFFERENCE));
-        crate::equilibrium::add_scaled(&mut change, -1.0, &less);
+        add_scaled(&mut change, -1.0, &less);
         for change in &mut change {
             *change /= 2.0 * DIFFERENCE;
         }
@@ -295,7 +296,7 @@ impl SteadyFriction {
             let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
             let power = along[0] * self.rigid[k][0] + along[1] * self.rigid[k][1];
             let flux = self.pressure[k] * power.max(0.0) * self.flux_over_power[k];
-            let coefficient = common_coefficient(start, |coefficient| {
+            let coefficient = fixed_point(start, |coefficient| {
                 self.flux[k] = coefficient * flux;
                 self.warm(problem, k);
                 self.respond(problem, patch, k);
@@ -324,7 +325,7 @@ impl SteadyFriction {
             return 0.0;
         }
         let row = &self.weights[self.rows[k]..][..=k - self.first[k]];
-        crate::equilibrium::dot(row, &flux[self.first[k]..=k])
+        dot(row, &flux[self.first[k]..=k])
     }
 
     /// ∂μ/∂(rise times effusivity), in m²/(W √s).
@@ -352,7 +353,7 @@ impl SteadyFriction {
         }
         let row = &self.weights[self.rows[k]..][..=k - self.first[k]];
         let (own, before) = (row[row.len() - 1], &row[..row.len() - 1]);
-        let inherited = crate::equilibrium::dot(before, &upstream[self.first[k]..k]);
+        let inherited = dot(before, &upstream[self.first[k]..k]);
         let by_rise = self.pressure[k] * self.lag.follows(k) * self.by_rise(k);
         let raised = by_rise * (inherited + own * self.flux_change(k, traction));
         raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))

@@ -11,6 +11,7 @@
 
 use crate::equilibrium::{self, Equilibrium, Limits, Newton, Outcome};
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
+use crate::numerics::vector::norm;
 
 use super::cell::{CellSolver, inverse_2x2, solve_2x2, times};
 use super::contact::DiscreteContact;
@@ -100,7 +101,7 @@ impl Equilibrium for TimeStep<'_> {
     }
 
     fn scale(&self, p: &[f64]) -> f64 {
-        equilibrium::measure(equilibrium::norm(self.bound), equilibrium::norm(p).max(self.largest))
+        equilibrium::measure(norm(self.bound), norm(p).max(self.largest))
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {

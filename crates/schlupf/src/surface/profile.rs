@@ -10,6 +10,7 @@ use super::spectrum::hann;
 use super::synthesis::isotropic;
 use super::{HeightMap, Lattice};
 use crate::error::{Error, Place, SurfaceError, require_at, require_positive};
+use crate::numerics::vector::root_mean_square;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -54,8 +55,7 @@ impl Profile {
 
     /// Root mean square height Rq, in m.
     pub fn root_mean_square_height(&self) -> f64 {
-        let squares: f64 = self.heights.iter().map(|height| height * height).sum();
-        (squares / self.heights.len() as f64).sqrt()
+        root_mean_square(&self.heights)
     }
 
     /// The profile without the circle that fits best, and its radius (in m), positive where convex. This
@@ -83,8 +83,7 @@ impl Profile {
         let longest = lattice.length_x().max(lattice.length_y());
         let shortest = 2.0 * lattice.spacing_x.max(lattice.spacing_y);
         let carried = spectrum.height_between([0.5 * TAU / longest, TAU / shortest]);
-        let squares: f64 = surface.heights().iter().map(|height| height * height).sum();
-        let found = (squares / lattice.len() as f64).sqrt();
+        let found = root_mean_square(surface.heights());
         surface.require_rough()?;
         Ok(surface.scaled(carried / found))
     }

@@ -18,6 +18,7 @@ use super::spectrum::spectral_gradient;
 use super::{HeightMap, LARGEST, Lattice};
 use crate::error::{Error, require, require_positive};
 use crate::fourier::{RealTransform, smooth_from};
+use crate::numerics::vector::root_mean_square;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -72,7 +73,7 @@ impl SelfAffine {
         let surface = isotropic(lattice, |q| self.shape(q), seed)?;
         surface.require_rough()?;
         let (wanted, there) = match self.roughness {
-            Roughness::Height(height) => (height, root_mean_square(&surface)),
+            Roughness::Height(height) => (height, root_mean_square(surface.heights())),
             Roughness::Gradient(gradient) => (gradient, spectral_gradient(&surface)),
         };
         Ok(surface.scaled(wanted / there))
@@ -111,11 +112,6 @@ impl SelfAffine {
 
 /// Wavelengths that a whole number of waves makes exactly must not be lost to rounding.
 const ROUNDING: f64 = 1e-9;
-
-fn root_mean_square(surface: &HeightMap) -> f64 {
-    let squares: f64 = surface.heights().iter().map(|height| height * height).sum();
-    (squares / surface.heights().len() as f64).sqrt()
-}
 
 /// A surface whose spectral density is C(q) (in m⁴, of q in rad/m), alike in all directions, with
 /// mean height zero. Waves as short as two cells are left out.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState};
 use crate::error::{Error, Place, require_at};
+use crate::numerics::interpolation::piecewise_linear;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -58,17 +59,7 @@ impl Across {
 
     /// The factor at a position (in m), and its derivative (in 1/m).
     fn factor_at(&self, y: f64) -> [f64; 2] {
-        let last = self.y.len() - 1;
-        let after = self.y.partition_point(|position| *position <= y);
-        if after == 0 {
-            return [self.factor[0], 0.0];
-        }
-        if after > last {
-            return [self.factor[last], 0.0];
-        }
-        let (left, right) = (self.factor[after - 1], self.factor[after]);
-        let slope = (right - left) / (self.y[after] - self.y[after - 1]);
-        [left + slope * (y - self.y[after - 1]), slope]
+        piecewise_linear(&self.y, &self.factor, y)
     }
 }
 

@@ -6,7 +6,6 @@
 //! [`across`] the patch. Any law may lag behind, [`memory`].
 
 pub mod across;
-pub(crate) mod common_coefficient;
 pub mod constant;
 pub mod constants;
 pub mod exponential;

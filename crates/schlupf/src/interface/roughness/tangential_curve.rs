@@ -15,6 +15,7 @@
 
 use super::load_curve::LoadCurve;
 use crate::error::{Error, require, require_positive};
+use crate::numerics::interpolation::piecewise_linear;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -133,10 +134,9 @@ impl TangentialCurve {
 
     /// Q/(μP) (dimensionless) at a displacement (in m), between the points in straight lines.
     pub fn normalised_traction(&self, displacement: f64) -> f64 {
-        let above = self.points.partition_point(|point| point.displacement < displacement);
-        let Some(high) = self.points.get(above) else { return 1.0 };
-        let Some(low) = above.checked_sub(1).map(|below| &self.points[below]) else { return 0.0 };
-        let t = (displacement - low.displacement) / (high.displacement - low.displacement);
-        low.normalised_traction + t * (high.normalised_traction - low.normalised_traction)
+        let points =
+            self.points.iter().map(|point| (point.displacement, point.normalised_traction));
+        let (displacements, tractions): (Vec<f64>, Vec<f64>) = points.unzip();
+        piecewise_linear(&displacements, &tractions, displacement)[0]
     }
 }

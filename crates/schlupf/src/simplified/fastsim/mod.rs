@@ -22,10 +22,10 @@ use std::f64::consts::FRAC_2_PI;
 
 use crate::error::Error;
 use crate::grid::Grid;
-use crate::interface::friction::common_coefficient::common_coefficient;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
 use crate::normal::{NormalContact, NormalSummary, Pressure};
+use crate::numerics::root::fixed_point;
 use crate::patch::{Cell, Patch};
 use crate::problem::{Options, Problem};
 use crate::solution::Resultant;
@@ -155,7 +155,7 @@ impl Fastsim {
                     let ends = [cut(carried.traction, mu * pressure_before), next.traction];
                     (next, Passage::new(flexibility, motion, &cell.way_in, ends))
                 };
-                let mu = common_coefficient(start, |mu| {
+                let mu = fixed_point(start, |mu| {
                     let (_, passage) = arrive(mu);
                     let rise = heat.rise(k, inherited, passage.heat());
                     let slip_speed = passage.slip[0].hypot(passage.slip[1]);

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::equilibrium::dot;
 use crate::heat::{HeatModel, HeatStep};
+use crate::numerics::vector::dot;
 use crate::patch::{Patch, Strip};
 
 /// Heat fluxes on the ways into all cells, and what they weigh in the temperatures.

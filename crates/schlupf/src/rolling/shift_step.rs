@@ -1,0 +1,56 @@
+//! The equilibrium after a shift at rest: every cell slides by the shift less what the bodies yield, with the
+//! same shift in all of them, because nothing is carried along.
+
+use crate::equilibrium::{Limits, Newton, Outcome};
+use crate::interface::contact_law::{ContactLaw, Slide};
+use crate::kinematics::Kinematics;
+use crate::state::Element;
+
+use super::contact::DiscreteContact;
+use super::time_step::{Prescribed, TimeStep};
+
+/// Speed and creepages of bodies that do not roll.
+pub(super) const AT_REST: Kinematics =
+    Kinematics { speed: 0.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+
+/// A shift on top of what the elements have gone through.
+pub(super) struct Shift<'a> {
+    /// Along and across rolling, in m.
+    pub distance: [f64; 2],
+    /// The contact, with the displacement field of the traction before.
+    pub contact: &'a mut DiscreteContact,
+    pub law: &'a dyn ContactLaw,
+    /// μ pₙ of each cell, in Pa.
+    pub bound: &'a [f64],
+    /// The elements in the order of the patch.
+    pub elements: &'a mut [Element],
+}
+
+impl Shift<'_> {
+    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and leaves it
+    /// there and in the elements.
+    pub fn find(self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
+        let mut before = vec![0.0; p.len()];
+        self.contact.displacement_at_cells(&mut before);
+        let sliding = before.chunks_exact(2);
+        let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
+        let cells = self.elements.len();
+        let prescribed =
+            Prescribed { sliding, in_contact: vec![1.0; cells], in_place: vec![false; cells] };
+        let past = |element: &Element| Slide {
+            traction: element.saturation,
+            distance: element.sliding,
+            ..Slide::default()
+        };
+        let slides = self.elements.iter().map(past).collect();
+        let mut step = TimeStep::new(self.contact, self.law, self.bound, &prescribed, slides);
+        let outcome = step.solve(newton, p, limits);
+        for (k, element) in self.elements.iter_mut().enumerate() {
+            let slide = &step.slides[k];
+            element.traction = [p[2 * k], p[2 * k + 1]];
+            element.saturation = step.responses[k].traction;
+            element.sliding = [0, 1].map(|c| slide.distance[c] + slide.increment[c]);
+        }
+        outcome
+    }
+}
