@@ -23,6 +23,9 @@ Exit codes:
 #[derive(Debug, Parser)]
 #[command(name = "schlupf", version, after_help = EXIT_CODES)]
 pub struct Arguments {
+    /// Threads for what can be computed at the same time; all cores when left out. Results do not depend on it
+    #[arg(long, global = true, value_name = "N", value_parser = number_of_threads)]
+    pub threads: Option<usize>,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
@@ -295,6 +298,13 @@ pub struct FitArguments {
     /// What of the results is shown.
     #[command(flatten)]
     pub report: ReportArguments,
+}
+
+/// A number of threads that a machine can have.
+fn number_of_threads(text: &str) -> Result<usize, String> {
+    const MOST: usize = 1024;
+    let count = text.parse().ok().filter(|count| (1..=MOST).contains(count));
+    count.ok_or_else(|| format!("must be a whole number between 1 and {MOST}"))
 }
 
 /// A γ that theory or measurement may have.

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use schlupf::bulk_temperature::{self, BulkTemperature, Cooling};
-use schlupf::{Error, Options, Status};
+use schlupf::bulk_temperature::{self, BulkTemperature, Cooling, bulk_temperature};
+use schlupf::{Error, Status};
 use schlupf_case::{Case, CaseErrors};
 use schlupf_output::bulk_temperature::{Report, document, text};
 
@@ -20,6 +20,7 @@ pub fn run(arguments: &BulkArguments) -> Result<ExitCode, Failure> {
     let case = read_case(&arguments.case)?;
     let cooling = case.require_cooling().map_err(CaseErrors::from)?;
     let explain = |error: Error| Failure::Case(case.explain(&error).into());
+    case.require_steady("the bulk temperature is that").map_err(CaseErrors::from)?;
     bulk_temperature::check(&case.problem, &cooling).map_err(explain)?;
     check_outputs(arguments, &case)?;
     let mut balance = find(&case, &cooling).map_err(explain)?;
@@ -47,9 +48,8 @@ pub fn run(arguments: &BulkArguments) -> Result<ExitCode, Failure> {
 
 fn find(case: &Case, cooling: &Cooling) -> Result<BulkTemperature, Error> {
     let progress = Progress::start();
-    let options = Options { sensitivity: false, ..case.options.clone() };
-    let mut report = |state| progress.step(state);
-    bulk_temperature::bulk_temperature(&case.problem, &options, cooling, &mut report)
+    let mut solver = case.solver();
+    bulk_temperature(&case.problem, &mut *solver, cooling, &progress.watch())
 }
 
 fn check_outputs(arguments: &BulkArguments, case: &Case) -> Result<(), Failure> {

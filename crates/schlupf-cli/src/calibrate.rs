@@ -14,7 +14,7 @@ use schlupf::elasticity::elastic_layer::LayerStiffness;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::history::History;
 use schlupf::normal::{NormalContact, Pressure};
-use schlupf::{Error, Status};
+use schlupf::{Error, Status, Watch};
 use schlupf_case::{Case, CaseErrors, Displacements, read_displacements};
 use schlupf_output::calibration::{Anew, Fitted, FittedComponent, Layer, Report, json, summary};
 use schlupf_output::figures::{self, Figure};
@@ -42,7 +42,8 @@ pub fn run(arguments: &CalibrateArguments) -> Result<ExitCode, Failure> {
     progress.stage("calibrating");
     let explain = |error: Error| Failure::Case(case.explain(&error).into());
     let patch = Patch::of(&case).map_err(explain)?;
-    let (report, figure) = patch.report(arguments, &displacements, &case).map_err(explain)?;
+    let found = patch.report(arguments, &displacements, &case, &progress.watch());
+    let (report, figure) = found.map_err(explain)?;
     let figure = figure.transpose()?;
     drop(progress);
     write(arguments, &report, figure)?;
@@ -70,7 +71,7 @@ impl Patch {
     /// That of the case; of a history that with the largest load.
     fn of(case: &Case) -> Result<Self, Error> {
         let problem = &case.problem;
-        let load = problem.history.as_ref().and_then(History::largest_load);
+        let load = case.history.as_ref().and_then(History::largest_load);
         let normal = problem.normal.normal_contact(load)?;
         let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
         let [a, b] = [normal.summary.semi_axis_x, normal.summary.semi_axis_y];
@@ -82,6 +83,7 @@ impl Patch {
         arguments: &CalibrateArguments,
         displacements: &[Displacements],
         case: &Case,
+        watch: Watch,
     ) -> Result<(Report, Figured), Error> {
         let options = CalibrationOptions {
             cells: arguments.cells,
@@ -101,10 +103,10 @@ impl Patch {
         };
         let deviation = tabulated
             .filter(|_| displacements.is_empty())
-            .map(|_| deviation_of_table(ratios.0, ratios.1, &options))
+            .map(|_| deviation_of_table(ratios.0, ratios.1, &options, watch))
             .transpose()?;
-        let anew =
-            if arguments.anew { Some(calibrate(ratios.0, ratios.1, &options)?) } else { None };
+        let anew = arguments.anew.then(|| calibrate(ratios.0, ratios.1, &options, watch));
+        let anew = anew.transpose()?;
         let fitted = fitted(displacements)?;
         let exact = tabulated.map(|stiffness| self.layer(stiffness, None).stiffness);
         warnings.extend(fitted.iter().flat_map(|fitted| doubts(fitted, exact)));
@@ -114,7 +116,7 @@ impl Patch {
         if arguments.figures.is_some() {
             let stiffness = anew.map(|anew| anew.stiffness).or(tabulated);
             if let Some(stiffness) = stiffness {
-                let sides = side_by_side(ratios.0, ratios.1, stiffness)?;
+                let sides = side_by_side(ratios.0, ratios.1, stiffness, watch)?;
                 converged &= sides.is_converged();
                 figure = Some(figures::calibration(&case.title, &sides));
             }

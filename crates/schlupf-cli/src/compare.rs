@@ -5,9 +5,9 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use schlupf::normal::Pressure;
-use schlupf::rolling::{self, steady::SteadySolver};
+use schlupf::parallel;
 use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Options, Problem, Solution};
+use schlupf::{Error, Method, Problem, Solution, Solver, Watch};
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, Effective, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry, csv, json, summary};
@@ -32,13 +32,13 @@ const MARGIN: &str = "elasticity.margin";
 /// Compares all methods on a case and writes the results.
 pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
     let case = read_case(&arguments.case)?;
-    refuse_history(&case)?;
+    case.require_steady("a comparison is").map_err(CaseErrors::from)?;
     check_outputs(arguments, &case)?;
     for notice in &case.notices {
         report::warn(notice);
     }
     let progress = Progress::start();
-    let entries = entries(&case, &progress)?;
+    let entries = entries(&case, &progress.watch())?;
     let comparison = Comparison { title: case.title, entries };
     let files = files(arguments, &comparison, &progress)?;
     drop(progress);
@@ -55,41 +55,26 @@ pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::from(code))
 }
 
-/// Only the full method could follow one.
-fn refuse_history(case: &Case) -> Result<(), Failure> {
-    if case.problem.history.is_none() {
-        return Ok(());
-    }
-    let reason = "a comparison is of steady rolling, but there is a history".to_owned();
-    let field = if case.files().iter().any(|(field, _)| *field == "history.file") {
-        "history.file"
-    } else {
-        "history.time"
-    };
-    let error = Error::Contradiction { quantity: field, reason };
-    Err(Failure::Case(case.explain(&error).into()))
-}
-
-/// What all methods make of the case.
+/// What all methods make of the case: all solutions on several threads first, then their times one after the other.
 ///
 /// # Errors
 /// What the first one says if none has an answer.
-fn entries(case: &Case, progress: &Progress) -> Result<Vec<Entry>, Failure> {
+fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, Failure> {
     let full = case.with(COMPARE, "solver.method=full")?;
+    let solved = parallel::map(CANDIDATES.iter().collect(), |candidate| {
+        candidate.case(&full).and_then(|case| Solved::new(case, watch))
+    });
     let mut entries = Vec::new();
     let mut first_errors: Option<CaseErrors> = None;
-    for (k, candidate) in CANDIDATES.iter().enumerate() {
-        let answer = candidate.case(&full).and_then(|case| answer(&case));
-        let answer = answer.map_err(|errors| {
+    for (solved, candidate) in solved.into_iter().zip(CANDIDATES) {
+        let answer = solved.and_then(|solved| solved.answer(watch)).map_err(|errors| {
             let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
             let reason = messages.join("; ");
             first_errors.get_or_insert(errors);
             reason
         });
-        let Candidate { name, method, elasticity } = *candidate;
+        let Candidate { name, method, elasticity } = candidate;
         entries.push(Entry { name, method, elasticity, answer });
-        let steps = Some(CANDIDATES.len());
-        progress.step(rolling::Progress { step: k + 1, steps, change: 0.0 });
     }
     match first_errors {
         Some(errors) if entries.iter().all(|entry| entry.answer.is_err()) => Err(errors.into()),
@@ -168,24 +153,53 @@ fn with_elasticity(case: &Case, model: &str) -> Result<Case, CaseErrors> {
 const REPEATED_FOR: Duration = Duration::from_millis(2);
 const MOST_REPETITIONS: u32 = 1000;
 
-fn answer(case: &Case) -> Result<Answer, CaseErrors> {
-    let explain = |error: Error| explained(case, &error);
-    let problem = &case.problem;
-    // Derivatives are not compared, and would count in the time.
-    let options = Options { sensitivity: false, ..case.options.clone() };
-    // The normal contact is the same for all, and counts for none.
-    problem.normal.normal_contact(None).map_err(explain)?;
-    let start = Instant::now();
-    let solution = rolling::solve(problem, &options, &mut |_| ()).map_err(explain)?;
-    let time = start.elapsed().as_secs_f64();
-    let time_again = if options.method == Method::Full {
-        again_full(problem, &options)
-    } else {
-        again_fast(problem, &options)
-    };
-    let time_again = time_again.map_err(explain)?;
-    let solution = Solution { warnings: warnings(&solution), ..solution };
-    Ok(Answer { solution, time, time_again })
+/// A case that one method has solved.
+struct Solved {
+    case: Case,
+    /// With its set-up.
+    solver: Box<dyn Solver>,
+    solution: Solution,
+}
+
+impl Solved {
+    fn new(case: Case, watch: Watch) -> Result<Self, CaseErrors> {
+        let mut solver = case.solver();
+        let solution = solver.solve(&case.problem, watch);
+        let solution = solution.map_err(|error| explained(&case, &error))?;
+        Ok(Self { case, solver, solution })
+    }
+
+    /// Nothing else must run while times are measured.
+    fn answer(mut self, watch: Watch) -> Result<Answer, CaseErrors> {
+        let time = self.time(watch);
+        let times = time.and_then(|time| Ok((time, self.time_again(watch)?)));
+        let (time, time_again) = times.map_err(|error| explained(&self.case, &error))?;
+        let solution = Solution { warnings: warnings(&self.solution), ..self.solution };
+        Ok(Answer { solution, time, time_again })
+    }
+
+    /// Time of a solution from the set-up on, in s. The normal contact, which is the same for all, is known.
+    fn time(&self, watch: Watch) -> Result<f64, Error> {
+        let start = Instant::now();
+        self.case.solver().solve(&self.case.problem, watch)?;
+        Ok(start.elapsed().as_secs_f64())
+    }
+
+    /// Time with the set-up there, in s: of a solution without earlier ones, or, by a fast method, of the forces.
+    fn time_again(&mut self, watch: Watch) -> Result<f64, Error> {
+        let Case { problem, options, method, .. } = &self.case;
+        match method {
+            Method::Fast(method) => {
+                forces_again(FastContact::new(problem, *method, options)?, problem)
+            }
+            Method::Full => {
+                self.solver.forget();
+                let start = Instant::now();
+                self.solver.solve(problem, watch)?;
+                Ok(start.elapsed().as_secs_f64())
+            }
+        }
+    }
 }
 
 /// The warnings but one: the table shows what a fast method does not give.
@@ -194,19 +208,8 @@ fn warnings(solution: &Solution) -> Vec<String> {
     solution.warnings.iter().filter(is_told).cloned().collect()
 }
 
-/// Time of a solution by a solver with its set-up and without earlier solutions, in s.
-fn again_full(problem: &Problem, options: &Options) -> Result<f64, Error> {
-    let mut solver = SteadySolver::new(options);
-    solver.solve(problem, &mut |_| ())?;
-    solver.forget();
-    let start = Instant::now();
-    solver.solve(problem, &mut |_| ())?;
-    Ok(start.elapsed().as_secs_f64())
-}
-
 /// Mean time of the forces by a contact that is set up, in s.
-fn again_fast(problem: &Problem, options: &Options) -> Result<f64, Error> {
-    let mut contact = FastContact::new(problem, options)?;
+fn forces_again(mut contact: FastContact, problem: &Problem) -> Result<f64, Error> {
     contact.force(&problem.kinematics)?;
     let start = Instant::now();
     let mut repetitions = 0;

@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-use schlupf::Options;
 use schlupf::creep_curve::{self, CreepCurve, Creepages, Sampling, Spacing};
-use schlupf::rolling;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::{Watch, parallel};
 use schlupf_case::{Case, CaseErrors, Family, direction, range};
 use schlupf_output::creep_curve::{CurveFamily, Member, csv, json, summary};
 use schlupf_output::figures;
@@ -38,20 +37,7 @@ pub fn run(arguments: &CurveArguments) -> Result<ExitCode, Failure> {
     }
     check_outputs(arguments, &tasks)?;
     let progress = Progress::start();
-    let mut members = Vec::new();
-    let mut solver = SteadySolver::new(&case.options);
-    for (k, task) in tasks.iter().enumerate() {
-        if *solver.options() != task.options() {
-            solver = SteadySolver::new(&task.options());
-        }
-        let curve = task.trace(&mut solver, &sampling, &mut |done| {
-            let step = k * sampling.points + done;
-            let steps = Some(tasks.len() * sampling.points);
-            progress.step(rolling::Progress { step, steps, change: 0.0 });
-        })?;
-        let notices = task.case.notices.clone();
-        members.push(Member { value: task.value.clone(), notices, curve });
-    }
+    let members = members(&tasks, &sampling, &progress)?;
     let over = family.map(|family| family.field.to_owned());
     let family = CurveFamily { title: case.title, over, sampling, members };
     let files = files(arguments, &family, &progress)?;
@@ -69,6 +55,27 @@ pub fn run(arguments: &CurveArguments) -> Result<ExitCode, Failure> {
         }
     }
     Ok(ExitCode::from(NOT_CONVERGED))
+}
+
+/// All curves, on several threads.
+fn members(
+    tasks: &[Task],
+    sampling: &Sampling,
+    progress: &Progress,
+) -> Result<Vec<Member>, Failure> {
+    let watch = progress.watch();
+    let done: Vec<AtomicUsize> = tasks.iter().map(|_| AtomicUsize::new(0)).collect();
+    let total = Some(tasks.len() * sampling.points);
+    let each = tasks.iter().zip(&done).collect();
+    parallel::try_map(each, |(task, own): (&Task, &AtomicUsize)| {
+        let curve = task.trace(sampling, &|progress| {
+            own.store(progress.done, Ordering::Relaxed);
+            let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
+            watch(schlupf::Progress { done, total, ..progress })
+        })?;
+        let notices = task.case.notices.clone();
+        Ok(Member { value: task.value.clone(), notices, curve })
+    })
 }
 
 fn sampling(arguments: &CurveArguments) -> Sampling {
@@ -197,25 +204,14 @@ impl Varied {
 
 impl Task {
     fn check(&self, sampling: &Sampling, varied: &Varied) -> Result<(), Failure> {
-        let Case { problem, options, .. } = &self.case;
-        creep_curve::check(problem, options, &self.path, sampling)
+        self.case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
+        creep_curve::check(&self.case.problem, &self.path, sampling)
             .map_err(|error| varied.failure(&self.case, &error))
     }
 
-    /// The options of its case; derivatives at every point have no place in a curve.
-    fn options(&self) -> Options {
-        Options { sensitivity: false, ..self.case.options.clone() }
-    }
-
-    fn trace(
-        &self,
-        solver: &mut SteadySolver,
-        sampling: &Sampling,
-        report: &mut dyn FnMut(usize),
-    ) -> Result<CreepCurve, Failure> {
-        let mut report = |progress: creep_curve::Progress| report(progress.done);
-        let problem = &self.case.problem;
-        creep_curve::trace_with(solver, problem, &self.path, sampling, &mut report)
+    fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, Failure> {
+        let mut solver = self.case.solver();
+        creep_curve::trace(&mut *solver, &self.case.problem, &self.path, sampling, watch)
             .map_err(|error| Failure::Case(self.case.explain(&error).into()))
     }
 }

@@ -7,6 +7,7 @@ use schlupf::identification::{
     self, CreepForceModel, DataPoint, Fit, Parameter, PolachModel, RollingContactModel,
     sample_curves,
 };
+use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Status};
 use schlupf_case::identification::{parameters, read_data};
 use schlupf_case::{Case, CaseErrors};
@@ -34,7 +35,9 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
     let data =
         read_data(DATA, &arguments.data, &case.problem.kinematics).map_err(CaseErrors::from)?;
     let explain = |error: Error| explain(arguments, &case, &error);
-    let mut model = Model::new(&case, &parameters, arguments.gamma).map_err(explain)?;
+    case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
+    let model = Model::new(&case, &parameters, arguments.gamma);
+    let Some(mut model) = model.map_err(explain)? else { return Err(no_model(case.method)) };
     identification::check(model.creep_forces(), &data).map_err(explain)?;
     let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
     check_outputs(arguments, &case)?;
@@ -45,12 +48,12 @@ pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
     let progress = Progress::start();
     progress.stage("fitting");
     let steps = arguments.max_steps as usize;
-    let mut each = |done: identification::Progress| progress.count("fitting, forces", done.solved);
-    let fit = identification::fit(model.creep_forces(), &data, steps, &mut each);
+    let fit = identification::fit(model.creep_forces(), &data, steps, &progress.watch());
     let mut fit = fit.map_err(explain)?;
     fit.warnings.extend(case.notices.iter().cloned().chain(other_loads));
     let points = if arguments.figures.is_some() { CURVE_POINTS } else { 0 };
-    let curves = sample_curves(model.creep_forces(), &data, points).map_err(explain)?;
+    let curves = sample_curves(model.creep_forces(), &data, points, &progress.watch());
+    let curves = curves.map_err(explain)?;
     let contact_stiffness = model.contact_stiffness();
     let roughness = parameters
         .contains(&Parameter::Roughness)
@@ -113,14 +116,20 @@ enum Model {
 }
 
 impl Model {
-    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Self, Error> {
+    /// `None` where the method cannot be fitted.
+    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Option<Self>, Error> {
         let Case { problem, options, .. } = case;
-        match options.method {
-            Method::Polach(_) => PolachModel::new(problem, options, parameters)
-                .map(|model| Self::Polach(Box::new(model))),
-            _ => RollingContactModel::new(problem, options, parameters, gamma)
-                .map(|model| Self::Full(Box::new(model))),
-        }
+        Ok(match case.method {
+            Method::Full => {
+                let model = RollingContactModel::new(problem, options, parameters, gamma)?;
+                Some(Self::Full(Box::new(model)))
+            }
+            Method::Fast(FastMethod::Polach(reduction)) => {
+                let model = PolachModel::new(problem, reduction, parameters)?;
+                Some(Self::Polach(Box::new(model)))
+            }
+            Method::Fast(_) => None,
+        })
     }
 
     fn creep_forces(&mut self) -> &mut dyn CreepForceModel {
@@ -137,6 +146,14 @@ impl Model {
             Self::Polach(_) => f64::NAN,
         }
     }
+}
+
+/// Only some methods can be fitted.
+fn no_model(method: Method) -> Failure {
+    Failure::Arguments(format!(
+        "solver.method: what can be fitted is \"full\" and \"polach\", but the method is {:?}",
+        method.name()
+    ))
 }
 
 /// An error of the core: of the data and what they are to determine, or of the case.

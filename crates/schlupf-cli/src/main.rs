@@ -22,12 +22,25 @@ mod temperature;
 use std::process::ExitCode;
 
 use clap::Parser;
+use rayon::ThreadPoolBuilder;
 
 use arguments::{Arguments, Command};
+use failure::Failure;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let result = match arguments.command {
+    run(arguments).unwrap_or_else(|failure| {
+        report::print(&failure);
+        ExitCode::from(failure.exit_code())
+    })
+}
+
+fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
+    // Zero is one for each core.
+    let threads = ThreadPoolBuilder::new().num_threads(arguments.threads.unwrap_or(0));
+    let no_threads = |error| Failure::Arguments(format!("--threads: {error}"));
+    threads.build_global().map_err(no_threads)?;
+    match arguments.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Curve(arguments) => curve::run(&arguments),
         Command::Temperature(arguments) => temperature::run(&arguments),
@@ -40,9 +53,5 @@ fn main() -> ExitCode {
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),
         Command::Completions { shell } => commands::completions(shell),
-    };
-    result.unwrap_or_else(|failure| {
-        report::print(&failure);
-        ExitCode::from(failure.exit_code())
-    })
+    }
 }

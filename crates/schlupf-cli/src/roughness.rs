@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::interface::roughness::load_curve::{LoadCurveOptions, LoadPoint};
+use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
-use schlupf::{Error, Status, rolling};
+use schlupf::{Error, Status};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin, renamed};
 use schlupf_case::{Case, CaseErrors, GivenByOption, RoughnessRequest, caveats, pressures};
 use schlupf_output::figures;
@@ -36,7 +36,7 @@ pub fn run(arguments: &RoughnessArguments) -> Result<ExitCode, Failure> {
     let result = solve(&case, &request, &rough, &progress).map_err(explain)?;
     let is_wanted = [&arguments.figures, &arguments.pressures, &arguments.gaps];
     let spots = match is_wanted.into_iter().flatten().next() {
-        Some(_) => Some(spots(&request, &rough.surface).map_err(explain)?),
+        Some(_) => Some(spots(&request, &rough.surface, &progress).map_err(explain)?),
         None => None,
     };
     let report = describe(arguments, &case, (request, rough), (result, spots));
@@ -209,23 +209,21 @@ fn solve(
         hardness: key.hardness,
         mean_pressures: mean_pressures.to_vec(),
     };
-    let options = LoadCurveOptions::default();
-    let steps = Some(model.loads(&options));
-    let mut step = 0;
-    let mut each = |_: &LoadPoint| {
-        step += 1;
-        progress.step(rolling::Progress { step, steps, change: 0.0 });
-    };
-    model.solve(&options, &mut each)
+    model.solve(&LoadCurveOptions::default(), &progress.watch())
 }
 
 /// The contact at the largest mean pressure.
-fn spots(request: &RoughnessRequest, surface: &HeightMap) -> Result<Spots, Error> {
+fn spots(
+    request: &RoughnessRequest,
+    surface: &HeightMap,
+    progress: &Progress,
+) -> Result<Spots, Error> {
     let key = request.key();
     let distance = surface.distance_to_plane();
     let contact = RoughContact::new(distance, key.contact_modulus, Boundary::Periodic)?;
     let mut contact = contact.with_hardness(key.hardness)?;
-    let solution = contact.press(key.largest_pressure, &RoughContactOptions::default())?;
+    let solution =
+        contact.press(key.largest_pressure, &RoughContactOptions::default(), &progress.watch())?;
     Ok(Spots {
         mean_pressure: key.largest_pressure,
         is_converged: solution.is_converged,

@@ -4,10 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::rolling;
+use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Solution, Status};
-use schlupf_case::Case;
+use schlupf_case::{Case, CaseErrors, Task};
 use schlupf_output::contact_law::ContactLaw;
 use schlupf_output::{csv, figures, json, summary, vtk};
 
@@ -22,14 +22,17 @@ const FINAL_STATE: &str = "--final-state";
 
 /// Solves a case and writes the results.
 pub fn run(arguments: &SolveArguments) -> Result<ExitCode, Failure> {
-    let mut case = read_case(&arguments.case)?;
+    let case = read_case(&arguments.case)?;
     check_outputs(arguments, &case)?;
-    if let Some(path) = &arguments.initial_state {
-        case.problem.initial_state = Some(read_state(path)?);
-    }
-    refuse_state(arguments, case.options.method)?;
+    let initial_state = arguments.initial_state.as_deref().map(read_state).transpose()?;
+    refuse_state(arguments, case.method)?;
+    let task = case.task(initial_state).map_err(CaseErrors::from)?;
     let progress = Progress::start();
-    let mut solution = solve(&case, arguments.initial_state.as_deref(), &progress)?;
+    let solution = match task {
+        Task::Steady(mut solver) => solver.solve(&case.problem, &progress.watch()),
+        Task::Transient(transient) => march(&transient, &case.options, &progress.watch()),
+    };
+    let mut solution = solution.map_err(|error| explain(arguments, &case, &error))?;
     solution.warnings.splice(0..0, case.notices.iter().cloned());
     if !has_fields(&solution) {
         warn_of_empty_files(arguments, solution.method);
@@ -127,20 +130,14 @@ fn read_state(path: &Path) -> Result<State, Failure> {
     })
 }
 
-fn solve(
-    case: &Case,
-    initial_state: Option<&Path>,
-    progress: &Progress,
-) -> Result<Solution, Failure> {
-    let mut report = |state| progress.step(state);
-    let result = rolling::solve(&case.problem, &case.options, &mut report);
-    result.map_err(|error| match (&error, initial_state) {
+fn explain(arguments: &SolveArguments, case: &Case, error: &Error) -> Failure {
+    match (error, &arguments.initial_state) {
         // This one is no field of the case file.
         (Error::Contradiction { quantity: "solver.initial_state", reason }, Some(path)) => {
             Failure::Arguments(format!("--initial-state {}: {reason}", path.display()))
         }
-        _ => Failure::Case(case.explain(&error).into()),
-    })
+        _ => Failure::Case(case.explain(error).into()),
+    }
 }
 
 /// Whether there is anything in cells to draw.

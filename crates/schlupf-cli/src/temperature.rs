@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use schlupf::temperature_field::{Side, TemperatureField};
-use schlupf::{Error, Options, Problem, Solution, Status, rolling};
+use schlupf::{Error, Problem, Solution, Status};
 use schlupf_case::{Case, CaseError, CaseErrors, depths, length, position};
 use schlupf_output::figures;
 use schlupf_output::temperature::{Request, Temperatures, csv, json, summary};
@@ -22,12 +22,12 @@ pub fn run(arguments: &TemperatureArguments) -> Result<ExitCode, Failure> {
     let case = read_case(&arguments.case)?;
     let wanted = Wanted::read(arguments)?;
     let explain = |error: Error| Failure::Case(case.explain(&error).into());
-    TemperatureField::check(&case.problem).map_err(explain)?;
+    let what = "temperatures below the surface and in the wake are those";
+    case.require_steady(what).map_err(CaseErrors::from)?;
     check_outputs(arguments, &case)?;
     let progress = Progress::start();
-    let options = Options { sensitivity: false, ..case.options.clone() };
-    let mut solution = rolling::solve(&case.problem, &options, &mut |state| progress.step(state))
-        .map_err(explain)?;
+    let solution = case.solver().solve(&case.problem, &progress.watch());
+    let mut solution = solution.map_err(explain)?;
     let field = TemperatureField::new(&case.problem, &solution).map_err(explain)?;
     let request = wanted.request(&case.problem, &solution, &field)?;
     let (profile, rows) = Temperatures::sample(&field, &request);

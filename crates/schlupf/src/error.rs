@@ -33,6 +33,9 @@ pub enum Error {
         /// What was not found, with the work that was done.
         reason: String,
     },
+    /// Whoever watched wanted no more of it.
+    #[error("stopped before the end")]
+    Stopped,
 }
 
 /// A value that must be positive and finite.

@@ -8,7 +8,7 @@ use crate::kinematics::Kinematics;
 pub struct History {
     /// Shift of the wheel over the rail at rest before it rolls, along and across rolling, in m.
     pub shift: Option<[f64; 2]>,
-    /// Times, strictly ascending, in s; none if the shift is all.
+    /// Times, strictly ascending, in s; none if the shift is all, or nothing changes.
     pub time: Vec<f64>,
     /// Speed v0, in m/s.
     pub speed: Option<Vec<f64>>,
@@ -31,7 +31,8 @@ impl History {
             require_finite("history.shift_y", y, "m")?;
         }
         let count = self.time.len();
-        if count < 2 && !(self.is_shift_only() && self.is_constant()) {
+        let is_over_time = count > 0 || !self.is_constant();
+        if count < 2 && is_over_time {
             let reason = format!("at least two times are required, but there are {count}");
             return contradiction("history.time", reason);
         }
@@ -70,6 +71,11 @@ impl History {
     /// Whether the wheel is shifted, and does not roll.
     pub fn is_shift_only(&self) -> bool {
         self.shift.is_some() && self.time.is_empty()
+    }
+
+    /// Whether nothing ends it but the steady state.
+    pub fn is_endless(&self) -> bool {
+        self.shift.is_none() && self.time.is_empty()
     }
 
     fn is_constant(&self) -> bool {
@@ -184,6 +190,7 @@ fn in_history(error: &Error, time: f64) -> Error {
         Error::Invalid { quantity, .. }
         | Error::Contradiction { quantity, .. }
         | Error::NotConverged { quantity, .. } => *quantity,
+        Error::Stopped => return Error::Stopped,
     };
     let quantity = match quantity {
         "kinematics.speed" => "history.speed",
@@ -278,7 +285,8 @@ mod tests {
     fn what_is_no_history_is_refused() {
         let refuse = |history: History| history.check(&ROLLING).unwrap_err().to_string();
         let times = vec![0.0, 1.0];
-        assert!(refuse(History::default()).contains("at least two times"));
+        let once = History { time: vec![0.0], ..History::default() };
+        assert!(refuse(once).contains("at least two times"));
         let backwards = History { time: vec![1.0, 1.0], ..History::default() };
         assert!(refuse(backwards).contains("ascend strictly"));
         let short = History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };

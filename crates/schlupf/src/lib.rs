@@ -12,6 +12,8 @@
 #![forbid(unsafe_code)]
 
 pub mod error;
+pub mod progress;
+pub mod parallel;
 pub mod least_squares;
 pub mod material;
 pub mod kinematics;
@@ -28,8 +30,10 @@ pub mod history;
 pub mod method;
 pub mod state;
 pub mod problem;
+pub mod transient;
 pub mod solution;
 mod summary;
+pub mod solver;
 mod reference_point;
 pub mod reference;
 pub mod kalker_coefficients;
@@ -44,4 +48,7 @@ pub mod identification;
 pub use error::Error;
 pub use method::Method;
 pub use problem::{Options, Problem};
+pub use progress::{Progress, Watch, unwatched};
 pub use solution::{Solution, Status};
+pub use solver::Solver;
+pub use transient::Transient;

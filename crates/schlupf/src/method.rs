@@ -8,9 +8,16 @@ use crate::error::{Error, require};
 /// A method.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
-    /// The coupled equations, in the driver of the options.
+    /// The coupled equations.
     #[default]
     Full,
+    /// One of the fast methods.
+    Fast(FastMethod),
+}
+
+/// A fast method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FastMethod {
     /// Kalker's linear theory: forces and moment for small creepages.
     KalkerLinear,
     /// Shen, Hedrick and Elkins (1983): forces and moment.
@@ -93,6 +100,23 @@ impl Method {
     pub fn name(self) -> &'static str {
         match self {
             Self::Full => "full",
+            Self::Fast(method) => method.name(),
+        }
+    }
+
+    /// Whether it solves for the traction in every point, with temperatures, rather than for forces only.
+    pub fn has_fields(self) -> bool {
+        match self {
+            Self::Full => true,
+            Self::Fast(method) => method.has_fields(),
+        }
+    }
+}
+
+impl FastMethod {
+    /// Its name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
             Self::KalkerLinear => "kalker-linear",
             Self::ShenHedrickElkins => "shen-hedrick-elkins",
             Self::Polach(_) => "polach",
@@ -103,35 +127,43 @@ impl Method {
 
     /// Whether it solves for the traction in every point, with temperatures, rather than for forces only.
     pub fn has_fields(self) -> bool {
-        matches!(self, Self::Full | Self::Fastsim(_) | Self::ModifiedFastsim(..))
+        matches!(self, Self::Fastsim(_) | Self::ModifiedFastsim(..))
     }
 
     /// Checks its parameters.
     pub fn check(&self) -> Result<(), Error> {
         match self {
-            Self::Polach(reduction) => {
-                let AreaReduction { area_adhesion, area_slip } = *reduction;
-                part("solver.polach_area_adhesion", area_adhesion)?;
-                part("solver.polach_area_slip", area_slip)?;
-                require(
-                    area_slip <= area_adhesion,
-                    "solver.polach_area_slip",
-                    &format!("at most solver.polach_area_adhesion = {area_adhesion}"),
-                    area_slip,
-                    "",
-                )
-            }
-            Self::ModifiedFastsim(_, SlopeReduction { initial, limit_ratio, decay }) => {
-                part("fastsim.initial_reduction", *initial)?;
-                let is_part = (0.0..=1.0).contains(limit_ratio);
-                let quantity = "fastsim.reduction_limit_ratio";
-                require(is_part, quantity, "between 0 and 1", *limit_ratio, "")?;
-                let is_legal = *decay >= 0.0 && decay.is_finite();
-                let quantity = "fastsim.reduction_decay";
-                require(is_legal, quantity, "finite and at least 0", *decay, "")
-            }
-            _ => Ok(()),
+            Self::Polach(reduction) => reduction.check(),
+            Self::ModifiedFastsim(_, reduction) => reduction.check(),
+            Self::KalkerLinear | Self::ShenHedrickElkins | Self::Fastsim(_) => Ok(()),
         }
+    }
+}
+
+impl AreaReduction {
+    fn check(self) -> Result<(), Error> {
+        let Self { area_adhesion, area_slip } = self;
+        part("solver.polach_area_adhesion", area_adhesion)?;
+        part("solver.polach_area_slip", area_slip)?;
+        require(
+            area_slip <= area_adhesion,
+            "solver.polach_area_slip",
+            &format!("at most solver.polach_area_adhesion = {area_adhesion}"),
+            area_slip,
+            "",
+        )
+    }
+}
+
+impl SlopeReduction {
+    fn check(self) -> Result<(), Error> {
+        let Self { initial, limit_ratio, decay } = self;
+        part("fastsim.initial_reduction", initial)?;
+        let is_part = (0.0..=1.0).contains(&limit_ratio);
+        let quantity = "fastsim.reduction_limit_ratio";
+        require(is_part, quantity, "between 0 and 1", limit_ratio, "")?;
+        let is_legal = decay >= 0.0 && decay.is_finite();
+        require(is_legal, "fastsim.reduction_decay", "finite and at least 0", decay, "")
     }
 }
 
@@ -145,14 +177,16 @@ mod tests {
 
     #[test]
     fn impossible_parameters_are_named() {
-        let message = |method: Method| method.check().unwrap_err().to_string();
-        let polach =
-            |area_adhesion, area_slip| Method::Polach(AreaReduction { area_adhesion, area_slip });
+        let message = |method: FastMethod| method.check().unwrap_err().to_string();
+        let polach = |area_adhesion, area_slip| {
+            FastMethod::Polach(AreaReduction { area_adhesion, area_slip })
+        };
         assert!(message(polach(1.1, 0.4)).starts_with("solver.polach_area_adhesion"));
         assert!(message(polach(0.5, 0.0)).starts_with("solver.polach_area_slip"));
         assert!(message(polach(0.3, 0.4)).contains("at most solver.polach_area_adhesion = 0.3"));
         let modified = |initial, limit_ratio, decay| {
-            Method::ModifiedFastsim(Brush::KALKER, SlopeReduction { initial, limit_ratio, decay })
+            let reduction = SlopeReduction { initial, limit_ratio, decay };
+            FastMethod::ModifiedFastsim(Brush::KALKER, reduction)
         };
         assert!(message(modified(f64::NAN, 0.1, 1.0)).starts_with("fastsim.initial_reduction"));
         assert!(message(modified(1.0, 1.1, 1.0)).starts_with("fastsim.reduction_limit_ratio"));

@@ -66,23 +66,6 @@ struct Conductor {
 }
 
 impl TemperatureField {
-    /// Checks whether a problem has such temperatures, before it is solved.
-    ///
-    /// # Errors
-    /// A history: its material has left the contact with another past than the one that leaves it now.
-    pub fn check(problem: &Problem) -> Result<(), Error> {
-        if problem.history.is_none() {
-            return Ok(());
-        }
-        Err(Error::Contradiction {
-            quantity: "history.time",
-            reason:
-                "temperatures below the surface and in the wake are those of steady rolling, but \
-                     there is a history"
-                    .to_owned(),
-        })
-    }
-
     /// What the reader of the temperatures must know, if anything.
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<String> {
         let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
@@ -100,13 +83,13 @@ impl TemperatureField {
         })
     }
 
-    /// The temperatures of a solution of a problem.
+    /// The temperatures of steady rolling, from the solution of a problem. A history has none: its material has left
+    /// the contact with another past than the one that leaves it now.
     ///
     /// # Errors
-    /// What [`Self::check`] refuses, a fast method, which keeps no record of the heat, and whatever
+    /// A fast method, which keeps no record of the heat, and whatever
     /// [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
-        Self::check(problem)?;
         if solution.method != Method::Full {
             return Err(Error::Contradiction {
                 quantity: "solver.method",

@@ -1,6 +1,7 @@
 //! What several methods make of one case: bars side by side.
 
 use schlupf::Method;
+use schlupf::method::FastMethod;
 
 use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use super::label::{Anchor, TextStyle};
@@ -189,7 +190,8 @@ impl Column {
     fn values(&self, answers: &[&Answer]) -> Vec<(f64, bool)> {
         /// Over the largest of the others.
         const DWARFING: f64 = 1.5;
-        let is_bounded = |answer: &Answer| answer.solution.method != Method::KalkerLinear;
+        let is_bounded =
+            |answer: &Answer| answer.solution.method != Method::Fast(FastMethod::KalkerLinear);
         let bounded = answers.iter().filter(|answer| is_bounded(answer));
         let largest = bounded.map(|answer| (self.value)(answer).abs()).fold(0.0, f64::max);
         let value = |answer: &&Answer| {

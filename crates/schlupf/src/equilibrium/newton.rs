@@ -2,6 +2,9 @@
 //! leaves only short steps a non-monotone one (Grippo, Lampariello and Lucidi 1986): near Coulomb's law F has
 //! kinks, and a norm that must fall in every step creeps along them.
 
+use crate::error::Error;
+use crate::progress::{Progress, Stage, Watch, tell};
+
 use super::{Equilibrium, Gmres, Limits, Outcome, add_scaled, norm};
 
 /// Largest linear residual asked of the Krylov method, relative to that of the Newton step.
@@ -63,13 +66,17 @@ impl Default for Newton {
 
 impl Newton {
     /// Solves F(p) = 0 from the given p, in place. On return the system was last evaluated, for its
-    /// defect, at the p that is returned.
+    /// defect, at the p that is returned. `watch` is asked before every step.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`]; p is then that of the step before.
     pub fn solve(
         &mut self,
         system: &mut impl Equilibrium,
         p: &mut [f64],
         limits: &Limits,
-    ) -> Outcome {
+        watch: Watch,
+    ) -> Result<Outcome, Error> {
         self.prepare(system);
         let mut outcome = Outcome { products: 1, ..Outcome::default() };
         system.compliance_product(p, &mut self.u);
@@ -97,8 +104,11 @@ impl Newton {
                 outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
             }
             if outcome.converged || given_up {
-                return outcome;
+                return Ok(outcome);
             }
+            let change = Some(outcome.residual);
+            let done = outcome.iterations;
+            tell(watch, Progress { change, ..Progress::count(Stage::Steady, done) })?;
             outcome.iterations += 1;
             let enough = ENOUGH * limits.tolerance / outcome.residual;
             outcome.products += self.direction(system, forcing.max(enough).min(0.5));

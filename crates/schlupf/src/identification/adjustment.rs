@@ -90,17 +90,3 @@ pub(super) fn loaded(
         None => own,
     })
 }
-
-/// Creep curves are of steady rolling.
-pub(super) fn refuse_transient(problem: &Problem) -> Result<(), Error> {
-    let transient = |quantity, what: &str| {
-        refuse(quantity, format!("a creep curve is of steady rolling, but there is {what}"))
-    };
-    if problem.history.is_some() {
-        return transient("history.time", "a history");
-    }
-    if problem.initial_state.is_some() {
-        return transient("solver.initial_state", "an initial state");
-    }
-    Ok(())
-}

@@ -4,6 +4,7 @@ use faer::Mat;
 
 use crate::error::Error;
 use crate::least_squares::{self, Limits, Minimum, Residuals};
+use crate::progress::Watch;
 use crate::solution::{Status, Work};
 
 use super::confidence::students_t;
@@ -22,13 +23,6 @@ const OF_STANDARD_ERROR: f64 = 0.01;
 
 /// or where forces over the load would change by less than this: they are computed no better.
 const ROUNDING: f64 = 1e-6;
-
-/// How far a fit has got.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Forces computed so far.
-    pub solved: usize,
-}
 
 /// A parameter that was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,7 +108,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 }
 
 /// Fits the parameters of a model to measured points, at most so many steps. The model has the values
-/// found at the end. `report` is called before every solution.
+/// found at the end.
 ///
 /// The parameters θ make Σ ((F/N)_computed − (F/N)_measured)²/σ² smallest, in the logarithms of those that are positive.
 /// Their covariance is s² (JᵀJ)⁻¹ with the variance of the residuals s² = Σr²/(n − p), and intervals are
@@ -127,7 +121,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// counts to one side.
 ///
 /// # Errors
-/// Whatever [`check`] refuses; start values without a solution; forces of the wrong sign; and data that leave a parameter open:
+/// [`Error::Stopped`]; whatever [`check`] refuses; start values without a solution; forces of the wrong sign; and data that leave a parameter open:
 /// no force depends on it, μ0 is looked for in forces that are in proportion to the creepage, its 95 % interval is wider than itself on each side (for a parameter that may
 /// be zero, at least 0.1), or it goes with another one at a correlation above 0.999. For this, scatter that the data do
 /// not give is taken to be at least 10⁻³ of the largest force.
@@ -135,15 +129,15 @@ pub fn fit(
     model: &mut dyn CreepForceModel,
     data: &[DataPoint],
     max_iterations: usize,
-    report: &mut dyn FnMut(Progress),
+    watch: Watch,
 ) -> Result<Fit, Error> {
     check(model, data)?;
-    let mut weighted = Weighted::new(model, data, report);
+    let mut weighted = Weighted::new(model, data, watch);
     let start = vec![0.0; weighted.coordinates.len()];
-    let Some(residuals) = weighted.residuals(&start) else { return Err(no_start(&weighted)) };
+    let Some(residuals) = weighted.residuals(&start)? else { return Err(no_start(&weighted)) };
     data::check_signs(data, &computed(data, &residuals))?;
     let limits = limits(data, start.len(), max_iterations);
-    let Some(minimum) = least_squares::minimise(&mut weighted, &start, &limits) else {
+    let Some(minimum) = least_squares::minimise(&mut weighted, &start, &limits)? else {
         return Err(no_start(&weighted));
     };
     let values = weighted.values(&minimum.parameters);

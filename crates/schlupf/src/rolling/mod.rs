@@ -24,35 +24,65 @@ mod warnings;
 
 use crate::error::Error;
 use crate::method::Method;
-use crate::problem::{Driver, Options, Problem};
+use crate::problem::{Options, Problem};
+use crate::progress::Watch;
+use crate::simplified::FastSolver;
 use crate::solution::Solution;
+use crate::solver::Solver;
+use crate::transient::Transient;
 
-/// Solves a problem with the method and the driver of the options; fast methods have no driver.
-///
-/// `report` is called after every time step, or after the steady equilibrium.
-pub fn solve(
-    problem: &Problem,
-    options: &Options,
-    report: &mut dyn FnMut(Progress),
-) -> Result<Solution, Error> {
-    if options.method != Method::Full {
-        return steady::solve(problem, options, report);
-    }
-    let is_transient = problem.history.is_some() || problem.initial_state.is_some();
-    let otherwise = if is_transient { Driver::Marching } else { Driver::Steady };
-    match options.driver.unwrap_or(otherwise) {
-        Driver::Steady => steady::solve(problem, options, report),
-        Driver::Marching => marching::march(problem, options, report),
+use marching::march;
+use steady::SteadySolver;
+
+impl Method {
+    /// What finds steady states with this method.
+    pub fn solver(self, options: &Options) -> Box<dyn Solver> {
+        match self {
+            Self::Full => Box::new(SteadySolver::new(options)),
+            Self::Fast(method) => Box::new(FastSolver::new(method, options)),
+        }
     }
 }
 
-/// How far a driver has got.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Progress {
-    /// Time steps done, or steady states found.
-    pub step: usize,
-    /// All of them, where known beforehand.
-    pub steps: Option<usize>,
-    /// Relative change of traction and temperature in the last step, dimensionless.
-    pub change: f64,
+/// Marches to steady states of the full equations, from rest each. Derivatives are those of a
+/// [`SteadySolver`].
+pub struct MarchingSolver {
+    steady: SteadySolver,
+}
+
+impl MarchingSolver {
+    /// A solver without a past.
+    pub fn new(options: &Options) -> Self {
+        Self { steady: SteadySolver::new(options) }
+    }
+}
+
+impl Solver for MarchingSolver {
+    fn method(&self) -> Method {
+        Method::Full
+    }
+
+    fn options(&self) -> &Options {
+        self.steady.options()
+    }
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        march(&Transient::to_steady_state(problem), self.options(), watch)
+    }
+
+    fn has_derivatives(&self) -> bool {
+        true
+    }
+
+    fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        self.steady.solve_with_derivatives(problem, watch)
+    }
+
+    fn forget(&mut self) {
+        self.steady.forget();
+    }
 }

@@ -10,8 +10,10 @@ use crate::history::History;
 use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::kinematics::Kinematics;
 use crate::problem::{Options, Problem};
+use crate::progress::Watch;
 use crate::solution::Solution;
 use crate::state::Element;
+use crate::transient::Transient;
 
 use super::contact::DiscreteContact;
 use super::marching::march;
@@ -26,29 +28,20 @@ use super::time_step::{Prescribed, TimeStep};
 /// element has slid, in m, is in the solution's state, from which marching can go on.
 ///
 /// # Errors
-/// A problem with a history or an initial state, a shift that is not finite, and whatever
-/// [`Problem::check`] and [`Options::check`] refuse.
-pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<Solution, Error> {
-    refuse_a_past(problem)?;
+/// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] refuse, and
+/// [`Error::Stopped`].
+pub fn shift(
+    problem: &Problem,
+    shift: [f64; 2],
+    options: &Options,
+    watch: Watch,
+) -> Result<Solution, Error> {
     for component in shift {
         require_finite("shift", component, "m")?;
     }
     let history = History { shift: Some(shift), ..History::default() };
-    march(&Problem { history: Some(history), ..problem.clone() }, options, &mut |_| ())
-}
-
-fn refuse_a_past(problem: &Problem) -> Result<(), Error> {
-    let refuse = |quantity, what| {
-        let reason = format!("a shift starts from rest, but the problem has {what}");
-        Err(Error::Contradiction { quantity, reason })
-    };
-    if problem.history.is_some() {
-        return refuse("history", "a history");
-    }
-    if problem.initial_state.is_some() {
-        return refuse("solver.initial_state", "an initial state");
-    }
-    Ok(())
+    let transient = Transient { history, ..Transient::to_steady_state(problem) };
+    march(&transient, options, watch)
 }
 
 /// Speed and creepages of bodies that do not roll.
@@ -71,7 +64,13 @@ pub(super) struct Shift<'a> {
 impl Shift<'_> {
     /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and leaves it
     /// there and in the elements.
-    pub fn find(self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
+    pub fn find(
+        self,
+        newton: &mut Newton,
+        p: &mut [f64],
+        limits: &Limits,
+        watch: Watch,
+    ) -> Result<Outcome, Error> {
         let mut before = vec![0.0; p.len()];
         self.contact.displacement_at_cells(&mut before);
         let sliding = before.chunks_exact(2);
@@ -86,13 +85,13 @@ impl Shift<'_> {
         };
         let slides = self.elements.iter().map(past).collect();
         let mut step = TimeStep::new(self.contact, self.law, self.bound, &prescribed, slides);
-        let outcome = step.solve(newton, p, limits);
+        let outcome = step.solve(newton, p, limits, watch)?;
         for (k, element) in self.elements.iter_mut().enumerate() {
             let slide = &step.slides[k];
             element.traction = [p[2 * k], p[2 * k + 1]];
             element.saturation = step.responses[k].traction;
             element.sliding = [0, 1].map(|c| slide.distance[c] + slide.increment[c]);
         }
-        outcome
+        Ok(outcome)
     }
 }

@@ -10,16 +10,17 @@ use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::problem::{Branch, Options, Problem};
-use crate::reference_point::Moved;
-use crate::simplified::FastContact;
+use crate::progress::Watch;
+use crate::reference_point::AtPatch;
 use crate::solution::{Resultant, Solution, Status, Work};
+use crate::solver::Solver;
 use crate::state::State;
 use crate::summary::{self, snapshot::Snapshot};
+use crate::transient::Transient;
 
-use super::Progress;
 use super::branches;
 use super::level::{self, Level};
-use super::marching;
+use super::marching::march;
 use super::sensitivity::{by_constants, sensitivity};
 use super::steady_state::SteadyState;
 use super::warnings;
@@ -28,90 +29,54 @@ use super::warnings;
 ///
 /// Where Newton's method fails, the state is marched to instead, and a warning says so.
 ///
-/// With a fast method it is that method's state.
-///
 /// # Errors
-/// A history or an initial state, which only marching can follow, and whatever
-/// [`Problem::check`] and [`Options::check`] refuse.
-pub fn solve(
-    problem: &Problem,
-    options: &Options,
-    report: &mut dyn FnMut(Progress),
-) -> Result<Solution, Error> {
-    SteadySolver::new(options).solve(problem, report)
+/// Whatever [`Problem::check`] and [`Options::check`] refuse, and [`Error::Stopped`].
+pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solution, Error> {
+    SteadySolver::new(options).solve(problem, watch)
 }
 
-fn refuse_transient(problem: &Problem) -> Result<(), Error> {
-    let refuse = |quantity, what| {
-        let reason = format!("{what} needs solver.driver = \"marching\", but it is \"steady\"");
-        Err(Error::Contradiction { quantity, reason })
-    };
-    if problem.history.is_some() {
-        return refuse("solver.driver", "a history");
-    }
-    if problem.initial_state.is_some() {
-        return refuse("solver.initial_state", "an initial state");
-    }
-    Ok(())
-}
-
-/// A solver for steady states that are near each other: points of a creep curve, or families of
-/// them.
+/// Finds steady states of the full equations at once.
 ///
-/// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a problem
-/// do) share grids, kernels and transforms, and each starts from the solutions before; where that
-/// fails, from none. The result depends on them within the tolerance only. It is a steady solver
-/// whatever the driver of the options. A fast method has its own set-up, which it keeps likewise.
+/// Each starts from the solutions before; where that fails, from none.
 pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
     newton: Newton,
-    fast: Option<FastContact>,
 }
 
-impl SteadySolver {
-    /// A solver without a past.
-    pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), setup: None, newton: Newton::default(), fast: None }
+/// What an attempt to find the steady state at once came to.
+enum Attempt {
+    Found(Box<Solution>),
+    /// How far Newton's method got from a cold start, and what is to be said beside.
+    Failed(Outcome, Option<String>),
+}
+
+impl Attempt {
+    fn found(self) -> Option<Solution> {
+        match self {
+            Self::Found(solution) => Some(*solution),
+            Self::Failed(..) => None,
+        }
+    }
+}
+
+impl Solver for SteadySolver {
+    fn method(&self) -> Method {
+        Method::Full
     }
 
-    /// How it solves.
-    pub fn options(&self) -> &Options {
+    fn options(&self) -> &Options {
         &self.options
     }
 
-    /// Solves a problem for its steady state; see [`solve`].
-    pub fn solve(
-        &mut self,
-        problem: &Problem,
-        report: &mut dyn FnMut(Progress),
-    ) -> Result<Solution, Error> {
-        match Moved::from(problem)? {
-            None => self.solve_at_patch(problem, report),
-            Some(moved) => Ok(moved.back(self.solve_at_patch(&moved.problem, report)?)),
-        }
-    }
-
-    /// The same of a problem with its creepages at the middle of the patch.
-    fn solve_at_patch(
-        &mut self,
-        problem: &Problem,
-        report: &mut dyn FnMut(Progress),
-    ) -> Result<Solution, Error> {
-        if self.options.method != Method::Full {
-            let solution = self.solve_fast(problem)?;
-            report(Progress { step: 1, steps: Some(1), change: 0.0 });
-            return Ok(solution);
-        }
-        let Failure { outcome, warning } =
-            match self.solve_at_once(problem, self.options.sensitivity)? {
-                Ok(solution) => {
-                    report(Progress { step: 1, steps: Some(1), change: solution.residual });
-                    return Ok(solution);
-                }
-                Err(failure) => failure,
-            };
-        let mut marched = marching::march(problem, &self.options, report)?;
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let attempt = self.attempt(&at.problem, self.options.sensitivity, watch)?;
+        let (outcome, warning) = match attempt {
+            Attempt::Found(solution) => return Ok(at.back(*solution)),
+            Attempt::Failed(outcome, warning) => (outcome, warning),
+        };
+        let mut marched = march(&Transient::to_steady_state(problem), &self.options, watch)?;
         marched.warnings.push(format!(
             "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
              this is the end of a march, without derivatives",
@@ -121,82 +86,64 @@ impl SteadySolver {
         Ok(marched)
     }
 
-    fn solve_fast(&mut self, problem: &Problem) -> Result<Solution, Error> {
-        let fast = match &mut self.fast {
-            Some(fast) => {
-                fast.set_problem(problem)?;
-                fast
-            }
-            none => none.insert(FastContact::new(problem, &self.options)?),
-        };
-        Ok(fast.solution())
+    fn has_derivatives(&self) -> bool {
+        true
     }
 
-    /// The steady state with its derivatives. Nothing where Newton's method fails: this never
-    /// marches. Nothing with a fast method, which has no derivatives.
-    pub fn solve_with_derivatives(&mut self, problem: &Problem) -> Result<Option<Solution>, Error> {
-        if self.options.method != Method::Full {
-            return Ok(None);
-        }
-        match Moved::from(problem)? {
-            None => self.solve_at_once(problem, true).map(Result::ok),
-            Some(moved) => {
-                let found = self.solve_at_once(&moved.problem, true)?.ok();
-                Ok(found.map(|solution| moved.back(solution)))
-            }
-        }
-    }
-
-    /// The steady state with the derivatives of forces and moment by some constants of contact law and
-    /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
-    /// have has no effect. Nothing where Newton's method or a linear system fails, and with a fast method.
-    pub fn solve_with_derivatives_by(
+    fn solve_with_derivatives(
         &mut self,
         problem: &Problem,
-        constants: &[InterfaceConstant],
-    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
-        let Some(moved) = Moved::from(problem)? else {
-            return self.solve_with_derivatives_by_at_patch(problem, constants);
-        };
-        let found = self.solve_with_derivatives_by_at_patch(&moved.problem, constants)?;
-        Ok(found.map(|(solution, derivatives)| {
-            let derivatives = derivatives.iter().map(|by| moved.resultant_back(by)).collect();
-            (moved.back(solution), derivatives)
-        }))
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let found = self.attempt(&at.problem, true, watch)?.found();
+        Ok(found.map(|solution| at.back(solution)))
     }
 
-    fn solve_with_derivatives_by_at_patch(
-        &mut self,
-        problem: &Problem,
-        constants: &[InterfaceConstant],
-    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
-        if self.options.method != Method::Full {
-            return Ok(None);
-        }
-        let Ok(mut solution) = self.solve_at_once(problem, false)? else { return Ok(None) };
-        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
-        let (size, tolerance) = (self.newton.response().len(), self.options.tolerance);
-        let (found, products) = by_constants(problem, levels, size, tolerance, constants);
-        solution.work.sensitivity_products = products;
-        Ok(found.map(|derivatives| (solution, derivatives)))
-    }
-
-    /// Forgets all solutions, but not the set-up.
-    pub fn forget(&mut self) {
+    fn forget(&mut self) {
         if let Some(setup) = &mut self.setup {
             setup.earlier.clear();
         }
     }
+}
 
-    /// The steady state, or how far Newton's method got from a cold start.
-    fn solve_at_once(
+impl SteadySolver {
+    /// A solver without a past.
+    pub fn new(options: &Options) -> Self {
+        Self { options: options.clone(), setup: None, newton: Newton::default() }
+    }
+
+    /// The steady state with the derivatives of forces and moment by some constants of contact law and
+    /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
+    /// have has no effect. Nothing where Newton's method or a linear system fails.
+    pub fn solve_with_derivatives_by(
+        &mut self,
+        problem: &Problem,
+        constants: &[InterfaceConstant],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let Some(mut solution) = self.attempt(&at.problem, false, watch)?.found() else {
+            return Ok(None);
+        };
+        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
+        let (size, tolerance) = (self.newton.response().len(), self.options.tolerance);
+        let (found, products) = by_constants(&at.problem, levels, size, tolerance, constants);
+        solution.work.sensitivity_products = products;
+        Ok(found.map(|derivatives| {
+            let derivatives = derivatives.iter().map(|by| at.resultant_back(by)).collect();
+            (at.back(solution), derivatives)
+        }))
+    }
+
+    /// The steady state of a problem with its creepages at the middle of the patch.
+    fn attempt(
         &mut self,
         problem: &Problem,
         with_derivatives: bool,
-    ) -> Result<Result<Solution, Failure>, Error> {
-        problem.check()?;
+        watch: Watch,
+    ) -> Result<Attempt, Error> {
         self.options.check()?;
-        refuse_transient(problem)?;
         let setup = self.setup.take().filter(|setup| setup.fits(problem));
         let mut setup = match setup {
             Some(setup) => setup,
@@ -206,26 +153,31 @@ impl SteadySolver {
             // Nothing slides: no earlier solution is as near as none.
             setup.earlier.clear();
         }
-        let mut work = Work::default();
-        let mut outcome = setup.find(problem, &self.options, &mut self.newton, &mut work);
+        let mut search = Search {
+            options: &self.options,
+            newton: &mut self.newton,
+            work: Work::default(),
+            watch,
+        };
+        let mut outcome = setup.find(problem, &mut search)?;
         let mut warning = None;
         if branches::may_be_several(problem, &setup.levels[0], outcome.converged) {
-            (outcome, warning) =
-                setup.follow_branches(problem, &self.options, &mut self.newton, &mut work);
+            (outcome, warning) = setup.follow_branches(problem, &mut search)?;
         }
-        let result = if outcome.converged {
+        let work = search.work;
+        let attempt = if outcome.converged {
             let response = self.newton.response();
             let mut solution = setup.solution(problem, &self.options, response, (outcome, work));
             solution.warnings.extend(warning);
             if with_derivatives {
                 self.differentiate(problem, &mut setup, &mut solution);
             }
-            Ok(solution)
+            Attempt::Found(Box::new(solution))
         } else {
-            Err(Failure { outcome, warning })
+            Attempt::Failed(outcome, warning)
         };
         self.setup = Some(setup);
-        Ok(result)
+        Ok(attempt)
     }
 
     /// Adds the derivatives to a solution that was just found.
@@ -245,10 +197,12 @@ impl SteadySolver {
     }
 }
 
-/// How far Newton's method got, and what is to be said beside.
-struct Failure {
-    outcome: Outcome,
-    warning: Option<String>,
+/// How a state is looked for, and the work that it was.
+struct Search<'a> {
+    options: &'a Options,
+    newton: &'a mut Newton,
+    work: Work,
+    watch: Watch<'a>,
 }
 
 /// What problems with one normal contact and elasticity share.
@@ -294,40 +248,33 @@ impl Setup {
 
     /// The steady state, from the solutions before; where that fails, from none; and then by way of softer
     /// bristles, with which it is smoother.
-    fn find(
-        &mut self,
-        problem: &Problem,
-        options: &Options,
-        newton: &mut Newton,
-        work: &mut Work,
-    ) -> Outcome {
+    fn find(&mut self, problem: &Problem, search: &mut Search) -> Result<Outcome, Error> {
         if !self.earlier.is_empty() {
-            let outcome = self.find_equilibrium(problem, options, newton, work);
+            let outcome = self.find_equilibrium(problem, search)?;
             if outcome.converged {
-                return outcome;
+                return Ok(outcome);
             }
         }
-        let outcome = self.find_equilibrium(problem, options, newton, work);
+        let outcome = self.find_equilibrium(problem, search)?;
         if outcome.converged {
-            return outcome;
+            return Ok(outcome);
         }
         for softer in softened(problem) {
-            let found = self.find_equilibrium(&softer, options, newton, work);
+            let found = self.find_equilibrium(&softer, search)?;
             if !found.converged {
-                return outcome;
+                return Ok(outcome);
             }
         }
-        self.find_equilibrium(problem, options, newton, work)
+        self.find_equilibrium(problem, search)
     }
 
     /// Newton's method for the whole patch, from the coarsest grid to the finest.
     fn find_equilibrium(
         &mut self,
         problem: &Problem,
-        options: &Options,
-        newton: &mut Newton,
-        work: &mut Work,
-    ) -> Outcome {
+        search: &mut Search,
+    ) -> Result<Outcome, Error> {
+        let Search { options, newton, work, watch } = search;
         let cells = self.levels[0].contact.patch.len();
         (work.cells, work.outer_iterations) = (cells, 1);
         let ahead = self.extrapolation(problem);
@@ -344,8 +291,9 @@ impl Setup {
             };
             let mut traction = std::mem::take(&mut self.levels[depth].traction);
             let mut system = SteadyState::new(problem, &mut self.levels[depth..]);
-            outcome = newton.solve(&mut system, &mut traction, &limits);
+            let solved = newton.solve(&mut system, &mut traction, &limits, *watch);
             self.levels[depth].traction = traction;
+            outcome = solved?;
             let share = self.levels[depth].strips.len() as f64 / cells as f64;
             work.newton_iterations += outcome.iterations;
             work.operator_products += share * outcome.products as f64;
@@ -356,7 +304,7 @@ impl Setup {
         } else {
             self.earlier.clear();
         }
-        outcome
+        Ok(outcome)
     }
 
     /// Follows the creepage to a problem from high slip and from low slip, the branch that is asked
@@ -365,30 +313,18 @@ impl Setup {
     fn follow_branches(
         &mut self,
         problem: &Problem,
-        options: &Options,
-        newton: &mut Newton,
-        work: &mut Work,
-    ) -> (Outcome, Option<String>) {
+        search: &mut Search,
+    ) -> Result<(Outcome, Option<String>), Error> {
+        let options = search.options;
         let (other, [here, there]) = match options.branch {
             Branch::LowSlip => (Branch::HighSlip, ["low", "high"]),
             Branch::HighSlip => (Branch::LowSlip, ["high", "low"]),
         };
-        let mut follow = |branch| {
+        let elsewhere = self.follow(problem, other, search)?;
+        let here_found = self.follow(problem, options.branch, search)?;
+        let (Some((outcome, force)), Some((_, other))) = (here_found, elsewhere) else {
             self.earlier.clear();
-            let mut outcome = None;
-            for kinematics in branches::way_to(&problem.kinematics, branch) {
-                let on_the_way = Problem { kinematics, ..problem.clone() };
-                let found = self.find(&on_the_way, options, newton, work);
-                outcome = Some(found).filter(|found| found.converged);
-                outcome?;
-            }
-            let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
-            outcome.map(|outcome| (outcome, force))
-        };
-        let elsewhere = follow(other);
-        let (Some((outcome, force)), Some((_, other))) = (follow(options.branch), elsewhere) else {
-            self.earlier.clear();
-            return (self.find(problem, options, newton, work), Some(branches::LOST.to_owned()));
+            return Ok((self.find(problem, search)?, Some(branches::LOST.to_owned())));
         };
         let normal = &self.levels[0].contact.normal;
         let limit = problem.friction.cold_coefficient() * normal.load;
@@ -403,7 +339,28 @@ impl Setup {
                 force.x, force.y, other.x, other.y
             )
         });
-        (outcome, warning)
+        Ok((outcome, warning))
+    }
+
+    /// The end of a branch with its forces; nothing where it is lost.
+    fn follow(
+        &mut self,
+        problem: &Problem,
+        branch: Branch,
+        search: &mut Search,
+    ) -> Result<Option<(Outcome, Resultant)>, Error> {
+        self.earlier.clear();
+        let mut end = None;
+        for kinematics in branches::way_to(&problem.kinematics, branch) {
+            let on_the_way = Problem { kinematics, ..problem.clone() };
+            let outcome = self.find(&on_the_way, search)?;
+            if !outcome.converged {
+                return Ok(None);
+            }
+            end = Some(outcome);
+        }
+        let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
+        Ok(end.map(|outcome| (outcome, force)))
     }
 
     /// The first guess on a level: what extrapolation along the earlier solutions gives, and the

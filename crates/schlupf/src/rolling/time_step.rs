@@ -10,7 +10,9 @@
 //! (Lions and Mercier 1979) of 0 = A p − D + law⁻¹(p), which never leads away from the solution.
 
 use crate::equilibrium::{self, Equilibrium, Limits, Newton, Outcome};
+use crate::error::Error;
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
+use crate::progress::Watch;
 
 use super::cell::{CellSolver, inverse_2x2, solve_2x2, times};
 use super::contact::DiscreteContact;
@@ -89,8 +91,14 @@ impl<'a> TimeStep<'a> {
     }
 
     /// Solves for the traction on the rail p, from the given one.
-    pub fn solve(&mut self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
-        newton.solve(self, p, limits)
+    pub fn solve(
+        &mut self,
+        newton: &mut Newton,
+        p: &mut [f64],
+        limits: &Limits,
+        watch: Watch,
+    ) -> Result<Outcome, Error> {
+        newton.solve(self, p, limits, watch)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::interface::friction::FrictionState;
 use crate::kalker_coefficients::is_tabulated;
-use crate::method::Method;
+use crate::method::FastMethod;
 use crate::normal::{NormalSummary, Pressure};
 use crate::problem::Problem;
 use crate::solution::{Power, Resultant};
@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn of(
     problem: &Problem,
     normal: &NormalSummary,
-    method: Method,
+    method: FastMethod,
     force: &Resultant,
     limit: f64,
 ) -> Vec<String> {
@@ -31,7 +31,7 @@ pub(super) fn of(
     }
     let what = if force.moment_z.is_nan() { "forces only" } else { "forces and moment only" };
     warnings.push(format!("solver.method: {name:?} gives {what}, no fields and no temperatures"));
-    if method != Method::KalkerLinear && depends_on_temperature(problem) {
+    if method != FastMethod::KalkerLinear && depends_on_temperature(problem) {
         warnings.push(format!(
             "friction.model: {name:?} knows no temperatures, so friction is that of material as warm \
              as it enters"

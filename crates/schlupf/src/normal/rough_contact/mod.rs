@@ -17,6 +17,7 @@ mod compliance;
 mod conjugate_gradients;
 
 use crate::error::{Error, require, require_positive};
+use crate::progress::Watch;
 use crate::surface::{HeightMap, Lattice};
 
 use compliance::NormalCompliance;
@@ -154,9 +155,10 @@ impl RoughContact {
         &mut self,
         mean_pressure: f64,
         options: &RoughContactOptions,
+        watch: Watch,
     ) -> Result<RoughContactSolution, Error> {
         require_positive("normal.pressure", mean_pressure, "Pa")?;
-        self.solve(mean_pressure * self.distance.lattice().area(), options)
+        self.solve(mean_pressure * self.distance.lattice().area(), options, watch)
     }
 
     /// Presses the bodies together with a load, in N.
@@ -164,6 +166,7 @@ impl RoughContact {
         &mut self,
         load: f64,
         options: &RoughContactOptions,
+        watch: Watch,
     ) -> Result<RoughContactSolution, Error> {
         require_positive("normal.load", load, "N")?;
         require_positive("solver.tolerance", options.tolerance, "")?;
@@ -182,7 +185,7 @@ impl RoughContact {
         } else {
             std::mem::take(&mut self.pressure)
         };
-        let outcome = equilibrium.solve(start, options);
+        let outcome = equilibrium.solve(start, options, watch)?;
         self.pressure.clone_from(&outcome.pressure);
         Ok(self.solution(load, outcome, options))
     }
