@@ -186,12 +186,15 @@ pub fn minimise(
     Ok(Some(here))
 }
 
+/// Residuals and their derivatives.
+type Evaluated = (Vec<f64>, Mat<f64>);
+
 /// Residuals with their derivatives; where there is a limit, only if their sum of squares is less.
 fn evaluate(
     model: &mut impl Residuals,
     parameters: &[f64],
     limit: Option<f64>,
-) -> Result<Option<(Vec<f64>, Mat<f64>)>, Error> {
+) -> Result<Option<Evaluated>, Error> {
     let Some(residuals) = model.residuals(parameters)? else { return Ok(None) };
     let is_less = limit.is_none_or(|limit| sum_of_squares(&residuals) < limit);
     if !is_less {

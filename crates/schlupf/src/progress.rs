@@ -55,10 +55,10 @@ pub fn unwatched(_: Progress) -> ControlFlow<()> {
 }
 
 /// Watches a part of something: whatever it tells, the whole has got as far as this.
-pub(crate) fn within<'a>(
-    watch: Watch<'a>,
+pub(crate) fn within(
+    watch: Watch<'_>,
     whole: Progress,
-) -> impl Fn(Progress) -> ControlFlow<()> + Sync + 'a {
+) -> impl Fn(Progress) -> ControlFlow<()> + Sync + '_ {
     move |_| watch(whole)
 }
 

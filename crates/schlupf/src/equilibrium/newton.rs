@@ -48,6 +48,15 @@ pub struct Newton {
     krylov: Gmres,
 }
 
+/// How a solution went, with the linear response to what was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solved<'a> {
+    /// How it went.
+    pub outcome: Outcome,
+    /// L p, in m.
+    pub response: &'a [f64],
+}
+
 /// Largest dimension of a Krylov space: where that does not do, the step is inexact.
 const MAX_DIMENSION: usize = 120;
 
@@ -76,7 +85,7 @@ impl Newton {
         p: &mut [f64],
         limits: &Limits,
         watch: Watch,
-    ) -> Result<Outcome, Error> {
+    ) -> Result<Solved<'_>, Error> {
         self.prepare(system);
         let mut outcome = Outcome { products: 1, ..Outcome::default() };
         system.compliance_product(p, &mut self.u);
@@ -104,7 +113,7 @@ impl Newton {
                 outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
             }
             if outcome.converged || given_up {
-                return Ok(outcome);
+                return Ok(Solved { outcome, response: &self.u });
             }
             let change = Some(outcome.residual);
             let done = outcome.iterations;
@@ -122,11 +131,6 @@ impl Newton {
             };
             forcing = (0.9 * (length / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
         }
-    }
-
-    /// L p of the p that was returned last, in m.
-    pub fn response(&self) -> &[f64] {
-        &self.u
     }
 
     fn prepare(&mut self, system: &impl Equilibrium) {

@@ -12,7 +12,7 @@
 //!
 //! Where the load changes, the edges of the patch move: [`super::moving_edge`].
 
-use crate::grid::Grid;
+use crate::grid::{Grid, VectorField};
 use crate::heat::HeatStep;
 use crate::interface::contact_law::Slide;
 use crate::patch::{Cell, Patch, Strip};
@@ -71,13 +71,18 @@ pub(super) struct Past {
 }
 
 impl Past {
-    /// What remains of an instant. `ways` are the lengths of the ways into the cells, in m.
-    pub fn of(contact: &DiscreteContact, ways: impl Iterator<Item = f64>) -> Self {
+    /// What remains of an instant with the displacement `field`. `ways` are the lengths of the ways into the cells,
+    /// in m.
+    pub fn of(
+        contact: &DiscreteContact,
+        field: &VectorField,
+        ways: impl Iterator<Item = f64>,
+    ) -> Self {
         let patch = &contact.patch;
         let mut displacement = vec![0.0; 2 * patch.len()];
         let mut at_entry = displacement.clone();
-        contact.displacement_at_cells(&mut displacement);
-        contact.displacement_at_entries(&mut at_entry);
+        contact.interpolation.gather(field, &mut displacement);
+        contact.interpolation.gather_at_entries(field, &mut at_entry);
         let mut cells = vec![None; patch.grid.len()];
         let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
         let strips = patch.strips.iter().zip(&reaches);
@@ -107,15 +112,17 @@ fn pair(values: &[f64], k: usize) -> [f64; 2] {
 }
 
 /// Moves all elements on by one cell. The contact has its new patch already, if the load changes
-/// (`moves`), and its displacement field is still that of the last instant.
+/// (`moves`); the displacement is that of the last instant.
 pub(super) fn carry_over(
     contact: &DiscreteContact,
-    (past, moves): (&Past, bool),
+    displacement: &VectorField,
+    past: &Past,
+    moves: bool,
     elements: &[Element],
 ) -> Vec<Arrival> {
     let patch = &contact.patch;
     let mut at_cells = vec![0.0; 2 * patch.len()];
-    contact.displacement_at_cells(&mut at_cells);
+    contact.interpolation.gather(displacement, &mut at_cells);
     let motions = if moves { motions(patch, past) } else { Vec::new() };
     let mut arrivals = Vec::with_capacity(patch.len());
     for (n, strip) in patch.strips.iter().enumerate() {

@@ -5,7 +5,7 @@
 
 use crate::equilibrium::{Limits, Newton, Outcome, measure, norm};
 use crate::error::Error;
-use crate::grid::Grid;
+use crate::grid::{Grid, VectorField};
 use crate::history::History;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
@@ -46,7 +46,7 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
         march.shift(shift, watch)?;
     }
     while !march.is_finished() {
-        let mut start = Start::of(&march.contact, &march.now);
+        let mut start = Start::of(&march.displacement, &march.contact.patch, &march.now);
         let arrivals = march.move_on(&mut start, watch)?;
         march.find_equilibrium(&arrivals, watch)?;
         march.heat_up(arrivals, &start);
@@ -68,6 +68,8 @@ struct March<'a> {
     history: &'a History,
     options: &'a Options,
     contact: DiscreteContact,
+    /// A p of the present traction on the whole grid, in m.
+    displacement: VectorField,
     time: f64,
     now: Snapshot,
     /// The elements, in the order of the patch.
@@ -128,14 +130,14 @@ impl<'a> March<'a> {
             failures: 0,
             work: Work { cells: contact.patch.len(), ..Work::default() },
             instants: Vec::new(),
+            displacement: VectorField::zeros(grid.len()),
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
         march.now.rise = march.elements.iter().map(|e| e.rise).collect();
         march.largest_traction = norm(&march.now.traction);
         march.displace();
-        let ways = march.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
-        march.past = Past::of(&march.contact, ways);
+        march.past = march.past_in_place();
         Ok(march)
     }
 
@@ -203,6 +205,7 @@ impl<'a> March<'a> {
         let shift = Shift {
             distance,
             contact: &mut self.contact,
+            displacement: &self.displacement,
             law: self.problem.contact_law.as_ref(),
             bound: &bound,
             elements: &mut self.elements,
@@ -210,8 +213,7 @@ impl<'a> March<'a> {
         self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits, watch)?;
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         self.displace();
-        let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
-        self.past = Past::of(&self.contact, ways);
+        self.past = self.past_in_place();
         self.work.newton_iterations += self.outcome.iterations;
         self.work.operator_products += self.outcome.products as f64;
         (self.now.kinematics, self.now.over_step) = (AT_REST, AT_REST);
@@ -229,8 +231,9 @@ impl<'a> March<'a> {
         self.now.kinematics = history.kinematics(self.time, otherwise);
         self.now.conduction = self.problem.conduction(&self.now.over_step);
         start.former = self.follow_load(watch)?;
-        let arrivals =
-            carry_over(&self.contact, (&self.past, start.former.is_some()), &self.elements);
+        let moves = start.former.is_some();
+        let (contact, displacement) = (&self.contact, &self.displacement);
+        let arrivals = carry_over(contact, displacement, &self.past, moves, &self.elements);
         self.stay_in_place(&arrivals);
         Ok(arrivals)
     }
@@ -315,7 +318,8 @@ impl<'a> March<'a> {
             ..Element::default()
         };
         self.elements = (0..slides.len()).map(element).collect();
-        self.past = Past::of(&self.contact, arrivals.iter().map(|arrival| arrival.way));
+        let ways = arrivals.iter().map(|arrival| arrival.way);
+        self.past = Past::of(&self.contact, &self.displacement, ways);
         Ok(())
     }
 
@@ -336,15 +340,24 @@ impl<'a> March<'a> {
 
     /// A p of the present traction, on the whole grid and in the cells.
     fn displace(&mut self) {
-        self.contact.product(&self.now.traction, &mut self.now.displacement);
-        self.now.stored_energy = self.contact.stored_energy();
+        let made = self.contact.product(&self.now.traction);
+        made.at_cells(&mut self.now.displacement);
+        self.now.stored_energy = made.stored_energy();
+        self.displacement.clone_from(made.field());
         self.work.operator_products += 1.0;
+    }
+
+    /// What remains of an instant whose elements have come over whole cells.
+    fn past_in_place(&self) -> Past {
+        let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
+        Past::of(&self.contact, &self.displacement, ways)
     }
 
     /// Friction power and temperatures, Eqs. (17)–(22).
     fn heat_up(&mut self, arrivals: Vec<Arrival>, start: &Start) {
-        start.set_friction_power(&mut self.now, &mut self.contact);
-        self.powers = Some(start.powers_until(&self.now, &mut self.contact));
+        let (contact, displacement) = (&self.contact, &self.displacement);
+        start.set_friction_power(&mut self.now, contact, displacement);
+        self.powers = Some(start.powers_until(&self.now, contact, displacement));
         let remembered: Vec<_> = arrivals.iter().map(|arrival| arrival.friction).collect();
         let mut records: Vec<_> = arrivals.into_iter().map(|arrival| arrival.heat).collect();
         let patch = &self.contact.patch;

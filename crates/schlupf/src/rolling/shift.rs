@@ -6,6 +6,7 @@
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::{Error, require_finite};
+use crate::grid::VectorField;
 use crate::history::History;
 use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::kinematics::Kinematics;
@@ -52,8 +53,9 @@ pub(super) const AT_REST: Kinematics =
 pub(super) struct Shift<'a> {
     /// Along and across rolling, in m.
     pub distance: [f64; 2],
-    /// The contact, with the displacement field of the traction before.
     pub contact: &'a mut DiscreteContact,
+    /// A p of the traction before on the whole grid, in m.
+    pub displacement: &'a VectorField,
     pub law: &'a dyn ContactLaw,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
@@ -72,7 +74,7 @@ impl Shift<'_> {
         watch: Watch,
     ) -> Result<Outcome, Error> {
         let mut before = vec![0.0; p.len()];
-        self.contact.displacement_at_cells(&mut before);
+        self.contact.interpolation.gather(self.displacement, &mut before);
         let sliding = before.chunks_exact(2);
         let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
         let cells = self.elements.len();

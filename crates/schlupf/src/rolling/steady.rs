@@ -19,7 +19,7 @@ use crate::summary::{self, snapshot::Snapshot};
 use crate::transient::Transient;
 
 use super::branches;
-use super::level::{self, Level};
+use super::level::{self, Descent, Level};
 use super::marching::march;
 use super::sensitivity::{by_constants, sensitivity};
 use super::steady_state::SteadyState;
@@ -127,8 +127,8 @@ impl SteadySolver {
             return Ok(None);
         };
         let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
-        let (size, tolerance) = (self.newton.response().len(), self.options.tolerance);
-        let (found, products) = by_constants(&at.problem, levels, size, tolerance, constants);
+        let tolerance = self.options.tolerance;
+        let (found, products) = by_constants(&at.problem, levels, tolerance, constants);
         solution.work.sensitivity_products = products;
         Ok(found.map(|derivatives| {
             let derivatives = derivatives.iter().map(|by| at.resultant_back(by)).collect();
@@ -166,8 +166,7 @@ impl SteadySolver {
         }
         let work = search.work;
         let attempt = if outcome.converged {
-            let response = self.newton.response();
-            let mut solution = setup.solution(problem, &self.options, response, (outcome, work));
+            let mut solution = setup.solution(problem, &self.options, &outcome, work);
             solution.warnings.extend(warning);
             if with_derivatives {
                 self.differentiate(problem, &mut setup, &mut solution);
@@ -181,10 +180,9 @@ impl SteadySolver {
     }
 
     /// Adds the derivatives to a solution that was just found.
-    fn differentiate(&mut self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
-        let response = self.newton.response();
-        let levels = &mut setup.levels;
-        let (found, products) = sensitivity(problem, levels, response, self.options.tolerance);
+    fn differentiate(&self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
+        let tolerance = self.options.tolerance;
+        let (found, products) = sensitivity(problem, &mut setup.levels, tolerance);
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {
@@ -293,7 +291,10 @@ impl Setup {
             let mut system = SteadyState::new(problem, &mut self.levels[depth..]);
             let solved = newton.solve(&mut system, &mut traction, &limits, *watch);
             self.levels[depth].traction = traction;
-            outcome = solved?;
+            let solved = solved?;
+            self.levels[depth].response.clear();
+            self.levels[depth].response.extend_from_slice(solved.response);
+            outcome = solved.outcome;
             let share = self.levels[depth].strips.len() as f64 / cells as f64;
             work.newton_iterations += outcome.iterations;
             work.operator_products += share * outcome.products as f64;
@@ -381,14 +382,14 @@ impl Setup {
         }
         level.clip();
         level.foreseen.copy_from_slice(&level.traction);
-        if let (Some(transfer), Some(next)) = (&level.transfer, coarser.first_mut()) {
-            let news = &mut next.room.right;
-            for (news, (found, foreseen)) in
-                news.iter_mut().zip(next.traction.iter().zip(&next.foreseen))
-            {
+        if let (Some(Descent { transfer, carried, .. }), Some(next)) =
+            (&mut level.descent, coarser.first())
+        {
+            let pairs = next.traction.iter().zip(&next.foreseen);
+            for (news, (found, foreseen)) in carried.iter_mut().zip(pairs) {
                 *news = found - foreseen;
             }
-            transfer.add_prolonged(news, &mut level.traction);
+            transfer.add_prolonged(carried, &mut level.traction);
             level.clip();
         }
     }
@@ -426,22 +427,23 @@ impl Setup {
         if aside > 1e-6 * dot(&next, &next) { 0.0 } else { ahead.clamp(-1.0, FARTHEST) }
     }
 
-    /// All results; `response` is what Newton's method found last.
+    /// All results.
     fn solution(
         &mut self,
         problem: &Problem,
         options: &Options,
-        response: &[f64],
-        (outcome, mut work): (Outcome, Work),
+        outcome: &Outcome,
+        mut work: Work,
     ) -> Solution {
-        let Level { contact, strips, friction, traction, .. } = &mut self.levels[0];
+        let Level { contact, strips, friction, traction, response, .. } = &mut self.levels[0];
         let mut now = Snapshot::blank(problem.kinematics, friction.conduction, strips.len());
         now.traction.copy_from_slice(traction);
-        contact.product(traction, &mut now.displacement);
-        now.stored_energy = contact.stored_energy();
-        work.operator_products += 1.0;
+        let mut made = contact.product(traction);
+        made.at_cells(&mut now.displacement);
+        now.stored_energy = made.stored_energy();
         let mut change = vec![0.0; traction.len()];
-        contact.change_in_passing(&mut change);
+        made.change_in_passing(&mut change);
+        work.operator_products += 1.0;
         friction.evaluate(problem, &contact.patch, traction, &change);
         now.slip.copy_from_slice(&friction.slip);
         now.friction_power.copy_from_slice(&friction.power);

@@ -12,11 +12,11 @@
 
 use crate::grid::VectorField;
 use crate::kinematics::Kinematics;
-use crate::patch::Patch;
+use crate::patch::{Interpolation, Patch};
 use crate::solution::Resultant;
 use crate::summary::{self, snapshot::Snapshot};
 
-use super::contact::{DiscreteContact, Former, Passing};
+use super::contact::{DiscreteContact, Former, differences};
 
 /// The last instant, as far as the powers of the step after it depend on it.
 #[derive(Debug)]
@@ -38,12 +38,12 @@ pub(super) struct StepPower {
 }
 
 impl Start {
-    /// The present instant, before the material moves on.
-    pub fn of(contact: &DiscreteContact, now: &Snapshot) -> Self {
+    /// The present instant, with its displacement, before the material moves on.
+    pub fn of(displacement: &VectorField, patch: &Patch, now: &Snapshot) -> Self {
         Self {
-            displacement: contact.displacement.clone(),
+            displacement: displacement.clone(),
             traction: now.traction.clone(),
-            force: summary::force(&contact.patch, now),
+            force: summary::force(patch, now),
             former: None,
         }
     }
@@ -51,25 +51,72 @@ impl Start {
     /// Slip velocity and friction power of every cell at the instant in which a step has ended. Each
     /// cell's friction power is that of its traction with the mean slip over the cell, so rigid slip
     /// works with the whole force.
-    pub fn set_friction_power(&self, now: &mut Snapshot, contact: &mut DiscreteContact) {
-        let mut change = vec![0.0; now.traction.len()];
-        contact.change_over_step(&self.displacement, None, (Passing::AtEnd, &mut change));
+    pub fn set_friction_power(
+        &self,
+        now: &mut Snapshot,
+        contact: &DiscreteContact,
+        displacement: &VectorField,
+    ) {
+        let passed = displacement.clone();
+        let change = self.change(&contact.interpolation, &contact.patch, displacement, passed);
         now.slip = slip(&now.kinematics, &contact.patch, &change);
         now.friction_power = power_per_area(&now.traction, &now.slip);
     }
 
     /// Powers over the step that has ended, with those cells that the patch has left within it.
-    pub fn powers_until(&self, now: &Snapshot, contact: &mut DiscreteContact) -> StepPower {
-        let mut half = |traction: &[f64], former: Option<&Former>| {
-            let mut change = vec![0.0; traction.len()];
-            contact.change_over_step(&self.displacement, former, (Passing::OnAverage, &mut change));
-            let patch = former.map_or(&contact.patch, |former| &former.patch);
+    pub fn powers_until(
+        &self,
+        now: &Snapshot,
+        contact: &DiscreteContact,
+        displacement: &VectorField,
+    ) -> StepPower {
+        let half = |traction: &[f64], patch: &Patch, interpolation: &Interpolation| {
+            let passed = combined(displacement, 0.5, &self.displacement, 0.5);
+            let change = self.change(interpolation, patch, displacement, passed);
             let slip = slip(&now.over_step, patch, &change);
             0.5 * power_per_area(traction, &slip).iter().sum::<f64>() * patch.grid.cell_area()
         };
-        let friction = half(&now.traction, None) + half(&self.traction, self.former.as_ref());
+        let (patch, interpolation) = (&contact.patch, &contact.interpolation);
+        let (before, interpolation_before) = match &self.former {
+            Some(former) => (&former.patch, &former.interpolation),
+            None => (patch, interpolation),
+        };
+        let friction = half(&now.traction, patch, interpolation)
+            + half(&self.traction, before, interpolation_before);
         let force = summary::force(&contact.patch, now).mean(&self.force);
         StepPower { friction, creep: summary::creep_power(&now.over_step, &force) }
+    }
+
+    /// By how much A p changes while a material point passes each cell of a patch within the step: what it changes in
+    /// passing a field, and what changes in place until the displacement at the end.
+    fn change(
+        &self,
+        interpolation: &Interpolation,
+        patch: &Patch,
+        displacement: &VectorField,
+        passed: VectorField,
+    ) -> Vec<f64> {
+        // The border of the grid, where no cell is, keeps the values.
+        let mut passing = VectorField::zeros(patch.grid.len());
+        differences(&passed, patch.grid.columns, &mut passing);
+        let gained = combined(displacement, 1.0, &self.displacement, -1.0);
+        let mut change = vec![0.0; 2 * patch.len()];
+        let mut in_place = change.clone();
+        interpolation.gather_means(&passing, &mut change);
+        interpolation.gather_means(&gained, &mut in_place);
+        for (change, in_place) in change.iter_mut().zip(in_place) {
+            *change += in_place;
+        }
+        change
+    }
+}
+
+/// A sum of multiples of two fields.
+fn combined(one: &VectorField, share: f64, other: &VectorField, rest: f64) -> VectorField {
+    let sum = |(p, q): (&f64, &f64)| share * p + rest * q;
+    VectorField {
+        x: one.x.iter().zip(&other.x).map(sum).collect(),
+        y: one.y.iter().zip(&other.y).map(sum).collect(),
     }
 }
 

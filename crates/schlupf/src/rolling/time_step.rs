@@ -98,7 +98,7 @@ impl<'a> TimeStep<'a> {
         limits: &Limits,
         watch: Watch,
     ) -> Result<Outcome, Error> {
-        newton.solve(self, p, limits, watch)
+        Ok(newton.solve(self, p, limits, watch)?.outcome)
     }
 }
 
@@ -112,8 +112,9 @@ impl Equilibrium for TimeStep<'_> {
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
-        self.contact.product(p, u);
-        self.contact.displacement_at_entries(&mut self.at_entry);
+        let made = self.contact.product(p);
+        made.at_cells(u);
+        made.at_entries(&mut self.at_entry);
         let own = self.contact.cell_looseness();
         let Prescribed { in_contact, in_place, .. } = self.prescribed;
         for (at, u) in u.iter_mut().enumerate() {
