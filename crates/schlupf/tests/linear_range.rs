@@ -16,7 +16,7 @@ use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
-use schlupf::rolling::{self, shift::shift};
+use schlupf::rolling::{self, marching::shift};
 use schlupf::simplified::FastSolver;
 use schlupf::solution::Resultant;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};

@@ -19,7 +19,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::material::Material;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::reference::cattaneo_mindlin::CattaneoMindlin;
-use schlupf::rolling::shift::shift;
+use schlupf::rolling::marching::shift;
 use schlupf::rolling::steady;
 use schlupf::solution::{Power, TGamma};
 use schlupf::{Options, Problem, Solution, Status, unwatched};

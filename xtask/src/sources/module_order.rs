@@ -10,33 +10,53 @@ use super::{Finding, Rule};
 
 pub const RULE: Rule = Rule {
     name: "module order",
-    demand: "a module of the core uses only what stands above it in lib.rs",
+    demand: "a module of the core, and of its rolling, uses only what is named above it",
     check,
 };
 
 const CORE: &str = "crates/schlupf/src/";
 
+/// The folders of the core whose modules stand in order, each with the file that names them.
+const ORDERED: [(&str, &str); 5] = [
+    ("", "lib.rs"),
+    ("rolling/", "mod.rs"),
+    ("rolling/shared/", "mod.rs"),
+    ("rolling/marching/", "mod.rs"),
+    ("rolling/steady/", "mod.rs"),
+];
+
 fn check(sources: &[Source]) -> Vec<Finding> {
-    let Some(root) = sources.iter().find(|source| source.path == format!("{CORE}lib.rs")) else {
+    ORDERED.iter().flat_map(|(folder, root)| check_folder(sources, folder, root)).collect()
+}
+
+fn check_folder(sources: &[Source], folder: &str, root: &str) -> Vec<Finding> {
+    let root = format!("{CORE}{folder}{root}");
+    let Some(named) = sources.iter().find(|source| source.path == root) else {
         return Vec::new();
     };
-    let root = Root::read(root);
-    let modules = sources.iter().filter(|source| !source.for_tests);
+    let root = Root::read(named, folder);
+    // The root itself stands for all modules: it only names them and re-exports.
+    let modules = sources.iter().filter(|source| !source.for_tests && source.path != named.path);
     modules.flat_map(|source| check_file(source, &root)).collect()
 }
 
 fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
     let Some(file) = source.path.strip_prefix(CORE) else { return Vec::new() };
-    let mut module: Vec<&str> = file.trim_end_matches(".rs").split('/').collect();
-    if module.last() == Some(&"mod") {
+    let mut module: Vec<String> =
+        file.trim_end_matches(".rs").split('/').map(str::to_owned).collect();
+    if module.last().is_some_and(|last| last == "mod") {
         module.pop();
     }
-    // The root itself stands for all modules: it only names them and re-exports.
-    let Some(&top) = module.first().filter(|&&top| top != "lib") else { return Vec::new() };
-    let Some(position) = root.position(top) else { return Vec::new() };
-    let mut uses = Uses { depth: module.len(), named: Vec::new() };
+    let below = module.strip_prefix(root.path.as_slice());
+    let Some(top) = below.and_then(|below| below.first()).cloned() else { return Vec::new() };
+    let Some(position) = root.position(&top) else { return Vec::new() };
+    let mut uses = Uses { module, named: Vec::new() };
     uses.visit_file(&source.file);
-    let wrong = uses.named.into_iter().filter_map(|(name, line)| {
+    let named = uses.named.into_iter().filter_map(|(path, line)| {
+        let name = path.strip_prefix(root.path.as_slice())?.first()?.clone();
+        Some((name, line))
+    });
+    let wrong = named.filter_map(|(name, line)| {
         let module = root.module_of(&name);
         match root.position(module) {
             Some(used) if used <= position => None,
@@ -49,16 +69,19 @@ fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
     wrong.collect()
 }
 
-/// What lib.rs says: the modules in their order and whose items it re-exports.
+/// What lib.rs or mod.rs says: the modules in their order and whose items it re-exports.
 struct Root {
+    /// The module that it is.
+    path: Vec<String>,
     modules: Vec<String>,
     /// Name at the root, module it comes from.
     exports: Vec<(String, String)>,
 }
 
 impl Root {
-    fn read(source: &Source) -> Self {
-        let mut root = Self { modules: Vec::new(), exports: Vec::new() };
+    fn read(source: &Source, folder: &str) -> Self {
+        let path = folder.split_terminator('/').map(str::to_owned).collect();
+        let mut root = Self { path, modules: Vec::new(), exports: Vec::new() };
         for item in source.file.items.iter().filter(|item| !is_test_item(item)) {
             match item {
                 Item::Mod(module) => root.modules.push(module.ident.to_string()),
@@ -121,12 +144,12 @@ fn spread(tree: &UseTree, before: &mut Segments, paths: &mut Vec<Segments>) {
     }
 }
 
-/// Collects what a file names at the root of the crate.
+/// Collects what a file names in the crate.
 struct Uses {
-    /// How deep the present module lies below the root.
-    depth: usize,
-    /// Name and line.
-    named: Vec<(String, usize)>,
+    /// The present module.
+    module: Vec<String>,
+    /// Paths from the root of the crate, and lines.
+    named: Vec<(Vec<String>, usize)>,
 }
 
 impl Uses {
@@ -136,12 +159,16 @@ impl Uses {
             _ => path,
         };
         let climbed = path.iter().take_while(|(name, _)| name == "super").count();
-        let below = match path {
-            [(first, _), rest @ ..] if first == "crate" => rest,
-            _ if climbed > 0 && climbed == self.depth => &path[climbed..],
+        let (start, below) = match path {
+            [(first, _), rest @ ..] if first == "crate" => (0, rest),
+            _ if climbed > 0 && climbed <= self.module.len() => {
+                (self.module.len() - climbed, &path[climbed..])
+            }
             _ => return,
         };
-        self.named.extend(below.first().cloned());
+        let Some((_, line)) = below.first() else { return };
+        let own = self.module[..start].iter().cloned();
+        self.named.push((own.chain(below.iter().map(|(name, _)| name.clone())).collect(), *line));
     }
 }
 
@@ -159,9 +186,9 @@ impl<'ast> Visit<'ast> for Uses {
     }
 
     fn visit_item_mod(&mut self, module: &'ast ItemMod) {
-        self.depth += 1;
+        self.module.push(module.ident.to_string());
         visit::visit_item_mod(self, module);
-        self.depth -= 1;
+        self.module.pop();
     }
 
     fn visit_item_use(&mut self, item: &'ast ItemUse) {
@@ -247,6 +274,22 @@ mod tests {
         ] {
             let message = "`grid` uses `heat`, which stands below it".to_owned();
             assert_eq!(in_grid(text), [(1, message)], "{text}");
+        }
+    }
+
+    /// Inside a folder that is ordered, too: by any of the ways.
+    #[test]
+    fn a_folder_has_its_own_order() {
+        let root = ("crates/schlupf/src/rolling/mod.rs", "mod shared;\nmod steady;");
+        let of =
+            |text| found(&RULE, &[ROOT, root, ("crates/schlupf/src/rolling/shared/a.rs", text)]);
+        assert_eq!(
+            of("use super::b::B;\nuse crate::heat::Heat;\nuse crate::rolling::shared::b;"),
+            []
+        );
+        for text in ["use super::super::steady::A;", "use crate::rolling::steady::A;"] {
+            let message = "`shared` uses `steady`, which stands below it".to_owned();
+            assert_eq!(of(text), [(1, message)], "{text}");
         }
     }
 

@@ -10,7 +10,7 @@ use crate::patch::{Interpolation, Patch};
 use crate::problem::Problem;
 
 /// A patch with the compliance between its cells.
-pub(super) struct DiscreteContact {
+pub(crate) struct DiscreteContact {
     pub normal: NormalSummary,
     pub patch: Patch,
     pub compliance: Box<dyn Compliance>,
@@ -32,7 +32,7 @@ struct Room {
 }
 
 /// What a product makes: the displacement A p under a traction p.
-pub(super) struct Displaced<'a> {
+pub(crate) struct Displaced<'a> {
     patch: &'a Patch,
     interpolation: &'a Interpolation,
     room: &'a mut Room,
@@ -40,7 +40,7 @@ pub(super) struct Displaced<'a> {
 
 /// A patch that a changing load has replaced by another one on the same grid.
 #[derive(Debug)]
-pub(super) struct Former {
+pub(crate) struct Former {
     pub patch: Patch,
     pub interpolation: Interpolation,
 }
@@ -303,7 +303,7 @@ impl Displaced<'_> {
 
 /// Half the difference of the neighbours' values along rolling, downstream less upstream; the border
 /// keeps its values.
-pub(super) fn differences(from: &VectorField, columns: usize, to: &mut VectorField) {
+pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorField) {
     for (from, to) in [(&from.x, &mut to.x), (&from.y, &mut to.y)] {
         for (from, to) in from.chunks_exact(columns).zip(to.chunks_exact_mut(columns)) {
             for i in 1..columns - 1 {

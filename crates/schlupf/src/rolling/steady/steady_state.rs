@@ -3,8 +3,8 @@
 
 use crate::equilibrium::{self, Equilibrium};
 use crate::problem::Problem;
+use crate::rolling::shared::contact::Displaced;
 
-use super::contact::Displaced;
 use super::level::{Descent, Level};
 use super::steady_friction::{FrictionCause, SteadyFriction};
 use super::strip_law::{Cause, StripLaw};

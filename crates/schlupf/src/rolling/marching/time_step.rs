@@ -13,9 +13,8 @@ use crate::equilibrium::{self, Equilibrium, Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
 use crate::progress::Watch;
-
-use super::cell::{CellSolver, inverse_2x2, solve_2x2, times};
-use super::contact::DiscreteContact;
+use crate::rolling::shared::cell::{CellSolver, inverse_2x2, solve_2x2, times};
+use crate::rolling::shared::contact::DiscreteContact;
 
 /// What is known of a time step beforehand, cell by cell.
 #[derive(Debug, Clone, Default)]

@@ -12,11 +12,11 @@
 
 use crate::grid::VectorField;
 use crate::kinematics::Kinematics;
-use crate::patch::{Interpolation, Patch};
+use crate::patch::{Cell, Interpolation, Patch};
+use crate::rolling::shared::contact::{DiscreteContact, Former, differences};
+use crate::rolling::shared::passage::{power, rigid_velocity, slip};
 use crate::solution::Resultant;
 use crate::summary::{self, snapshot::Snapshot};
-
-use super::contact::{DiscreteContact, Former, differences};
 
 /// The last instant, as far as the powers of the step after it depend on it.
 #[derive(Debug)]
@@ -59,8 +59,8 @@ impl Start {
     ) {
         let passed = displacement.clone();
         let change = self.change(&contact.interpolation, &contact.patch, displacement, passed);
-        now.slip = slip(&now.kinematics, &contact.patch, &change);
-        now.friction_power = power_per_area(&now.traction, &now.slip);
+        now.slip = slips(&now.kinematics, &contact.patch, &change);
+        now.friction_power = powers(&now.traction, &now.slip);
     }
 
     /// Powers over the step that has ended, with those cells that the patch has left within it.
@@ -73,8 +73,8 @@ impl Start {
         let half = |traction: &[f64], patch: &Patch, interpolation: &Interpolation| {
             let passed = combined(displacement, 0.5, &self.displacement, 0.5);
             let change = self.change(interpolation, patch, displacement, passed);
-            let slip = slip(&now.over_step, patch, &change);
-            0.5 * power_per_area(traction, &slip).iter().sum::<f64>() * patch.grid.cell_area()
+            let slip = slips(&now.over_step, patch, &change);
+            0.5 * powers(traction, &slip).iter().sum::<f64>() * patch.grid.cell_area()
         };
         let (patch, interpolation) = (&contact.patch, &contact.interpolation);
         let (before, interpolation_before) = match &self.former {
@@ -121,19 +121,17 @@ fn combined(one: &VectorField, share: f64, other: &VectorField, rest: f64) -> Ve
 }
 
 /// Slip velocity of every cell (in m/s) from the change of A p on the way through it (in m).
-fn slip(kinematics: &Kinematics, patch: &Patch, change: &[f64]) -> Vec<[f64; 2]> {
-    let spacing = patch.grid.spacing_x;
-    let per_length = kinematics.speed / spacing;
+fn slips(motion: &Kinematics, patch: &Patch, change: &[f64]) -> Vec<[f64; 2]> {
     let cells = patch.cells.iter().zip(change.chunks_exact(2));
-    let of_cell = cells.map(|(cell, change)| {
-        let rigid = kinematics.rigid_slip(cell.x, cell.y);
-        [0, 1].map(|c| per_length * (rigid[c] * spacing - change[c]))
-    });
-    of_cell.collect()
+    let rate = motion.speed / patch.grid.spacing_x;
+    let of_cell = |(cell, change): (&Cell, &[f64])| {
+        slip(rigid_velocity(motion, cell), rate, [change[0], change[1]])
+    };
+    cells.map(of_cell).collect()
 }
 
-/// p·slip in every cell, in W/m².
-fn power_per_area(traction: &[f64], slip: &[[f64; 2]]) -> Vec<f64> {
+/// Friction power over area in every cell, in W/m².
+fn powers(traction: &[f64], slip: &[[f64; 2]]) -> Vec<f64> {
     let cells = traction.chunks_exact(2).zip(slip);
-    cells.map(|(p, slip)| p[0] * slip[0] + p[1] * slip[1]).collect()
+    cells.map(|(p, slip)| power([p[0], p[1]], *slip)).collect()
 }

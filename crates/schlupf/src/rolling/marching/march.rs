@@ -1,10 +1,7 @@
-//! Marching: the paper's simulation procedure. The material moves on by one cell a time step, and
-//! every step is an equilibrium. Friction follows the temperature that it makes itself in the step, and
-//! the slip speed of the step before: where it falls steeply with the slip speed, a march may swing for
-//! ever, and says so.
+//! The march: all that changes from step to step.
 
 use crate::equilibrium::{Limits, Newton, Outcome, measure, norm};
-use crate::error::Error;
+use crate::error::{Error, require_finite};
 use crate::grid::{Grid, VectorField};
 use crate::history::History;
 use crate::kinematics::Kinematics;
@@ -14,20 +11,22 @@ use crate::patch::Cell;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell, within};
 use crate::reference_point::AtPatch;
+use crate::rolling::shared::contact::{DiscreteContact, Former};
+use crate::rolling::shared::passage::{speed_of, ways_through};
+use crate::rolling::shared::turn::{Way, with_turn};
+use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
 use crate::transient::Transient;
 
-use super::arrival::{Arrival, Past, carry_over, positions};
-use super::contact::{DiscreteContact, Former};
-use super::friction_heat::{Rubbing, lagging, set_temperatures, ways_through};
+use super::arrival::{Arrival, carry_over, positions};
+use super::friction_heat::{Rubbing, lagging, set_temperatures};
 use super::initial_state::{fitting, on_patch};
+use super::past::Past;
 use super::shift::{AT_REST, Shift};
 use super::step_power::{Start, StepPower};
 use super::time_step::{Prescribed, TimeStep};
-use super::turn::{Way, with_turn};
-use super::warnings;
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -54,6 +53,31 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
         tell(watch, march.progress())?;
     }
     Ok(at.back(march.into_solution()))
+}
+
+/// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift` (along and
+/// across rolling, in m), in one go: a history with nothing but a shift.
+///
+/// The bodies do not roll: creepages and spin of the problem play no part, and those of the solution
+/// are zero, as is its speed. A shift has no duration either, so there is no slip velocity, no friction
+/// power and no heat; friction is that of the temperature with which the bodies meet. How far each
+/// element has slid, in m, is in the solution's state, from which marching can go on.
+///
+/// # Errors
+/// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] refuse, and
+/// [`Error::Stopped`].
+pub fn shift(
+    problem: &Problem,
+    shift: [f64; 2],
+    options: &Options,
+    watch: Watch,
+) -> Result<Solution, Error> {
+    for component in shift {
+        require_finite("shift", component, "m")?;
+    }
+    let history = History { shift: Some(shift), ..History::default() };
+    let transient = Transient { history, ..Transient::to_steady_state(problem) };
+    march(&transient, options, watch)
 }
 
 /// Time steps in succession without an equilibrium after which a march to the steady state ends.
@@ -366,7 +390,7 @@ impl<'a> March<'a> {
         for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
             element.heat = record;
             element.rise = self.now.rise[k];
-            element.slip_speed = self.now.slip[k][0].hypot(self.now.slip[k][1]);
+            element.slip_speed = speed_of(self.now.slip[k]);
         }
         self.change = self.change.max(largest_change(&old_rise, &self.now.rise));
         self.remember_friction(&remembered);
@@ -439,8 +463,7 @@ impl<'a> March<'a> {
         } else {
             Status::NotConverged
         };
-        let mut warnings =
-            warnings::warnings(self.problem, self.options, &mut self.contact, &self.now);
+        let mut warnings = warnings(self.problem, self.options, &mut self.contact, &self.now);
         if status == Status::NotConverged {
             warnings.insert(0, self.why_not_converged());
         }

@@ -29,7 +29,7 @@ fn yielding(problem: &Problem, peak_pressure: f64) -> Option<String> {
 }
 
 /// Whatever the reader must know.
-pub(super) fn warnings(
+pub(crate) fn warnings(
     problem: &Problem,
     options: &Options,
     contact: &mut DiscreteContact,

@@ -16,10 +16,12 @@ use crate::grid::{Grid, VectorField};
 use crate::heat::HeatStep;
 use crate::interface::contact_law::Slide;
 use crate::patch::{Cell, Patch, Strip};
+use crate::rolling::shared::contact::DiscreteContact;
+use crate::rolling::shared::passage::pair;
 use crate::state::Element;
 
-use super::contact::DiscreteContact;
-use super::moving_edge::{Motion, Reach, motions};
+use super::moving_edge::{Motion, motions};
+use super::past::{Departure, Past};
 
 /// What an element brings into its new cell.
 #[derive(Debug, Clone, Default)]
@@ -41,74 +43,6 @@ pub(super) struct Arrival {
     pub heat: Vec<HeatStep>,
     /// Its coefficient of friction (dimensionless), if it remembers one.
     pub friction: Option<f64>,
-}
-
-/// What the material leaves a cell with.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Departure {
-    /// A p in the cell, in m.
-    displacement: [f64; 2],
-    /// A p where the material of the cell entered, in m.
-    at_entry: [f64; 2],
-    /// Centroid of its covered part along rolling, in m.
-    x: f64,
-    /// Position of the leading edge, on the mean over that part, in m.
-    pub entry_x: f64,
-    /// Middle of its strip along rolling, in m.
-    pub middle: f64,
-    /// Length of the way into the cell, in m.
-    way: f64,
-}
-
-/// The patch at the last instant.
-#[derive(Debug, Default)]
-pub(super) struct Past {
-    /// Of each cell of the grid, if it was in contact: the number of its element, and what it leaves
-    /// the cell with.
-    cells: Vec<Option<(usize, Departure)>>,
-    /// Its strips.
-    pub reaches: Vec<Reach>,
-}
-
-impl Past {
-    /// What remains of an instant with the displacement `field`. `ways` are the lengths of the ways into the cells,
-    /// in m.
-    pub fn of(
-        contact: &DiscreteContact,
-        field: &VectorField,
-        ways: impl Iterator<Item = f64>,
-    ) -> Self {
-        let patch = &contact.patch;
-        let mut displacement = vec![0.0; 2 * patch.len()];
-        let mut at_entry = displacement.clone();
-        contact.interpolation.gather(field, &mut displacement);
-        contact.interpolation.gather_at_entries(field, &mut at_entry);
-        let mut cells = vec![None; patch.grid.len()];
-        let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
-        let strips = patch.strips.iter().zip(&reaches);
-        let middles = strips.flat_map(|(strip, reach)| strip.cells.clone().map(|_| reach.middle));
-        for (k, (way, middle)) in ways.zip(middles).enumerate() {
-            let cell = &patch.cells[k];
-            let departure = Departure {
-                displacement: pair(&displacement, k),
-                at_entry: pair(&at_entry, k),
-                x: cell.x,
-                entry_x: cell.entry_x(),
-                middle,
-                way,
-            };
-            cells[cell.index] = Some((k, departure));
-        }
-        Self { cells, reaches }
-    }
-
-    pub fn at(&self, index: usize) -> Option<&Departure> {
-        self.cells[index].as_ref().map(|(_, departure)| departure)
-    }
-}
-
-fn pair(values: &[f64], k: usize) -> [f64; 2] {
-    [values[2 * k], values[2 * k + 1]]
 }
 
 /// Moves all elements on by one cell. The contact has its new patch already, if the load changes

@@ -13,44 +13,9 @@
 
 use std::ops::Range;
 
-use crate::patch::{Patch, Strip};
+use crate::patch::Patch;
 
-use super::arrival::Past;
-
-/// A run of contact cells in a row.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Reach {
-    row: usize,
-    /// First and last column.
-    columns: [usize; 2],
-    /// Its middle along rolling, in m.
-    pub middle: f64,
-}
-
-impl Reach {
-    pub fn of(patch: &Patch, strip: &Strip) -> Self {
-        let cells = &patch.cells[strip.cells.clone()];
-        let column = |index: usize| index % patch.grid.columns;
-        let (first, last) = (&cells[0], &cells[cells.len() - 1]);
-        Self {
-            row: strip.row,
-            columns: [column(last.index), column(first.index)],
-            middle: 0.5 * (first.entry_x() + patch.exit(strip)),
-        }
-    }
-
-    fn overlaps(&self, other: &Self) -> bool {
-        self.columns[0] <= other.columns[1] && other.columns[0] <= self.columns[1]
-    }
-
-    /// Whether there is a strip beside it on both sides, so that its row is covered over its width.
-    fn is_inside(&self, strips: &[Self]) -> bool {
-        let has = |row: Option<usize>| {
-            row.is_some_and(|row| strips.iter().any(|s| s.row == row && s.overlaps(self)))
-        };
-        has(self.row.checked_sub(1)) && has(Some(self.row + 1))
-    }
-}
+use super::past::{Past, Reach};
 
 /// How the edges of a strip have moved within a step.
 #[derive(Debug, Clone, Copy, Default)]

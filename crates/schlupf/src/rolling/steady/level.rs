@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
+use crate::rolling::shared::contact::DiscreteContact;
 
-use super::contact::DiscreteContact;
 use super::steady_friction::SteadyFriction;
 use super::strip_law::StripLaw;
 use super::transfer::Transfer;

@@ -5,45 +5,15 @@
 //! bodies yield, with the same shift in all of them.
 
 use crate::equilibrium::{Limits, Newton, Outcome};
-use crate::error::{Error, require_finite};
+use crate::error::Error;
 use crate::grid::VectorField;
-use crate::history::History;
 use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::kinematics::Kinematics;
-use crate::problem::{Options, Problem};
 use crate::progress::Watch;
-use crate::solution::Solution;
+use crate::rolling::shared::contact::DiscreteContact;
 use crate::state::Element;
-use crate::transient::Transient;
 
-use super::contact::DiscreteContact;
-use super::marching::march;
 use super::time_step::{Prescribed, TimeStep};
-
-/// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift` (along and
-/// across rolling, in m), in one go: a history with nothing but a shift.
-///
-/// The bodies do not roll: creepages and spin of the problem play no part, and those of the solution
-/// are zero, as is its speed. A shift has no duration either, so there is no slip velocity, no friction
-/// power and no heat; friction is that of the temperature with which the bodies meet. How far each
-/// element has slid, in m, is in the solution's state, from which marching can go on.
-///
-/// # Errors
-/// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] refuse, and
-/// [`Error::Stopped`].
-pub fn shift(
-    problem: &Problem,
-    shift: [f64; 2],
-    options: &Options,
-    watch: Watch,
-) -> Result<Solution, Error> {
-    for component in shift {
-        require_finite("shift", component, "m")?;
-    }
-    let history = History { shift: Some(shift), ..History::default() };
-    let transient = Transient { history, ..Transient::to_steady_state(problem) };
-    march(&transient, options, watch)
-}
 
 /// Speed and creepages of bodies that do not roll.
 pub(super) const AT_REST: Kinematics =
