@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use schlupf::bulk_temperature::Cooling;
+use schlupf::message::Message;
 use schlupf::{Options, Problem};
 
 use crate::document::{self, Entry};
@@ -30,7 +31,7 @@ pub struct Case {
     /// k_c of the contact law, and where it comes from.
     pub law_stiffness: LawStiffness,
     /// What was given without effect, each with its place, and what to know about a roughness.
-    pub notices: Vec<String>,
+    pub notices: Vec<Message>,
     settings: Settings,
     /// The text that was read, without overrides.
     text: String,
@@ -104,8 +105,8 @@ impl Case {
         CaseErrors::check(errors)?;
         let (problem, law_stiffness) = read::problem(&settings, folder, solved)?;
         let mut notices = settings.idle();
-        let notice = |text| format!("contact_law.roughness: {text}");
-        notices.extend(law_stiffness.caveats().into_iter().map(notice));
+        let caveats = law_stiffness.caveats().into_iter();
+        notices.extend(caveats.map(|message| message.about("contact_law.roughness")));
         Ok(Self {
             title: settings.text("title")?,
             problem,

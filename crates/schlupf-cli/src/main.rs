@@ -17,6 +17,7 @@ mod report;
 mod roughness;
 mod solve;
 mod stdout;
+mod task;
 mod temperature;
 
 use std::process::ExitCode;
@@ -28,14 +29,14 @@ use arguments::{Arguments, Command};
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let result = match arguments.command {
-        Command::Solve(arguments) => solve::run(&arguments),
-        Command::Curve(arguments) => curve::run(&arguments),
-        Command::Temperature(arguments) => temperature::run(&arguments),
-        Command::Bulk(arguments) => bulk::run(&arguments),
-        Command::Calibrate(arguments) => calibrate::run(&arguments),
-        Command::Roughness(arguments) => roughness::run(&arguments),
-        Command::Compare(arguments) => compare::run(&arguments),
-        Command::Fit(arguments) => fit::run(&arguments),
+        Command::Solve(arguments) => task::run(&*arguments),
+        Command::Curve(arguments) => task::run(&*arguments),
+        Command::Temperature(arguments) => task::run(&*arguments),
+        Command::Bulk(arguments) => task::run(&*arguments),
+        Command::Calibrate(arguments) => task::run(&*arguments),
+        Command::Roughness(arguments) => task::run(&*arguments),
+        Command::Compare(arguments) => task::run(&*arguments),
+        Command::Fit(arguments) => task::run(&*arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

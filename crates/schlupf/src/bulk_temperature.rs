@@ -21,9 +21,11 @@ use crate::error::{Error, require_finite, require_positive};
 use crate::grid::Grid;
 use crate::patch::{Patch, Strip};
 use crate::problem::{Options, Problem};
+use crate::quantity::Quantity;
 use crate::reference_point::Moved;
 use crate::rolling::{Progress, steady::SteadySolver};
 use crate::solution::{Solution, Status};
+use crate::warning::{Unconverged, Warning};
 
 /// How a wheel is cooled by the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,9 +40,9 @@ pub struct Cooling {
 
 impl Cooling {
     fn check(&self) -> Result<(), Error> {
-        require_positive("cooling.film_coefficient", self.film_coefficient, "W/(m^2 K)")?;
-        require_positive("cooling.area", self.area, "m^2")?;
-        require_finite("cooling.air_temperature", self.air_temperature, "degC")
+        require_positive(Quantity::FilmCoefficient, self.film_coefficient)?;
+        require_positive(Quantity::CooledArea, self.area)?;
+        require_finite(Quantity::AirTemperature, self.air_temperature)
     }
 }
 
@@ -104,11 +106,8 @@ fn bulk_temperature_at_patch(
     report: &mut dyn FnMut(Progress),
 ) -> Result<BulkTemperature, Error> {
     if !options.method.has_fields() {
-        let name = options.method.name();
-        return Err(Error::Contradiction {
-            quantity: "solver.method",
-            reason: format!("the wheel warms by frictional heat, but {name:?} gives forces only"),
-        });
+        let reason = "the wheel warms by frictional heat, which needs a method with temperatures";
+        return Err(Error::OtherMethod { reason, method: options.method.name() });
     }
     let mut balance = Balance {
         problem: problem.clone(),
@@ -132,21 +131,16 @@ fn bulk_temperature_at_patch(
 /// A history or an initial state, as the balance is that of steady rolling; a model without heat; and what
 /// [`Problem::check`] refuses.
 pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
-    let contradiction =
-        |quantity, reason: &str| Err(Error::Contradiction { quantity, reason: reason.to_owned() });
     cooling.check()?;
     if problem.heat.model.is_none() {
-        let reason = "the wheel warms by frictional heat only, but the heat model is \"none\"";
-        return contradiction("heat.model", reason);
+        return Err(Error::NoHeat {});
     }
+    let what = "the bulk temperature is that of";
     if problem.history.is_some() {
-        let reason = "the bulk temperature is that of steady rolling, but there is a history";
-        return contradiction("history.time", reason);
+        return Err(Error::NotSteady { quantity: Quantity::Time, what });
     }
     if problem.initial_state.is_some() {
-        let reason =
-            "the bulk temperature is that of steady rolling, but there is an initial state";
-        return contradiction("solver.initial_state", reason);
+        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
     }
     problem.check()
 }
@@ -270,15 +264,8 @@ impl Balance {
             }
         }
         low.solution.status = Status::NotConverged;
-        low.solution.warnings.insert(
-            0,
-            format!(
-                "not converged: after {} steady states the wheel still receives {:.1e} W more than \
-                 it gives",
-                self.iterations,
-                low.surplus()
-            ),
-        );
+        let cause = Unconverged::HeatBalance { states: self.iterations, surplus: low.surplus() };
+        low.solution.warnings.insert(0, Warning::of(cause));
         Ok(low)
     }
 }

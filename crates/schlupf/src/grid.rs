@@ -1,7 +1,5 @@
 //! The regular grid of cells on which a patch is discretised.
 
-use serde::{Deserialize, Serialize};
-
 /// An axis-parallel rectangle in the contact frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
@@ -51,7 +49,8 @@ impl Axis {
 ///
 /// The first and the last [`BORDER`] columns are never in contact: the displacement just ahead of
 /// the leading edge is interpolated there.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Grid {
     /// Number of cells along x, border included.
     pub columns: usize,

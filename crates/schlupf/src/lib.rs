@@ -11,7 +11,11 @@
 
 #![forbid(unsafe_code)]
 
+pub mod quantity;
+pub mod message;
+pub mod requirement;
 pub mod error;
+pub mod warning;
 mod numerics;
 pub mod least_squares;
 pub mod material;
@@ -41,8 +45,13 @@ pub mod bulk_temperature;
 pub mod creep_curve;
 pub mod calibration;
 pub mod identification;
+pub mod columns;
+#[cfg(feature = "serde")]
+mod serialize;
 
 pub use error::Error;
 pub use method::Method;
 pub use problem::{Options, Problem};
+pub use quantity::Quantity;
 pub use solution::{Solution, Status};
+pub use warning::Warning;

@@ -16,7 +16,9 @@ use crate::material::Body;
 use crate::method::Method;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
+use crate::quantity::Quantity;
 use crate::solution::Solution;
+use crate::warning::Warning;
 
 /// Wheel or rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,30 +76,20 @@ impl TemperatureField {
         if problem.history.is_none() {
             return Ok(());
         }
-        Err(Error::Contradiction {
-            quantity: "history.time",
-            reason:
-                "temperatures below the surface and in the wake are those of steady rolling, but \
-                     there is a history"
-                    .to_owned(),
-        })
+        let what = "temperatures below the surface and in the wake are those of";
+        Err(Error::NotSteady { quantity: Quantity::Time, what })
     }
 
     /// What the reader of the temperatures must know, if anything.
-    pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<String> {
+    pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<Warning> {
         let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
-        let slow = peclet
-            .caveat("Temperatures below the surface and in the wake, unlike those in the contact,");
+        let slow = peclet.caveat(true);
         Self::caveat_of_model(problem).into_iter().chain(slow).collect()
     }
 
-    fn caveat_of_model(problem: &Problem) -> Option<String> {
+    fn caveat_of_model(problem: &Problem) -> Option<Warning> {
         let model = problem.heat.model.as_ref()?;
-        (!model.is_linear()).then(|| {
-            "heat.model: below the surface and in the wake temperatures follow from the heat that is \
-             released, by Duhamel's theorem; the heat model of the case holds for the cells only"
-                .to_owned()
-        })
+        (!model.is_linear()).then_some(Warning::HeatModelOfCells {})
     }
 
     /// The temperatures of a solution of a problem.
@@ -108,14 +100,8 @@ impl TemperatureField {
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
         Self::check(problem)?;
         if solution.method != Method::Full {
-            return Err(Error::Contradiction {
-                quantity: "solver.method",
-                reason: format!(
-                    "temperatures below the surface need the heat record of \"full\", but the method is \
-                     {:?}",
-                    solution.method.name()
-                ),
-            });
+            let reason = "temperatures below the surface need the heat record of \"full\"";
+            return Err(Error::OtherMethod { reason, method: solution.method.name() });
         }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
+use schlupf::Quantity;
 use schlupf::bulk_temperature::{BulkTemperature, Cooling, bulk_temperature};
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
@@ -14,7 +15,7 @@ use schlupf::history::History;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::material::Material;
-use schlupf::{Error, Problem, Status};
+use schlupf::{Problem, Status};
 
 const COOLING: Cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 10.0 };
 
@@ -113,14 +114,14 @@ fn what_cannot_warm_is_refused() {
     let mut cold = braking(0.01);
     cold.heat.model = None;
     let error = bulk_temperature(&cold, &cells(8), &COOLING, &mut |_| ()).unwrap_err();
-    assert!(matches!(error, Error::Contradiction { quantity: "heat.model", .. }));
+    assert!(error.quantity() == Quantity::HeatModel);
     let mut transient = braking(0.01);
     transient.history = Some(History { time: vec![0.0, 1e-3], ..History::default() });
     let error = bulk_temperature(&transient, &cells(8), &COOLING, &mut |_| ()).unwrap_err();
-    assert!(matches!(error, Error::Contradiction { quantity: "history.time", .. }));
+    assert!(error.quantity() == Quantity::Time);
     let still = Cooling { area: 0.0, ..COOLING };
     let error = bulk_temperature(&braking(0.01), &cells(8), &still, &mut |_| ()).unwrap_err();
-    assert!(error.to_string().starts_with("cooling.area"), "{error}");
+    assert!(error.to_string().starts_with("cooled_area"), "{error}");
 }
 
 /// A wheel that rolls without friction goes to where air and rail balance.

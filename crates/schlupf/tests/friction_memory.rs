@@ -152,6 +152,6 @@ fn an_impossible_state_is_refused() {
         spoil(&mut state.elements[20]);
         hot.initial_state = Some(state);
         let error = rolling::solve(&hot, &cells(12), &mut |_| ()).unwrap_err().to_string();
-        assert!(error.contains("solver.initial_state"), "{error}");
+        assert!(error.contains("initial_state"), "{error}");
     }
 }

@@ -336,6 +336,6 @@ fn without_a_file_there_is_no_other_origin() {
     for method in [Method::Full, Method::KalkerLinear] {
         let options = Options { method, ..OPTIONS };
         let error = rolling::solve(&hertzian, &options, &mut |_| ()).unwrap_err().to_string();
-        assert!(error.contains("kinematics.reference") && error.contains("file"), "{error}");
+        assert!(error.contains("reference") && error.contains("file"), "{error}");
     }
 }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling, solve};
+use schlupf::Quantity;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
@@ -23,7 +24,7 @@ use schlupf::reference::cattaneo_mindlin::CattaneoMindlin;
 use schlupf::rolling::shift::shift;
 use schlupf::rolling::steady;
 use schlupf::solution::{Power, TGamma};
-use schlupf::{Error, Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Status};
 
 const RADIUS: f64 = 5e-3;
 
@@ -201,11 +202,11 @@ fn what_is_no_shift_from_rest_is_refused() {
     let options = cells(8);
     let rest = problem(rolling(0.001, 0.0, 0.0));
     let refuse = |problem: &Problem, by: [f64; 2]| shift(problem, by, &options).unwrap_err();
-    assert!(refuse(&rest, [0.0, f64::NAN]).to_string().starts_with("shift must be finite"));
+    assert!(refuse(&rest, [0.0, f64::NAN]).to_string().starts_with("shift_y must be finite"));
     let mut changing = rest.clone();
     changing.history = Some(History { time: vec![0.0, 1.0], ..History::default() });
     let error = refuse(&changing, [1e-6, 0.0]);
-    assert!(matches!(error, Error::Contradiction { quantity: "history", .. }), "{error}");
+    assert!(error.quantity() == Quantity::Time, "{error}");
     let mut loaded = rest.clone();
     loaded.initial_state = Some(shifted(&rest, [1e-6, 0.0], &options).state);
     let error = refuse(&loaded, [1e-6, 0.0]);
@@ -220,5 +221,5 @@ fn an_equilibrium_that_is_not_reached_is_not_converged() {
     let solution = shift(&spheres(0.0), [by, 0.0], &options).unwrap();
     assert_eq!(solution.status, Status::NotConverged);
     assert!(solution.residual > options.tolerance);
-    assert!(solution.warnings[0].starts_with("not converged: after 1 Newton steps"));
+    assert!(solution.warnings[0].to_string().starts_with("after 1 Newton steps"));
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling, solve};
+use schlupf::Quantity;
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
@@ -18,7 +19,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::problem::Driver;
 use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Error, Options, Problem, Solution, Status, rolling};
+use schlupf::{Options, Problem, Solution, Status, rolling};
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
     let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
@@ -170,7 +171,7 @@ fn a_history_needs_marching() {
     });
     let options = Options { driver: Some(Driver::Steady), ..cells(8) };
     let error = rolling::solve(&transient, &options, &mut |_| ()).unwrap_err();
-    assert!(matches!(error, Error::Contradiction { quantity: "solver.driver", .. }));
+    assert!(error.quantity() == Quantity::Driver);
     assert!(at_once(&transient, &cells(8)).history.len() > 1);
 }
 

@@ -187,7 +187,7 @@ fn the_line_of_a_point_has_its_edges() {
     let mut transient = problem.clone();
     transient.history = Some(History { time: vec![0.0, 1e-3], ..History::default() });
     let error = TemperatureField::new(&transient, &solution).unwrap_err();
-    assert!(error.to_string().starts_with("history.time: "), "{error}");
+    assert!(error.to_string().starts_with("time: "), "{error}");
     let mut cold = problem;
     cold.heat.model = None;
     let marched = schlupf::rolling::marching::march(&cold, &cells(12), &mut |_| ()).unwrap();

@@ -3,7 +3,6 @@
 
 mod alternatives;
 mod field;
-mod requirement;
 mod suggestion;
 mod table;
 
@@ -11,7 +10,7 @@ pub use alternatives::{
     ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companion, related,
 };
 pub use field::{Choice, Default, Field, Kind, Section, UsedWith};
-pub use requirement::{Requirement, readable};
+pub use schlupf::requirement::{Requirement, readable};
 pub use suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 pub use table::SECTIONS;
 

@@ -3,10 +3,7 @@
 use schlupf::grid::Axis;
 use schlupf::surface::Lattice;
 
-use super::{
-    ADVICE_ON_HEIGHTS, FILE, MeasuredSurface, SurfaceOptions, finish, is_too_high, refusal,
-    too_high, unit,
-};
+use super::{ADVICE_ON_HEIGHTS, MeasuredSurface, Reading, finish, is_too_high, too_high, unit};
 use crate::error::CaseError;
 use crate::tables::axis::axis;
 use crate::tables::columns::{Column, Columns};
@@ -25,31 +22,23 @@ const COLUMNS: [Column; 3] =
 const MAX_SPARSE: usize = 4;
 
 /// From a CSV file with the columns x, y and height, its rows in any order.
-pub fn from_csv(
-    name: String,
-    bytes: Vec<u8>,
-    options: &SurfaceOptions,
-) -> Result<MeasuredSurface, CaseError> {
-    from_columns(&Columns::read(name, bytes, FILE, &COLUMNS)?, options)
+pub fn from_csv(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
+    from_columns(&Columns::read(name, bytes, how.file(), &COLUMNS)?, how)
 }
 
 /// From lines `x y z` in the unit of the options.
-pub fn from_xyz(
-    name: String,
-    bytes: Vec<u8>,
-    options: &SurfaceOptions,
-) -> Result<MeasuredSurface, CaseError> {
-    let convert = unit(&name, options)?;
-    from_columns(&Columns::read_bare(name, bytes, FILE, &COLUMNS, convert)?, options)
+pub fn from_xyz(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
+    let convert = unit(&name, how)?;
+    from_columns(&Columns::read_bare(name, bytes, how.file(), &COLUMNS, convert)?, how)
 }
 
-fn from_columns(columns: &Columns, options: &SurfaceOptions) -> Result<MeasuredSurface, CaseError> {
+fn from_columns(columns: &Columns, how: Reading) -> Result<MeasuredSurface, CaseError> {
     let name = &columns.source.name;
     let [xs, ys, heights] = &columns.values[..] else {
-        return Err(refusal(name, "must have three columns"));
+        return Err(how.refusal(name, "must have three columns"));
     };
     if let Some(row) = heights.iter().position(|height| is_too_high(*height)) {
-        let message = format!("{FILE} {}", too_high(heights[row], "this one"));
+        let message = format!("{} {}", how.file(), too_high(heights[row], "this one"));
         return Err(columns.error(columns.lines[row], message).help(ADVICE_ON_HEIGHTS.to_owned()));
     }
     let zeros = vec![0.0; xs.len()];
@@ -72,7 +61,7 @@ fn from_columns(columns: &Columns, options: &SurfaceOptions) -> Result<MeasuredS
     }
     let [spacing_x, spacing_y] = spacings([&x, &y], ["x", "y"].map(|name| columns.digit(name)));
     let lattice = Lattice { columns: x.count, rows: y.count, spacing_x, spacing_y };
-    finish(name, lattice, map, options)
+    finish(name, lattice, map, how)
 }
 
 /// Spacings along x and y (in m); the same where they differ by no more than the last digits of the positions

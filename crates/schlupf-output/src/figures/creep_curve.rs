@@ -13,6 +13,7 @@ use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
 use super::smooth::smooth;
 use super::svg::Drawing;
 use crate::creep_curve::{CurveFamily, Member};
+use crate::report::Report;
 
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(family: &CurveFamily) -> Option<String> {
@@ -118,7 +119,11 @@ impl<'a> Picture<'a> {
 
     fn heading(&self, drawing: &mut Drawing) {
         let title = if self.family.members.len() == 1 { "Creep curve" } else { "Creep curves" };
-        let remark = if self.family.is_converged() { "" } else { "not converged at some points" };
+        let remark = if self.family.status() == Status::Converged {
+            ""
+        } else {
+            "not converged at some points"
+        };
         marks::title_block(drawing, title, [&self.family.title, &self.conditions()], remark);
     }
 

@@ -309,7 +309,7 @@ fn result(estimate: &Estimate) -> String {
     let (half_width, _) = in_usual_unit(parameter, estimate.half_width);
     let [value, half_width] = with_uncertainty(value, half_width);
     let number = format!("{value} ± {half_width} {unit}").replace('-', "\u{2212}");
-    format!("{} = {}", symbol(parameter.symbol()), number.trim_end())
+    format!("{} = {}", symbol(parameter.quantity().symbol()), number.trim_end())
 }
 
 /// A symbol such as `T_E` or `μ0` in the markup of labels.

@@ -20,6 +20,9 @@ pub(super) struct Drawing {
     clips: usize,
 }
 
+/// What a drawing of ours has within its first lines, by which it is known again.
+pub const MARK: &str = "<desc>drawn by schlupf</desc>";
+
 impl Drawing {
     /// An empty drawing.
     pub(super) fn new(width: f64, height: f64) -> Self {
@@ -96,6 +99,7 @@ impl Drawing {
         format!(
             r##"<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="{width:.0}" height="{height:.0}" viewBox="0 0 {width:.0} {height:.0}" font-family="{family}" fill="{INK}">
+{MARK}
 <style>{faces}</style>
 <rect width="100%" height="100%" fill="#ffffff"/>
 {body}</svg>

@@ -97,10 +97,8 @@ impl Motions {
         let solver = RefCell::new(SteadySolver::new(&options));
         let mut this = Self { contact, ways, exact: Vec::new(), options, solver };
         let elasticity = Arc::clone(&this.contact.problem.elasticity);
-        this.exact = this.answers(&elasticity).ok_or_else(|| Error::Contradiction {
-            quantity: "calibration",
-            reason: format!("the half-space of a/b = {axis_ratio} could not be solved"),
-        })?;
+        this.exact =
+            this.answers(&elasticity).ok_or(Error::CalibrationNotConverged { axis_ratio })?;
         Ok(this)
     }
 

@@ -9,6 +9,7 @@ use super::{Point, Solver};
 
 /// Where the tangential force |F| is largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Maximum {
     /// Abscissa of the curve; dimensionless, or in 1/m for spin.
     pub abscissa: f64,
@@ -22,6 +23,7 @@ pub struct Maximum {
     pub traction_coefficient: f64,
     /// Whether |F| does not fall behind it: everything slides. The abscissa is the first of the curve
     /// from which on |F| stays within [`PLATEAU`] of its largest value; forces are those of that value.
+    #[cfg_attr(feature = "serde", serde(rename = "saturated"))]
     pub is_saturated: bool,
 }
 

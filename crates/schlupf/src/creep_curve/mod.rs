@@ -16,6 +16,7 @@ use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::{Driver, Options, Problem};
+use crate::quantity::Quantity;
 use crate::rolling;
 use crate::rolling::steady::SteadySolver;
 use crate::solution::{Area, Power, Resultant, Solution, Status, Work};
@@ -25,10 +26,12 @@ pub use maximum::{Maximum, PLATEAU};
 pub use path::{Abscissa, Creepages, Path};
 pub use sampling::{MAX_POINTS, Sampling, Spacing};
 
+pub use warnings::CurveWarning;
 use warnings::Warnings;
 
 /// Forces over creepage.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CreepCurve {
     /// What was solved.
     pub method: Method,
@@ -47,7 +50,7 @@ pub struct CreepCurve {
     /// rises at the outer end of that side, or is largest at its inner end.
     pub maxima: Vec<Maximum>,
     /// Whatever the reader of the numbers must know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<CurveWarning>,
     /// How much work all solutions were, those of slope and maximum included.
     pub work: Work,
 }
@@ -73,6 +76,7 @@ impl CreepCurve {
 
 /// A point of a creep curve: the results of one solution, without its fields. Forces act on the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Point {
     /// Abscissa of the curve; dimensionless, or in 1/m for spin.
     pub abscissa: f64,
@@ -192,7 +196,7 @@ pub fn trace_with(
         path: *path,
         normal,
         reference: problem.reference,
-        warnings: warnings.texts(path.abscissa(), &points),
+        warnings: warnings.all(path.abscissa(), &points),
         points,
         initial_slope: slope.value,
         maxima,
@@ -211,26 +215,18 @@ pub fn check(
     path: &Path,
     sampling: &Sampling,
 ) -> Result<(), Error> {
-    let transient = |quantity, what: &str| {
-        let reason = format!("a creep curve is of steady rolling, but there is {what}");
-        Err(Error::Contradiction { quantity, reason })
-    };
+    let what = "a creep curve is of";
     if problem.history.is_some() {
-        return transient("history.time", "a history");
+        return Err(Error::NotSteady { quantity: Quantity::Time, what });
     }
     if problem.initial_state.is_some() {
-        return transient("solver.initial_state", "an initial state");
+        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
     }
     options.check()?;
     sampling.check()?;
     if let Some(locked) = path.locks_at() {
-        return Err(Error::Contradiction {
-            quantity: path.abscissa().quantity(),
-            reason: format!(
-                "the wheel must roll throughout a creep curve, but at {} it does not",
-                path.abscissa().equation(locked)
-            ),
-        });
+        let quantity = path.abscissa().quantity();
+        return Err(Error::LocksOnCurve { quantity, value: locked });
     }
     let mut there = problem.clone();
     sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {

@@ -24,6 +24,8 @@ use crate::fourier::{smooth_from, transpose, transpose_back};
 use crate::grid::{Grid, VectorField};
 use crate::material::Material;
 use crate::numerics::love;
+use crate::quantity::Quantity;
+use crate::warning::Warning;
 
 /// Two half-spaces in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +46,7 @@ impl HalfSpace {
     pub fn new(first: &Material, second: &Material) -> Result<Self, Error> {
         let compliance = [first, second].map(|m| 0.5 / m.shear_modulus());
         let shear_modulus = (compliance[0] + compliance[1]).recip();
-        require_positive("wheel.young_modulus", shear_modulus, "Pa")?;
+        require_positive(Quantity::WheelYoungModulus, shear_modulus)?;
         let poisson_ratio = shear_modulus
             * (first.poisson_ratio * compliance[0] + second.poisson_ratio * compliance[1]);
         let dilation = |m: &Material| (1.0 - 2.0 * m.poisson_ratio) / m.shear_modulus();
@@ -148,14 +150,9 @@ impl Elasticity for HalfSpace {
         Ok(Box::new(HalfSpaceCompliance { convolution }))
     }
 
-    fn caveat(&self) -> Option<String> {
-        (self.dissimilarity.abs() > NOTICEABLE).then(|| {
-            format!(
-                "elasticity: wheel and rail differ in their elastic constants (K = {:.3}); the \
-                 tangential displacement under the normal pressure is neglected",
-                self.dissimilarity
-            )
-        })
+    fn caveat(&self) -> Option<Warning> {
+        let constant = self.dissimilarity;
+        (constant.abs() > NOTICEABLE).then_some(Warning::DissimilarBodies { constant })
     }
 }
 
@@ -432,7 +429,7 @@ mod tests {
             2.0 * g1 * g2 / (g1 + g2),
             max_relative = 1e-14
         );
-        assert!(bodies.caveat().is_some_and(|text| text.contains("neglected")));
+        assert!(matches!(bodies.caveat(), Some(Warning::DissimilarBodies { .. })));
         assert_eq!(steel().caveat(), None);
         let nu = (0.28 / g1 + 0.33 / g2) / (1.0 / g1 + 1.0 / g2);
         assert_relative_eq!(bodies.poisson_ratio(), nu, max_relative = 1e-14);

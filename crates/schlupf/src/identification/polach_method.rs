@@ -1,6 +1,6 @@
 //! Creep forces of Polach's method, as a model to fit.
 
-use crate::error::Error;
+use crate::error::{Error, FitError};
 use crate::method::{AreaReduction, Method};
 use crate::problem::{Options, Problem};
 use crate::reference_point;
@@ -9,7 +9,7 @@ use crate::simplified::{EllipticContact, friction_state};
 use crate::solution::Work;
 
 use super::adjustment::{
-    adjusted_friction, friction_constant, loaded, refuse, refuse_transient, require_heat,
+    adjusted_friction, friction_constant, loaded, refuse_transient, require_heat,
 };
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
@@ -42,21 +42,18 @@ impl PolachModel {
         options.check()?;
         refuse_transient(problem)?;
         let Method::Polach(reduction) = options.method else {
-            let name = options.method.name();
-            let reason = format!("the method must be \"polach\", but is {name:?}");
-            return refuse("solver.method", reason);
+            let (reason, method) = ("the method must be \"polach\"", options.method.name());
+            return Err(Error::OtherMethod { reason, method });
         };
-        require_heat(false, parameters, "solver.method = \"polach\" has no heat")?;
+        require_heat(false, parameters, Some("polach"))?;
         let start = parameters.iter().map(|parameter| match parameter {
             Parameter::Friction(constant) => friction_constant(&problem.friction, *constant),
             Parameter::AreaAdhesion => Ok(reduction.area_adhesion),
             Parameter::AreaSlip => Ok(reduction.area_slip),
-            Parameter::ContactStiffness | Parameter::Roughness => refuse(
-                parameter.name(),
-                "solver.method = \"polach\" has no contact law; its slope is reduced by \
-                 solver.polach_area_adhesion and solver.polach_area_slip"
-                    .to_owned(),
-            ),
+            Parameter::ContactStiffness | Parameter::Roughness => {
+                let quantity = parameter.quantity();
+                Err(FitError::NotOfMethod { quantity, method: "polach" }.into())
+            }
         });
         Ok(Self {
             start: start.collect::<Result<_, _>>()?,

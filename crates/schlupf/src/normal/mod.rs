@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::grid::Extent;
+use crate::warning::Warning;
 
 use tabulated::PressureTable;
 
@@ -29,7 +30,7 @@ pub trait PressureSource: Debug + Send + Sync {
     }
 
     /// What the reader of results must know about where the pressure comes from.
-    fn caveat(&self) -> Option<String> {
+    fn caveat(&self) -> Option<Warning> {
         None
     }
 }

@@ -17,6 +17,7 @@ use crate::reference_point::Moved;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
+use crate::warning::{Unconverged, Warning};
 
 use super::Progress;
 use super::arrival::{Arrival, carry_over, positions};
@@ -162,13 +163,7 @@ impl<'a> March<'a> {
         if steps <= MAX_HISTORY_STEPS && is_resolved {
             return Ok(());
         }
-        Err(Error::Contradiction {
-            quantity: "history.time",
-            reason: format!(
-                "from {start:e} s to {end:e} s the wheel rolls over up to {steps:.3e} cells, one a \
-                 time step; at most {MAX_HISTORY_STEPS:e} are allowed, and time must resolve them"
-            ),
-        })
+        Err(Error::HistoryTooLong { span: [start, end], steps, most: MAX_HISTORY_STEPS })
     }
 
     fn is_finished(&self) -> bool {
@@ -442,7 +437,7 @@ impl<'a> March<'a> {
         let mut warnings =
             warnings::warnings(self.problem, self.options, &mut self.contact, &self.now);
         if status == Status::NotConverged {
-            warnings.insert(0, self.why_not_converged());
+            warnings.insert(0, Warning::of(self.why_not_converged()));
         }
         let state =
             State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
@@ -460,33 +455,19 @@ impl<'a> March<'a> {
         summary::solution(self.problem, self.options, (normal, patch, &self.now), account)
     }
 
-    fn why_not_converged(&self) -> String {
-        let tolerance = self.options.tolerance;
+    fn why_not_converged(&self) -> Unconverged {
+        let (tolerance, residual) = (self.options.tolerance, self.worst_residual);
+        let (steps, change) = (self.work.steps, self.passage_change);
         let rolls = self.problem.history.as_ref().is_none_or(|history| !history.is_shift_only());
-        if self.worst_residual > tolerance && !rolls {
-            format!(
-                "not converged: after {} Newton steps the equilibrium has a residual of {:.1e}, above \
-                 the tolerance {tolerance:.1e}",
-                self.outcome.iterations, self.worst_residual
-            )
-        } else if self.worst_residual > tolerance {
-            format!(
-                "not converged: the worst equilibrium of a time step has a residual of {:.1e}, \
-                 above the tolerance {tolerance:.1e}",
-                self.worst_residual
-            )
-        } else if self.passage_change.is_infinite() && self.problem.history.is_none() {
-            format!(
-                "not converged: the march ends after {} time steps, before the material has \
-                 passed the patch twice",
-                self.work.steps
-            )
+        if residual > tolerance && !rolls {
+            let newton_steps = self.outcome.iterations;
+            Unconverged::Equilibrium { newton_steps, residual, tolerance }
+        } else if residual > tolerance {
+            Unconverged::TimeStep { residual, tolerance }
+        } else if change.is_infinite() && self.problem.history.is_none() {
+            Unconverged::ShortMarch { steps }
         } else {
-            format!(
-                "not converged: after {} time steps traction or temperature still change by {:.1e} \
-                 within a passage of the patch, above the tolerance {tolerance:.1e}",
-                self.work.steps, self.passage_change
-            )
+            Unconverged::UnsteadyMarch { steps, change, tolerance }
         }
     }
 }

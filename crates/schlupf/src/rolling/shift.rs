@@ -4,6 +4,7 @@
 use crate::error::{Error, require_finite};
 use crate::history::History;
 use crate::problem::{Options, Problem};
+use crate::quantity::Quantity;
 use crate::solution::Solution;
 
 use super::marching::march;
@@ -21,23 +22,19 @@ use super::marching::march;
 /// [`Problem::check`] and [`Options::check`] refuse.
 pub fn shift(problem: &Problem, shift: [f64; 2], options: &Options) -> Result<Solution, Error> {
     refuse_a_past(problem)?;
-    for component in shift {
-        require_finite("shift", component, "m")?;
-    }
+    require_finite(Quantity::ShiftX, shift[0])?;
+    require_finite(Quantity::ShiftY, shift[1])?;
     let history = History { shift: Some(shift), ..History::default() };
     march(&Problem { history: Some(history), ..problem.clone() }, options, &mut |_| ())
 }
 
 fn refuse_a_past(problem: &Problem) -> Result<(), Error> {
-    let refuse = |quantity, what| {
-        let reason = format!("a shift starts from rest, but the problem has {what}");
-        Err(Error::Contradiction { quantity, reason })
-    };
+    let what = "a shift starts from rest, not from";
     if problem.history.is_some() {
-        return refuse("history", "a history");
+        return Err(Error::NotSteady { quantity: Quantity::Time, what });
     }
     if problem.initial_state.is_some() {
-        return refuse("solver.initial_state", "an initial state");
+        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
     }
     Ok(())
 }

@@ -11,11 +11,13 @@ use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::numerics::vector::dot;
 use crate::problem::{Branch, Options, Problem};
+use crate::quantity::Quantity;
 use crate::reference_point::Moved;
 use crate::simplified::FastContact;
 use crate::solution::{Resultant, Solution, Status, Work};
 use crate::state::State;
 use crate::summary::{self, snapshot::Snapshot};
+use crate::warning::Warning;
 
 use super::Progress;
 use super::branches;
@@ -43,15 +45,12 @@ pub fn solve(
 }
 
 fn refuse_transient(problem: &Problem) -> Result<(), Error> {
-    let refuse = |quantity, what| {
-        let reason = format!("{what} needs solver.driver = \"marching\", but it is \"steady\"");
-        Err(Error::Contradiction { quantity, reason })
-    };
+    let what = "the steady driver is for";
     if problem.history.is_some() {
-        return refuse("solver.driver", "a history");
+        return Err(Error::NotSteady { quantity: Quantity::Driver, what });
     }
     if problem.initial_state.is_some() {
-        return refuse("solver.initial_state", "an initial state");
+        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
     }
     Ok(())
 }
@@ -113,11 +112,8 @@ impl SteadySolver {
                 Err(failure) => failure,
             };
         let mut marched = marching::march(problem, &self.options, report)?;
-        marched.warnings.push(format!(
-            "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
-             this is the end of a march, without derivatives",
-            outcome.residual, outcome.iterations
-        ));
+        let (residual, newton_steps) = (outcome.residual, outcome.iterations);
+        marched.warnings.push(Warning::Marched { residual, newton_steps });
         marched.warnings.extend(warning);
         Ok(marched)
     }
@@ -237,11 +233,7 @@ impl SteadySolver {
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {
-            solution.warnings.push(
-                "sensitivity: a linear system at the solution was not solved; the derivatives are \
-                 left out"
-                    .to_owned(),
-            );
+            solution.warnings.push(Warning::NoSensitivity {});
         }
     }
 }
@@ -249,7 +241,7 @@ impl SteadySolver {
 /// How far Newton's method got, and what is to be said beside.
 struct Failure {
     outcome: Outcome,
-    warning: Option<String>,
+    warning: Option<Warning>,
 }
 
 /// What problems with one normal contact and elasticity share.
@@ -369,7 +361,7 @@ impl Setup {
         options: &Options,
         newton: &mut Newton,
         work: &mut Work,
-    ) -> (Outcome, Option<String>) {
+    ) -> (Outcome, Option<Warning>) {
         let (other, [here, there]) = match options.branch {
             Branch::LowSlip => (Branch::HighSlip, ["low", "high"]),
             Branch::HighSlip => (Branch::LowSlip, ["high", "low"]),
@@ -389,7 +381,7 @@ impl Setup {
         let elsewhere = follow(other);
         let (Some((outcome, force)), Some((_, other))) = (follow(options.branch), elsewhere) else {
             self.earlier.clear();
-            return (self.find(problem, options, newton, work), Some(branches::LOST.to_owned()));
+            return (self.find(problem, options, newton, work), Some(Warning::BranchLost {}));
         };
         let normal = &self.levels[0].contact.normal;
         let limit = problem.friction.cold_coefficient() * normal.load;
@@ -397,12 +389,13 @@ impl Setup {
         let turned = (force.moment_z - other.moment_z) / lever;
         let apart = (force.x - other.x).hypot(force.y - other.y).hypot(turned);
         let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
-            format!(
-                "friction falls so fast that there are several steady states: this one is reached \
-                 from {here} slip, with Fx = {:.6e} N and Fy = {:.6e} N; from {there} slip they \
-                 are {:.6e} N and {:.6e} N",
-                force.x, force.y, other.x, other.y
-            )
+            let tangential = |force: Resultant| [force.x, force.y];
+            Warning::SeveralStates {
+                branch: here,
+                force: tangential(force),
+                other_branch: there,
+                other_force: tangential(other),
+            }
         });
         (outcome, warning)
     }

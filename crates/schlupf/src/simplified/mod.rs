@@ -27,6 +27,7 @@ use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
+use crate::quantity::Quantity;
 use crate::reference_point::{self, Moved};
 use crate::solution::{
     Area, Fields, Instant, Power, Resultant, Solution, Status, Temperature, Work,
@@ -283,16 +284,15 @@ impl FastContact {
 /// Checks what can be checked before the set-up.
 fn check(problem: &Problem, options: &Options) -> Result<(), Error> {
     problem.check()?;
-    let refuse = |reason: String| Err(Error::Contradiction { quantity: "solver.method", reason });
-    let name = options.method.name();
     if options.method == Method::Full {
-        return refuse("\"full\" is none of the fast methods".to_owned());
+        return Err(Error::OtherMethod { reason: "a fast method is needed", method: "full" });
     }
+    let what = "a fast method is for";
     if problem.history.is_some() {
-        return refuse(format!("{name:?} is of steady rolling, but there is a history"));
+        return Err(Error::NotSteady { quantity: Quantity::Time, what });
     }
     if problem.initial_state.is_some() {
-        return refuse(format!("{name:?} is of steady rolling, but there is an initial state"));
+        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
     }
     Ok(())
 }

@@ -11,7 +11,7 @@
 use faer::Mat;
 
 use super::HeightMap;
-use crate::error::Error;
+use crate::error::{Error, SurfaceError};
 use crate::least_squares::{Limits, Minimum, Residuals, minimise};
 use crate::numerics::vector::norm;
 
@@ -24,6 +24,17 @@ pub enum Form {
     Cylinder,
     /// A sphere.
     Sphere,
+}
+
+impl Form {
+    /// Its name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plane => "plane",
+            Self::Cylinder => "cylinder",
+            Self::Sphere => "sphere",
+        }
+    }
 }
 
 /// A surface and the form that was taken off it.
@@ -46,10 +57,8 @@ impl HeightMap {
         let scale = 0.5 * lattice.length_x().hypot(lattice.length_y());
         let points = lattice.points().map(|[x, y]| [x / scale, y / scale]);
         let found = Fit::new(points, self.heights(), scale).form(form);
-        let Minimum { parameters, residuals, .. } = found.ok_or_else(|| Error::Contradiction {
-            quantity: "surface.form",
-            reason: format!("no {form:?} fits the surface").to_lowercase(),
-        })?;
+        let Minimum { parameters, residuals, .. } =
+            found.ok_or(SurfaceError::NoForm { form: form.name() })?;
         Ok(FormRemoval {
             surface: Self::new(*lattice, over(scale, residuals))?,
             slope: [parameters[1], parameters[2]],
@@ -67,10 +76,8 @@ pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<
     // A line across a sphere over y = 0: what is said of y stays zero.
     let points = (0..heights.len()).map(|i| [(i as f64 + 0.5) / half - 1.0, 0.0]);
     let found = Fit::new(points, heights, scale).form(Form::Sphere);
-    let Minimum { parameters, residuals, .. } = found.ok_or_else(|| Error::Contradiction {
-        quantity: "surface.form",
-        reason: "no circle fits the profile".to_owned(),
-    })?;
+    let Minimum { parameters, residuals, .. } =
+        found.ok_or(SurfaceError::NoForm { form: "circle" })?;
     Ok((over(scale, residuals), -scale / parameters[3]))
 }
 

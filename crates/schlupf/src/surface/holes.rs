@@ -1,7 +1,7 @@
 //! Cells in which nothing was measured: NaN or infinite heights.
 
 use super::{HeightMap, Lattice, require_count};
-use crate::error::Error;
+use crate::error::{Error, SurfaceError};
 use crate::numerics::interpolation::bilinear;
 use crate::numerics::vector::{add_scaled, dot, norm};
 
@@ -31,13 +31,8 @@ pub fn require_few(heights: &[f64]) -> Result<(), Error> {
     if missing as f64 <= LARGEST_SHARE * heights.len() as f64 {
         return Ok(());
     }
-    Err(Error::Contradiction {
-        quantity: "surface.heights",
-        reason: format!(
-            "at most half of the points may be holes, but {missing} of {} are",
-            heights.len()
-        ),
-    })
+    let count = heights.len();
+    Err(SurfaceError::TooManyHoles { holes: missing, count }.into())
 }
 
 impl HeightMap {
@@ -191,10 +186,7 @@ impl<'a> Laplace<'a> {
             add_scaled(&mut found, step, &direction);
             add_scaled(&mut residual, -step, &image);
         }
-        Err(Error::Contradiction {
-            quantity: "surface.heights",
-            reason: format!("the holes are not filled after {ITERATIONS} iterations"),
-        })
+        Err(SurfaceError::HolesNotFilled { iterations: ITERATIONS }.into())
     }
 
     fn apply(&self, values: &[f64], image: &mut [f64]) {

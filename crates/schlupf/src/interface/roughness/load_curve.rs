@@ -1,12 +1,14 @@
 //! Approach of two rough bodies over their load, d(P).
 
-use crate::error::{Error, require_positive};
+use crate::error::{Error, SurfaceError, require_positive};
 use crate::normal::rough_contact::{RoughContact, RoughContactOptions, RoughContactSolution};
 use crate::numerics::interpolation::{hermite, hermite_slope};
 use crate::numerics::vector::dot;
+use crate::quantity::Quantity;
 
 /// A rough contact at one load. Everything is per nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LoadPoint {
     /// Mean pressure over the nominal area, in Pa.
     pub mean_pressure: f64,
@@ -90,7 +92,7 @@ impl LoadCurve {
         options: &LoadCurveOptions,
         each: &mut dyn FnMut(&LoadPoint),
     ) -> Result<Self, Error> {
-        require_positive("normal.pressure", largest, "Pa")?;
+        require_positive(Quantity::MeanPressure, largest)?;
         let steps = options.steps();
         let area = contact.distance().lattice().area();
         let hardness = contact.hardness();
@@ -134,14 +136,7 @@ impl LoadCurve {
         };
         let is_positive = points.first().is_some_and(|p| p.mean_pressure > 0.0 && p.approach > 0.0);
         if points.len() < 3 || !is_positive || !points.windows(2).all(grows) {
-            return Err(Error::Contradiction {
-                quantity: "surface.heights",
-                reason: format!(
-                    "approach and mean pressure must be positive and grow over at least three \
-                     points, but do not over {} points",
-                    points.len()
-                ),
-            });
+            return Err(SurfaceError::LoadCurve { points: points.len() }.into());
         }
         let slopes = slopes(&points);
         Ok(Self { points, slopes })
@@ -255,20 +250,7 @@ fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
     let is_closed = |point: &&LoadPoint| point.contact_fraction > CLOSED;
     let first = points.iter().find(is_closed).map_or(0.0, |point| point.mean_pressure);
     let largest = points.last().map_or(0.0, |point| point.mean_pressure);
-    let cause = if hardness.is_finite() {
-        format!(
-            "{:.4} MPa flatten it with a hardness of {:.4} MPa, or its heights are in another unit",
-            1e-6 * largest,
-            1e-6 * hardness
-        )
-    } else {
-        "it is too smooth for that, the pressures are too large, or its heights are in another unit"
-            .to_owned()
-    };
-    Error::Contradiction {
-        quantity: "surface.heights",
-        reason: format!("all of the surface is in contact under {:.4} MPa: {cause}", 1e-6 * first),
-    }
+    SurfaceError::FullContact { pressure: first, largest, hardness }.into()
 }
 
 /// d ∝ p^(2/3) and A ∝ p^(2/3) (Hertz 1882).

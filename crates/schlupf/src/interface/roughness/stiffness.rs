@@ -5,6 +5,7 @@ use crate::numerics::root::golden_section;
 
 /// 1 − exp(−k_c u) fitted to curves Q/(μP) over u.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ExponentialFit {
     /// Exponent k_c, in 1/m.
     pub stiffness: f64,

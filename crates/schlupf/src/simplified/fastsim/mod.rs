@@ -67,12 +67,7 @@ impl Fastsim {
         let mut patch = Patch::new(normal, grid);
         if brush.bound == TractionBound::Parabolic {
             if matches!(normal.pressure, Pressure::Tabulated(..)) {
-                let reason = "the pressure of a table or a profile has no paraboloid: it needs \
-                              fastsim.bound = \"elliptic\", with which it bounds the traction itself";
-                return Err(Error::Contradiction {
-                    quantity: "fastsim.bound",
-                    reason: reason.to_owned(),
-                });
+                return Err(Error::NoParaboloid {});
             }
             make_parabolic(&mut patch, &normal.summary);
         }
