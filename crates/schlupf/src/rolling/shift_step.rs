@@ -1,5 +1,5 @@
-//! The equilibrium after a shift at rest: every cell slides by the shift less what the bodies yield, with the
-//! same shift in all of them, because nothing is carried along.
+//! The equilibrium after a shift at rest: every cell slides by the shift less what the bodies
+//! yield, with the same shift in all of them, because nothing is carried along.
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::interface::contact_law::{ContactLaw, Slide};
@@ -27,8 +27,8 @@ pub(super) struct Shift<'a> {
 }
 
 impl Shift<'_> {
-    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and leaves it
-    /// there and in the elements.
+    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and
+    /// leaves it there and in the elements.
     pub fn find(self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
         let mut before = vec![0.0; p.len()];
         self.contact.displacement_at_cells(&mut before);
