@@ -5,6 +5,7 @@
 mod arguments;
 mod bulk;
 mod calibrate;
+mod command_line;
 mod commands;
 mod compare;
 mod contact_law;
@@ -24,7 +25,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use arguments::{Arguments, Command};
+use command_line::{Arguments, Command, completions};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -40,7 +41,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),
-        Command::Completions { shell } => commands::completions(shell),
+        Command::Completions { shell } => completions(shell),
     };
     result.unwrap_or_else(|failure| {
         report::print(&failure);
