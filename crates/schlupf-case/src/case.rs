@@ -4,8 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use schlupf::bulk_temperature::Cooling;
+use schlupf::history::History;
 use schlupf::message::Message;
-use schlupf::{Options, Problem};
+use schlupf::rolling::MarchingSolver;
+use schlupf::state::State;
+use schlupf::{Method, Options, Problem, Solver, Transient};
 
 use crate::document::{self, Entry};
 use crate::edited;
@@ -17,13 +20,22 @@ use crate::read;
 use crate::settings::Settings;
 use crate::template::template;
 
+/// What makes a history, each by itself.
+const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
+
 /// A case that was read and checked.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// Title for the summary and the figures.
     pub title: String,
-    /// What to solve.
+    /// The contact.
     pub problem: Problem,
+    /// Creepages, speed and load over time, where it is no steady rolling.
+    pub history: Option<History>,
+    /// All equations, or a fast method.
+    pub method: Method,
+    /// Which way to the solution was asked for.
+    pub driver: Option<Driver>,
     /// How accurately.
     pub options: Options,
     /// What cools the wheel in the long run, where the case says so.
@@ -38,6 +50,23 @@ pub struct Case {
     pub(crate) entries: Vec<Entry>,
     pub(crate) name: String,
     pub(crate) folder: PathBuf,
+}
+
+/// A way to the solution of the full equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Driver {
+    /// The steady state at once.
+    Steady,
+    /// Time step after time step: the paper's procedure, and transient rolling.
+    Marching,
+}
+
+/// What a case asks for.
+pub enum Task {
+    /// Steady rolling, and what finds it.
+    Steady(Box<dyn Solver>),
+    /// Rolling over time.
+    Transient(Box<Transient>),
 }
 
 /// A field in effect.
@@ -103,13 +132,16 @@ impl Case {
         errors.extend(wrong_fields);
         errors.sort_by_key(|error| error.place.order());
         CaseErrors::check(errors)?;
-        let (problem, law_stiffness) = read::problem(&settings, folder, solved)?;
+        let (problem, history, law_stiffness) = read::problem(&settings, folder, solved)?;
         let mut notices = settings.idle();
         let caveats = law_stiffness.caveats().into_iter();
         notices.extend(caveats.map(|message| message.about("contact_law.roughness")));
         Ok(Self {
             title: settings.text("title")?,
             problem,
+            history,
+            method: read::method(&settings)?,
+            driver: read::driver(&settings)?,
             options: read::options(&settings)?,
             cooling: read::cooling(&settings)?,
             law_stiffness,
@@ -149,6 +181,63 @@ impl Case {
         })?;
         let folder = path.parent().unwrap_or(Path::new(""));
         Self::from_str(&text, &name, folder, overrides)
+    }
+
+    /// What is to be solved, from a state if there is one.
+    ///
+    /// # Errors
+    /// A history or a state where the method or the way that was asked for cannot follow it.
+    pub fn task(&self, initial_state: Option<State>) -> Result<Task, CaseError> {
+        if self.history.is_none() && initial_state.is_none() {
+            return Ok(Task::Steady(self.any_solver(&self.options)));
+        }
+        let what = if self.history.is_some() { "a history" } else { "an initial state" };
+        match (self.method, self.driver) {
+            (Method::Fast(method), _) => {
+                let name = method.name();
+                let reason = format!("{name:?} is of steady rolling, but there is {what}");
+                Err(self.contradiction("solver.method", &reason))
+            }
+            (Method::Full, Some(Driver::Steady)) => {
+                let reason =
+                    format!("{what} needs solver.driver = \"marching\", but it is \"steady\"");
+                Err(self.contradiction("solver.driver", &reason))
+            }
+            (Method::Full, Some(Driver::Marching) | None) => {
+                let history = self.history.clone().unwrap_or_default();
+                let problem = self.problem.clone();
+                Ok(Task::Transient(Box::new(Transient { problem, history, initial_state })))
+            }
+        }
+    }
+
+    /// Checks that the case is one of steady rolling. `what` says for what, such as "a creep curve is".
+    ///
+    /// # Errors
+    /// A history.
+    pub fn require_steady(&self, what: &str) -> Result<(), CaseError> {
+        if self.history.is_none() {
+            return Ok(());
+        }
+        let field = HISTORY.into_iter().find(|field| self.settings.is_given(field));
+        let reason = format!("{what} of steady rolling, but there is a history");
+        Err(self.contradiction(field.unwrap_or("history.time"), &reason))
+    }
+
+    /// What finds steady states of the case, without derivatives; see [`Self::require_steady`].
+    pub fn solver(&self) -> Box<dyn Solver> {
+        self.any_solver(&Options { sensitivity: false, ..self.options.clone() })
+    }
+
+    fn any_solver(&self, options: &Options) -> Box<dyn Solver> {
+        match (self.method, self.driver) {
+            (Method::Full, Some(Driver::Marching)) => Box::new(MarchingSolver::new(options)),
+            (method, _) => method.solver(options),
+        }
+    }
+
+    fn contradiction(&self, field: &str, reason: &str) -> CaseError {
+        self.settings.error(field, format!("{field}: {reason}"))
     }
 
     /// An error of the core, at the place of the field that it names.

@@ -150,20 +150,20 @@ fn discrete_springs_replace_the_stiffnesses_per_area() {
 fn a_history_is_read_from_arrays_and_files_alike() {
     let arrays = "[history]\ntime = [\"0 s\", \"1 ms\"]\ncreepage_x = [0, 0.002]\n\
                   load = [\"80 kN\", \"60 kN\"]";
-    let expected = read(arrays, &[]).problem.history;
+    let expected = read(arrays, &[]).history;
     let folder = tempfile::tempdir().unwrap();
     let table = "# made up\r\ntime [ms],creepage_x,load [kN]\r\n0,0,80\r\n1,0.002,60\r\n";
     fs::write(folder.path().join("h.csv"), table).unwrap();
     let path = folder.path().join("case.toml");
     fs::write(&path, "[history]\nfile = \"h.csv\"").unwrap();
-    assert_eq!(Case::from_path(&path, &[]).unwrap().problem.history, expected);
+    assert_eq!(Case::from_path(&path, &[]).unwrap().history, expected);
     assert_eq!(expected.unwrap().load, Some(vec![80e3, 60e3]));
 }
 
 #[test]
 fn the_speed_over_time_is_read() {
     let text = "[history]\ntime = [\"0 s\", \"1 ms\"]\nspeed = [\"108 km/h\", \"20 m/s\"]";
-    let history = read(text, &[]).problem.history.unwrap();
+    let history = read(text, &[]).history.unwrap();
     assert_eq!(history.speed, Some(vec![30.0, 20.0]));
     assert_eq!((history.creepage_x, history.load), (None, None));
 }

@@ -1,8 +1,8 @@
 //! `schlupf bulk`.
 
 use clap::Args;
+use schlupf::Error;
 use schlupf::bulk_temperature::{self, Cooling};
-use schlupf::{Error, Options};
 use schlupf_case::{Case, CaseErrors};
 use schlupf_output::bulk_temperature::BulkReport;
 use schlupf_output::figures;
@@ -47,6 +47,7 @@ impl Task for Bulk {
     }
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        case.require_steady("the bulk temperature is that").map_err(CaseErrors::from)?;
         let cooling = case.require_cooling().map_err(CaseErrors::from)?;
         bulk_temperature::check(&case.problem, &cooling).map_err(|error| explain(&case, &error))?;
         Ok(Plan { case, cooling })
@@ -58,11 +59,11 @@ impl Task for Bulk {
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<BulkReport>, Failure> {
         let Plan { case, cooling } = plan;
-        let options = Options { sensitivity: false, ..case.options.clone() };
-        let mut step = |state| progress.step(state);
+        let mut solver = case.solver();
+        let watch = progress.watch();
         let balance =
-            bulk_temperature::bulk_temperature(&case.problem, &options, &cooling, &mut step)
-                .map_err(|error| explain(&case, &error))?;
+            bulk_temperature::bulk_temperature(&case.problem, &mut *solver, &cooling, &watch);
+        let balance = balance.map_err(|error| explain(&case, &error))?;
         let warnings = messages(&balance.solution.warnings);
         let report = BulkReport {
             cooling,

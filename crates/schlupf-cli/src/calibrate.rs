@@ -16,7 +16,7 @@ use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::history::History;
 use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
-use schlupf::{Error, Quantity, Status, Warning};
+use schlupf::{Error, Quantity, Status, Warning, Watch};
 use schlupf_case::{Case, CaseErrors, Displacements, FieldNames, read_displacements};
 use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
 use schlupf_output::figures;
@@ -100,7 +100,8 @@ impl Task for Calibrate {
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CalibrationReport>, Failure> {
         progress.stage("calibrating");
         let Plan { case, displacements } = plan;
-        let report = Patch::of(&case).and_then(|patch| patch.report(self, &displacements, &case));
+        let report = Patch::of(&case)
+            .and_then(|patch| patch.report(self, &displacements, &case, &progress.watch()));
         let report = report.map_err(|error| Failure::Case(case.explain(&error).into()))?;
         Ok(report.into())
     }
@@ -119,7 +120,7 @@ impl Patch {
     /// That of the case; of a history that with the largest load.
     fn of(case: &Case) -> Result<Self, Error> {
         let problem = &case.problem;
-        let load = problem.history.as_ref().and_then(History::largest_load);
+        let load = case.history.as_ref().and_then(History::largest_load);
         let normal = problem.normal.normal_contact(load)?;
         let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
         let [a, b] = [normal.summary.semi_axis_x, normal.summary.semi_axis_y];
@@ -131,6 +132,7 @@ impl Patch {
         arguments: &Calibrate,
         displacements: &[Displacements],
         case: &Case,
+        watch: Watch,
     ) -> Result<CalibrationReport, Error> {
         let options = CalibrationOptions {
             cells: arguments.cells,
@@ -150,10 +152,10 @@ impl Patch {
         };
         let deviation = tabulated
             .filter(|_| displacements.is_empty())
-            .map(|_| deviation_of_table(ratios.0, ratios.1, &options))
+            .map(|_| deviation_of_table(ratios.0, ratios.1, &options, watch))
             .transpose()?;
-        let anew =
-            if arguments.anew { Some(calibrate(ratios.0, ratios.1, &options)?) } else { None };
+        let anew = arguments.anew.then(|| calibrate(ratios.0, ratios.1, &options, watch));
+        let anew = anew.transpose()?;
         let fitted = fitted(displacements)?;
         let exact = tabulated.map(|stiffness| self.layer(stiffness, None).stiffness);
         warnings.extend(fitted.iter().flat_map(|fitted| doubts(fitted, exact)));
@@ -163,7 +165,7 @@ impl Patch {
         if arguments.outputs.figures.is_some() && displacements.is_empty() {
             let stiffness = anew.map(|anew| anew.stiffness).or(tabulated);
             if let Some(stiffness) = stiffness {
-                let found = side_by_side(ratios.0, ratios.1, stiffness)?;
+                let found = side_by_side(ratios.0, ratios.1, stiffness, watch)?;
                 converged &= found.is_converged();
                 sides = Some(found);
             }

@@ -32,6 +32,17 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Threads for what can be computed at the same time; all cores when left out. Results do not
+    /// depend on it
+    #[arg(long, global = true, value_name = "N", value_parser = number_of_threads)]
+    pub threads: Option<usize>,
+}
+
+/// A number of threads that a machine can have.
+fn number_of_threads(text: &str) -> Result<usize, String> {
+    const MOST: usize = 1024;
+    let count = text.parse().ok().filter(|count| (1..=MOST).contains(count));
+    count.ok_or_else(|| format!("must be a whole number between 1 and {MOST}"))
 }
 
 /// What to do.

@@ -5,9 +5,8 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use schlupf::message::Message;
 use schlupf::normal::Pressure;
-use schlupf::rolling::{self, steady::SteadySolver};
 use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Options, Problem, Quantity, Warning};
+use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, Effective, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
@@ -55,7 +54,7 @@ impl Task for Compare {
     }
 
     fn plan(&self, case: Case) -> Result<Case, Failure> {
-        refuse_history(&case)?;
+        case.require_steady("a comparison is").map_err(CaseErrors::from)?;
         Ok(case)
     }
 
@@ -64,41 +63,32 @@ impl Task for Compare {
     }
 
     fn find(&self, case: Case, progress: &Progress) -> Result<Found<Comparison>, Failure> {
-        let entries = entries(&case, progress)?;
+        let entries = entries(&case, &progress.watch())?;
         let warnings = case.notices.iter().cloned().chain(warnings(&entries)).collect();
         Ok(Comparison { title: case.title, entries, warnings }.into())
     }
 }
 
-/// Only the full method could follow one.
-fn refuse_history(case: &Case) -> Result<(), Failure> {
-    if case.problem.history.is_none() {
-        return Ok(());
-    }
-    let error = Error::NotSteady { quantity: Quantity::Time, what: "a comparison is of" };
-    Err(Failure::Case(case.explain(&error).into()))
-}
-
-/// What all methods make of the case.
+/// What all methods make of the case: all solutions on several threads first, then their times one after the other.
 ///
 /// # Errors
 /// What the first one says if none has an answer.
-fn entries(case: &Case, progress: &Progress) -> Result<Vec<Entry>, Failure> {
+fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, Failure> {
     let full = case.with(COMPARE, "solver.method=full")?;
+    let solved = parallel::map(CANDIDATES.iter().collect(), |candidate| {
+        candidate.case(&full).and_then(|case| Solved::new(case, watch))
+    });
     let mut entries = Vec::new();
     let mut first_errors: Option<CaseErrors> = None;
-    for (k, candidate) in CANDIDATES.iter().enumerate() {
-        let answer = candidate.case(&full).and_then(|case| answer(&case));
-        let answer = answer.map_err(|errors| {
+    for (solved, candidate) in solved.into_iter().zip(CANDIDATES) {
+        let answer = solved.and_then(|solved| solved.answer(watch)).map_err(|errors| {
             let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
             let reason = messages.join("; ");
             first_errors.get_or_insert(errors);
             reason
         });
-        let Candidate { name, method, elasticity } = *candidate;
+        let Candidate { name, method, elasticity } = candidate;
         entries.push(Entry { name, method, elasticity, answer });
-        let steps = Some(CANDIDATES.len());
-        progress.step(rolling::Progress { step: k + 1, steps, change: 0.0 });
     }
     match first_errors {
         Some(errors) if entries.iter().all(|entry| entry.answer.is_err()) => Err(errors.into()),
@@ -177,23 +167,52 @@ fn with_elasticity(case: &Case, model: &str) -> Result<Case, CaseErrors> {
 const REPEATED_FOR: Duration = Duration::from_millis(2);
 const MOST_REPETITIONS: u32 = 1000;
 
-fn answer(case: &Case) -> Result<Answer, CaseErrors> {
-    let explain = |error: Error| explained(case, &error);
-    let problem = &case.problem;
-    // Derivatives are not compared, and would count in the time.
-    let options = Options { sensitivity: false, ..case.options.clone() };
-    // The normal contact is the same for all, and counts for none.
-    problem.normal.normal_contact(None).map_err(explain)?;
-    let start = Instant::now();
-    let solution = rolling::solve(problem, &options, &mut |_| ()).map_err(explain)?;
-    let time = start.elapsed().as_secs_f64();
-    let time_again = if options.method == Method::Full {
-        again_full(problem, &options)
-    } else {
-        again_fast(problem, &options)
-    };
-    let time_again = time_again.map_err(explain)?;
-    Ok(Answer { solution, time, time_again })
+/// A case that one method has solved.
+struct Solved {
+    case: Case,
+    /// With its set-up.
+    solver: Box<dyn Solver>,
+    solution: Solution,
+}
+
+impl Solved {
+    fn new(case: Case, watch: Watch) -> Result<Self, CaseErrors> {
+        let mut solver = case.solver();
+        let solution = solver.solve(&case.problem, watch);
+        let solution = solution.map_err(|error| explained(&case, &error))?;
+        Ok(Self { case, solver, solution })
+    }
+
+    /// Nothing else must run while times are measured.
+    fn answer(mut self, watch: Watch) -> Result<Answer, CaseErrors> {
+        let time = self.time(watch);
+        let times = time.and_then(|time| Ok((time, self.time_again(watch)?)));
+        let (time, time_again) = times.map_err(|error| explained(&self.case, &error))?;
+        Ok(Answer { solution: self.solution, time, time_again })
+    }
+
+    /// Time of a solution from the set-up on, in s. The normal contact, which is the same for all, is known.
+    fn time(&self, watch: Watch) -> Result<f64, Error> {
+        let start = Instant::now();
+        self.case.solver().solve(&self.case.problem, watch)?;
+        Ok(start.elapsed().as_secs_f64())
+    }
+
+    /// Time with the set-up there, in s: of a solution without earlier ones, or, by a fast method, of the forces.
+    fn time_again(&mut self, watch: Watch) -> Result<f64, Error> {
+        let Case { problem, options, method, .. } = &self.case;
+        match method {
+            Method::Fast(method) => {
+                forces_again(FastContact::new(problem, *method, options)?, problem)
+            }
+            Method::Full => {
+                self.solver.forget();
+                let start = Instant::now();
+                self.solver.solve(problem, watch)?;
+                Ok(start.elapsed().as_secs_f64())
+            }
+        }
+    }
 }
 
 /// Whatever the reader of the numbers must know, but for what the table shows: that a fast method
@@ -211,19 +230,8 @@ fn warnings(entries: &[Entry]) -> Vec<Message> {
     entries.iter().flat_map(|entry| of(entry).into_iter().map(|m| m.about(entry.name))).collect()
 }
 
-/// Time of a solution by a solver with its set-up and without earlier solutions, in s.
-fn again_full(problem: &Problem, options: &Options) -> Result<f64, Error> {
-    let mut solver = SteadySolver::new(options);
-    solver.solve(problem, &mut |_| ())?;
-    solver.forget();
-    let start = Instant::now();
-    solver.solve(problem, &mut |_| ())?;
-    Ok(start.elapsed().as_secs_f64())
-}
-
 /// Mean time of the forces by a contact that is set up, in s.
-fn again_fast(problem: &Problem, options: &Options) -> Result<f64, Error> {
-    let mut contact = FastContact::new(problem, options)?;
+fn forces_again(mut contact: FastContact, problem: &Problem) -> Result<f64, Error> {
     contact.force(&problem.kinematics)?;
     let start = Instant::now();
     let mut repetitions = 0;

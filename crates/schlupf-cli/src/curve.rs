@@ -1,9 +1,10 @@
 //! `schlupf curve`.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use clap::{ArgGroup, Args, ValueEnum};
 use schlupf::creep_curve::{self, CreepCurve, Creepages, MAX_POINTS, Sampling, Spacing};
-use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Options, rolling};
+use schlupf::{Watch, parallel};
 use schlupf_case::{Case, CaseErrors, Family, FieldNames, direction, quantity_field, range};
 use schlupf_output::creep_curve as output;
 use schlupf_output::creep_curve::CurveFamily;
@@ -86,7 +87,6 @@ pub struct Plan {
     family: Option<Family>,
     sampling: Sampling,
     members: Vec<Member>,
-    options: Options,
 }
 
 impl Task for Curve {
@@ -112,7 +112,7 @@ impl Task for Curve {
         let sampling = self.sampling();
         let members = members(&case, &varied, family.as_ref())?;
         members.iter().try_for_each(|member| member.check(&sampling, &varied))?;
-        Ok(Plan { title: case.title, family, sampling, members, options: case.options })
+        Ok(Plan { title: case.title, family, sampling, members })
     }
 
     fn inputs(&self, plan: &Plan) -> Vec<Input> {
@@ -121,22 +121,8 @@ impl Task for Curve {
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CurveFamily>, Failure> {
-        let Plan { title, family, sampling, members, options } = plan;
-        let mut found = Vec::new();
-        let mut solver = SteadySolver::new(&options);
-        for (k, member) in members.iter().enumerate() {
-            if *solver.options() != member.options() {
-                solver = SteadySolver::new(&member.options());
-            }
-            let curve = member.trace(&mut solver, &sampling, &mut |done| {
-                let step = k * sampling.points + done;
-                let steps = Some(members.len() * sampling.points);
-                progress.step(rolling::Progress { step, steps, change: 0.0 });
-            })?;
-            let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
-            let warnings = member.case.notices.iter().cloned().chain(of_curve).collect();
-            found.push(output::Member { value: member.value.clone(), warnings, curve });
-        }
+        let Plan { title, family, sampling, members } = plan;
+        let found = found(&members, &sampling, progress)?;
         let over = family.map(|family| family.field.to_owned());
         Ok(CurveFamily::new(title, over, sampling, found).into())
     }
@@ -150,6 +136,28 @@ impl Curve {
         };
         Sampling { points: self.points, spacing }
     }
+}
+
+/// All curves, on several threads.
+fn found(
+    members: &[Member],
+    sampling: &Sampling,
+    progress: &Progress,
+) -> Result<Vec<output::Member>, Failure> {
+    let watch = progress.watch();
+    let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
+    let total = Some(members.len() * sampling.points);
+    let each = members.iter().zip(&done).collect();
+    parallel::try_map(each, |(member, own): (&Member, &AtomicUsize)| {
+        let curve = member.trace(sampling, &|progress| {
+            own.store(progress.done, Ordering::Relaxed);
+            let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
+            watch(schlupf::Progress { done, total, ..progress })
+        })?;
+        let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
+        let warnings = member.case.notices.iter().cloned().chain(of_curve).collect();
+        Ok(output::Member { value: member.value.clone(), warnings, curve })
+    })
 }
 
 /// Which creepages vary, and from where to where.
@@ -265,25 +273,14 @@ impl Varied {
 
 impl Member {
     fn check(&self, sampling: &Sampling, varied: &Varied) -> Result<(), Failure> {
-        let Case { problem, options, .. } = &self.case;
-        creep_curve::check(problem, options, &self.path, sampling)
+        self.case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
+        creep_curve::check(&self.case.problem, &self.path, sampling)
             .map_err(|error| varied.failure(&self.case, &error))
     }
 
-    /// The options of its case; derivatives at every point have no place in a curve.
-    fn options(&self) -> Options {
-        Options { sensitivity: false, ..self.case.options.clone() }
-    }
-
-    fn trace(
-        &self,
-        solver: &mut SteadySolver,
-        sampling: &Sampling,
-        report: &mut dyn FnMut(usize),
-    ) -> Result<CreepCurve, Failure> {
-        let mut report = |progress: creep_curve::Progress| report(progress.done);
-        let problem = &self.case.problem;
-        creep_curve::trace_with(solver, problem, &self.path, sampling, &mut report)
+    fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, Failure> {
+        let mut solver = self.case.solver();
+        creep_curve::trace(&mut *solver, &self.case.problem, &self.path, sampling, watch)
             .map_err(|error| Failure::Case(self.case.explain(&error).into()))
     }
 }

@@ -12,6 +12,7 @@ mod contact_law;
 mod curve;
 mod failure;
 mod fit;
+mod interrupt;
 mod outputs;
 mod progress;
 mod report;
@@ -24,12 +25,26 @@ mod temperature;
 use std::process::ExitCode;
 
 use clap::Parser;
+use rayon::ThreadPoolBuilder;
 
 use command_line::{Arguments, Command, completions};
+use failure::Failure;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let result = match arguments.command {
+    run(arguments).unwrap_or_else(|failure| {
+        report::print(&failure);
+        ExitCode::from(failure.exit_code())
+    })
+}
+
+fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
+    interrupt::listen();
+    // Zero is one for each core.
+    let threads = ThreadPoolBuilder::new().num_threads(arguments.threads.unwrap_or(0));
+    let no_threads = |error| Failure::Arguments(format!("--threads: {error}"));
+    threads.build_global().map_err(no_threads)?;
+    match arguments.command {
         Command::Solve(arguments) => task::run(&*arguments),
         Command::Curve(arguments) => task::run(&*arguments),
         Command::Temperature(arguments) => task::run(&*arguments),
@@ -42,9 +57,5 @@ fn main() -> ExitCode {
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),
         Command::Completions { shell } => completions(shell),
-    };
-    result.unwrap_or_else(|failure| {
-        report::print(&failure);
-        ExitCode::from(failure.exit_code())
-    })
+    }
 }

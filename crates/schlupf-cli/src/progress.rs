@@ -1,12 +1,13 @@
 //! A progress bar for whatever lasts over a second on a terminal.
 
 use std::io::{IsTerminal, stderr};
+use std::ops::ControlFlow;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use schlupf::rolling;
+use schlupf::progress::Stage;
 
 const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(100);
@@ -21,9 +22,8 @@ pub struct Progress {
 /// What goes on.
 #[derive(Debug, Clone, Copy)]
 enum Message {
-    Step(rolling::Progress),
-    Stage(&'static str),
-    Count(&'static str, usize),
+    Doing(&'static str),
+    Got(schlupf::Progress),
 }
 
 impl Progress {
@@ -36,19 +36,17 @@ impl Progress {
         Self { thread: Some((sender, std::thread::spawn(move || show(&receiver)))) }
     }
 
-    /// Time steps were done.
-    pub fn step(&self, progress: rolling::Progress) {
-        self.send(Message::Step(progress));
+    /// What a computation is watched with.
+    pub fn watch(&self) -> impl Fn(schlupf::Progress) -> ControlFlow<()> + Sync {
+        |progress| {
+            self.send(Message::Got(progress));
+            ControlFlow::Continue(())
+        }
     }
 
     /// Something else begins.
     pub fn stage(&self, name: &'static str) {
-        self.send(Message::Stage(name));
-    }
-
-    /// So many of something were done, of a number that nobody knows.
-    pub fn count(&self, name: &'static str, done: usize) {
-        self.send(Message::Count(name, done));
+        self.send(Message::Doing(name));
     }
 
     fn send(&self, message: Message) {
@@ -71,7 +69,7 @@ impl Drop for Progress {
 
 fn show(messages: &Receiver<Message>) {
     let start = Instant::now();
-    let mut latest = Message::Stage("solving");
+    let mut latest = Message::Doing("solving");
     loop {
         match messages.recv_timeout(PATIENCE.saturating_sub(start.elapsed())) {
             Ok(message) => latest = message,
@@ -89,21 +87,35 @@ fn show(messages: &Receiver<Message>) {
 }
 
 fn update(bar: &ProgressBar, message: Message) {
-    match message {
-        Message::Stage(name) => bar.set_message(name),
-        Message::Count(name, done) => bar.set_message(format!("{name} {done}")),
-        Message::Step(rolling::Progress { step, steps, change }) => {
-            if let Some(steps) = steps {
-                if bar.length().is_none() {
-                    bar.set_style(style_of_known_length());
-                }
-                bar.set_length(steps as u64);
-                bar.set_position(step as u64);
-                bar.set_message("solving");
-            } else {
-                bar.set_message(format!("step {step}, relative change {change:.1e}"));
-            }
+    let progress = match message {
+        Message::Doing(name) => return bar.set_message(name),
+        Message::Got(progress) => progress,
+    };
+    let (name, done) = (name(progress.stage), progress.done);
+    if let Some(total) = progress.total {
+        if bar.length().is_none() {
+            bar.set_style(style_of_known_length());
         }
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
+        bar.set_message(name);
+    } else {
+        let change = progress.change.map(|change| format!(", relative change {change:.1e}"));
+        bar.set_message(format!("{name} {done}{}", change.unwrap_or_default()));
+    }
+}
+
+/// What is counted.
+fn name(stage: Stage) -> &'static str {
+    match stage {
+        Stage::NormalContact => "normal contact, iterations",
+        Stage::LoadCurve => "loads",
+        Stage::Steady => "Newton steps",
+        Stage::Marching => "time steps",
+        Stage::Curve => "points",
+        Stage::BulkTemperature => "steady states",
+        Stage::Fit => "fitting, forces",
+        Stage::Calibration => "calibrating, motions",
     }
 }
 

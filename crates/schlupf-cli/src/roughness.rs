@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
-use schlupf::interface::roughness::load_curve::{LoadCurveOptions, LoadPoint};
+use schlupf::Error;
+use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
-use schlupf::{Error, rolling};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
     Case, CaseErrors, FieldNames, GivenByOption, RoughnessRequest, caveats, pressures,
@@ -142,7 +142,7 @@ impl Task for Roughness {
         let result = solve(&case, &request, &rough, progress).map_err(explain)?;
         let is_wanted = [&self.outputs.figures, &self.pressures, &self.gaps];
         let is_wanted = is_wanted.into_iter().any(Option::is_some);
-        let spots = is_wanted.then(|| spots(&request, &rough.surface)).transpose();
+        let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
         let spots = spots.map_err(explain)?;
         Ok(describe(self, &case, (request, rough), (result, spots)).into())
     }
@@ -299,23 +299,21 @@ fn solve(
         hardness: key.hardness,
         mean_pressures: mean_pressures.to_vec(),
     };
-    let options = LoadCurveOptions::default();
-    let steps = Some(model.loads(&options));
-    let mut step = 0;
-    let mut each = |_: &LoadPoint| {
-        step += 1;
-        progress.step(rolling::Progress { step, steps, change: 0.0 });
-    };
-    model.solve(&options, &mut each)
+    model.solve(&LoadCurveOptions::default(), &progress.watch())
 }
 
 /// The contact at the largest mean pressure.
-fn spots(request: &RoughnessRequest, surface: &HeightMap) -> Result<Spots, Error> {
+fn spots(
+    request: &RoughnessRequest,
+    surface: &HeightMap,
+    progress: &Progress,
+) -> Result<Spots, Error> {
     let key = request.key();
     let distance = surface.distance_to_plane();
     let contact = RoughContact::new(distance, key.contact_modulus, Boundary::Periodic)?;
     let mut contact = contact.with_hardness(key.hardness)?;
-    let solution = contact.press(key.largest_pressure, &RoughContactOptions::default())?;
+    let solution =
+        contact.press(key.largest_pressure, &RoughContactOptions::default(), &progress.watch())?;
     Ok(Spots {
         mean_pressure: key.largest_pressure,
         is_converged: solution.is_converged,

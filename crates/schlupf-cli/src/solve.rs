@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
 use schlupf::message::Message;
+use schlupf::rolling::marching::march;
 use schlupf::state::State;
-use schlupf::{Error, Method, Quantity, Solution, rolling};
-use schlupf_case::Case;
+use schlupf::{Error, Method, Quantity, Solution};
+use schlupf_case::{Case, CaseErrors, Task as Rolling};
 use schlupf_output::figures;
 use schlupf_output::solution::SolutionReport;
 
@@ -41,8 +42,14 @@ pub struct Solve {
     pub outputs: OutputArguments,
 }
 
+/// A case with what of it is solved.
+pub struct Plan {
+    case: Case,
+    rolling: Rolling,
+}
+
 impl Task for Solve {
-    type Plan = Case;
+    type Plan = Plan;
     type Report = SolutionReport;
 
     fn case(&self) -> CaseArguments {
@@ -63,16 +70,15 @@ impl Task for Solve {
         vtk.into_iter().chain(state).collect()
     }
 
-    fn plan(&self, mut case: Case) -> Result<Case, Failure> {
-        self.refuse_state(case.options.method)?;
-        if let Some(path) = &self.initial_state {
-            case.problem.initial_state = Some(read_state(path)?);
-        }
-        Ok(case)
+    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        self.refuse_state(case.method)?;
+        let initial_state = self.initial_state.as_deref().map(read_state).transpose()?;
+        let rolling = case.task(initial_state).map_err(CaseErrors::from)?;
+        Ok(Plan { case, rolling })
     }
 
-    fn inputs(&self, case: &Case) -> Vec<Input> {
-        let mut inputs = Input::of_case(&self.case, case);
+    fn inputs(&self, plan: &Plan) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, &plan.case);
         // A state may be carried on in place.
         let state = self.initial_state.iter().map(|path| Input {
             what: INITIAL_STATE.to_owned(),
@@ -83,10 +89,13 @@ impl Task for Solve {
         inputs
     }
 
-    fn find(&self, case: Case, progress: &Progress) -> Result<Found<SolutionReport>, Failure> {
-        let mut step = |state| progress.step(state);
-        let solution = rolling::solve(&case.problem, &case.options, &mut step)
-            .map_err(|error| self.explain(&case, &error))?;
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<SolutionReport>, Failure> {
+        let Plan { case, rolling } = plan;
+        let solution = match rolling {
+            Rolling::Steady(mut solver) => solver.solve(&case.problem, &progress.watch()),
+            Rolling::Transient(transient) => march(&transient, &case.options, &progress.watch()),
+        };
+        let solution = solution.map_err(|error| self.explain(&case, &error))?;
         let contact_law = (solution.method == Method::Full).then(|| contact_law::of(&case));
         let notices = case.notices.iter().cloned();
         let warnings = notices.chain(messages(&solution.warnings)).chain(self.empty(&solution));

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use schlupf::temperature_field::{Side, TemperatureField};
-use schlupf::{Error, Options, Problem, Solution, rolling};
+use schlupf::{Error, Problem, Solution};
 use schlupf_case::{Case, CaseError, CaseErrors, depths, length, position};
 use schlupf_output::figures;
 use schlupf_output::temperature::{Request, Temperatures};
@@ -64,7 +64,8 @@ impl Task for Temperature {
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
         let wanted = Wanted::read(self)?;
-        TemperatureField::check(&case.problem).map_err(|error| explain(&case, &error))?;
+        let what = "temperatures below the surface and in the wake are those";
+        case.require_steady(what).map_err(CaseErrors::from)?;
         Ok(Plan { case, wanted })
     }
 
@@ -76,9 +77,7 @@ impl Task for Temperature {
         let Plan { case, wanted } = plan;
         let explain = |error: Error| explain(&case, &error);
         let problem = &case.problem;
-        let options = Options { sensitivity: false, ..case.options.clone() };
-        let mut step = |state| progress.step(state);
-        let solution = rolling::solve(problem, &options, &mut step).map_err(explain)?;
+        let solution = case.solver().solve(problem, &progress.watch()).map_err(explain)?;
         let field = TemperatureField::new(problem, &solution).map_err(explain)?;
         let request = wanted.request(problem, &solution, &field)?;
         let (profile, rows) = Temperatures::sample(&field, &request);

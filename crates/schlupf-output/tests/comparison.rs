@@ -4,7 +4,7 @@ mod common;
 
 use common::{RECIPE, solution};
 use schlupf::message::Message;
-use schlupf::method::AreaReduction;
+use schlupf::method::{AreaReduction, FastMethod};
 use schlupf::solution::Temperature;
 use schlupf::{Method, Solution, Status};
 use schlupf_output::Report;
@@ -14,7 +14,10 @@ use schlupf_output::figures::{self, FigureError};
 /// The full method and Polach's, which gives neither moment nor temperature.
 fn comparison() -> Comparison {
     let full = solution(RECIPE);
-    let mut polach = Solution { method: Method::Polach(AreaReduction::DRY), ..solution(RECIPE) };
+    let mut polach = Solution {
+        method: Method::Fast(FastMethod::Polach(AreaReduction::DRY)),
+        ..solution(RECIPE)
+    };
     polach.force.moment_z = f64::NAN;
     polach.normalised.moment_z = f64::NAN;
     polach.temperature = Temperature { max_rise: f64::NAN, ..polach.temperature };

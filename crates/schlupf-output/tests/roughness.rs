@@ -7,6 +7,7 @@ use schlupf::interface::roughness::tangential_curve::SimilarBodies;
 use schlupf::message::Message;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
+use schlupf::unwatched;
 use schlupf_output::Report;
 use schlupf_output::contact_law::{ContactLaw, Fit};
 use schlupf_output::figures::{FigureError, ROUGHNESS, roughness, roughness_drawings};
@@ -30,7 +31,7 @@ fn report() -> RoughnessReport {
         hardness: f64::INFINITY,
         mean_pressures: vec![4e8, 1e9],
     };
-    let result = model.solve(&LoadCurveOptions::default(), &mut |_| ()).unwrap();
+    let result = model.solve(&LoadCurveOptions::default(), &unwatched).unwrap();
     let share = |k: usize| if k.is_multiple_of(5) { 2e9 } else { 0.0 };
     RoughnessReport {
         title: "a <rough> surface".to_owned(),

@@ -8,6 +8,7 @@ use std::time::Instant;
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
+use schlupf::unwatched;
 
 const GRIDS: [usize; 3] = [256, 512, 1024];
 
@@ -56,7 +57,7 @@ fn line(surface: &HeightMap, pressure: f64, theirs: Option<&tamaas::TamaasSoluti
     let start = Instant::now();
     let distance = surface.distance_to_plane();
     let mut contact = RoughContact::new(distance, 1.0, Boundary::Periodic).unwrap();
-    let ours = contact.press(pressure, &options).unwrap();
+    let ours = contact.press(pressure, &options, &unwatched).unwrap();
     let time = start.elapsed().as_secs_f64();
     assert!(ours.is_converged);
     let beside = theirs.map_or("– | –".to_owned(), |theirs| {

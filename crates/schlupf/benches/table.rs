@@ -11,11 +11,11 @@ use common::transforms::Transforms;
 use common::{
     Bodies, Case, LAST_CREEPAGE, MOTION, POINTS, Product, cold, creep_curve, rolling, solve,
 };
-use schlupf::method::{AreaReduction, Brush, Method, SlopeReduction};
+use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::simplified::FastContact;
 use schlupf::solution::Work;
-use schlupf::{Options, Status};
+use schlupf::{Options, Status, unwatched};
 
 const GRIDS: [usize; 5] = [20, 24, 40, 80, 160];
 
@@ -85,11 +85,11 @@ const MOTIONS: usize = 200;
 /// Times of a force by the fast methods, from their set-up.
 fn fast_methods() -> String {
     let methods = [
-        Method::KalkerLinear,
-        Method::ShenHedrickElkins,
-        Method::Polach(AreaReduction::DRY),
-        Method::Fastsim(Brush::KALKER),
-        Method::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
+        FastMethod::KalkerLinear,
+        FastMethod::ShenHedrickElkins,
+        FastMethod::Polach(AreaReduction::DRY),
+        FastMethod::Fastsim(Brush::KALKER),
+        FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
     ];
     let mut lines = vec![
         "Forces by the fast methods, set-up there, mean over a creep curve; FASTSIM on its cells across:\n\n\
@@ -101,8 +101,8 @@ fn fast_methods() -> String {
         for is_heated in [false, true] {
             for &cells in grids.iter().filter(|_| method.has_fields() || !is_heated) {
                 let case = Case { bodies: Bodies::HalfSpace, is_heated, cells };
-                let options = Options { method, ..case.options() };
-                let mut contact = FastContact::new(&case.at_rest(), &options).unwrap();
+                let at_rest = case.at_rest();
+                let mut contact = FastContact::new(&at_rest, method, &case.options()).unwrap();
                 let mut best = f64::INFINITY;
                 for _ in 0..10 * LEAST_ROUNDS {
                     better(&mut best, || {
@@ -131,7 +131,8 @@ impl Row {
     fn count(case: Case) -> Self {
         let at_rest = case.at_rest();
         let problem = cold(&at_rest);
-        let solution = schlupf::rolling::solve(&problem, &case.options(), &mut |_| ()).unwrap();
+        let solution =
+            schlupf::rolling::steady::solve(&problem, &case.options(), &unwatched).unwrap();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
         let mut solver = case.solver_at_rest();
         let warm = creep_curve(&at_rest);
@@ -203,7 +204,9 @@ impl Times {
         let mut rounds = 0;
         while rounds < LEAST_ROUNDS || start.elapsed().as_secs_f64() < MEASURED_FOR {
             rounds += 1;
-            better(&mut self.cold, || schlupf::rolling::solve(&problem, &options, &mut |_| ()));
+            better(&mut self.cold, || {
+                schlupf::rolling::steady::solve(&problem, &options, &unwatched)
+            });
             let mut solver = SteadySolver::new(&options);
             better(&mut self.first_at_rest, || solve(&mut solver, &at_rest));
             better(&mut self.second_at_rest, || solve(&mut solver, &at_rest));

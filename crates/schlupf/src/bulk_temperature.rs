@@ -20,11 +20,12 @@
 use crate::error::{Error, require_finite, require_positive};
 use crate::grid::Grid;
 use crate::patch::{Patch, Strip};
-use crate::problem::{Options, Problem};
+use crate::problem::Problem;
+use crate::progress::{Progress, Stage, Watch, within};
 use crate::quantity::Quantity;
-use crate::reference_point::Moved;
-use crate::rolling::{Progress, steady::SteadySolver};
+use crate::reference_point::AtPatch;
 use crate::solution::{Solution, Status};
+use crate::solver::Solver;
 use crate::warning::{Unconverged, Warning};
 
 /// How a wheel is cooled by the air.
@@ -83,86 +84,66 @@ const ITERATIONS: usize = 60;
 /// rail keeps its own: every piece of it meets the wheel once.
 ///
 /// # Errors
-/// What [`check`] and [`Options::check`] refuse, and a method without heat.
+/// What [`check`] and the solver refuse, a method without heat, and [`Error::Stopped`].
 pub fn bulk_temperature(
     problem: &Problem,
-    options: &Options,
+    solver: &mut dyn Solver,
     cooling: &Cooling,
-    report: &mut dyn FnMut(Progress),
+    watch: Watch,
 ) -> Result<BulkTemperature, Error> {
     check(problem, cooling)?;
-    let Some(moved) = Moved::from(problem)? else {
-        return bulk_temperature_at_patch(problem, options, cooling, report);
-    };
-    let found = bulk_temperature_at_patch(&moved.problem, options, cooling, report)?;
-    Ok(BulkTemperature { solution: moved.back(found.solution), ..found })
-}
-
-/// The same of a problem with its creepages at the middle of the patch.
-fn bulk_temperature_at_patch(
-    problem: &Problem,
-    options: &Options,
-    cooling: &Cooling,
-    report: &mut dyn FnMut(Progress),
-) -> Result<BulkTemperature, Error> {
-    if !options.method.has_fields() {
+    let method = solver.method();
+    if !method.has_fields() {
         let reason = "the wheel warms by frictional heat, which needs a method with temperatures";
-        return Err(Error::OtherMethod { reason, method: options.method.name() });
+        return Err(Error::OtherMethod { reason, method: method.name() });
     }
-    let mut balance = Balance {
-        problem: problem.clone(),
-        cooling: *cooling,
-        solver: SteadySolver::new(options),
-        iterations: 0,
-    };
-    let coldest = cooling.air_temperature.min(problem.rail.bulk_temperature);
-    let low = balance.at(coldest, report)?;
-    let hottest = balance.hottest(&low)?;
-    if low.surplus() <= BALANCED * low.frictional_heat || hottest <= coldest {
-        return Ok(low);
-    }
-    let (low, high) = balance.bracket(low, hottest, report)?;
-    balance.between(low, high, report)
+    let at = AtPatch::new(problem, watch)?;
+    let mut balance =
+        Balance { problem: at.problem.clone(), cooling: *cooling, solver, watch, iterations: 0 };
+    let found = balance.find()?;
+    Ok(BulkTemperature { solution: at.back(found.solution), ..found })
 }
 
 /// Checks whatever can be checked before the first solution.
 ///
 /// # Errors
-/// A history or an initial state, as the balance is that of steady rolling; a model without heat; and what
-/// [`Problem::check`] refuses.
+/// A model without heat, and what [`Problem::check`] refuses.
 pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
     cooling.check()?;
     if problem.heat.model.is_none() {
         return Err(Error::NoHeat {});
     }
-    let what = "the bulk temperature is that of";
-    if problem.history.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::Time, what });
-    }
-    if problem.initial_state.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
-    }
     problem.check()
 }
 
-struct Balance {
+struct Balance<'a> {
+    /// With the creepages at the middle of the patch.
     problem: Problem,
     cooling: Cooling,
-    solver: SteadySolver,
+    solver: &'a mut dyn Solver,
+    watch: Watch<'a>,
     iterations: usize,
 }
 
-impl Balance {
+impl Balance<'_> {
+    fn find(&mut self) -> Result<BulkTemperature, Error> {
+        let rail = self.problem.rail.bulk_temperature;
+        let coldest = self.cooling.air_temperature.min(rail);
+        let low = self.at(coldest)?;
+        let hottest = self.hottest(&low)?;
+        if low.surplus() <= BALANCED * low.frictional_heat || hottest <= coldest {
+            return Ok(low);
+        }
+        let (low, high) = self.bracket(low, hottest)?;
+        self.between(low, high)
+    }
+
     /// The balance at a bulk temperature of the wheel.
-    fn at(
-        &mut self,
-        temperature: f64,
-        report: &mut dyn FnMut(Progress),
-    ) -> Result<BulkTemperature, Error> {
+    fn at(&mut self, temperature: f64) -> Result<BulkTemperature, Error> {
         self.problem.wheel.bulk_temperature = temperature;
-        let solution = self.solver.solve(&self.problem, &mut |_| ())?;
+        let progress = Progress::count(Stage::BulkTemperature, self.iterations);
+        let solution = self.solver.solve(&self.problem, &within(self.watch, progress))?;
         self.iterations += 1;
-        report(Progress { step: self.iterations, steps: None, change: solution.residual });
         let conduction = self.problem.conduction(&solution.kinematics);
         Ok(BulkTemperature {
             temperature,
@@ -219,13 +200,12 @@ impl Balance {
         &mut self,
         mut low: BulkTemperature,
         guess: f64,
-        report: &mut dyn FnMut(Progress),
     ) -> Result<(BulkTemperature, BulkTemperature), Error> {
-        let mut high = self.at(guess, report)?;
+        let mut high = self.at(guess)?;
         while high.surplus() > 0.0 && self.iterations < ITERATIONS {
             let next = high.temperature + 2.0 * (high.temperature - low.temperature);
             low = high;
-            high = self.at(next, report)?;
+            high = self.at(next)?;
         }
         Ok((low, high))
     }
@@ -235,7 +215,6 @@ impl Balance {
         &mut self,
         mut low: BulkTemperature,
         mut high: BulkTemperature,
-        report: &mut dyn FnMut(Progress),
     ) -> Result<BulkTemperature, Error> {
         let (mut surplus, mut deficit) = (low.surplus(), high.surplus());
         let scale = [low.frictional_heat, low.convection, low.conduction]
@@ -249,7 +228,7 @@ impl Balance {
             }
             let share = surplus / (surplus - deficit);
             let temperature = low.temperature + share * (high.temperature - low.temperature);
-            let middle = self.at(temperature, report)?;
+            let middle = self.at(temperature)?;
             if middle.solution.status == Status::NotConverged {
                 return Ok(middle);
             }

@@ -11,7 +11,7 @@ use crate::requirement::Requirement;
 pub struct History {
     /// Shift of the wheel over the rail at rest before it rolls, along and across rolling, in m.
     pub shift: Option<[f64; 2]>,
-    /// Times, strictly ascending, in s; none if the shift is all.
+    /// Times, strictly ascending, in s; none if the shift is all, or nothing changes.
     pub time: Vec<f64>,
     /// Speed v0, in m/s.
     pub speed: Option<Vec<f64>>,
@@ -33,7 +33,8 @@ impl History {
             require_finite(Quantity::ShiftY, y)?;
         }
         let count = self.time.len();
-        if count < 2 && !(self.is_shift_only() && self.is_constant()) {
+        let is_over_time = count > 0 || !self.is_constant();
+        if count < 2 && is_over_time {
             return Err(Error::TooFew { quantity: Quantity::Time, fewest: 2, count });
         }
         for (k, time) in self.time.iter().enumerate() {
@@ -69,6 +70,11 @@ impl History {
     /// Whether the wheel is shifted, and does not roll.
     pub fn is_shift_only(&self) -> bool {
         self.shift.is_some() && self.time.is_empty()
+    }
+
+    /// Whether nothing ends it but the steady state.
+    pub fn is_endless(&self) -> bool {
+        self.shift.is_none() && self.time.is_empty()
     }
 
     fn is_constant(&self) -> bool {
@@ -259,9 +265,8 @@ mod tests {
     fn what_is_no_history_is_refused() {
         let refuse = |history: History| history.check(&ROLLING).unwrap_err().to_string();
         let times = vec![0.0, 1.0];
-        assert!(
-            refuse(History::default()).contains("time must have at least 2 entries, but has 0")
-        );
+        let once = History { time: vec![0.0], ..History::default() };
+        assert!(refuse(once).contains("time must have at least 2 entries, but has 1"));
         let backwards = History { time: vec![1.0, 1.0], ..History::default() };
         assert!(refuse(backwards).contains("ascend strictly"));
         let short = History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };

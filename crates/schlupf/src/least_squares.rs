@@ -4,13 +4,17 @@
 use faer::Mat;
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 
+use crate::error::Error;
 use crate::numerics::vector::dot;
 
 /// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
-pub trait Residuals {
+pub trait Residuals: Send + Sync {
     /// The residuals (dimensionless) at some parameters within their bounds; `None` where the model cannot be
     /// evaluated: a step there is shortened.
-    fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>>;
+    ///
+    /// # Errors
+    /// Whatever ends the fit.
+    fn residuals(&mut self, parameters: &[f64]) -> Result<Option<Vec<f64>>, Error>;
 
     /// Least and largest value of a parameter, dimensionless.
     fn bounds(&self, _parameter: usize) -> [f64; 2] {
@@ -19,25 +23,47 @@ pub trait Residuals {
 
     /// Derivatives of the residuals (rows) with respect to the parameters (columns), dimensionless; by
     /// default by differences with [`Self::difference_step`].
-    fn jacobian(&mut self, parameters: &[f64], residuals: &[f64]) -> Option<Mat<f64>> {
+    ///
+    /// # Errors
+    /// Whatever ends the fit.
+    fn jacobian(
+        &mut self,
+        parameters: &[f64],
+        residuals: &[f64],
+    ) -> Result<Option<Mat<f64>>, Error> {
         let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
-        let mut moved = parameters.to_vec();
         for column in 0..parameters.len() {
-            // Backwards where forwards is outside.
-            let step = self.difference_step() * parameters[column].abs().max(1.0);
-            let [low, high] = self.bounds(column);
-            let (step, changed) = [step, -step].into_iter().find_map(|step| {
-                moved[column] = parameters[column] + step;
-                let is_inside = (low..=high).contains(&moved[column]);
-                let changed = if is_inside { self.residuals(&moved) } else { None };
-                changed.map(|changed| (step, changed))
-            })?;
+            let Some((step, changed)) = self.beside(parameters, column)? else { return Ok(None) };
             for (row, (changed, residual)) in changed.iter().zip(residuals).enumerate() {
                 jacobian[(row, column)] = (changed - residual) / step;
             }
-            moved[column] = parameters[column];
         }
-        Some(jacobian)
+        Ok(Some(jacobian))
+    }
+
+    /// The residuals (dimensionless) where one parameter has moved by a step of a difference (dimensionless), and
+    /// the step: backwards where forwards is outside.
+    ///
+    /// # Errors
+    /// Whatever ends the fit.
+    fn beside(
+        &mut self,
+        parameters: &[f64],
+        column: usize,
+    ) -> Result<Option<(f64, Vec<f64>)>, Error> {
+        let mut moved = parameters.to_vec();
+        let step = self.difference_step() * parameters[column].abs().max(1.0);
+        let [low, high] = self.bounds(column);
+        for step in [step, -step] {
+            moved[column] = parameters[column] + step;
+            if !(low..=high).contains(&moved[column]) {
+                continue;
+            }
+            if let Some(changed) = self.residuals(&moved)? {
+                return Ok(Some((step, changed)));
+            }
+        }
+        Ok(None)
     }
 
     /// Step of a difference, relative to a parameter of at least one; dimensionless.
@@ -116,9 +142,17 @@ const LARGEST_DAMPING: f64 = 1e10;
 ///
 /// Steps beyond a bound end there (Kanzow, Yamashita and Fukushima 2004), and a parameter at a bound beyond which
 /// the sum would fall takes no part in the next one.
-pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> Option<Minimum> {
-    let residuals = model.residuals(start)?;
-    let jacobian = model.jacobian(start, &residuals)?;
+///
+/// # Errors
+/// Whatever the model ends the fit with.
+pub fn minimise(
+    model: &mut impl Residuals,
+    start: &[f64],
+    limits: &Limits,
+) -> Result<Option<Minimum>, Error> {
+    let Some((residuals, jacobian)) = evaluate(model, start, None)? else {
+        return Ok(None);
+    };
     let (parameters, is_held) = (start.to_vec(), vec![false; start.len()]);
     let mut here =
         Minimum { parameters, residuals, jacobian, converged: false, is_held, iterations: 0 };
@@ -126,19 +160,20 @@ pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> O
     let mut damping = FIRST_DAMPING;
     while !here.is_minimum(limits) {
         if here.iterations == limits.max_iterations || damping > LARGEST_DAMPING {
-            return Some(here);
+            return Ok(Some(here));
         }
         here.iterations += 1;
         let tried = here.damped_step(damping).map(|step| {
             let moved = here.parameters.iter().zip(&step).enumerate();
             moved.map(|(k, (p, step))| bounded(p + step, model.bounds(k))).collect::<Vec<f64>>()
         });
-        let found = tried.and_then(|tried| {
-            let found = model.residuals(&tried)?;
-            let is_less = dot(&found, &found) < here.sum_of_squares();
-            let jacobian = if is_less { model.jacobian(&tried, &found)? } else { return None };
-            Some((tried, found, jacobian))
-        });
+        let found = match tried {
+            Some(tried) => {
+                let found = evaluate(model, &tried, Some(here.sum_of_squares()))?;
+                found.map(|(residuals, jacobian)| (tried, residuals, jacobian))
+            }
+            None => None,
+        };
         match found {
             Some((tried, found, jacobian)) => {
                 (here.parameters, here.residuals, here.jacobian) = (tried, found, jacobian);
@@ -149,7 +184,25 @@ pub fn minimise(model: &mut impl Residuals, start: &[f64], limits: &Limits) -> O
         }
     }
     here.converged = true;
-    Some(here)
+    Ok(Some(here))
+}
+
+/// Residuals and their derivatives.
+type Evaluated = (Vec<f64>, Mat<f64>);
+
+/// Residuals with their derivatives; where there is a limit, only if their sum of squares is less.
+fn evaluate(
+    model: &mut impl Residuals,
+    parameters: &[f64],
+    limit: Option<f64>,
+) -> Result<Option<Evaluated>, Error> {
+    let Some(residuals) = model.residuals(parameters)? else { return Ok(None) };
+    let is_less = limit.is_none_or(|limit| dot(&residuals, &residuals) < limit);
+    if !is_less {
+        return Ok(None);
+    }
+    let jacobian = model.jacobian(parameters, &residuals)?;
+    Ok(jacobian.map(|jacobian| (residuals, jacobian)))
 }
 
 fn bounded(value: f64, [low, high]: [f64; 2]) -> f64 {
@@ -243,15 +296,15 @@ mod tests {
     struct Rosenbrock;
 
     impl Residuals for Rosenbrock {
-        fn residuals(&mut self, p: &[f64]) -> Option<Vec<f64>> {
-            Some(vec![10.0 * (p[1] - p[0] * p[0]), 1.0 - p[0]])
+        fn residuals(&mut self, p: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+            Ok(Some(vec![10.0 * (p[1] - p[0] * p[0]), 1.0 - p[0]]))
         }
     }
 
     /// Rosenbrock 1960: a bent valley with its lowest point at (1, 1).
     #[test]
     fn rosenbrock_1960() {
-        let found = minimise(&mut Rosenbrock, &[-1.2, 1.0], &LIMITS).unwrap();
+        let found = minimise(&mut Rosenbrock, &[-1.2, 1.0], &LIMITS).unwrap().unwrap();
         assert!(found.converged && found.iterations < 60, "{found:?}");
         assert_relative_eq!(found.parameters[0], 1.0, epsilon = 1e-7);
         assert_relative_eq!(found.parameters[1], 1.0, epsilon = 1e-7);
@@ -261,8 +314,8 @@ mod tests {
     struct Line(Vec<[f64; 2]>);
 
     impl Residuals for Line {
-        fn residuals(&mut self, p: &[f64]) -> Option<Vec<f64>> {
-            Some(self.0.iter().map(|[x, y]| p[0] + p[1] * x - y).collect())
+        fn residuals(&mut self, p: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+            Ok(Some(self.0.iter().map(|[x, y]| p[0] + p[1] * x - y).collect()))
         }
 
         fn bounds(&self, parameter: usize) -> [f64; 2] {
@@ -274,7 +327,7 @@ mod tests {
     fn covariance_of_a_straight_line() {
         let points: Vec<[f64; 2]> =
             (0..5).map(|k| [f64::from(k), 2.0 + 3.0 * f64::from(k)]).collect();
-        let found = minimise(&mut Line(points), &[0.0, 0.0], &LIMITS).unwrap();
+        let found = minimise(&mut Line(points), &[0.0, 0.0], &LIMITS).unwrap().unwrap();
         assert_relative_eq!(found.parameters[1], 3.0, epsilon = 1e-8);
         // 1/Σ(x − x̄)², and 1/n + x̄²/Σ(x − x̄)².
         let covariance = found.covariance().unwrap();
@@ -287,11 +340,11 @@ mod tests {
     fn what_cannot_be_determined() {
         struct Sum;
         impl Residuals for Sum {
-            fn residuals(&mut self, p: &[f64]) -> Option<Vec<f64>> {
-                Some(vec![p[0] + p[1] - 1.0, 2.0 * (p[0] + p[1]) - 2.0])
+            fn residuals(&mut self, p: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+                Ok(Some(vec![p[0] + p[1] - 1.0, 2.0 * (p[0] + p[1]) - 2.0]))
             }
         }
-        assert!(minimise(&mut Sum, &[0.0, 0.0], &LIMITS).unwrap().covariance().is_none());
+        assert!(minimise(&mut Sum, &[0.0, 0.0], &LIMITS).unwrap().unwrap().covariance().is_none());
     }
 
     /// Of a falling line with a slope that must not be negative the best is the mean; the bound holds it, and lets
@@ -299,12 +352,12 @@ mod tests {
     #[test]
     fn a_bound_holds_a_parameter() {
         let falling = vec![[0.0, 1.0], [1.0, 0.0], [2.0, -1.0]];
-        let found = minimise(&mut Line(falling), &[5.0, 1.0], &LIMITS).unwrap();
+        let found = minimise(&mut Line(falling), &[5.0, 1.0], &LIMITS).unwrap().unwrap();
         assert!(found.converged && found.is_held == [false, true], "{found:?}");
         assert_eq!(found.parameters[1], 0.0);
         assert_relative_eq!(found.parameters[0], 0.0, epsilon = 1e-9);
         let rising = vec![[0.0, 1.0], [1.0, 2.0], [2.0, 3.0]];
-        let found = minimise(&mut Line(rising), &[5.0, 0.0], &LIMITS).unwrap();
+        let found = minimise(&mut Line(rising), &[5.0, 0.0], &LIMITS).unwrap().unwrap();
         assert!(found.converged && found.is_held == [false, false], "{found:?}");
         assert_relative_eq!(found.parameters[1], 1.0, epsilon = 1e-8);
     }
@@ -315,11 +368,11 @@ mod tests {
     fn a_short_step_is_no_minimum() {
         struct Walled;
         impl Residuals for Walled {
-            fn residuals(&mut self, p: &[f64]) -> Option<Vec<f64>> {
-                (p[0] < 2.0).then(|| vec![p[0] - 5.0])
+            fn residuals(&mut self, p: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+                Ok((p[0] < 2.0).then(|| vec![p[0] - 5.0]))
             }
         }
-        let found = minimise(&mut Walled, &[0.0], &LIMITS).unwrap();
+        let found = minimise(&mut Walled, &[0.0], &LIMITS).unwrap().unwrap();
         assert!(!found.converged && found.parameters[0] > 1.9, "{found:?}");
     }
 }

@@ -10,9 +10,16 @@ use crate::requirement::Requirement;
 /// A method.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
-    /// The coupled equations, in the driver of the options.
+    /// The coupled equations.
     #[default]
     Full,
+    /// One of the fast methods.
+    Fast(FastMethod),
+}
+
+/// A fast method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FastMethod {
     /// Kalker's linear theory: forces and moment for small creepages.
     KalkerLinear,
     /// Shen, Hedrick and Elkins (1983): forces and moment.
@@ -95,6 +102,23 @@ impl Method {
     pub fn name(self) -> &'static str {
         match self {
             Self::Full => "full",
+            Self::Fast(method) => method.name(),
+        }
+    }
+
+    /// Whether it solves for the traction in every point, with temperatures, rather than for forces only.
+    pub fn has_fields(self) -> bool {
+        match self {
+            Self::Full => true,
+            Self::Fast(method) => method.has_fields(),
+        }
+    }
+}
+
+impl FastMethod {
+    /// Its name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
             Self::KalkerLinear => "kalker-linear",
             Self::ShenHedrickElkins => "shen-hedrick-elkins",
             Self::Polach(_) => "polach",
@@ -105,26 +129,35 @@ impl Method {
 
     /// Whether it solves for the traction in every point, with temperatures, rather than for forces only.
     pub fn has_fields(self) -> bool {
-        matches!(self, Self::Full | Self::Fastsim(_) | Self::ModifiedFastsim(..))
+        matches!(self, Self::Fastsim(_) | Self::ModifiedFastsim(..))
     }
 
     /// Checks its parameters.
     pub fn check(&self) -> Result<(), Error> {
         match self {
-            Self::Polach(AreaReduction { area_adhesion, area_slip }) => {
-                part(Quantity::PolachAreaAdhesion, *area_adhesion)?;
-                part(Quantity::PolachAreaSlip, *area_slip)?;
-                let at_most = Requirement::UpTo(Quantity::PolachAreaAdhesion, *area_adhesion);
-                require(Quantity::PolachAreaSlip, at_most, *area_slip)
-            }
-            Self::ModifiedFastsim(_, SlopeReduction { initial, limit_ratio, decay }) => {
-                part(Quantity::InitialReduction, *initial)?;
-                let is_part = Requirement::Between(0.0, 1.0);
-                require(Quantity::ReductionLimitRatio, is_part, *limit_ratio)?;
-                require(Quantity::ReductionDecay, Requirement::NotNegative, *decay)
-            }
-            _ => Ok(()),
+            Self::Polach(reduction) => reduction.check(),
+            Self::ModifiedFastsim(_, reduction) => reduction.check(),
+            Self::KalkerLinear | Self::ShenHedrickElkins | Self::Fastsim(_) => Ok(()),
         }
+    }
+}
+
+impl AreaReduction {
+    fn check(self) -> Result<(), Error> {
+        let Self { area_adhesion, area_slip } = self;
+        part(Quantity::PolachAreaAdhesion, area_adhesion)?;
+        part(Quantity::PolachAreaSlip, area_slip)?;
+        let at_most = Requirement::UpTo(Quantity::PolachAreaAdhesion, area_adhesion);
+        require(Quantity::PolachAreaSlip, at_most, area_slip)
+    }
+}
+
+impl SlopeReduction {
+    fn check(self) -> Result<(), Error> {
+        let Self { initial, limit_ratio, decay } = self;
+        part(Quantity::InitialReduction, initial)?;
+        require(Quantity::ReductionLimitRatio, Requirement::Between(0.0, 1.0), limit_ratio)?;
+        require(Quantity::ReductionDecay, Requirement::NotNegative, decay)
     }
 }
 
@@ -138,14 +171,16 @@ mod tests {
 
     #[test]
     fn impossible_parameters_are_named() {
-        let message = |method: Method| method.check().unwrap_err().to_string();
-        let polach =
-            |area_adhesion, area_slip| Method::Polach(AreaReduction { area_adhesion, area_slip });
+        let message = |method: FastMethod| method.check().unwrap_err().to_string();
+        let polach = |area_adhesion, area_slip| {
+            FastMethod::Polach(AreaReduction { area_adhesion, area_slip })
+        };
         assert!(message(polach(1.1, 0.4)).starts_with("polach_area_adhesion"));
         assert!(message(polach(0.5, 0.0)).starts_with("polach_area_slip"));
-        assert!(message(polach(0.3, 0.4)).contains("at most polach_area_adhesion = 0.3"));
+        assert!(message(polach(0.3, 0.4)).contains("between 0 and polach_area_adhesion = 0.3"));
         let modified = |initial, limit_ratio, decay| {
-            Method::ModifiedFastsim(Brush::KALKER, SlopeReduction { initial, limit_ratio, decay })
+            let reduction = SlopeReduction { initial, limit_ratio, decay };
+            FastMethod::ModifiedFastsim(Brush::KALKER, reduction)
         };
         assert!(message(modified(f64::NAN, 0.1, 1.0)).starts_with("initial_reduction"));
         assert!(message(modified(1.0, 1.1, 1.0)).starts_with("reduction_limit_ratio"));

@@ -7,22 +7,19 @@ use crate::error::{Error, require};
 use crate::heat::Heat;
 use crate::heat::partition::Conduction;
 use crate::heat::peclet::Peclet;
-use crate::history::History;
 use crate::interface::contact_law::ContactLaw;
 use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::Body;
-use crate::method::Method;
 use crate::normal::PressureSource;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
-use crate::state::State;
 
 /// A rolling contact: two bodies, how they move, and the laws that hold between them.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Speed and creepages. Where [`Self::history`] gives one as a function of time, that counts.
+    /// Speed and creepages.
     pub kinematics: Kinematics,
     /// Where creepages hold, and about which point the moment of the solution is taken.
     pub reference: ReferencePoint,
@@ -40,10 +37,6 @@ pub struct Problem {
     pub friction: Friction,
     /// Frictional heating, Eqs. (17)–(22).
     pub heat: Heat,
-    /// Creepages, speed and load over time: transient rolling. `None` is steady rolling.
-    pub history: Option<History>,
-    /// State to start marching from. `None` is rest: no tangential traction, bulk temperatures.
-    pub initial_state: Option<State>,
 }
 
 impl Problem {
@@ -101,9 +94,6 @@ impl Problem {
         self.kinematics.check()?;
         self.wheel.check_wheel()?;
         self.rail.check_rail()?;
-        if let Some(history) = &self.history {
-            history.check(&self.kinematics)?;
-        }
         self.heat.check()?;
         self.friction.check(self.conduction(&self.kinematics).entry_temperature)
     }
@@ -115,15 +105,6 @@ pub const MAX_CELLS: usize = 1024;
 /// Most cells of a grid.
 pub const MAX_CELLS_TOGETHER: usize = 1 << 17;
 
-/// Which driver solves a problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Driver {
-    /// The steady state at once.
-    Steady,
-    /// Time step after time step: the paper's procedure, and transient rolling.
-    Marching,
-}
-
 /// Which of several steady states is looked for, where falling friction makes several.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branch {
@@ -133,14 +114,10 @@ pub enum Branch {
     HighSlip,
 }
 
-/// How a problem is solved. No choice here but the method changes the physics.
+/// How a problem is solved. No choice here changes the physics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// All equations, or a fast method.
-    pub method: Method,
-    /// Which driver of the full method; `None` is steady, or marching where there is a history or an initial state.
-    pub driver: Option<Driver>,
-    /// Which steady state, where there are several; in the steady driver only.
+    /// Which steady state, where there are several; where it is found at once only.
     pub branch: Branch,
     /// Cells along rolling across the patch.
     pub cells_x: usize,
@@ -158,15 +135,13 @@ pub struct Options {
     pub max_steps: usize,
     /// A cell slides where |t| ≥ this · μ pₙ; dimensionless.
     pub slip_threshold: f64,
-    /// Whether to find the derivatives of the forces too; in the steady driver only.
+    /// Whether to find the derivatives of the forces too; of a steady state that is found at once only.
     pub sensitivity: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
         Self {
-            method: Method::Full,
-            driver: None,
             branch: Branch::LowSlip,
             cells_x: 24,
             cells_y: 24,
@@ -182,7 +157,6 @@ impl Default for Options {
 impl Options {
     /// Checks that the numbers are usable.
     pub fn check(&self) -> Result<(), Error> {
-        self.method.check()?;
         let between = |least: usize| Requirement::Between(least as f64, MAX_CELLS as f64);
         require(Quantity::CellsX, between(2), self.cells_x as f64)?;
         require(Quantity::CellsY, between(1), self.cells_y as f64)?;

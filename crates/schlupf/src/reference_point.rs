@@ -8,8 +8,10 @@ use crate::error::Error;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
+use crate::progress::Watch;
 use crate::solution::{Instant, Resultant, Solution};
 use crate::summary;
+use crate::transient::Transient;
 
 /// Where a reference point lies in the contact frame, x and y in m.
 pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result<[f64; 2], Error> {
@@ -20,71 +22,84 @@ pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result
     }
 }
 
-/// Creepages at the middle of the patch from those at a place (x and y in m).
-pub(crate) fn at_patch(kinematics: &Kinematics, [x, y]: [f64; 2]) -> Kinematics {
-    kinematics.at([-x, -y])
-}
-
-/// A problem with its creepages at the middle of the patch.
-pub(crate) struct Moved {
+/// A problem with its creepages at the middle of the patch, and the way back. Whatever solves takes a problem through
+/// this.
+#[derive(Debug, Clone)]
+pub(crate) struct AtPatch {
     pub problem: Problem,
-    /// Where its reference point lies in the contact frame, x and y in m.
-    pub place: [f64; 2],
+    reference: ReferencePoint,
+    /// Where the reference point lies in the contact frame, x and y in m.
+    place: [f64; 2],
 }
 
-impl Moved {
-    /// `None` where they hold there already.
-    ///
+impl AtPatch {
     /// # Errors
     /// A reference point that the normal contact does not have, a motion that is no rolling at the middle
-    /// of the patch, and whatever [`Problem::check`] refuses.
-    pub fn from(problem: &Problem) -> Result<Option<Self>, Error> {
-        if problem.reference == ReferencePoint::Patch {
-            return Ok(None);
-        }
+    /// of the patch, whatever [`Problem::check`] refuses, and [`Error::Stopped`].
+    pub fn new(problem: &Problem, watch: Watch) -> Result<Self, Error> {
         problem.check()?;
-        let place = place(problem.reference, &problem.normal.normal_contact(None)?.summary)?;
-        let way = place.map(|part| -part);
-        let history = problem.history.as_ref().map(|own| own.at(way, &problem.kinematics));
-        let problem = Problem {
-            kinematics: problem.kinematics.at(way),
-            reference: ReferencePoint::Patch,
-            history,
-            ..problem.clone()
-        };
+        problem.normal.prepare(None, watch)?;
+        let reference = problem.reference;
+        if reference == ReferencePoint::Patch {
+            return Ok(Self { problem: problem.clone(), reference, place: [0.0; 2] });
+        }
+        let place = place(reference, &problem.normal.normal_contact(None)?.summary)?;
+        let kinematics = problem.kinematics.at(place.map(|part| -part));
         let no_rolling = |error| Error::NoRollingAtPatch { place, error: Box::new(error) };
-        problem.kinematics.check().map_err(no_rolling)?;
-        Ok(Some(Self { problem, place }))
+        kinematics.check().map_err(no_rolling)?;
+        let problem = Problem { kinematics, reference: ReferencePoint::Patch, ..problem.clone() };
+        Ok(Self { problem, reference, place })
+    }
+
+    /// What was given over time, with its problem and its history at the middle of the patch.
+    pub fn transient(&self, given: &Transient) -> Transient {
+        let history = match self.reference {
+            ReferencePoint::Patch => given.history.clone(),
+            ReferencePoint::File => {
+                given.history.at(self.place.map(|part| -part), &given.problem.kinematics)
+            }
+        };
+        let (problem, initial_state) = (self.problem.clone(), given.initial_state.clone());
+        Transient { problem, history, initial_state }
+    }
+
+    /// Takes over another motion, given at the reference point.
+    pub fn set_motion(&mut self, motion: &Kinematics) {
+        self.problem.kinematics = match self.reference {
+            ReferencePoint::Patch => *motion,
+            ReferencePoint::File => motion.at(self.place.map(|part| -part)),
+        };
     }
 
     /// Forces with the moment about the reference point.
     pub fn resultant_back(&self, force: &Resultant) -> Resultant {
-        force.about(self.place)
+        match self.reference {
+            ReferencePoint::Patch => *force,
+            ReferencePoint::File => force.about(self.place),
+        }
     }
 
-    /// The solution of the moved problem as one of the problem itself.
+    /// The solution of the problem at the middle of the patch as one of the problem that was given.
     pub fn back(&self, solution: Solution) -> Solution {
-        back(solution, &self.problem, self.place)
-    }
-}
-
-/// A solution with the creepages at the middle of the patch as one with the origin of the file,
-/// which lies at `place` (x and y in m), as its reference point.
-pub(crate) fn back(solution: Solution, problem: &Problem, place: [f64; 2]) -> Solution {
-    let (kinematics, force) = (solution.kinematics.at(place), solution.force.about(place));
-    let instant = |instant: Instant| Instant {
-        kinematics: instant.kinematics.at(place),
-        force: instant.force.about(place),
-        ..instant
-    };
-    Solution {
-        reference: ReferencePoint::File,
-        kinematics,
-        force,
-        normalised: summary::normalised(problem, &solution.normal, &force),
-        t_gamma: summary::t_gamma(&kinematics, &force),
-        sensitivity: solution.sensitivity.map(|sensitivity| sensitivity.at(place)),
-        history: solution.history.into_iter().map(instant).collect(),
-        ..solution
+        if self.reference == ReferencePoint::Patch {
+            return solution;
+        }
+        let place = self.place;
+        let (kinematics, force) = (solution.kinematics.at(place), solution.force.about(place));
+        let instant = |instant: Instant| Instant {
+            kinematics: instant.kinematics.at(place),
+            force: instant.force.about(place),
+            ..instant
+        };
+        Solution {
+            reference: self.reference,
+            kinematics,
+            force,
+            normalised: summary::normalised(&self.problem, &solution.normal, &force),
+            t_gamma: summary::t_gamma(&kinematics, &force),
+            sensitivity: solution.sensitivity.map(|sensitivity| sensitivity.at(place)),
+            history: solution.history.into_iter().map(instant).collect(),
+            ..solution
+        }
     }
 }

@@ -16,7 +16,6 @@ use crate::material::Body;
 use crate::method::Method;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
-use crate::quantity::Quantity;
 use crate::solution::Solution;
 use crate::warning::Warning;
 
@@ -68,18 +67,6 @@ struct Conductor {
 }
 
 impl TemperatureField {
-    /// Checks whether a problem has such temperatures, before it is solved.
-    ///
-    /// # Errors
-    /// A history: its material has left the contact with another past than the one that leaves it now.
-    pub fn check(problem: &Problem) -> Result<(), Error> {
-        if problem.history.is_none() {
-            return Ok(());
-        }
-        let what = "temperatures below the surface and in the wake are those of";
-        Err(Error::NotSteady { quantity: Quantity::Time, what })
-    }
-
     /// What the reader of the temperatures must know, if anything.
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<Warning> {
         let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
@@ -92,13 +79,13 @@ impl TemperatureField {
         (!model.is_linear()).then_some(Warning::HeatModelOfCells {})
     }
 
-    /// The temperatures of a solution of a problem.
+    /// The temperatures of steady rolling, from the solution of a problem. A history has none: its material has left
+    /// the contact with another past than the one that leaves it now.
     ///
     /// # Errors
-    /// What [`Self::check`] refuses, a fast method, which keeps no record of the heat, and whatever
+    /// A fast method, which keeps no record of the heat, and whatever
     /// [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
-        Self::check(problem)?;
         if solution.method != Method::Full {
             let reason = "temperatures below the surface need the heat record of \"full\"";
             return Err(Error::OtherMethod { reason, method: solution.method.name() });

@@ -8,7 +8,7 @@ use common::{cells, half_space, problem, rolling};
 use schlupf::interface::contact_law::Incremental;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::solution::Resultant;
-use schlupf::{Problem, Status};
+use schlupf::{Problem, Status, unwatched};
 
 /// Cells across the patch of the grid that stands for the converged one.
 const CONVERGED: usize = 120;
@@ -34,7 +34,7 @@ fn force(axis_ratio: f64, stiffness: f64, [xi, eta, spin]: [f64; 3], across: usi
         contact_law: Arc::new(Incremental::new(stiffness).unwrap()),
         ..problem(rolling(xi, eta, spin / mean))
     };
-    let solution = schlupf::rolling::solve(&rolling, &cells(across), &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(&rolling, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution.normalised
 }

@@ -4,7 +4,7 @@ mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use common::{cells, half_space, layer, problem, rolling};
 use schlupf::elasticity::{Elasticity, rigid::Rigid, winkler::Winkler};
@@ -14,11 +14,12 @@ use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::interface::contact_law::TotalDisplacement;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, Brush, Method, SlopeReduction};
+use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
 use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::simplified::FastContact;
-use schlupf::{Options, Problem};
+use schlupf::{Options, Problem, Solver, Transient, unwatched};
+use std::ops::ControlFlow;
 
 /// The system's allocator, counting what each thread asks of it: tests run side by side.
 struct Counting;
@@ -110,7 +111,7 @@ fn in_a_warm_solution(base: &Problem, options: &Options) -> (usize, f64) {
     let mut solve = |creepage_x: f64| {
         let problem = Problem { kinematics: rolling_at(creepage_x), ..base.clone() };
         let before = allocations();
-        let solution = solver.solve(&problem, &mut |_| ()).unwrap();
+        let solution = solver.solve(&problem, &unwatched).unwrap();
         assert_eq!(solution.work.steps, 0, "marched");
         (allocations() - before, solution.work.operator_products)
     };
@@ -142,13 +143,18 @@ fn more_steady_iterations_allocate_no_more() {
 /// room, and the Newton steps of all of those.
 fn in_a_time_step(problem: &Problem, options: &Options) -> (usize, usize) {
     let passage = options.cells_x..2 * options.cells_x;
-    let mut counts = Vec::with_capacity(options.max_steps);
-    let mut before = allocations();
-    let solution = march(problem, options, &mut |_| {
-        let now = allocations();
-        counts.push(now - before);
-        before = now;
+    let counts = Mutex::new((Vec::with_capacity(options.max_steps), allocations()));
+    let solution = march(&Transient::to_steady_state(problem), options, &|progress| {
+        let mut counts = counts.lock().unwrap();
+        // Newton steps tell the number of the last time step.
+        if progress.done > counts.0.len() {
+            let now = allocations();
+            let before = std::mem::replace(&mut counts.1, now);
+            counts.0.push(now - before);
+        }
+        ControlFlow::Continue(())
     });
+    let (counts, _) = counts.into_inner().unwrap();
     let history = solution.unwrap().history;
     let steps = history[passage.clone()].iter().map(|instant| instant.newton_iterations);
     (*counts[passage].iter().min().unwrap(), steps.sum())
@@ -170,15 +176,15 @@ fn more_iterations_of_a_time_step_allocate_no_more() {
 #[test]
 fn a_fast_force_allocates_nothing() {
     let methods = [
-        Method::KalkerLinear,
-        Method::ShenHedrickElkins,
-        Method::Polach(AreaReduction::DRY),
-        Method::Fastsim(Brush::KALKER),
-        Method::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
+        FastMethod::KalkerLinear,
+        FastMethod::ShenHedrickElkins,
+        FastMethod::Polach(AreaReduction::DRY),
+        FastMethod::Fastsim(Brush::KALKER),
+        FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
     ];
     for base in problems() {
         for method in methods {
-            let mut contact = FastContact::new(&base, &Options { method, ..cells(12) }).unwrap();
+            let mut contact = FastContact::new(&base, method, &cells(12)).unwrap();
             // Heat makes room once.
             contact.force(&rolling_at(0.001)).unwrap();
             let before = allocations();

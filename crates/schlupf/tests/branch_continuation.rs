@@ -11,7 +11,7 @@ use schlupf::interface::friction::linear::Linear;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::patch::{Interpolation, Patch};
 use schlupf::problem::Branch;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Status, unwatched};
 
 const SPEED: f64 = 15.0;
 const COLD: f64 = 0.4;
@@ -239,7 +239,7 @@ fn falling(creepage: f64, stiffness: f64, half_speed: f64) -> Problem {
 fn on_branch(problem: &Problem, across: usize, branch: Branch) -> Solution {
     let options =
         Options { branch, cells_x: across, cells_y: across, tolerance: 1e-9, ..Options::default() };
-    let solution = schlupf::rolling::solve(problem, &options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }

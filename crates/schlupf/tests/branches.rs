@@ -11,7 +11,7 @@ use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::linear::Linear;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::problem::Branch;
-use schlupf::{Options, Problem, Solution, Status, rolling};
+use schlupf::{Options, Problem, Solution, Status, rolling, unwatched};
 
 /// Friction that has fallen from 0.4 to 0.05 at twice the half speed (in m/s).
 fn falling(creepage: f64, half_speed: f64) -> Problem {
@@ -25,7 +25,7 @@ fn falling(creepage: f64, half_speed: f64) -> Problem {
 
 fn on_branch(problem: &Problem, branch: Branch) -> Solution {
     let options = Options { branch, ..cells(12) };
-    let solution = rolling::solve(problem, &options, &mut |_| ()).unwrap();
+    let solution = rolling::steady::solve(problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution

@@ -2,8 +2,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::Quantity;
@@ -11,11 +9,12 @@ use schlupf::bulk_temperature::{BulkTemperature, Cooling, bulk_temperature};
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::history::History;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::material::Material;
-use schlupf::{Problem, Status};
+use schlupf::rolling::steady::SteadySolver;
+use schlupf::{Problem, Status, unwatched};
+use std::sync::Arc;
 
 const COOLING: Cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 10.0 };
 
@@ -28,7 +27,8 @@ fn braking(creepage: f64) -> Problem {
 }
 
 fn warmed(problem: &Problem, cooling: &Cooling) -> BulkTemperature {
-    let warmed = bulk_temperature(problem, &cells(20), cooling, &mut |_| ()).unwrap();
+    let warmed =
+        bulk_temperature(problem, &mut SteadySolver::new(&cells(20)), cooling, &unwatched).unwrap();
     assert_eq!(warmed.solution.status, Status::Converged, "{:?}", warmed.solution.warnings);
     warmed
 }
@@ -43,7 +43,7 @@ fn the_balance_closes() {
         assert!(warmed.temperature > 10.0 && warmed.iterations < 20, "{}", warmed.iterations);
         let mut there = braking(creepage);
         there.wheel.bulk_temperature = warmed.temperature;
-        let again = schlupf::rolling::solve(&there, &cells(20), &mut |_| ()).unwrap();
+        let again = schlupf::rolling::steady::solve(&there, &cells(20), &unwatched).unwrap();
         assert_relative_eq!(
             again.power.friction,
             warmed.solution.power.friction,
@@ -113,14 +113,13 @@ fn more_air_less_heat() {
 fn what_cannot_warm_is_refused() {
     let mut cold = braking(0.01);
     cold.heat.model = None;
-    let error = bulk_temperature(&cold, &cells(8), &COOLING, &mut |_| ()).unwrap_err();
+    let error = bulk_temperature(&cold, &mut SteadySolver::new(&cells(8)), &COOLING, &unwatched)
+        .unwrap_err();
     assert!(error.quantity() == Quantity::HeatModel);
-    let mut transient = braking(0.01);
-    transient.history = Some(History { time: vec![0.0, 1e-3], ..History::default() });
-    let error = bulk_temperature(&transient, &cells(8), &COOLING, &mut |_| ()).unwrap_err();
-    assert!(error.quantity() == Quantity::Time);
     let still = Cooling { area: 0.0, ..COOLING };
-    let error = bulk_temperature(&braking(0.01), &cells(8), &still, &mut |_| ()).unwrap_err();
+    let error =
+        bulk_temperature(&braking(0.01), &mut SteadySolver::new(&cells(8)), &still, &unwatched)
+            .unwrap_err();
     assert!(error.to_string().starts_with("cooled_area"), "{error}");
 }
 

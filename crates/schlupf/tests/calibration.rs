@@ -21,7 +21,7 @@ use schlupf::grid::{Extent, Grid, VectorField};
 use schlupf::interface::contact_law::Incremental;
 use schlupf::material::Material;
 use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling;
+use schlupf::{rolling, unwatched};
 
 /// The goal: forces within 2 % of μN, with spin 4 %.
 fn assert_near(deviation: &Deviation, what: &str) {
@@ -37,7 +37,8 @@ fn tabulated_stiffnesses_are_near_the_half_space() {
     for (axis_ratio, poisson_ratio) in
         [(0.2, 0.28), (0.5, 0.3), (1.2, 0.25), (2.0, 0.45), (5.0, 0.1)]
     {
-        let deviation = deviation_of_table(axis_ratio, poisson_ratio, &options).unwrap();
+        let deviation =
+            deviation_of_table(axis_ratio, poisson_ratio, &options, &unwatched).unwrap();
         println!("a/b {axis_ratio}, ν {poisson_ratio}: {deviation:.4?}");
         assert_near(&deviation, &format!("{axis_ratio} {poisson_ratio}"));
     }
@@ -48,7 +49,7 @@ fn tabulated_stiffnesses_are_near_the_half_space() {
 #[test]
 fn coupling_halves_the_distance_of_the_tractions() {
     let options = CalibrationOptions { cells: 14, ..CalibrationOptions::default() };
-    let found = calibrate(1.0, 0.28, &options).unwrap();
+    let found = calibrate(1.0, 0.28, &options, &unwatched).unwrap();
     assert!(found.converged);
     assert_near(&found.layer, "layer");
     assert!(found.layer.field < 0.5 * found.winkler.field, "{found:?}");
@@ -70,8 +71,9 @@ fn calibrations_over_all_axes_ratios() {
     println!("| a/b | ν | layer: forces, with spin, tractions, with spin | table | uncoupled |");
     for axis_ratio in [0.2, 0.5, 1.0, 2.0, 5.0] {
         for (poisson_ratio, part) in [(0.0, 0.6), (0.28, 0.6), (0.4, f64::INFINITY)] {
-            let found = calibrate(axis_ratio, poisson_ratio, &options).unwrap();
-            let table = deviation_of_table(axis_ratio, poisson_ratio, &options).unwrap();
+            let found = calibrate(axis_ratio, poisson_ratio, &options, &unwatched).unwrap();
+            let table =
+                deviation_of_table(axis_ratio, poisson_ratio, &options, &unwatched).unwrap();
             let columns = [found.layer, table, found.winkler].map(percent).join(" | ");
             println!("| {axis_ratio} | {poisson_ratio} | {columns} |");
             let is_near = |d: &Deviation| d.force < 0.02 && d.force_with_spin < 0.04;
@@ -100,7 +102,7 @@ fn the_table_is_that_of_the_computation() {
     let ratio = |n: usize| 10.0_f64.powf(0.2 * n as f64 - 1.0);
     if std::env::var_os("SCHLUPF_PIN").is_none() {
         for (n, poisson_ratio) in [(2, 0.0), (5, 1.0 / 3.0), (8, 0.5)] {
-            let found = calibrate(ratio(n), poisson_ratio, &options).unwrap();
+            let found = calibrate(ratio(n), poisson_ratio, &options, &unwatched).unwrap();
             let table = tabulated_stiffness(ratio(n), poisson_ratio).unwrap();
             for (found, table) in found.stiffness.iter().zip(table) {
                 assert_relative_eq!(found.bedding, table.bedding, max_relative = 1e-2);
@@ -114,7 +116,7 @@ fn the_table_is_that_of_the_computation() {
     for row in 0..4 {
         text += "    [\n";
         for n in 0..11 {
-            let found = calibrate(ratio(n), f64::from(row) / 6.0, &options).unwrap();
+            let found = calibrate(ratio(n), f64::from(row) / 6.0, &options, &unwatched).unwrap();
             println!("{found:.4?}");
             text += &entry(&found);
         }
@@ -145,7 +147,7 @@ fn the_calibrated_layer_knows_the_patch() {
     let layer = CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap();
     let solve = |elasticity: Arc<dyn Elasticity>| {
         let problem = schlupf::Problem { elasticity, ..base.clone() };
-        rolling::solve(&problem, &cells(24), &mut |_| ()).unwrap().normalised
+        rolling::steady::solve(&problem, &cells(24), &unwatched).unwrap().normalised
     };
     let (here, exact) = (solve(Arc::new(layer)), solve(half_space()));
     assert!((here.x - exact.x).hypot(here.y - exact.y) < 0.02, "{here:?} {exact:?}");
@@ -174,7 +176,7 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
             contact_law: Arc::new(Incremental::new(1e9).unwrap()),
             ..problem(rolling(1e-6, 2e-6, 0.0))
         };
-        let force = rolling::solve(&stick, &cells(40), &mut |_| ()).unwrap().force;
+        let force = rolling::steady::solve(&stick, &cells(40), &unwatched).unwrap().force;
         assert_relative_eq!(force.x, -c11 * g * a * b * 1e-6, max_relative = 2e-2);
         assert_relative_eq!(force.y, -c22 * g * a * b * 2e-6, max_relative = 2e-2);
     }
@@ -185,7 +187,7 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
 #[test]
 fn side_by_side_the_layer_is_near_the_half_space() {
     let stiffness = tabulated_stiffness(1.0, 0.28).unwrap();
-    let sides = side_by_side(1.0, 0.28, stiffness).unwrap();
+    let sides = side_by_side(1.0, 0.28, stiffness, &unwatched).unwrap();
     assert!(sides.is_converged());
     for (course, tolerance) in [(&sides.longitudinal, 0.02), (&sides.spin, 0.04)] {
         let [exact, layer, bed, fastsim] = &course.answers[..] else { panic!("four answers") };

@@ -20,7 +20,7 @@ use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::reference::carter::Carter;
 use schlupf::reference::haines_ollerton::HainesOllerton;
-use schlupf::{Error, Options, Solution, Status};
+use schlupf::{Error, Options, Solution, Status, unwatched};
 
 const CYLINDERS: Carter = Carter {
     half_length: 5e-3,
@@ -99,7 +99,7 @@ fn solve(
     coulomb.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
     coulomb.friction.law = Arc::new(Constant::new(CYLINDERS.friction_coefficient).unwrap());
     let options = Options { cells_x, cells_y, slip_threshold: 0.99, ..Options::default() };
-    let solution = schlupf::rolling::solve(&coulomb, &options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(&coulomb, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
     assert!(solution.work.newton_iterations <= 60, "{:?}", solution.work);

@@ -2,8 +2,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
 use schlupf::Quantity;
@@ -15,15 +13,19 @@ use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::history::History;
 use schlupf::interface::contact_law::Incremental;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kalker_coefficients::creep_coefficients;
 use schlupf::material::Material;
 use schlupf::normal::ellipse::Ellipse;
-use schlupf::problem::Driver;
+use schlupf::progress::Stage;
 use schlupf::reference::winkler_strip;
-use schlupf::{Error, Options, Problem, Status};
+use schlupf::rolling::MarchingSolver;
+use schlupf::rolling::steady::SteadySolver;
+use schlupf::{Error, Options, Problem, Solver, Status, unwatched};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const BEDDING: f64 = 1e13;
 
@@ -50,20 +52,26 @@ fn over_x(problem: &Problem, [from, to]: [f64; 2]) -> Path {
 }
 
 fn curve(problem: &Problem, options: &Options, path: &Path, points: usize) -> CreepCurve {
+    curve_by(&mut SteadySolver::new(options), problem, path, points)
+}
+
+fn curve_by(solver: &mut dyn Solver, problem: &Problem, path: &Path, points: usize) -> CreepCurve {
     let sampling = Sampling { points, spacing: Spacing::Refined };
-    let mut calls = 0;
-    let curve = trace(problem, options, path, &sampling, &mut |progress| {
-        calls += 1;
-        assert_eq!((progress.done, progress.points), (calls, points));
+    let done = AtomicUsize::new(0);
+    let curve = trace(solver, problem, path, &sampling, &|progress| {
+        let before = done.swap(progress.done, Ordering::Relaxed);
+        assert!(progress.done == before || progress.done == before + 1);
+        assert_eq!((progress.stage, progress.total), (Stage::Curve, Some(points)));
+        ControlFlow::Continue(())
     });
     let curve = curve.unwrap();
-    assert_eq!((calls, curve.points.len()), (points, points));
+    assert_eq!((done.into_inner(), curve.points.len()), (points, points));
     curve
 }
 
 fn refused(problem: &Problem, path: &Path) -> Error {
-    let options = cells(8);
-    trace(problem, &options, path, &Sampling::default(), &mut |_| panic!("solved")).unwrap_err()
+    let mut solver = SteadySolver::new(&cells(8));
+    trace(&mut solver, problem, path, &Sampling::default(), &|_| panic!("solved")).unwrap_err()
 }
 
 /// The closed form of FASTSIM's limit: with κ = cξa/(μp0) forces, slope 4/π dκ/dξ, and saturation where
@@ -152,7 +160,8 @@ fn the_slope_is_that_of_the_curve() {
 fn the_maximum_is_where_dense_sampling_has_it() {
     let (hot, options) = (hot(), cells(12));
     let even = Sampling { points: 101, spacing: Spacing::Even };
-    let dense = trace(&hot, &options, &over_x(&hot, [0.004, 0.014]), &even, &mut |_| ()).unwrap();
+    let (mut solver, path) = (SteadySolver::new(&options), over_x(&hot, [0.004, 0.014]));
+    let dense = trace(&mut solver, &hot, &path, &even, &unwatched).unwrap();
     let higher = |i: &&schlupf::creep_curve::Point, k: &&schlupf::creep_curve::Point| {
         i.traction_coefficient.total_cmp(&k.traction_coefficient)
     };
@@ -237,8 +246,8 @@ fn work_is_that_of_the_points() {
 #[test]
 fn what_did_not_converge_is_kept_and_named() {
     let hot = hot();
-    let options = Options { driver: Some(Driver::Marching), max_steps: 3, ..cells(8) };
-    let curve = curve(&hot, &options, &over_x(&hot, [0.0, 0.05]), 4);
+    let mut solver = MarchingSolver::new(&Options { max_steps: 3, ..cells(8) });
+    let curve = curve_by(&mut solver, &hot, &over_x(&hot, [0.0, 0.05]), 4);
     let statuses: Vec<bool> =
         curve.points.iter().map(|point| point.status == Status::Converged).collect();
     assert_eq!(statuses, [false; 4]);
@@ -260,8 +269,8 @@ fn what_did_not_converge_is_kept_and_named() {
 #[test]
 fn a_maximum_beside_failed_points_is_none() {
     let hot = hot();
-    let options = Options { driver: Some(Driver::Marching), max_steps: 24, ..cells(8) };
-    let curve = curve(&hot, &options, &over_x(&hot, [0.0, 0.1]), 21);
+    let mut solver = MarchingSolver::new(&Options { max_steps: 24, ..cells(8) });
+    let curve = curve_by(&mut solver, &hot, &over_x(&hot, [0.0, 0.1]), 21);
     let converged =
         curve.points.iter().filter(|p| p.status == Status::Converged && p.abscissa > 0.0);
     let fails = curve.points.iter().filter(|p| p.status == Status::NotConverged);
@@ -273,20 +282,12 @@ fn a_maximum_beside_failed_points_is_none() {
 /// All of it before the first solution.
 #[test]
 fn what_is_no_curve_of_steady_rolling_is_refused() {
-    let mut transient = problem(rolling(0.0, 0.0, 0.0));
-    let path = over_x(&transient, [0.0, 0.01]);
-    let locked = refused(&transient, &over_x(&transient, [0.0, 1.2])).to_string();
+    let still = problem(rolling(0.0, 0.0, 0.0));
+    let path = over_x(&still, [0.0, 0.01]);
+    let locked = refused(&still, &over_x(&still, [0.0, 1.2])).to_string();
     assert!(locked.contains("at creepage_x = 1 it does not"), "{locked}");
     let slow = problem(schlupf::kinematics::Kinematics { speed: -1.0, ..rolling(0.0, 0.0, 0.0) });
     assert!(refused(&slow, &path).quantity() == Quantity::Speed);
-    transient.history = Some(History {
-        time: vec![0.0, 1e-4],
-        creepage_x: Some(vec![0.0, 0.001]),
-        ..History::default()
-    });
-    let error = refused(&transient, &path);
-    assert!(error.quantity() == Quantity::Time);
     let one = Sampling { points: 1, spacing: Spacing::Even };
-    let still = problem(rolling(0.0, 0.0, 0.0));
-    assert!(trace(&still, &cells(8), &path, &one, &mut |_| ()).is_err());
+    assert!(trace(&mut SteadySolver::new(&cells(8)), &still, &path, &one, &unwatched).is_err());
 }

@@ -22,12 +22,12 @@ use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::hertz::{Hertz, Radii};
-use schlupf::{Options, Problem, Solution, Status, rolling};
+use schlupf::{Options, Problem, Solution, Status, rolling, unwatched};
 
 type Law = Arc<dyn FrictionLaw>;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
+    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution

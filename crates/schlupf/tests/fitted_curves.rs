@@ -1,13 +1,13 @@
 //! Curves of a fitted model between the data.
 
 use approx::assert_relative_eq;
-use schlupf::Error;
 use schlupf::creep_curve::Abscissa;
 use schlupf::identification::{
     Component, Condition, CreepForceModel, DataPoint, ForceRatio, Parameter, sample_curves,
 };
 use schlupf::kinematics::Kinematics;
 use schlupf::solution::Work;
+use schlupf::{Error, Watch, unwatched};
 
 /// A force along the creepage that saturates, the sooner the faster; it counts its solutions.
 struct Saturating {
@@ -33,7 +33,11 @@ impl CreepForceModel for Saturating {
         Ok(())
     }
 
-    fn force_ratio(&mut self, condition: &Condition) -> Result<Option<ForceRatio>, Error> {
+    fn force_ratio(
+        &mut self,
+        condition: &Condition,
+        _watch: Watch,
+    ) -> Result<Option<ForceRatio>, Error> {
         self.solved += 1;
         let value = force(&condition.kinematics);
         Ok(Some(ForceRatio { value, by_parameter: Vec::new() }))
@@ -75,7 +79,7 @@ fn in_one_direction(speeds: &[f64]) -> Vec<DataPoint> {
 fn creepages_in_one_direction_are_a_curve_over_the_total_one() {
     let mut data = in_one_direction(&[10.0, 30.0]);
     let mut model = Saturating { solved: 0 };
-    let curves = sample_curves(&mut model, &data, 5).unwrap();
+    let curves = sample_curves(&mut model, &data, 5, &unwatched).unwrap();
     let Abscissa::Total { direction } = curves.abscissa else { panic!("{:?}", curves.abscissa) };
     assert_relative_eq!(direction, 0.601_f64.atan2(0.8), epsilon = 1e-3);
     assert_eq!(curves.series.len(), 4);
@@ -93,7 +97,10 @@ fn creepages_in_one_direction_are_a_curve_over_the_total_one() {
     assert_eq!(model.solved, each.iter().sum::<usize>());
     // One point off the line is enough for it to be none.
     data[0].condition.kinematics.creepage_y = 0.01;
-    assert_eq!(sample_curves(&mut model, &data, 0).unwrap().abscissa, Abscissa::CreepageX);
+    assert_eq!(
+        sample_curves(&mut model, &data, 0, &unwatched).unwrap().abscissa,
+        Abscissa::CreepageX
+    );
 }
 
 /// Twelve conditions have curves, whether one component was measured or both; thirteen have none.
@@ -101,11 +108,12 @@ fn creepages_in_one_direction_are_a_curve_over_the_total_one() {
 fn too_many_conditions_have_no_curves() {
     let speeds: Vec<f64> = (1..=13).map(f64::from).collect();
     let mut model = Saturating { solved: 0 };
-    let twelve = sample_curves(&mut model, &in_one_direction(&speeds[..12]), 5).unwrap();
+    let twelve =
+        sample_curves(&mut model, &in_one_direction(&speeds[..12]), 5, &unwatched).unwrap();
     assert_eq!(twelve.series.len(), 24);
     assert!(twelve.series.iter().all(|series| !series.curve.is_empty()));
     let before = model.solved;
-    let thirteen = sample_curves(&mut model, &in_one_direction(&speeds), 5).unwrap();
+    let thirteen = sample_curves(&mut model, &in_one_direction(&speeds), 5, &unwatched).unwrap();
     assert!(thirteen.series.iter().all(|series| series.curve.is_empty()));
     assert_eq!(model.solved, before);
 }

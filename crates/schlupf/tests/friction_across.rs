@@ -12,7 +12,7 @@ use schlupf::interface::contact_law::Incremental;
 use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::normal::ellipse::Ellipse;
-use schlupf::{Problem, Solution, Status};
+use schlupf::{Problem, Solution, Status, unwatched};
 
 /// Coulomb friction of μ0 at y ≥ −1 mm that falls linearly to half of it at y = −4 mm: a rail with
 /// a film of lubricant on its right.
@@ -29,7 +29,7 @@ fn factor(y: f64) -> f64 {
 }
 
 fn solve(problem: &Problem, across: usize) -> Solution {
-    let solution = schlupf::rolling::solve(problem, &cells(across), &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(problem, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution

@@ -2,10 +2,8 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
-use common::{cells, half_space, problem, rolling, solve};
+use common::{cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
@@ -17,11 +15,13 @@ use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::rolling::marching::march;
 use schlupf::state::Element;
-use schlupf::{Options, Problem, Solution, Status, rolling};
+use schlupf::{Options, Problem, Solution, Status, rolling, unwatched};
+use std::sync::Arc;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
+    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution
@@ -127,10 +127,9 @@ fn the_steady_state_is_the_end_of_marching() {
 /// A march goes on from a steady state without a change: the state holds what friction remembers.
 #[test]
 fn a_state_remembers_its_friction() {
-    let mut hot = remembering(hot(0.02), 5e-5, 1e-3);
+    let hot = remembering(hot(0.02), 5e-5, 1e-3);
     let steady = at_once(&hot, &Options { tolerance: 1e-8, ..cells(16) });
-    hot.initial_state = Some(steady.state.clone());
-    let on = rolling::solve(&hot, &cells(16), &mut |_| ()).unwrap();
+    let on = march(&from_state(&hot, steady.state.clone()), &cells(16), &unwatched).unwrap();
     for instant in &on.history {
         assert_relative_eq!(instant.force.x, steady.force.x, max_relative = 1e-6);
     }
@@ -139,7 +138,7 @@ fn a_state_remembers_its_friction() {
 /// A state that cannot be is refused, and does not keep a march busy for ever.
 #[test]
 fn an_impossible_state_is_refused() {
-    let mut hot = remembering(hot(0.02), 5e-5, 1e-3);
+    let hot = remembering(hot(0.02), 5e-5, 1e-3);
     let state = at_once(&hot, &cells(12)).state;
     let spoilt: [fn(&mut Element); 4] = [
         |element| element.heat[0].duration = -1.0,
@@ -150,8 +149,8 @@ fn an_impossible_state_is_refused() {
     for spoil in spoilt {
         let mut state = state.clone();
         spoil(&mut state.elements[20]);
-        hot.initial_state = Some(state);
-        let error = rolling::solve(&hot, &cells(12), &mut |_| ()).unwrap_err().to_string();
+        let spoilt = from_state(&hot, state);
+        let error = march(&spoilt, &cells(12), &unwatched).unwrap_err().to_string();
         assert!(error.contains("initial_state"), "{error}");
     }
 }

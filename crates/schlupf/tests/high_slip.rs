@@ -18,7 +18,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 /// Uniform slip of 1 m/s at 30 m/s of rigid bodies, a = 5.88 mm, b = 10.54 mm, N = 100 kN; temperatures
 /// count from 0 degC.
@@ -37,7 +37,7 @@ fn uniform_slip(law: Arc<dyn FrictionLaw>, reference: f64) -> Problem {
 
 fn solve(problem: &Problem, cells_x: usize) -> Solution {
     let options = Options { cells_x, cells_y: 61, ..Options::default() };
-    let solution = schlupf::rolling::solve(problem, &options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution
@@ -126,7 +126,7 @@ fn vollebregt_2022_eurosprinter() {
         let mut largest = 0.0_f64;
         for (creepage, force) in points {
             wheel.kinematics.creepage_x = creepage;
-            let solution = solver.solve(&wheel, &mut |_| ()).unwrap();
+            let solution = solver.solve(&wheel, &unwatched).unwrap();
             assert_eq!(solution.status, Status::Converged);
             largest = largest.max((-solution.force.x - force).abs() / 106.7e3);
         }
@@ -142,7 +142,7 @@ fn eurosprinter_falls_beyond_its_maximum() {
     let options = Options { cells_x: 32, cells_y: 32, ..Options::default() };
     let forces = [0.1, 0.15, 0.2].map(|creepage| {
         wheel.kinematics.creepage_x = creepage;
-        -schlupf::rolling::solve(&wheel, &options, &mut |_| ()).unwrap().force.x
+        -schlupf::rolling::steady::solve(&wheel, &options, &unwatched).unwrap().force.x
     });
     println!("{forces:?}");
     assert_relative_eq!(forces[0], 32.8e3, epsilon = 300.0);

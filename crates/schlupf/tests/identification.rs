@@ -2,12 +2,8 @@
 
 mod common;
 
-use std::path::Path;
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{half_space, problem, rolling};
-use schlupf::Method;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::{Heat, partition::Partition};
 use schlupf::identification::roughness::DEFAULT_GAMMA;
@@ -23,7 +19,9 @@ use schlupf::interface::friction::{Friction, FrictionLaw};
 use schlupf::kinematics::Kinematics;
 use schlupf::method::AreaReduction;
 use schlupf::normal::ellipse::Ellipse;
-use schlupf::{Error, Options, Problem, Status};
+use schlupf::{Error, Options, Problem, Status, unwatched};
+use std::path::Path;
+use std::sync::Arc;
 
 const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
 const VANISHES: Parameter = Parameter::Friction(FrictionConstant::TemperatureAtZeroFriction);
@@ -68,7 +66,7 @@ fn computed(problem: &Problem, creepages: &[f64]) -> Vec<DataPoint> {
     let at = |creepage_x: &f64| {
         let kinematics = Kinematics { creepage_x: *creepage_x, ..problem.kinematics };
         let condition = Condition { kinematics, load: None };
-        let force_ratio = model.force_ratio(&condition).unwrap().unwrap().value[0];
+        let force_ratio = model.force_ratio(&condition, &unwatched).unwrap().unwrap().value[0];
         let component = Component::Longitudinal;
         DataPoint { condition, component, force_ratio, standard_deviation: None }
     };
@@ -104,7 +102,7 @@ fn with_noise(data: &[DataPoint], deviation: f64, seed: u64) -> Vec<DataPoint> {
 }
 
 fn fitted(start: &Problem, parameters: &[Parameter], data: &[DataPoint]) -> Result<Fit, Error> {
-    fit(&mut model(start, parameters), data, 50, &mut |_| ())
+    fit(&mut model(start, parameters), data, 50, &unwatched)
 }
 
 fn refusal(start: &Problem, parameters: &[Parameter], data: &[DataPoint]) -> String {
@@ -225,9 +223,8 @@ const SLIP: Parameter = Parameter::AreaSlip;
 fn polach_model(constants: [f64; 5], parameters: &[Parameter]) -> PolachModel {
     let [coefficient, ratio, decay, area_adhesion, area_slip] = constants;
     let law = Arc::new(Polach::new(coefficient, ratio, decay).unwrap());
-    let method = Method::Polach(AreaReduction { area_adhesion, area_slip });
-    let options = Options { method, ..Options::default() };
-    PolachModel::new(&locomotive(law, 1e6), &options, parameters).unwrap()
+    let reduction = AreaReduction { area_adhesion, area_slip };
+    PolachModel::new(&locomotive(law, 1e6), reduction, parameters).unwrap()
 }
 
 /// Polach 2005, dry rails.
@@ -243,7 +240,7 @@ fn polach_data_of(model: &mut PolachModel) -> Vec<DataPoint> {
     let at = |creepage_x: f64| {
         let kinematics = Kinematics { speed: 20.0, ..rolling(creepage_x, 0.0, 0.0) };
         let condition = Condition { kinematics, load: None };
-        let force_ratio = model.force_ratio(&condition).unwrap().unwrap().value[0];
+        let force_ratio = model.force_ratio(&condition, &unwatched).unwrap().unwrap().value[0];
         let component = Component::Longitudinal;
         DataPoint { condition, component, force_ratio, standard_deviation: None }
     };
@@ -255,7 +252,7 @@ fn polach_data_of(model: &mut PolachModel) -> Vec<DataPoint> {
 fn polach_2005_method_comes_back() {
     let parameters = [COLD, RATIO, DECAY, Parameter::AreaAdhesion, Parameter::AreaSlip];
     let mut start = polach_model([0.4, 0.6, 0.3, 0.5, 0.5], &parameters);
-    let found = fit(&mut start, &polach_data(), 100, &mut |_| ()).unwrap();
+    let found = fit(&mut start, &polach_data(), 100, &unwatched).unwrap();
     assert_eq!(found.status, Status::Converged, "{:?}", found.warnings);
     for (estimate, truth) in found.estimates.iter().zip(DRY) {
         assert_relative_eq!(estimate.value, truth, max_relative = 1e-6);
@@ -274,7 +271,7 @@ fn polach_2005_method_lies_within_its_intervals_in_fifty_trials() {
     for trial in 0..50 {
         let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.5], &parameters);
         let noisy = with_noise(&data, 5e-3, 100 + trial);
-        let found = fit(&mut start, &noisy, 100, &mut |_| ()).unwrap();
+        let found = fit(&mut start, &noisy, 100, &unwatched).unwrap();
         assert_eq!(found.status, Status::Converged, "{trial}: {:?}", found.warnings);
         for ((coverage, estimate), truth) in coverage.iter_mut().zip(&found.estimates).zip(truth) {
             coverage.add(estimate, truth);
@@ -297,7 +294,7 @@ fn a_constant_may_end_at_its_bound() {
     let mut coverage = [Coverage::default(); 3];
     for trial in 0..30 {
         let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.4], &[COLD, RATIO, DECAY]);
-        let found = fit(&mut start, &with_noise(&data, 5e-3, 300 + trial), 100, &mut |_| ());
+        let found = fit(&mut start, &with_noise(&data, 5e-3, 300 + trial), 100, &unwatched);
         let found = found.unwrap();
         assert_eq!(found.status, Status::Converged, "{trial}: {:?}", found.warnings);
         let is_said = found
@@ -324,7 +321,7 @@ fn held_parameters_do_not_widen_the_others() {
     let data = with_noise(&data[..12], 2e-3, 9);
     let fitted = |parameters: &[Parameter]| {
         let mut start = polach_model([0.3, 1.0, 0.6, 1.0, 1.0], parameters);
-        fit(&mut start, &data, 100, &mut |_| ()).unwrap()
+        fit(&mut start, &data, 100, &unwatched).unwrap()
     };
     let (all, one) = (fitted(&[COLD, Parameter::AreaAdhesion, SLIP]), fitted(&[COLD]));
     assert_eq!(all.status, Status::Converged, "{:?}", all.warnings);
@@ -345,7 +342,7 @@ fn many_points_end_as_few_do() {
     for copies in [1, 100, 300] {
         let data = data.repeat(copies);
         let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.5], &[COLD, RATIO, DECAY, SLIP]);
-        let found = fit(&mut start, &with_noise(&data, 5e-3, 5), 100, &mut |_| ()).unwrap();
+        let found = fit(&mut start, &with_noise(&data, 5e-3, 5), 100, &unwatched).unwrap();
         assert_eq!(found.status, Status::Converged, "{copies}: {:?}", found.warnings);
     }
 }
@@ -358,7 +355,7 @@ fn deviations_that_are_too_small_do_not_make_intervals_small() {
         let with = |point: &DataPoint| DataPoint { standard_deviation: deviation, ..*point };
         let data: Vec<DataPoint> = noisy.iter().map(with).collect();
         let mut start = polach_model([0.4, 0.6, 0.3, 1.0, 0.5], &[COLD, RATIO, DECAY, SLIP]);
-        fit(&mut start, &data, 100, &mut |_| ()).unwrap()
+        fit(&mut start, &data, 100, &unwatched).unwrap()
     };
     let (plain, tiny) = (fit_with(None), fit_with(Some(1e-9)));
     assert_eq!(tiny.status, Status::Converged, "{:?}", tiny.warnings);
@@ -383,7 +380,7 @@ fn a_wrong_sign_of_a_part_of_the_data_is_refused() {
         let mut exact =
             RollingContactModel::new(&moved, &coarse(), &[COLD], DEFAULT_GAMMA).unwrap();
         let condition = Condition { kinematics: moved.kinematics, load: None };
-        let value = exact.force_ratio(&condition).unwrap().unwrap().value;
+        let value = exact.force_ratio(&condition, &unwatched).unwrap().unwrap().value;
         let point = |component: Component, force_ratio| DataPoint {
             condition,
             component,
@@ -409,21 +406,14 @@ fn a_wrong_sign_of_a_part_of_the_data_is_refused() {
 fn methods_have_their_own_constants() {
     let law = Arc::new(Polach::new(0.55, 0.4, 0.6).unwrap());
     let problem = locomotive(law, 1e6);
-    let polach = Options { method: Method::Polach(AreaReduction::DRY), ..Options::default() };
     let message = |error: Option<Error>| error.unwrap().to_string();
-    let of_polach = |options: &Options, parameter| {
-        message(PolachModel::new(&problem, options, &[parameter]).err())
-    };
-    assert!(of_polach(&polach, STIFFNESS).contains("has no contact law"));
-    assert!(
-        of_polach(&Options::default(), COLD)
-            .contains("must be \"polach\", but the method is \"full\"")
-    );
-    let of_full = |options: &Options, parameter| {
-        message(RollingContactModel::new(&problem, options, &[parameter], DEFAULT_GAMMA).err())
-    };
-    assert!(of_full(&polach, COLD).contains("but the method is \"polach\""));
-    assert!(of_full(&coarse(), Parameter::AreaSlip).contains("a constant of method"));
+    let of_polach =
+        |reduction, parameter| message(PolachModel::new(&problem, reduction, &[parameter]).err());
+    assert!(of_polach(AreaReduction::DRY, STIFFNESS).contains("has no contact law"));
+    let impossible = AreaReduction { area_adhesion: 0.3, area_slip: 0.4 };
+    assert!(of_polach(impossible, COLD).starts_with("polach_area_slip"));
+    let of_full = RollingContactModel::new(&problem, &coarse(), &[SLIP], DEFAULT_GAMMA);
+    assert!(message(of_full.err()).contains("a constant of method"));
 }
 
 /// Two speeds, two loads and both components at once; speeds tell what friction owes to heat.
@@ -437,7 +427,7 @@ fn points_at_several_speeds_and_loads_fit_together() {
             let (creepage_x, creepage_y) = (creepage, 0.5 * creepage);
             let kinematics = Kinematics { speed, creepage_x, creepage_y, spin: 0.0 };
             let condition = Condition { kinematics, load };
-            let force = reference.force_ratio(&condition).unwrap().unwrap().value;
+            let force = reference.force_ratio(&condition, &unwatched).unwrap().unwrap().value;
             for component in [Component::Longitudinal, Component::Lateral] {
                 let force_ratio = force[component.index()];
                 let standard_deviation = Some(2e-3);
@@ -446,7 +436,7 @@ fn points_at_several_speeds_and_loads_fit_together() {
         }
     }
     let mut model = model(&heated(START), &[COLD, VANISHES, STIFFNESS]);
-    let found = fit(&mut model, &data, 50, &mut |_| ()).unwrap();
+    let found = fit(&mut model, &data, 50, &unwatched).unwrap();
     assert_eq!(found.status, Status::Converged, "{:?}", found.warnings);
     for (estimate, truth) in found.estimates.iter().zip(TRUTH) {
         assert_relative_eq!(estimate.value, truth, max_relative = 1e-4);
@@ -455,7 +445,7 @@ fn points_at_several_speeds_and_loads_fit_together() {
     }
     assert!(found.reduced_chi_squared.unwrap() < 1e-4);
     // Each pair of components took one solution.
-    let again: Vec<usize> = sample_curves(&mut model, &data, 5)
+    let again: Vec<usize> = sample_curves(&mut model, &data, 5, &unwatched)
         .unwrap()
         .series
         .iter()
@@ -468,8 +458,8 @@ fn points_at_several_speeds_and_loads_fit_together() {
 fn a_curve_between_the_points_goes_through_the_fit() {
     let data = computed(&heated(TRUTH), &CREEPAGES);
     let mut model = model(&heated(START), &[COLD, VANISHES, STIFFNESS]);
-    let found = fit(&mut model, &data, 50, &mut |_| ()).unwrap();
-    let curves = sample_curves(&mut model, &data, 9).unwrap();
+    let found = fit(&mut model, &data, 50, &unwatched).unwrap();
+    let curves = sample_curves(&mut model, &data, 9, &unwatched).unwrap();
     assert_eq!(curves.abscissa.quantity(), schlupf::Quantity::CreepageX);
     let [series] = curves.series.as_slice() else { panic!("{curves:?}") };
     assert_eq!(series.curve.len(), 9 + 12 - 1);
@@ -602,7 +592,7 @@ fn vollebregt_2022_constants_of_contact() {
         let options = Options { cells_x: 24, cells_y: 24, ..Options::default() };
         let mut model =
             RollingContactModel::new(&start, &options, &[COLD, VANISHES], DEFAULT_GAMMA).unwrap();
-        let found = fit(&mut model, &data, 50, &mut |_| ()).unwrap();
+        let found = fit(&mut model, &data, 50, &unwatched).unwrap();
         assert_eq!(found.status, Status::Converged, "{:?}", found.warnings);
         println!("{name}: {:?} {}", found.estimates, found.rms_residual);
         assert_relative_eq!(found.estimates[0].value, 0.33, max_relative = 0.01);

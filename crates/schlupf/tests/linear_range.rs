@@ -15,10 +15,11 @@ use schlupf::heat::partition::Partition;
 use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, Brush, Method, SlopeReduction};
-use schlupf::rolling::{self, shift::shift};
+use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
+use schlupf::rolling::{self, marching::shift};
+use schlupf::simplified::FastSolver;
 use schlupf::solution::Resultant;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 /// Directions (ξ, η, φ in 1/m).
 const DIRECTIONS: [[f64; 3]; 4] =
@@ -36,7 +37,7 @@ fn hot(problem: Problem) -> Problem {
 }
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
+    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution
@@ -151,7 +152,7 @@ fn a_shift_of_next_to_nothing() {
     let mut pressed = problem(rolling(0.0, 0.0, 0.0));
     pressed.elasticity = half_space();
     let force = |size: f64| {
-        let solution = shift(&pressed, [0.8 * size, 0.6 * size], &cells(12)).unwrap();
+        let solution = shift(&pressed, [0.8 * size, 0.6 * size], &cells(12), &unwatched).unwrap();
         assert_eq!(solution.status, Status::Converged);
         per_size(&solution.force, size)
     };
@@ -185,17 +186,18 @@ fn rigid_bodies_are_found_at_once() {
 #[test]
 fn fast_methods_are_proportional() {
     let methods = [
-        Method::KalkerLinear,
-        Method::ShenHedrickElkins,
-        Method::Polach(AreaReduction::DRY),
-        Method::Fastsim(Brush::KALKER),
-        Method::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
+        FastMethod::KalkerLinear,
+        FastMethod::ShenHedrickElkins,
+        FastMethod::Polach(AreaReduction::DRY),
+        FastMethod::Fastsim(Brush::KALKER),
+        FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
     ];
     for method in methods {
         for direction in DIRECTIONS {
             let force = |size: f64| {
-                let options = Options { method, ..cells(20) };
-                let solution = at_once(&problem(moving(direction, size)), &options);
+                let mut solver = FastSolver::new(method, &cells(20));
+                let problem = problem(moving(direction, size));
+                let solution = solver.solve(&problem, &unwatched).unwrap();
                 let [x, y, moment] = per_size(&solution.force, size);
                 [x, y, if moment.is_nan() { 0.0 } else { moment }]
             };

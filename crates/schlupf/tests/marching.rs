@@ -2,10 +2,8 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
-use common::{cells, problem, rolling, solve};
+use common::{cells, follow, from_state, problem, rolling, solve, solve_over};
 use schlupf::Quantity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::elasticity::winkler::Winkler;
@@ -18,7 +16,8 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::reference::winkler_strip;
 use schlupf::rolling::marching::march;
-use schlupf::{Options, Status};
+use schlupf::{Options, Status, Transient, unwatched};
+use std::sync::Arc;
 
 /// Kalker 1982 in the limit of an exact integration: Winkler bedding, Coulomb friction, elliptic
 /// bound.
@@ -73,10 +72,10 @@ fn a_state_can_be_taken_up_again() {
     hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let unbroken = solve(&hot, &cells(16));
     let short = Options { max_steps: 11, ..cells(16) };
-    let half = march(&hot, &short, &mut |_| ()).unwrap();
+    let half = march(&Transient::to_steady_state(&hot), &short, &unwatched).unwrap();
     assert_eq!(half.status, Status::NotConverged);
-    hot.initial_state = Some(half.state);
-    let rest = solve(&hot, &cells(16));
+    let half = from_state(&hot, half.state);
+    let rest = follow(&half, &cells(16));
     // Both look for the end once in a passage of 16 steps.
     assert!(11 + rest.work.steps <= unbroken.work.steps + 16);
     assert_relative_eq!(rest.force.x, unbroken.force.x, max_relative = 1e-6);
@@ -85,7 +84,7 @@ fn a_state_can_be_taken_up_again() {
         unbroken.temperature.max_rise,
         max_relative = 1e-6
     );
-    let other = march(&hot, &cells(18), &mut |_| ()).unwrap_err();
+    let other = march(&half, &cells(18), &unwatched).unwrap_err();
     assert!(other.quantity() == Quantity::InitialState);
 }
 
@@ -93,15 +92,14 @@ fn a_state_can_be_taken_up_again() {
 #[test]
 fn a_history_ends_in_the_steady_state_of_its_last_values() {
     let steady = solve(&problem(rolling(0.002, 0.001, 0.2)), &cells(16));
-    let mut transient = problem(rolling(0.0, 0.0, 0.0));
-    transient.history = Some(History {
+    let history = History {
         time: vec![0.0, 2e-4, 2e-3],
         creepage_x: Some(vec![0.0, 0.002, 0.002]),
         creepage_y: Some(vec![0.0, 0.001, 0.001]),
         spin: Some(vec![0.0, 0.2, 0.2]),
         ..History::default()
-    });
-    let end = solve(&transient, &cells(16));
+    };
+    let end = solve_over(&problem(rolling(0.0, 0.0, 0.0)), history, &cells(16));
     assert_relative_eq!(end.force.x, steady.force.x, max_relative = 1e-4);
     assert_relative_eq!(end.force.y, steady.force.y, max_relative = 1e-4);
     assert_eq!(end.kinematics.creepage_x, 0.002);
@@ -112,24 +110,24 @@ fn a_history_ends_in_the_steady_state_of_its_last_values() {
 /// some passages the state is that of steady rolling under it.
 #[test]
 fn the_patch_follows_a_changing_load() {
-    let mut transient = problem(rolling(0.002, 0.0, 0.0));
-    let full = transient.normal.normal_contact(None).unwrap().summary.load;
-    transient.history = Some(History {
+    let rolling = problem(rolling(0.002, 0.0, 0.0));
+    let full = rolling.normal.normal_contact(None).unwrap().summary.load;
+    let history = History {
         time: vec![0.0, 1e-3, 2e-3, 4e-3],
         load: Some(vec![0.5 * full, full, 0.5 * full, 0.5 * full]),
         ..History::default()
-    });
-    let breathing = solve(&transient, &cells(24));
+    };
+    let breathing = solve_over(&rolling, history, &cells(24));
     assert_relative_eq!(breathing.normal.load, 0.5 * full, max_relative = 1e-12);
     let largest = breathing.history.iter().map(|i| i.load).fold(0.0, f64::max);
     assert!(largest > 0.98 * full);
-    transient.history = Some(History {
+    let history = History {
         time: vec![0.0, 4e-3],
         load: Some(vec![0.5 * full, 0.5 * full]),
         ..History::default()
-    });
+    };
     // The same patch on its own grid: they differ by the error of the grid.
-    let steady = solve(&transient, &cells(24));
+    let steady = solve_over(&rolling, history, &cells(24));
     assert_relative_eq!(breathing.force.x, steady.force.x, max_relative = 3e-3);
     let load: f64 =
         breathing.fields.pressure.iter().sum::<f64>() * breathing.fields.grid.cell_area();
@@ -157,13 +155,14 @@ fn a_table_of_hertzian_pressure_rolls_like_the_ellipse() {
 /// What did not converge says so, and how far off it is.
 #[test]
 fn an_unfinished_march_is_not_called_converged() {
+    let slow = Transient::to_steady_state(&problem(rolling(0.001, 0.0, 0.0)));
     let options = Options { max_steps: 5, ..cells(16) };
-    let solution = march(&problem(rolling(0.001, 0.0, 0.0)), &options, &mut |_| ()).unwrap();
+    let solution = march(&slow, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::NotConverged);
     assert!(solution.residual > options.tolerance);
     assert!(solution.warnings[0].to_string().starts_with("the march ends after 5 time steps"));
     let options = Options { max_iterations: 1, max_steps: 3, ..cells(16) };
-    let solution = march(&problem(rolling(0.001, 0.0, 0.0)), &options, &mut |_| ()).unwrap();
+    let solution = march(&slow, &options, &unwatched).unwrap();
     assert!(solution.warnings[0].to_string().contains("equilibrium"), "{:?}", solution.warnings);
 }
 
@@ -199,7 +198,7 @@ fn very_high_slip_marches_to_the_steady_state() {
     sliding.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     sliding.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     for across in [24, 25] {
-        let steady = schlupf::rolling::solve(&sliding, &cells(across), &mut |_| ()).unwrap();
+        let steady = schlupf::rolling::steady::solve(&sliding, &cells(across), &unwatched).unwrap();
         let marched = solve(&sliding, &cells(across));
         assert!(marched.temperature.max_rise < 700.0);
         assert!((marched.normalised.x - steady.normalised.x).abs() < 1e-5);

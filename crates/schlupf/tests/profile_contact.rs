@@ -2,21 +2,20 @@
 
 mod common;
 
-use std::f64::consts::PI;
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::Quantity;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::grid::Grid;
-use schlupf::method::{Brush, TractionBound};
+use schlupf::method::{Brush, FastMethod, TractionBound};
 use schlupf::normal::hertz::Hertz;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
 use schlupf::normal::{NormalSummary, PressureSource};
 use schlupf::patch::Patch;
 use schlupf::simplified::FastContact;
-use schlupf::{Method, Options, Solution};
+use schlupf::{Options, Solution, unwatched};
+use std::f64::consts::PI;
+use std::sync::Arc;
 
 const MODULUS: f64 = 115e9;
 const CELLS: usize = Profile::DEFAULT_CELLS;
@@ -90,7 +89,7 @@ fn steady(normal: Arc<dyn PressureSource>, creepages: [f64; 3]) -> Solution {
     let [xi, eta, phi] = creepages;
     let problem =
         schlupf::Problem { normal, elasticity: half_space(), ..problem(rolling(xi, eta, phi)) };
-    schlupf::rolling::solve(&problem, &cells(40), &mut |_| ()).unwrap()
+    schlupf::rolling::steady::solve(&problem, &cells(40), &unwatched).unwrap()
 }
 
 /// Goal: creep forces of that contact are those of Hertz's to 0.5 %.
@@ -194,7 +193,7 @@ fn assert_forces_add_up(both: Arc<dyn PressureSource>, radii: [[f64; 2]; 2], loa
             ..problem(rolling(0.001, 0.0005, 0.0))
         };
         let options = Options { cells_x: 40, cells_y, ..Options::default() };
-        let force = schlupf::rolling::solve(&problem, &options, &mut |_| ()).unwrap().force;
+        let force = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap().force;
         [force.x, force.y]
     };
     let alone = [0, 1].map(|k| force(Arc::new(hertz(radii[k], loads[k])), 40));
@@ -283,7 +282,7 @@ fn there_is_no_derivative_by_the_load() {
         ..problem(rolling(0.001, 0.0, 0.0))
     };
     let options = Options { sensitivity: true, ..cells(16) };
-    let solution = schlupf::rolling::solve(&problem, &options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap();
     let sensitivity = solution.sensitivity.unwrap();
     assert!(sensitivity.load.is_none() && sensitivity.creepage_x.x < 0.0);
 }
@@ -298,13 +297,14 @@ fn a_fast_contact_follows_the_load_of_a_profile() {
     };
     let motion = rolling(0.002, 0.0, 0.0);
     let brush = Brush { bound: TractionBound::Elliptic, ..Brush::KALKER };
-    for method in [Method::KalkerLinear, Method::Fastsim(brush)] {
-        let options = Options { method, ..cells(20) };
-        let mut contact = FastContact::new(&problem(pressed(shape(), 60e3)), &options).unwrap();
+    for method in [FastMethod::KalkerLinear, FastMethod::Fastsim(brush)] {
+        let of = |load: f64| {
+            FastContact::new(&problem(pressed(shape(), load)), method, &cells(20)).unwrap()
+        };
+        let mut contact = of(60e3);
         contact.set_load(30e3).unwrap();
         let force = contact.force(&motion).unwrap();
-        let anew = problem(pressed(shape(), 30e3));
-        let anew = FastContact::new(&anew, &options).unwrap().force(&motion).unwrap();
+        let anew = of(30e3).force(&motion).unwrap();
         assert_relative_eq!(force.x, anew.x, max_relative = 1e-6);
     }
 }

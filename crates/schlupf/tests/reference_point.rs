@@ -3,24 +3,25 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
-use common::{cells, half_space, problem, rolling};
+use common::{cells, half_space, problem, rolling, solve_over};
 use schlupf::bulk_temperature::{Cooling, bulk_temperature};
 use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
 use schlupf::interface::InterfaceConstant;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::method::{AreaReduction, Brush, Flexibilities, SlopeReduction, TractionBound};
+use schlupf::method::{
+    AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
+};
 use schlupf::normal::PressureSource;
 use schlupf::normal::profile::{Profile, UndeformedDistance};
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::simplified::FastContact;
 use schlupf::solution::Resultant;
-use schlupf::{Method, Options, Problem, Solution, Status, rolling};
+use schlupf::{Method, Options, Problem, Solution, Status, rolling, unwatched};
+use std::sync::Arc;
 
 /// Where the middle of the patch lies in the file, in m.
 const ORIGIN: [f64; 2] = [2.5e-3, -11e-3];
@@ -30,8 +31,6 @@ const MOTION: [f64; 3] = [0.0015, -0.0008, 0.35];
 
 const EXACT: Options = Options { tolerance: 1e-10, ..OPTIONS };
 const OPTIONS: Options = Options {
-    method: Method::Full,
-    driver: None,
     branch: schlupf::problem::Branch::LowSlip,
     cells_x: 14,
     cells_y: 14,
@@ -85,7 +84,7 @@ fn both(motion: [f64; 3]) -> [Problem; 2] {
 type Step = fn(Kinematics, f64) -> Kinematics;
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
+    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }
@@ -148,12 +147,15 @@ fn a_displaced_table_is_the_same_contact() {
     let bristles = |flexibilities| Brush { flexibilities, bound: TractionBound::Elliptic };
     let methods = [
         Method::Full,
-        Method::KalkerLinear,
-        Method::ShenHedrickElkins,
-        Method::Polach(AreaReduction::DRY),
-        Method::Fastsim(bristles(Flexibilities::Three)),
-        Method::Fastsim(bristles(Flexibilities::One)),
-        Method::ModifiedFastsim(bristles(Flexibilities::Three), SlopeReduction::DRY),
+        Method::Fast(FastMethod::KalkerLinear),
+        Method::Fast(FastMethod::ShenHedrickElkins),
+        Method::Fast(FastMethod::Polach(AreaReduction::DRY)),
+        Method::Fast(FastMethod::Fastsim(bristles(Flexibilities::Three))),
+        Method::Fast(FastMethod::Fastsim(bristles(Flexibilities::One))),
+        Method::Fast(FastMethod::ModifiedFastsim(
+            bristles(Flexibilities::Three),
+            SlopeReduction::DRY,
+        )),
     ];
     for motion in [MOTION, [0.0, 0.0, 0.6], [0.002, 0.001, 0.0]] {
         let mut pair = both(motion);
@@ -161,40 +163,40 @@ fn a_displaced_table_is_the_same_contact() {
             problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         }
         for method in methods {
-            let options = Options { method, ..EXACT };
-            let [patch, file] = pair.each_ref().map(|problem| solve(problem, &options));
+            let [patch, file] = pair
+                .each_ref()
+                .map(|problem| method.solver(&EXACT).solve(problem, &unwatched).unwrap());
             if method.has_fields() {
                 assert_same_contact(&file, &patch);
             } else {
                 assert_displaced(&file.force, &patch.force, 1e-7 * 0.4 * patch.normal.load);
             }
-            if method != Method::Full {
+            if let Method::Fast(method) = method {
                 let [still, displaced] = pair.each_ref().map(|problem| {
-                    let mut contact = FastContact::new(problem, &options).unwrap();
+                    let mut contact = FastContact::new(problem, method, &EXACT).unwrap();
                     contact.force(&problem.kinematics).unwrap()
                 });
                 assert_displaced(&displaced, &still, 1e-7 * 0.4 * patch.normal.load);
             }
         }
     }
-    let marching = Options { driver: Some(schlupf::problem::Driver::Marching), ..EXACT };
-    let [patch, file] = both(MOTION).map(|problem| solve(&problem, &marching));
+    let [patch, file] = both(MOTION).map(|problem| common::solve(&problem, &EXACT));
     assert_same_contact(&file, &patch);
 }
 
 /// Goal: the same with creepages and spin that change in time, at every instant.
 #[test]
 fn a_history_is_that_of_the_same_body() {
-    let [mut patch, mut file] = both(MOTION);
+    let [patch, file] = both(MOTION);
     let time = vec![0.0, 2e-4, 6e-4];
     let (xi, spin) = (vec![0.0, 0.002, 0.001], vec![0.5, -0.3, 0.4]);
     let [x0, y0] = ORIGIN;
     let along = xi.iter().zip(&spin).map(|(xi, spin)| xi + spin * y0).collect();
     let across = spin.iter().map(|spin| MOTION[1] - spin * x0).collect();
     let own = History { time, spin: Some(spin), ..History::default() };
-    patch.history = Some(History { creepage_x: Some(xi), ..own.clone() });
-    file.history = Some(History { creepage_x: Some(along), creepage_y: Some(across), ..own });
-    let [patch, file] = [patch, file].map(|problem| solve(&problem, &EXACT));
+    let displaced = History { creepage_x: Some(along), creepage_y: Some(across), ..own.clone() };
+    let patch = solve_over(&patch, History { creepage_x: Some(xi), ..own }, &EXACT);
+    let file = solve_over(&file, displaced, &EXACT);
     assert_same_contact(&file, &patch);
     assert_eq!(file.history.len(), patch.history.len());
     assert!(file.history.len() > 10);
@@ -249,7 +251,7 @@ fn derivatives_by_constants_are_about_the_origin_of_the_file() {
     let constants = [InterfaceConstant::ContactStiffness];
     let [patch, file] = both(MOTION).map(|problem| {
         let mut solver = SteadySolver::new(&EXACT);
-        solver.solve_with_derivatives_by(&problem, &constants).unwrap().unwrap()
+        solver.solve_with_derivatives_by(&problem, &constants, &unwatched).unwrap().unwrap()
     });
     assert_displaced(&file.0.force, &patch.0.force, 1e-7 * 0.4 * patch.0.normal.load);
     assert_displaced(&file.1[0], &patch.1[0], 1e-5 * patch.1[0].x.abs());
@@ -261,7 +263,7 @@ fn bulk_temperature_is_that_of_the_same_contact() {
     let cooling = Cooling { film_coefficient: 30.0, area: 2.0, air_temperature: 15.0 };
     let [patch, file] = both(MOTION).map(|mut problem| {
         problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-        bulk_temperature(&problem, &EXACT, &cooling, &mut |_| ()).unwrap()
+        bulk_temperature(&problem, &mut SteadySolver::new(&EXACT), &cooling, &unwatched).unwrap()
     });
     assert_relative_eq!(file.temperature, patch.temperature, max_relative = 1e-6);
     assert_same_contact(&file.solution, &patch.solution);
@@ -276,7 +278,7 @@ fn creep_curves_are_over_the_creepages_of_the_file() {
     let sampling = Sampling { points: 4, spacing: Spacing::Even };
     let over = |problem: &Problem, end: Creepages| {
         let path = Path::new(Creepages::default(), end).unwrap();
-        trace(problem, &EXACT, &path, &sampling, &mut |_| ()).unwrap()
+        trace(&mut SteadySolver::new(&EXACT), problem, &path, &sampling, &unwatched).unwrap()
     };
     let along = Creepages { x: 0.003, ..Creepages::default() };
     let [still, displaced] = [&patch, &file].map(|problem| over(problem, along));
@@ -333,9 +335,8 @@ fn a_displaced_profile_is_the_same_contact() {
 #[test]
 fn without_a_file_there_is_no_other_origin() {
     let hertzian = Problem { reference: ReferencePoint::File, ..problem(rolling(0.001, 0.0, 0.1)) };
-    for method in [Method::Full, Method::KalkerLinear] {
-        let options = Options { method, ..OPTIONS };
-        let error = rolling::solve(&hertzian, &options, &mut |_| ()).unwrap_err().to_string();
+    for method in [Method::Full, Method::Fast(FastMethod::KalkerLinear)] {
+        let error = method.solver(&OPTIONS).solve(&hertzian, &unwatched).unwrap_err().to_string();
         assert!(error.contains("reference") && error.contains("file"), "{error}");
     }
 }

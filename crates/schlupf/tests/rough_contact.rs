@@ -1,7 +1,5 @@
 //! Normal contact of bodies of any shape, against closed forms and published numbers.
 
-use std::f64::consts::{PI, TAU};
-
 use approx::assert_relative_eq;
 use schlupf::normal::PressureSource;
 use schlupf::normal::hertz::Hertz;
@@ -11,11 +9,13 @@ use schlupf::normal::rough_contact::{
 use schlupf::reference::westergaard::Westergaard;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
+use schlupf::unwatched;
+use std::f64::consts::{PI, TAU};
 
 const MODULUS: f64 = 115e9;
 
 fn solve(contact: &mut RoughContact, load: f64) -> RoughContactSolution {
-    let solution = contact.solve(load, &RoughContactOptions::default()).unwrap();
+    let solution = contact.solve(load, &RoughContactOptions::default(), &unwatched).unwrap();
     assert!(solution.is_converged, "{} {}", solution.residual, solution.iterations);
     let area = contact.distance().lattice().cell_area();
     let carried: f64 = solution.pressure.iter().map(|pressure| pressure * area).sum();
@@ -272,13 +272,13 @@ fn honest_about_failure() {
     let distance = rough(64, 1).distance_to_plane();
     let mut contact = RoughContact::new(distance, MODULUS, Boundary::Periodic).unwrap();
     let options = RoughContactOptions { max_iterations: 3, ..RoughContactOptions::default() };
-    let solution = contact.press(1e8, &options).unwrap();
+    let solution = contact.press(1e8, &options, &unwatched).unwrap();
     assert!(!solution.is_converged && solution.residual > options.tolerance);
     assert_eq!(solution.iterations, 3);
     let mut contact = contact.with_hardness(5e7).unwrap();
-    let message = contact.press(1e8, &options).unwrap_err().to_string();
+    let message = contact.press(1e8, &options, &unwatched).unwrap_err().to_string();
     assert!(message.contains("load must be positive and below"), "{message}");
-    let message = contact.press(f64::NAN, &options).unwrap_err().to_string();
+    let message = contact.press(f64::NAN, &options, &unwatched).unwrap_err().to_string();
     assert!(message.contains("mean_pressure must be positive"), "{message}");
     let flat = HeightMap::from_fn(Lattice::square(8, 1.0), |_, _| 0.0).unwrap();
     let message = RoughContact::new(flat, MODULUS, Boundary::Periodic).unwrap_err().to_string();

@@ -10,6 +10,7 @@ use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions
 use schlupf::reference::cattaneo_mindlin::CattaneoMindlin;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
+use schlupf::unwatched;
 
 const BODIES: SimilarBodies = SimilarBodies { friction_coefficient: 0.3, poisson_ratio: 0.28 };
 
@@ -30,7 +31,7 @@ fn mindlin_1949_sphere() {
     let mut contact = RoughContact::new(distance, modulus(), Boundary::Free).unwrap();
     let options = LoadCurveOptions::default();
     let largest = load / lattice.area();
-    let normal = LoadCurve::compute(&mut contact, largest, &options, &mut |_| ()).unwrap();
+    let normal = LoadCurve::compute(&mut contact, largest, &options, &unwatched).unwrap();
     assert!(normal.is_converged());
     for share in [1.0, 0.2] {
         let exact = CattaneoMindlin {
@@ -80,7 +81,7 @@ fn model(cells: usize, seed: u64) -> MicroModel {
 }
 
 fn solve(model: &MicroModel) -> MicroModelResult {
-    let result = model.solve(&LoadCurveOptions::default(), &mut |_| ()).unwrap();
+    let result = model.solve(&LoadCurveOptions::default(), &unwatched).unwrap();
     assert!(result.normal.is_converged());
     result
 }
@@ -143,7 +144,7 @@ fn bonded_stiffness(pressure: &[f64], lattice: Lattice) -> f64 {
     let heights = pressure.iter().map(|p| if *p > 0.0 { 0.0 } else { 1e-3 }).collect();
     let punch = HeightMap::new(lattice, heights).unwrap();
     let mut contact = RoughContact::new(punch, modulus(), Boundary::Periodic).unwrap();
-    let solution = contact.press(1e6, &RoughContactOptions::default()).unwrap();
+    let solution = contact.press(1e6, &RoughContactOptions::default(), &unwatched).unwrap();
     assert!(solution.is_converged);
     1e6 / solution.approach
 }
@@ -162,7 +163,7 @@ fn barber_2003_yielded_spots_unload_elastically() {
         let distance = model.surface.distance_to_plane();
         let contact = RoughContact::new(distance, modulus(), Boundary::Periodic).unwrap();
         let mut contact = contact.with_hardness(hardness).unwrap();
-        let solution = contact.press(1e9, &RoughContactOptions::default()).unwrap();
+        let solution = contact.press(1e9, &RoughContactOptions::default(), &unwatched).unwrap();
         let bonded = bonded_stiffness(&solution.pressure, *model.surface.lattice());
         let curve = result.tangential.last().unwrap();
         let stiffness = curve.initial_stiffness * BODIES.compliance_ratio();
@@ -172,7 +173,7 @@ fn barber_2003_yielded_spots_unload_elastically() {
         last = stiffness;
         // The same load makes nothing yield again.
         let flattened = &mut contact.flattened(&solution).unwrap();
-        let again = flattened.press(1e9, &RoughContactOptions::default()).unwrap();
+        let again = flattened.press(1e9, &RoughContactOptions::default(), &unwatched).unwrap();
         let largest = again.pressure.iter().copied().fold(0.0, f64::max);
         assert!(largest < hardness * (1.0 + 1e-3), "{largest:e}");
         assert_relative_eq!(again.contact_area, solution.contact_area, max_relative = 0.01);
@@ -190,7 +191,7 @@ fn bad_input_of_the_micro_model_is_refused() {
     let message = TangentialCurve::new(&first.normal, 1.1e9, &BODIES).unwrap_err().to_string();
     assert!(message.contains("mean_pressure must be between"), "{message}");
     let refused = |model: &MicroModel| {
-        model.solve(&LoadCurveOptions::default(), &mut |_| ()).unwrap_err().to_string()
+        model.solve(&LoadCurveOptions::default(), &unwatched).unwrap_err().to_string()
     };
     let none = MicroModel { mean_pressures: Vec::new(), ..elastic.clone() };
     assert!(refused(&none).contains("mean_pressure"));

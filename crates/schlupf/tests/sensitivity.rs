@@ -31,7 +31,7 @@ use schlupf::normal::PressureSource;
 use schlupf::normal::hertz::{Hertz, Radii};
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::{Resultant, Sensitivity};
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Status, unwatched};
 
 const LOAD: f64 = 80e3;
 
@@ -57,7 +57,7 @@ fn on_cells(problem: &Problem, cells: usize, tolerance: f64) -> Solution {
         sensitivity: true,
         ..Options::default()
     };
-    let solution = schlupf::rolling::solve(problem, &options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0);
     solution
@@ -290,7 +290,7 @@ fn check_constants(name: &str, base: &Problem) {
     wanted.push(InterfaceConstant::ContactStiffness);
     let options = Options { tolerance: TOLERANCE, cells_x: 14, cells_y: 14, ..Options::default() };
     let mut solver = SteadySolver::new(&options);
-    let (_, found) = solver.solve_with_derivatives_by(base, &wanted).unwrap().unwrap();
+    let (_, found) = solver.solve_with_derivatives_by(base, &wanted, &unwatched).unwrap().unwrap();
     for ((constant, value), exact) in constants.into_iter().zip(&found) {
         if value == 0.05 && name != "two terms" {
             // The floor is not reached.

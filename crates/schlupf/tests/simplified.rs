@@ -2,9 +2,6 @@
 
 mod common;
 
-use std::f64::consts::PI;
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::bulk_temperature::{Cooling, bulk_temperature};
@@ -18,13 +15,17 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
-use schlupf::method::{AreaReduction, Brush, Flexibilities, SlopeReduction, TractionBound};
+use schlupf::method::{
+    AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
+};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::simplified::FastContact;
+use schlupf::simplified::{FastContact, FastSolver};
 use schlupf::solution::Resultant;
 use schlupf::temperature_field::TemperatureField;
-use schlupf::{Method, Options, Problem, Solution};
+use schlupf::{Method, Options, Problem, Solution, Solver, unwatched};
+use std::f64::consts::PI;
+use std::sync::Arc;
 
 const PLAIN: AreaReduction = AreaReduction { area_adhesion: 1.0, area_slip: 1.0 };
 
@@ -32,36 +33,38 @@ fn brush(flexibilities: Flexibilities, bound: TractionBound) -> Brush {
     Brush { flexibilities, bound }
 }
 
-fn elliptic() -> Method {
-    Method::Fastsim(brush(Flexibilities::Three, TractionBound::Elliptic))
+fn elliptic() -> FastMethod {
+    FastMethod::Fastsim(brush(Flexibilities::Three, TractionBound::Elliptic))
 }
 
-fn parabolic() -> Method {
-    Method::Fastsim(Brush::KALKER)
+fn parabolic() -> FastMethod {
+    FastMethod::Fastsim(Brush::KALKER)
 }
 
 /// Every method that saturates.
-fn saturating() -> [Method; 6] {
+fn saturating() -> [FastMethod; 6] {
     [
-        Method::ShenHedrickElkins,
-        Method::Polach(AreaReduction::DRY),
+        FastMethod::ShenHedrickElkins,
+        FastMethod::Polach(AreaReduction::DRY),
         parabolic(),
         elliptic(),
-        Method::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic)),
-        Method::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
+        FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic)),
+        FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
     ]
 }
 
-fn options(method: Method, across: usize) -> Options {
-    Options { method, ..cells(across) }
+fn fast(problem: &Problem, method: FastMethod, across: usize) -> Solution {
+    let solution = FastSolver::new(method, &cells(across)).solve(problem, &unwatched).unwrap();
+    assert_eq!(solution.method, Method::Fast(method));
+    solution
 }
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
-    schlupf::rolling::solve(problem, options, &mut |_| ()).unwrap()
+    schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap()
 }
 
-fn normalised(problem: &Problem, method: Method, across: usize) -> Resultant {
-    solve(problem, &options(method, across)).normalised
+fn normalised(problem: &Problem, method: FastMethod, across: usize) -> Resultant {
+    fast(&problem, method, across).normalised
 }
 
 /// a = 8 mm, b = 4 mm, N = 82 kN, μ = 0.3, G = 82 GPa, ν = 0.28, with this motion at 30 m/s.
@@ -93,7 +96,7 @@ fn kalker_1982_lateral_creepage_against_spin() {
     assert_relative_eq!(normalised(&case, elliptic(), 160).y, -0.596, epsilon = 0.003);
     case.elasticity = half_space();
     case.contact_law = Arc::new(Incremental::new(1e10).unwrap());
-    let full = normalised(&case, Method::Full, 80);
+    let full = solve(&case, &cells(80)).normalised;
     println!("half-space: {full:?}");
     assert_relative_eq!(full.y, -0.624, epsilon = 0.003);
 }
@@ -163,7 +166,7 @@ fn kalker_1982_three_flexibilities_and_those_of_contact() {
     let (a, load, mu, motion) = (6e-3, 75_398.224, 0.3, [0.001, -0.0005, 0.3]);
     let mut case = slender(rolling(motion[0], motion[1], motion[2]));
     case.normal = Arc::new(Ellipse::from_load(a, a, load).unwrap());
-    let contact = *FastContact::new(&case, &options(elliptic(), 4)).unwrap().contact();
+    let contact = *FastContact::new(&case, elliptic(), &cells(4)).unwrap().contact();
     let (g, of) = (contact.shear_modulus, contact.coefficients);
     let kalker =
         [8.0 * a / (3.0 * g * of.c11), 8.0 * a / (3.0 * g * of.c22), PI * a / (4.0 * g * of.c23)];
@@ -225,23 +228,23 @@ fn fastsim_converges_with_second_order() {
 fn kalker_1967_small_creepages() {
     let reduced = SlopeReduction { initial: 0.6, ..SlopeReduction::DRY };
     let methods = [
-        (Method::ShenHedrickElkins, 1.0),
-        (Method::Polach(PLAIN), 1.0),
-        (Method::Polach(AreaReduction { area_adhesion: 0.9, area_slip: 0.3 }), 0.6),
+        (FastMethod::ShenHedrickElkins, 1.0),
+        (FastMethod::Polach(PLAIN), 1.0),
+        (FastMethod::Polach(AreaReduction { area_adhesion: 0.9, area_slip: 0.3 }), 0.6),
         (parabolic(), 1.0),
         (elliptic(), 1.0),
-        (Method::ModifiedFastsim(Brush::KALKER, reduced), 0.6),
+        (FastMethod::ModifiedFastsim(Brush::KALKER, reduced), 0.6),
     ];
     for (k, motion) in
         [(1e-9, 0.0, 0.0), (0.0, 1e-9, 0.0), (0.0, 0.0, 2e-7)].into_iter().enumerate()
     {
         let case = slender(rolling(motion.0, motion.1, motion.2));
-        let linear = normalised(&case, Method::KalkerLinear, 4);
+        let linear = normalised(&case, FastMethod::KalkerLinear, 4);
         for (method, factor) in methods {
             for across in [5, 8] {
                 let force = normalised(&case, method, across);
                 // Polach's spin has no reduction.
-                let is_unreduced = k == 2 && matches!(method, Method::Polach(_));
+                let is_unreduced = k == 2 && matches!(method, FastMethod::Polach(_));
                 let factor = if is_unreduced { 1.0 } else { factor };
                 assert_relative_eq!(force.x, factor * linear.x, max_relative = 1e-4);
                 assert_relative_eq!(force.y, factor * linear.y, max_relative = 1e-4);
@@ -262,7 +265,7 @@ fn all_slides_at_large_creepage() {
     }
 }
 
-fn assert_close(one: &Resultant, other: [f64; 3], method: Method) {
+fn assert_close(one: &Resultant, other: [f64; 3], method: FastMethod) {
     for (one, other) in [one.x, one.y, one.moment_z].into_iter().zip(other) {
         let is_same = (one - other).abs() < 1e-11 || (one.is_nan() && other.is_nan());
         assert!(is_same, "{method:?}: {one} {other}");
@@ -272,7 +275,7 @@ fn assert_close(one: &Resultant, other: [f64; 3], method: Method) {
 /// Odd in all creepages, and mirrored where y is: Fx and Mz as (ξ, −η, −φ) has them.
 #[test]
 fn forces_are_odd_and_mirrored() {
-    for method in saturating().into_iter().chain([Method::KalkerLinear]) {
+    for method in saturating().into_iter().chain([FastMethod::KalkerLinear]) {
         for motion in motions() {
             let Kinematics { creepage_x, creepage_y, spin, .. } = motion;
             let of = |motion| normalised(&slender(motion), method, 9);
@@ -293,7 +296,7 @@ fn forces_are_odd_and_mirrored() {
 fn kalker_1982_longitudinal_creepage_by_integrals() {
     for creepage in [2e-4, 1e-3, 3e-3, 6e-3] {
         let case = slender(rolling(creepage, 0.0, 0.0));
-        let linear = -normalised(&case, Method::KalkerLinear, 4).x;
+        let linear = -normalised(&case, FastMethod::KalkerLinear, 4).x;
         // In units of a, b and μN: ∬ w (h − x) dA = 8w/3.
         let w = 3.0 / 8.0 * linear;
         let strip = |y: f64| {
@@ -315,12 +318,11 @@ fn kalker_1982_longitudinal_creepage_by_integrals() {
 /// the slip of springing back there, to 1.5 %.
 #[test]
 fn one_flexibility_is_a_winkler_bedding() {
-    let method = Method::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
+    let method = FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
     for motion in motions() {
         let mut case = slender(motion);
         case.friction.law = Arc::new(Constant::new(0.3).unwrap());
-        let options = options(method, 40);
-        let contact = *FastContact::new(&case, &options).unwrap().contact();
+        let contact = *FastContact::new(&case, method, &cells(40)).unwrap().contact();
         // L = (|ξ| L1 + |η| L2 + c|φ| L3)/√(ξ² + η² + c²φ²).
         let (a, c, g) = (8e-3, 32e-6_f64.sqrt(), contact.shear_modulus);
         let c_of = contact.coefficients;
@@ -338,7 +340,7 @@ fn one_flexibility_is_a_winkler_bedding() {
         for (law, tolerance) in laws.into_iter().zip([1e-3, 0.015]) {
             case.friction.law = law;
             let full = solve(&case, &cells(40)).normalised;
-            let fast = solve(&case, &options).normalised;
+            let fast = fast(&case, method, 40).normalised;
             println!("{full:?} {fast:?}");
             for (one, other) in [(full.x, fast.x), (full.y, fast.y), (full.moment_z, fast.moment_z)]
             {
@@ -356,7 +358,7 @@ fn polach_2005_locomotive_maximum() {
     wheel.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, 106.7e3).unwrap());
     wheel.friction.law = Arc::new(Polach::new(0.55, 0.40, 0.60).unwrap());
     let mut contact =
-        FastContact::new(&wheel, &options(Method::Polach(AreaReduction::DRY), 24)).unwrap();
+        FastContact::new(&wheel, FastMethod::Polach(AreaReduction::DRY), &cells(24)).unwrap();
     let points = (1..=400).map(|k| {
         let creepage = 2.5e-4 * f64::from(k);
         let motion = Kinematics { speed: 10.0, ..rolling(creepage, 0.0, 0.0) };
@@ -375,15 +377,15 @@ fn modified_fastsim_between_fastsim_and_polach() {
     let none = SlopeReduction { initial: 1.0, limit_ratio: 1.0, decay: 3.0 };
     for motion in motions() {
         let case = slender(motion);
-        let same = normalised(&case, Method::ModifiedFastsim(Brush::KALKER, none), 12);
+        let same = normalised(&case, FastMethod::ModifiedFastsim(Brush::KALKER, none), 12);
         assert_eq!(same, normalised(&case, parabolic(), 12));
     }
     let mut squares = 0.0;
     for k in 0..30 {
         let case = slender(rolling(1e-4 * 1.25_f64.powi(k), 0.0, 0.0));
         let modified =
-            normalised(&case, Method::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY), 24);
-        let polach = normalised(&case, Method::Polach(AreaReduction::DRY), 24);
+            normalised(&case, FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY), 24);
+        let polach = normalised(&case, FastMethod::Polach(AreaReduction::DRY), 24);
         assert_relative_eq!(modified.x, polach.x, epsilon = 0.04);
         squares += (modified.x - polach.x).powi(2);
     }
@@ -407,8 +409,8 @@ fn fastsim_with_heat_under_uniform_slip() {
         slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
         (slide.wheel.bulk_temperature, slide.rail.bulk_temperature) = (0.0, 0.0);
         for across in [24, 59, 118] {
-            let options = Options { cells_y: 61, ..options(elliptic(), across) };
-            let solution = solve(&slide, &options);
+            let options = Options { cells_y: 61, ..cells(across) };
+            let solution = FastSolver::new(elliptic(), &options).solve(&slide, &unwatched).unwrap();
             println!("{} {}", solution.temperature.max_rise, solution.normalised.x);
             assert_relative_eq!(solution.temperature.max_rise, rise, epsilon = 0.02 * rise);
             assert_relative_eq!(solution.normalised.x, -force, epsilon = 0.01);
@@ -426,11 +428,11 @@ fn fastsim_with_heat_against_the_half_space() {
     case.contact_law = Arc::new(Incremental::new(1e8).unwrap());
     case.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     case.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-    let one = Method::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
+    let one = FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
     for motion in [rolling(0.03, 0.0, 0.0), rolling(0.05, 0.02, 0.0), rolling(-0.1, 0.0, 0.0)] {
         case.kinematics = motion;
         let full = solve(&case, &cells(32));
-        let fast = solve(&case, &options(one, 32));
+        let fast = fast(&case, one, 32);
         println!(
             "{:?} {} {:?} {}",
             full.normalised, full.temperature.max_rise, fast.normalised, fast.temperature.max_rise
@@ -449,17 +451,17 @@ fn a_contact_follows_its_load() {
         let mut case = slender(motions()[2]);
         case.heat.model = Some(Arc::new(Duhamel));
         case.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
-        let mut contact = FastContact::new(&case, &options(method, 16)).unwrap();
+        let mut contact = FastContact::new(&case, method, &cells(16)).unwrap();
         contact.force(&motions()[1]).unwrap();
         contact.set_load(60e3).unwrap();
         let force = contact.force(&motions()[2]).unwrap();
         let growth = (60.0_f64 / 82.0).cbrt();
         case.normal = Arc::new(Ellipse::from_load(8e-3 * growth, 4e-3 * growth, 60e3).unwrap());
         let anew =
-            FastContact::new(&case, &options(method, 16)).unwrap().force(&motions()[2]).unwrap();
+            FastContact::new(&case, method, &cells(16)).unwrap().force(&motions()[2]).unwrap();
         assert_relative_eq!(force.x, anew.x, max_relative = 1e-9);
         assert_relative_eq!(force.y, anew.y, max_relative = 1e-9);
-        assert!(method == Method::Polach(AreaReduction::DRY) || force.moment_z != 0.0);
+        assert!(method == FastMethod::Polach(AreaReduction::DRY) || force.moment_z != 0.0);
     }
 }
 
@@ -477,7 +479,7 @@ fn a_table_bounds_the_traction() {
     let mut case = slender(motions()[2]);
     let ellipse = normalised(&case, elliptic(), 24);
     case.normal = Arc::new(Tabulated::new(table, Some(82e3)).unwrap());
-    let solution = solve(&case, &options(elliptic(), 24));
+    let solution = fast(&case, elliptic(), 24);
     assert_relative_eq!(solution.normalised.x, ellipse.x, epsilon = 0.01);
     assert_relative_eq!(solution.normalised.y, ellipse.y, epsilon = 0.01);
     assert!(
@@ -485,7 +487,7 @@ fn a_table_bounds_the_traction() {
         "{:?}",
         solution.warnings
     );
-    let error = schlupf::rolling::solve(&case, &options(parabolic(), 24), &mut |_| ()).unwrap_err();
+    let error = FastContact::new(&case, parabolic(), &cells(24)).unwrap_err();
     assert!(error.to_string().starts_with("traction_bound: the pressure of a table"), "{error}");
 }
 
@@ -495,36 +497,38 @@ fn methods_of_forces_claim_no_fields() {
     let mut case = slender(motions()[2]);
     case.heat.model = Some(Arc::new(Duhamel));
     case.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
-    for method in [Method::KalkerLinear, Method::ShenHedrickElkins, Method::Polach(PLAIN)] {
-        let solution = solve(&case, &options(method, 24));
+    for method in
+        [FastMethod::KalkerLinear, FastMethod::ShenHedrickElkins, FastMethod::Polach(PLAIN)]
+    {
+        let solution = fast(&case, method, 24);
         assert!(solution.fields.is_empty() && !method.has_fields());
         assert!(solution.temperature.max_rise.is_nan() && solution.area.slip.is_nan());
-        assert_eq!(solution.force.moment_z.is_nan(), method == Method::Polach(PLAIN));
+        assert_eq!(solution.force.moment_z.is_nan(), method == FastMethod::Polach(PLAIN));
         assert!(solution.warnings.iter().any(|text| text.to_string().contains("no fields")));
         let warns =
             solution.warnings.iter().any(|text| text.to_string().contains("knows no temperatures"));
-        assert_eq!(warns, method != Method::KalkerLinear);
+        assert_eq!(warns, method != FastMethod::KalkerLinear);
     }
-    let warnings = solve(&case, &options(Method::KalkerLinear, 24)).warnings;
+    let warnings = fast(&case, FastMethod::KalkerLinear, 24).warnings;
     assert!(
         warnings.iter().any(|text| text.to_string().contains("times the friction limit")),
         "{warnings:?}"
     );
     case.kinematics = rolling(1e-5, 0.0, 0.0);
-    assert_eq!(solve(&case, &options(Method::KalkerLinear, 24)).warnings.len(), 1);
+    assert_eq!(fast(&case, FastMethod::KalkerLinear, 24).warnings.len(), 1);
 }
 
 /// Kalker's coefficients are tabulated for a/b from 1/10 to 10; beyond, each method says so, once.
 #[test]
 fn coefficients_beyond_their_table_are_told() {
-    let told = |semi_axes: [f64; 2], method: Method| {
+    let told = |semi_axes: [f64; 2], method: FastMethod| {
         let [a, b] = semi_axes;
         let mut case = slender(rolling(1e-3, 0.0, 0.0));
         case.normal = Arc::new(Ellipse::from_load(a, b, 82e3).unwrap());
-        let warnings = solve(&case, &options(method, 8)).warnings;
+        let warnings = fast(&case, method, 8).warnings;
         warnings.iter().filter(|text| text.to_string().contains("beyond their table")).count()
     };
-    for method in saturating().into_iter().chain([Method::KalkerLinear]) {
+    for method in saturating().into_iter().chain([FastMethod::KalkerLinear]) {
         for inside in [[8e-3, 4e-3], [5e-3, 5e-4], [5e-4, 5e-3]] {
             assert_eq!(told(inside, method), 0, "{method:?}");
         }
@@ -535,15 +539,9 @@ fn coefficients_beyond_their_table_are_told() {
 }
 
 #[test]
-fn transients_are_refused() {
+fn a_wheel_that_does_not_roll_is_refused() {
     let case = slender(motions()[0]);
-    let full = FastContact::new(&case, &cells(8)).unwrap_err().to_string();
-    assert!(full.starts_with("method: a fast method is needed"), "{full}");
-    let started = Problem { initial_state: Some(solve(&case, &cells(8)).state), ..case.clone() };
-    let error =
-        schlupf::rolling::solve(&started, &options(parabolic(), 8), &mut |_| ()).unwrap_err();
-    assert!(error.to_string().contains("a fast method is for steady rolling"), "{error}");
-    let mut contact = FastContact::new(&case, &options(parabolic(), 8)).unwrap();
+    let mut contact = FastContact::new(&case, parabolic(), &cells(8)).unwrap();
     let locked = contact.force(&rolling(1.5, 0.0, 0.0)).unwrap_err();
     assert!(locked.to_string().contains("a reversed wheel"), "{locked}");
 }
@@ -553,11 +551,11 @@ fn transients_are_refused() {
 fn heat_that_is_not_kept_is_not_made_up() {
     let mut case = slender(motions()[2]);
     case.heat.model = Some(Arc::new(Duhamel));
-    let solution = solve(&case, &options(parabolic(), 8));
+    let solution = fast(&case, parabolic(), 8);
     let error = TemperatureField::new(&case, &solution).unwrap_err().to_string();
     assert!(error.starts_with("method: temperatures below the surface"), "{error}");
     let cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 10.0 };
-    let polach = options(Method::Polach(PLAIN), 8);
-    let error = bulk_temperature(&case, &polach, &cooling, &mut |_| ()).unwrap_err().to_string();
+    let mut polach = FastSolver::new(FastMethod::Polach(PLAIN), &cells(8));
+    let error = bulk_temperature(&case, &mut polach, &cooling, &unwatched).unwrap_err().to_string();
     assert!(error.starts_with("method: the wheel warms"), "{error}");
 }

@@ -19,7 +19,7 @@ use schlupf::material::{Body, Material, contact_modulus};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::hertz::{Hertz, Radii};
 use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 /// Semi-axis along rolling, in m.
 const A: f64 = 5e-3;
@@ -57,7 +57,7 @@ fn slide(b: f64, speed: f64, slip: f64, partition: Partition) -> Problem {
 }
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::solve(problem, options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }
@@ -274,7 +274,8 @@ fn derivatives_know_the_conduction_along_the_surface() {
     base.wheel.bulk_temperature = 25.0;
     base.normal = hertz(30e3);
     let options = Options { tolerance: 1e-10, ..cells(16) };
-    let found = SteadySolver::new(&options).solve_with_derivatives(&base).unwrap().unwrap();
+    let found =
+        SteadySolver::new(&options).solve_with_derivatives(&base, &unwatched).unwrap().unwrap();
     println!("rise {} K, {:?}", found.temperature.max_rise, found.peclet);
     assert!(found.peclet[1] < 500.0 && found.temperature.max_rise > 10.0);
     let sensitivity = found.sensitivity.unwrap();

@@ -2,27 +2,24 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
-use common::{cells, half_space, problem, rolling, solve};
-use schlupf::Quantity;
+use common::{cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::history::History;
 use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::problem::Driver;
+use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Options, Problem, Solution, Status, rolling};
+use schlupf::{Options, Problem, Solution, Solver, Status, rolling, unwatched};
+use std::sync::Arc;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::solve(problem, options, &mut |_| ()).unwrap();
+    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }
@@ -120,7 +117,7 @@ fn along_a_curve(base: &Problem, options: &Options, direction: [f64; 3]) -> [f64
         let size = 0.008 * f64::from(point).powf(1.5) / f64::from(POINTS).powf(1.5);
         let [xi, eta, spin] = direction.map(|d| d * size);
         let problem = Problem { kinematics: rolling(xi, eta, spin), ..base.clone() };
-        let solution = solver.solve(&problem, &mut |_| ()).unwrap();
+        let solution = solver.solve(&problem, &unwatched).unwrap();
         assert_eq!(solution.work.steps, 0, "marched");
         total += solution.work.operator_products;
         largest = largest.max(solution.work.operator_products);
@@ -153,26 +150,11 @@ fn a_warm_start_leaves_no_trace() {
     let base = problem(rolling(0.001, 0.0, 0.0));
     for (xi, eta, spin) in MOTIONS {
         let now = Problem { kinematics: rolling(xi, eta, spin), ..base.clone() };
-        let warm = solver.solve(&now, &mut |_| ()).unwrap().normalised;
+        let warm = solver.solve(&now, &unwatched).unwrap().normalised;
         let cold = at_once(&now, &options).normalised;
         let differs = (warm.x - cold.x).hypot(warm.y - cold.y).hypot(warm.moment_z - cold.moment_z);
         assert!(differs < 4.0 * options.tolerance, "{differs:e}");
     }
-}
-
-/// What only marching can do is refused, and chosen where nothing is said.
-#[test]
-fn a_history_needs_marching() {
-    let mut transient = problem(rolling(0.001, 0.0, 0.0));
-    transient.history = Some(History {
-        time: vec![0.0, 1e-4],
-        creepage_x: Some(vec![0.0, 0.001]),
-        ..History::default()
-    });
-    let options = Options { driver: Some(Driver::Steady), ..cells(8) };
-    let error = rolling::solve(&transient, &options, &mut |_| ()).unwrap_err();
-    assert!(error.quantity() == Quantity::Driver);
-    assert!(at_once(&transient, &cells(8)).history.len() > 1);
 }
 
 /// The state of the steady driver is one that marching goes on from without a change.
@@ -183,8 +165,8 @@ fn marching_goes_on_from_a_steady_state() {
     hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let options = Options { tolerance: 1e-8, ..cells(16) };
     let steady = at_once(&hot, &options);
-    hot.initial_state = Some(steady.state.clone());
-    let on = rolling::solve(&hot, &Options { tolerance: 1e-6, ..options }, &mut |_| ()).unwrap();
+    let transient = from_state(&hot, steady.state.clone());
+    let on = march(&transient, &Options { tolerance: 1e-6, ..options }, &unwatched).unwrap();
     for instant in &on.history {
         assert_relative_eq!(instant.force.x, steady.force.x, max_relative = 1e-6);
     }

@@ -3,8 +3,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use common::{cells, half_space, layer, problem, rolling};
 use schlupf::elasticity::Elasticity;
 use schlupf::heat::Heat;
@@ -19,10 +17,11 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::solution::Work;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Status, unwatched};
+use std::sync::Arc;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::solve(problem, options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
     solution
@@ -131,7 +130,7 @@ fn stiff_bristles() {
 fn a_failure_is_not_several_states() {
     let hot = heated(problem(rolling(0.004, 0.002, 0.3)), 0.4);
     let options = Options { max_iterations: 1, max_steps: 30, ..cells(8) };
-    let solution = schlupf::rolling::solve(&hot, &options, &mut |_| ()).unwrap();
+    let solution = schlupf::rolling::steady::solve(&hot, &options, &unwatched).unwrap();
     let says = |what: &str| solution.warnings.iter().any(|text| text.to_string().contains(what));
     assert!(says("was not found at once"), "{:?}", solution.warnings);
     assert!(!says("several"), "{:?}", solution.warnings);

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::{cells, half_space, layer, problem, rolling, solve};
+use common::{cells, half_space, layer, problem, rolling, solve_over};
 use schlupf::elasticity::calibrated_layer::CalibratedLayer;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::winkler::Winkler;
@@ -18,7 +18,7 @@ use schlupf::interface::friction::{constant::Constant, temperature_linear::Tempe
 use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
 use schlupf::normal::hertz::Hertz;
-use schlupf::{Problem, Solution};
+use schlupf::{Problem, Solution, unwatched};
 
 /// Load of the reference, in N, and μ N.
 const LOAD: f64 = 75_398.224;
@@ -62,7 +62,7 @@ fn constant(distance: f64) -> History {
 }
 
 fn run(history: History, across: usize) -> Solution {
-    solve(&Problem { history: Some(history), ..reference() }, &cells(across))
+    solve_over(&reference(), history, &cells(across))
 }
 
 /// −Fx/(μ N0) after a distance, in m.
@@ -139,8 +139,7 @@ fn winkler_bedding_under_a_load_that_changes_fast() {
     let largest = |across: usize| {
         let mut bedded = reference();
         bedded.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
-        bedded.history = Some(swinging(0.7, 12e-3, 24e-3));
-        let solution = solve(&bedded, &cells(across));
+        let solution = solve_over(&bedded, swinging(0.7, 12e-3, 24e-3), &cells(across));
         let off = (1..=8)
             .zip(exact)
             .map(|(k, force)| (force_at(&solution, 3e-3 * f64::from(k)) - force).abs());
@@ -215,7 +214,7 @@ fn powers_of_every_step_balance() {
             rolls.elasticity = elasticity.clone();
             rolls.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
             rolls.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-            rolls.history = Some(History {
+            let history = History {
                 shift: Some([2e-6, -1e-6]),
                 time: vec![0.0, 1e-4, 2e-4, 6e-4],
                 speed: Some(vec![20.0, 30.0, 30.0, 25.0]),
@@ -223,8 +222,8 @@ fn powers_of_every_step_balance() {
                 creepage_y: Some(vec![0.001, 0.0, 0.002, 0.001]),
                 spin: Some(vec![0.0, 0.4, 0.2, 0.1]),
                 load,
-            });
-            let solution = solve(&rolls, &cells(24));
+            };
+            let solution = solve_over(&rolls, history, &cells(24));
             for pair in solution.history.windows(2) {
                 let duration = pair[1].time - pair[0].time;
                 let stored = (pair[1].stored_energy - pair[0].stored_energy) / duration;
@@ -287,7 +286,7 @@ fn a_history_starts_with_a_shift() {
     let force = |k: usize| -solution.history[k].force.x / LIMIT;
     assert!((force(0) - 0.6530).abs() < 3e-3, "{}", force(0));
     assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
-    let steady = schlupf::rolling::solve(&reference(), &cells(40), &mut |_| ()).unwrap();
+    let steady = schlupf::rolling::steady::solve(&reference(), &cells(40), &unwatched).unwrap();
     assert_relative_eq!(solution.normalised.x, steady.normalised.x, epsilon = 1e-3);
     // Nothing of the speed and creepages counts in the shift.
     assert_eq!(solution.history[0].kinematics, rolling_not_at_all());
@@ -322,7 +321,6 @@ fn edges_faster_than_the_wheel() {
 #[test]
 fn the_calibrated_layer_is_ahead_of_the_half_space() {
     let mut rolls = problem(Kinematics { speed: 1.0, ..rolling(0.002, 0.0, 0.0) });
-    rolls.history = Some(constant(60e-3));
     rolls.elasticity = half_space();
     let layer = Problem {
         elasticity: Arc::new(
@@ -331,7 +329,7 @@ fn the_calibrated_layer_is_ahead_of_the_half_space() {
         ..rolls.clone()
     };
     let forces = |problem: &Problem| {
-        let solution = solve(problem, &cells(20));
+        let solution = solve_over(problem, constant(60e-3), &cells(20));
         let limit = 0.4 * solution.normal.load;
         [3, 6, 12, 18, 24, 60].map(|mm| force_at(&solution, 1e-3 * f64::from(mm)) * LIMIT / limit)
     };

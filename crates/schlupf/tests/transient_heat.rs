@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::{cells, problem, rolling};
+use common::{cells, follow, problem, rolling};
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
@@ -21,8 +21,7 @@ use schlupf::material::Material;
 use schlupf::normal::PressureSource;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::rolling::marching::march;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Solution, Transient};
 
 const SPEED: f64 = 30.0;
 const FRICTION: f64 = 0.3;
@@ -34,25 +33,19 @@ fn switched(
     normal: Arc<dyn PressureSource>,
     [from, to]: [f64; 2],
     [instant, end]: [f64; 2],
-) -> Problem {
+) -> Transient {
     let mut switched = problem(rolling(0.0, 0.0, 0.0));
     switched.normal = normal;
     switched.elasticity = Arc::new(Rigid);
     switched.contact_law = Arc::new(Incremental::new(1e9).unwrap());
     switched.friction.law = Arc::new(Constant::new(FRICTION).unwrap());
     switched.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
-    switched.history = Some(History {
+    let history = History {
         time: vec![0.0, instant, instant * (1.0 + 1e-9), end],
         creepage_x: Some(vec![from, from, to, to]),
         ..History::default()
-    });
-    switched
-}
-
-fn solve(problem: &Problem, options: &Options) -> Solution {
-    let solution = march(problem, options, &mut |_| ()).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    solution
+    };
+    Transient { history, ..Transient::to_steady_state(&switched) }
 }
 
 /// Whole cells of a row next to y = 0, from the leading edge on.
@@ -88,7 +81,7 @@ fn after_switching(
     let instant = (BEFORE + 0.49) * step;
     let end = (BEFORE + f64::from(steps)) * step;
     let problem = switched(Arc::clone(normal), creepage, [instant, end]);
-    (solve(&problem, &cells(along)), (f64::from(steps) - 0.5) * step)
+    (follow(&problem, &cells(along)), (f64::from(steps) - 0.5) * step)
 }
 
 /// Carslaw and Jaeger 1959, §2.9 (7): a constant source q switched on at t = 0 heats a surface to 2q√(t/π)/β.

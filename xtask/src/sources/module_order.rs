@@ -9,29 +9,45 @@ use super::{Finding, Rule};
 
 pub const RULE: Rule = Rule {
     name: "module order",
-    demand: "a module of the core uses only what stands above it in lib.rs",
+    demand: "a module of the core, and of its rolling, uses only what is named above it",
     check,
 };
 
 const CORE: &str = "crates/schlupf/src/";
 
+/// The folders of the core whose modules stand in order, each with the file that names them.
+const ORDERED: [(&str, &str); 5] = [
+    ("", "lib.rs"),
+    ("rolling/", "mod.rs"),
+    ("rolling/shared/", "mod.rs"),
+    ("rolling/marching/", "mod.rs"),
+    ("rolling/steady/", "mod.rs"),
+];
+
 fn check(sources: &[Source]) -> Vec<Finding> {
-    let Some(root) = sources.iter().find(|source| source.path == format!("{CORE}lib.rs")) else {
+    ORDERED.iter().flat_map(|(folder, root)| check_folder(sources, folder, root)).collect()
+}
+
+fn check_folder(sources: &[Source], folder: &str, root: &str) -> Vec<Finding> {
+    let root = format!("{CORE}{folder}{root}");
+    let Some(named) = sources.iter().find(|source| source.path == root) else {
         return Vec::new();
     };
-    let root = Root::read(root);
-    let modules = sources.iter().filter(|source| !source.for_tests);
+    let root = Root::read(named, folder);
+    // The root itself stands for all modules: it only names them and re-exports.
+    let modules = sources.iter().filter(|source| !source.for_tests && source.path != named.path);
     modules.flat_map(|source| check_file(source, &root)).collect()
 }
 
 fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
     let Some(module) = source.path.strip_prefix(CORE).map(module_of) else { return Vec::new() };
     // The root itself stands for all modules: it only names them and re-exports.
-    let Some(top) = module.first() else { return Vec::new() };
+    let below = module.strip_prefix(root.path.as_slice());
+    let Some(top) = below.and_then(|below| below.first()) else { return Vec::new() };
     let Some(position) = root.position(top) else { return Vec::new() };
     let wrong = named_paths(&source.file.items, &module).into_iter().filter_map(
         |Path { names, line, .. }| {
-            let name = names.first()?;
+            let name = names.strip_prefix(root.path.as_slice())?.first()?;
             let module = root.module_of(name);
             match root.position(module) {
                 Some(used) if used <= position => None,
@@ -47,16 +63,19 @@ fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
     wrong.collect()
 }
 
-/// What lib.rs says: the modules in their order and whose items it re-exports.
+/// What lib.rs or mod.rs says: the modules in their order and whose items it re-exports.
 struct Root {
+    /// The module that it is.
+    path: Vec<String>,
     modules: Vec<String>,
     /// Name at the root, module it comes from.
     exports: Vec<(String, String)>,
 }
 
 impl Root {
-    fn read(source: &Source) -> Self {
-        let mut root = Self { modules: Vec::new(), exports: Vec::new() };
+    fn read(source: &Source, folder: &str) -> Self {
+        let path = folder.split_terminator('/').map(str::to_owned).collect();
+        let mut root = Self { path, modules: Vec::new(), exports: Vec::new() };
         for item in source.file.items.iter().filter(|item| !is_test_item(item)) {
             if let Item::Mod(module) = item {
                 root.modules.push(module.ident.to_string());
@@ -73,8 +92,11 @@ impl Root {
         self.modules.iter().position(|other| other == module)
     }
 
-    /// The module behind a name at the root.
+    /// The module behind a name at the root; an item may have the name of a module, too.
     fn module_of<'a>(&'a self, name: &'a str) -> &'a str {
+        if self.position(name).is_some() {
+            return name;
+        }
         self.exports.iter().find(|(export, _)| export == name).map_or(name, |(_, module)| module)
     }
 }
@@ -119,6 +141,22 @@ mod tests {
         ] {
             let message = "`grid` uses `heat`, which stands below it".to_owned();
             assert_eq!(in_grid(text), [(1, message)], "{text}");
+        }
+    }
+
+    /// Inside a folder that is ordered, too: by any of the ways.
+    #[test]
+    fn a_folder_has_its_own_order() {
+        let root = ("crates/schlupf/src/rolling/mod.rs", "mod shared;\nmod steady;");
+        let of =
+            |text| found(&RULE, &[ROOT, root, ("crates/schlupf/src/rolling/shared/a.rs", text)]);
+        assert_eq!(
+            of("use super::b::B;\nuse crate::heat::Heat;\nuse crate::rolling::shared::b;"),
+            []
+        );
+        for text in ["use super::super::steady::A;", "use crate::rolling::steady::A;"] {
+            let message = "`shared` uses `steady`, which stands below it".to_owned();
+            assert_eq!(of(text), [(1, message)], "{text}");
         }
     }
 

@@ -15,9 +15,11 @@ mod roughness;
 use std::path::Path;
 use std::sync::Arc;
 
+use schlupf::history::History;
 use schlupf::{Options, Problem};
 
 pub use cooling::{cooling, missing as missing_cooling};
+pub use options::{driver, method};
 
 use crate::error::CaseError;
 use crate::law_stiffness::{LawStiffness, MicroContact};
@@ -25,13 +27,13 @@ use crate::settings::Settings;
 use roughness::Circumstances;
 pub use roughness::{MicroRequest, explain as explain_roughness, load as load_roughness};
 
-/// The problem of a case, and where its k_c comes from; `folder` is where relative paths start, `solved` a
-/// micro model of a like case.
+/// The problem of a case, its history, and where its k_c comes from; `folder` is where relative paths start, `solved`
+/// a micro model of a like case.
 pub fn problem(
     settings: &Settings,
     folder: &Path,
     solved: Option<&Arc<MicroContact>>,
-) -> Result<(Problem, LawStiffness), CaseError> {
+) -> Result<(Problem, Option<History>, LawStiffness), CaseError> {
     let wheel = bodies::body(settings, &bodies::WHEEL)?;
     let rail = bodies::body(settings, &bodies::RAIL)?;
     let kinematics = kinematics::kinematics(settings)?;
@@ -48,13 +50,15 @@ pub fn problem(
         contact_law,
         friction: friction::friction(settings, folder)?,
         heat: heat::heat(settings)?,
-        history,
-        initial_state: None,
         wheel,
         rail,
     };
-    problem.check().map_err(|error| settings.explain(&error))?;
-    Ok((problem, stiffness))
+    let explain = |error| settings.explain(&error);
+    problem.check().map_err(explain)?;
+    if let Some(history) = &history {
+        history.check(&problem.kinematics).map_err(explain)?;
+    }
+    Ok((problem, history, stiffness))
 }
 
 /// What the micro model of a case's roughness needs; `None` where no surface is given.

@@ -1,23 +1,18 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
-use schlupf::Options;
-use schlupf::method::{AreaReduction, Brush, Flexibilities, Method, SlopeReduction, TractionBound};
-use schlupf::problem::{Branch, Driver};
+use schlupf::method::{
+    AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
+};
+use schlupf::problem::Branch;
+use schlupf::{Method, Options};
 
+use crate::case::Driver;
 use crate::error::CaseError;
 use crate::settings::Settings;
 
 /// Numerical options.
 pub fn options(settings: &Settings) -> Result<Options, CaseError> {
-    let driver = settings.is_given("solver.driver").then(|| settings.choice("solver.driver"));
-    let driver = match driver.transpose()? {
-        None => None,
-        Some("marching") => Some(Driver::Marching),
-        Some(_) => Some(Driver::Steady),
-    };
     Ok(Options {
-        method: method(settings)?,
-        driver,
         cells_x: settings.count("grid.cells_x")?,
         cells_y: settings.count("grid.cells_y")?,
         branch: match settings.choice("solver.branch")? {
@@ -32,26 +27,37 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
     })
 }
 
+/// Which way to the solution was asked for.
+pub fn driver(settings: &Settings) -> Result<Option<Driver>, CaseError> {
+    let driver = settings.is_given("solver.driver").then(|| settings.choice("solver.driver"));
+    Ok(driver.transpose()?.map(|name| match name {
+        "marching" => Driver::Marching,
+        _ => Driver::Steady,
+    }))
+}
+
 /// What is solved, with the parameters of a fast method.
-fn method(settings: &Settings) -> Result<Method, CaseError> {
-    Ok(match settings.choice("solver.method")? {
-        "kalker-linear" => Method::KalkerLinear,
-        "shen-hedrick-elkins" => Method::ShenHedrickElkins,
-        "polach" => Method::Polach(AreaReduction {
+pub fn method(settings: &Settings) -> Result<Method, CaseError> {
+    let method = match settings.choice("solver.method")? {
+        "kalker-linear" => FastMethod::KalkerLinear,
+        "shen-hedrick-elkins" => FastMethod::ShenHedrickElkins,
+        "polach" => FastMethod::Polach(AreaReduction {
             area_adhesion: settings.number("solver.polach_area_adhesion")?,
             area_slip: settings.number("solver.polach_area_slip")?,
         }),
-        "fastsim" => Method::Fastsim(brush(settings)?),
+        "fastsim" => FastMethod::Fastsim(brush(settings)?),
         "modified-fastsim" => {
             let reduction = SlopeReduction {
                 initial: settings.number("fastsim.initial_reduction")?,
                 limit_ratio: settings.number("fastsim.reduction_limit_ratio")?,
                 decay: settings.number("fastsim.reduction_decay")?,
             };
-            Method::ModifiedFastsim(brush(settings)?, reduction)
+            FastMethod::ModifiedFastsim(brush(settings)?, reduction)
         }
-        _ => Method::Full,
-    })
+        _ => return Ok(Method::Full),
+    };
+    method.check().map_err(|error| settings.explain(&error))?;
+    Ok(Method::Fast(method))
 }
 
 fn brush(settings: &Settings) -> Result<Brush, CaseError> {

@@ -15,6 +15,7 @@ use schlupf::normal::PressureSource;
 use schlupf::surface::form::Form;
 use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
+use schlupf::unwatched;
 
 use crate::error::{CaseError, Cause};
 use crate::fields::{MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
@@ -228,7 +229,7 @@ fn micro_model(
         hardness: key.hardness,
         mean_pressures,
     };
-    let result = model.solve(&LoadCurveOptions::default(), &mut |_| ()).map_err(explain)?;
+    let result = model.solve(&LoadCurveOptions::default(), &unwatched).map_err(explain)?;
     Ok(MicroContact { key, result, cells, notices: rough.notices })
 }
 

@@ -1,5 +1,6 @@
 //! What several methods make of one case: bars side by side.
 
+use schlupf::method::FastMethod;
 use schlupf::{Method, Status};
 
 use super::color::{BLUE, GREEN, MUTED, VERMILION};
@@ -191,7 +192,8 @@ impl Column {
     fn values(&self, answers: &[&Answer]) -> Vec<(f64, bool)> {
         /// Over the largest of the others.
         const DWARFING: f64 = 1.5;
-        let is_bounded = |answer: &Answer| answer.solution.method != Method::KalkerLinear;
+        let is_bounded =
+            |answer: &Answer| answer.solution.method != Method::Fast(FastMethod::KalkerLinear);
         let bounded = answers.iter().filter(|answer| is_bounded(answer));
         let largest = bounded.map(|answer| (self.value)(answer).abs()).fold(0.0, f64::max);
         let value = |answer: &&Answer| {

@@ -16,7 +16,7 @@ use schlupf::heat::{Heat, partition::Partition};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 pub use problems::{elastic_layer, rolling};
 
@@ -105,7 +105,7 @@ pub fn creep_curve(at_rest: &Problem) -> Vec<Problem> {
 
 /// Solves at once: a march would be something else to time.
 pub fn solve(solver: &mut SteadySolver, problem: &Problem) -> Solution {
-    let solution = solver.solve(problem, &mut |_| ()).unwrap();
+    let solution = solver.solve(problem, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution

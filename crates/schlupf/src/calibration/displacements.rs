@@ -115,7 +115,7 @@ pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
         .fold(0.0, f64::max);
     let mut fit = Fit { samples, length };
     let start = fit.start()?;
-    let found = minimise(&mut fit, &start, &LIMITS).ok_or(Error::NoLayer {})?;
+    let found = minimise(&mut fit, &start, &LIMITS)?.ok_or(Error::NoLayer {})?;
     let stiffness = fit.stiffness(&found.parameters);
     let mut deviation = Vec::with_capacity(samples.len());
     let mut rest = found.residuals.as_slice();
@@ -184,13 +184,13 @@ impl Fit<'_> {
 }
 
 impl Residuals for Fit<'_> {
-    fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>> {
-        let mut residuals = Vec::new();
-        for sample in self.samples {
+    fn residuals(&mut self, parameters: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+        let pairs = self.samples.iter().map(|sample| {
             let [found, given] = self.displacements(sample, parameters)?;
-            residuals.extend(found.iter().zip(given).map(|(u, v)| u - v));
-        }
-        Some(residuals)
+            Some(found.into_iter().zip(given).map(|(u, v)| u - v))
+        });
+        let pairs: Option<Vec<_>> = pairs.collect();
+        Ok(pairs.map(|pairs| pairs.into_iter().flatten().collect()))
     }
 
     fn bounds(&self, parameter: usize) -> [f64; 2] {

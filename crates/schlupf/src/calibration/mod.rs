@@ -22,6 +22,7 @@ use crate::elasticity::elastic_layer::ElasticLayer;
 use crate::elasticity::winkler::Winkler;
 use crate::error::Error;
 use crate::least_squares::{Limits, Residuals, minimise};
+use crate::progress::Watch;
 
 pub use kalker_bed::kalker_bed;
 
@@ -80,13 +81,14 @@ impl Default for CalibrationOptions {
 /// Calibrates the layer for an axes ratio a/b and a combined Poisson's ratio (both dimensionless).
 ///
 /// # Errors
-/// An axes ratio that is not positive, or a Poisson's ratio outside 0 to 0.5.
+/// An axes ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
 pub fn calibrate(
     axis_ratio: f64,
     poisson_ratio: f64,
     options: &CalibrationOptions,
+    watch: Watch,
 ) -> Result<Calibration, Error> {
-    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells, &FITTED)?;
+    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells, &FITTED, watch)?;
     let limits = Limits {
         tolerance: 1e-4,
         reducible: 1e-4,
@@ -95,18 +97,19 @@ pub fn calibrate(
     };
     let mut fit = LayerFit { motions: &motions };
     let start = motions.start()?;
-    let found = minimise(&mut fit, &start, &limits);
+    let found = minimise(&mut fit, &start, &limits)?;
     let mut uncoupled = WinklerFit { motions: &motions };
     let bed = minimise(
         &mut uncoupled,
         &[motions.slope_bedding()[0].ln(), motions.slope_bedding()[1].ln()],
         &limits,
-    );
+    )?;
     let failed = || Error::CalibrationNotConverged { axis_ratio };
     let (found, bed) = (found.ok_or_else(failed)?, bed.ok_or_else(failed)?);
-    let others = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS)?;
-    let deviation = |elasticity: Option<Arc<dyn Elasticity>>| {
-        elasticity.and_then(|e| others.deviation(&e)).ok_or_else(failed)
+    let others = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS, watch)?;
+    let deviation = |elasticity: Option<Arc<dyn Elasticity>>| match elasticity {
+        Some(elasticity) => others.deviation(&elasticity)?.ok_or_else(failed),
+        None => Err(failed()),
     };
     Ok(Calibration {
         axis_ratio,
@@ -122,17 +125,18 @@ pub fn calibrate(
 /// How far the tabulated stiffnesses are from the half-space.
 ///
 /// # Errors
-/// Ratios outside the table.
+/// Ratios outside the table, and [`Error::Stopped`].
 pub fn deviation_of_table(
     axis_ratio: f64,
     poisson_ratio: f64,
     options: &CalibrationOptions,
+    watch: Watch,
 ) -> Result<Deviation, Error> {
-    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS)?;
+    let motions = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS, watch)?;
     let [x, y] = tabulated_stiffness(axis_ratio, poisson_ratio)?
         .map(|relative| relative.absolute(motions.shear_modulus(), SIZE));
     let layer: Arc<dyn Elasticity> = Arc::new(ElasticLayer::new(x, y, None)?);
-    motions.deviation(&layer).ok_or(Error::CalibrationNotConverged { axis_ratio })
+    motions.deviation(&layer)?.ok_or(Error::CalibrationNotConverged { axis_ratio })
 }
 
 /// Logarithms of the bedding and of the two reaches, for each component.
@@ -154,7 +158,7 @@ const EVENNESS: f64 = 0.3;
 const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 struct LayerFit<'a> {
-    motions: &'a Motions,
+    motions: &'a Motions<'a>,
 }
 
 impl LayerFit<'_> {
@@ -166,10 +170,13 @@ impl LayerFit<'_> {
 }
 
 impl Residuals for LayerFit<'_> {
-    fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>> {
-        let mut residuals = self.motions.residuals(&self.layer(parameters)?, true)?;
-        residuals.extend([1, 4].map(|k| EVENNESS * (parameters[k] - parameters[k + 1])));
-        Some(residuals)
+    fn residuals(&mut self, parameters: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+        let Some(layer) = self.layer(parameters) else { return Ok(None) };
+        let mut residuals = self.motions.residuals(&layer, true)?;
+        if let Some(residuals) = &mut residuals {
+            residuals.extend([1, 4].map(|k| EVENNESS * (parameters[k] - parameters[k + 1])));
+        }
+        Ok(residuals)
     }
 
     fn bounds(&self, parameter: usize) -> [f64; 2] {
@@ -178,7 +185,7 @@ impl Residuals for LayerFit<'_> {
 }
 
 struct WinklerFit<'a> {
-    motions: &'a Motions,
+    motions: &'a Motions<'a>,
 }
 
 impl WinklerFit<'_> {
@@ -189,7 +196,8 @@ impl WinklerFit<'_> {
 }
 
 impl Residuals for WinklerFit<'_> {
-    fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>> {
-        self.motions.residuals(&self.bed(parameters)?, false)
+    fn residuals(&mut self, parameters: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+        let Some(bed) = self.bed(parameters) else { return Ok(None) };
+        self.motions.residuals(&bed, false)
     }
 }

@@ -56,8 +56,6 @@ impl RollingContact {
             contact_law: Arc::new(Incremental::new(STIFFNESS)?),
             friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
             heat: Heat { model: None, partition: Partition::Given(0.5) },
-            history: None,
-            initial_state: None,
         };
         Ok(Self { bodies, coefficients, semi_axes, problem })
     }

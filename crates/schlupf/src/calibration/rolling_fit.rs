@@ -1,15 +1,18 @@
 //! Motions of a rolling patch, and what half-space and stand-ins answer to them.
 
-use std::cell::RefCell;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::elasticity::Elasticity;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::numerics::vector::norm;
+use crate::parallel;
 use crate::problem::{Options, Problem};
+use crate::progress::{Progress, Stage, Watch, within};
 use crate::rolling::steady::SteadySolver;
 use crate::solution::Solution;
+use crate::solver::Solver;
 
 use super::Deviation;
 use super::displacements::{Sample, fit};
@@ -75,30 +78,36 @@ const FORCE_WITH_SPIN: f64 = 0.02;
 const FIELD: f64 = 0.06;
 
 /// The motions of one ellipse, and the answers of the half-space.
-pub(super) struct Motions {
+pub(super) struct Motions<'a> {
     contact: RollingContact,
     ways: Vec<Kinematics>,
     exact: Vec<Solution>,
     options: Options,
-    solver: RefCell<SteadySolver>,
+    watch: Watch<'a>,
+    /// Motions solved so far.
+    solved: AtomicUsize,
 }
 
-impl Motions {
+/// Motions that one solver goes through, each from those before. Others are solved at the same time.
+const CHAIN: usize = 6;
+
+impl<'a> Motions<'a> {
     pub fn new(
         axis_ratio: f64,
         poisson_ratio: f64,
         cells: usize,
         motions: &[[f64; 3]],
+        watch: Watch<'a>,
     ) -> Result<Self, Error> {
         let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
         let options =
             Options { cells_x: cells, cells_y: cells, tolerance: 1e-7, ..Options::default() };
         let ways = motions.iter().map(|parts| contact.motion(*parts)).collect();
-        let solver = RefCell::new(SteadySolver::new(&options));
-        let mut this = Self { contact, ways, exact: Vec::new(), options, solver };
+        let (exact, solved) = (Vec::new(), AtomicUsize::new(0));
+        let mut this = Self { contact, ways, exact, options, watch, solved };
         let elasticity = Arc::clone(&this.contact.problem.elasticity);
         this.exact =
-            this.answers(&elasticity).ok_or(Error::CalibrationNotConverged { axis_ratio })?;
+            this.answers(&elasticity)?.ok_or(Error::CalibrationNotConverged { axis_ratio })?;
         Ok(this)
     }
 
@@ -134,22 +143,39 @@ impl Motions {
     }
 
     /// Solutions of all motions; nothing if one does not converge at once.
-    fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Option<Vec<Solution>> {
-        let mut solver = self.solver.borrow_mut();
-        *solver = SteadySolver::new(&self.options);
+    fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Result<Option<Vec<Solution>>, Error> {
         let base = Problem { elasticity: Arc::clone(elasticity), ..self.contact.problem.clone() };
-        let solve = |kinematics: &Kinematics| {
+        let chains = self.ways.chunks(CHAIN).collect();
+        let answers = parallel::try_map(chains, |ways| self.chain(&base, ways))?;
+        let answers: Option<Vec<Vec<Solution>>> = answers.into_iter().collect();
+        Ok(answers.map(|answers| answers.concat()))
+    }
+
+    fn chain(&self, base: &Problem, ways: &[Kinematics]) -> Result<Option<Vec<Solution>>, Error> {
+        let mut solver = SteadySolver::new(&self.options);
+        let mut solutions = Vec::with_capacity(ways.len());
+        for kinematics in ways {
             let problem = Problem { kinematics: *kinematics, ..base.clone() };
-            let solution = solver.solve(&problem, &mut |_| ()).ok()?;
-            (solution.work.steps == 0).then_some(solution)
-        };
-        self.ways.iter().map(solve).collect()
+            let solved = self.solved.fetch_add(1, Ordering::Relaxed);
+            let watch = within(self.watch, Progress::count(Stage::Calibration, solved));
+            let solution = match solver.solve(&problem, &watch) {
+                Err(Error::Stopped {}) => return Err(Error::Stopped {}),
+                Ok(solution) if solution.work.steps == 0 => solution,
+                _ => return Ok(None),
+            };
+            solutions.push(solution);
+        }
+        Ok(Some(solutions))
     }
 
     /// Differences of forces, and of the tractions if they count, each over what weighs one;
     /// dimensionless.
-    pub fn residuals(&self, elasticity: &Arc<dyn Elasticity>, fields: bool) -> Option<Vec<f64>> {
-        let answers = self.answers(elasticity)?;
+    pub fn residuals(
+        &self,
+        elasticity: &Arc<dyn Elasticity>,
+        fields: bool,
+    ) -> Result<Option<Vec<f64>>, Error> {
+        let Some(answers) = self.answers(elasticity)? else { return Ok(None) };
         let mut residuals = Vec::new();
         for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.ways) {
             let force = if motion.spin == 0.0 { FORCE } else { FORCE_WITH_SPIN };
@@ -163,11 +189,11 @@ impl Motions {
                 residuals.extend(along.chain(across).map(|(t, u)| weight * (t - u)));
             }
         }
-        Some(residuals)
+        Ok(Some(residuals))
     }
 
-    pub fn deviation(&self, elasticity: &Arc<dyn Elasticity>) -> Option<Deviation> {
-        let answers = self.answers(elasticity)?;
+    pub fn deviation(&self, elasticity: &Arc<dyn Elasticity>) -> Result<Option<Deviation>, Error> {
+        let Some(answers) = self.answers(elasticity)? else { return Ok(None) };
         let mut deviation = Deviation::default();
         let mut counts = [0.0; 2];
         for ((answer, exact), motion) in answers.iter().zip(&self.exact).zip(&self.ways) {
@@ -192,7 +218,7 @@ impl Motions {
         }
         deviation.field /= counts[0];
         deviation.field_with_spin /= counts[1];
-        Some(deviation)
+        Ok(Some(deviation))
     }
 }
 

@@ -7,11 +7,10 @@ use crate::elasticity::Elasticity;
 use crate::elasticity::calibrated_layer::RelativeStiffness;
 use crate::elasticity::elastic_layer::ElasticLayer;
 use crate::error::Error;
-use crate::kinematics::Kinematics;
-use crate::method::{Brush, Method};
+use crate::method::{Brush, FastMethod, Method};
+use crate::parallel;
 use crate::problem::{Options, Problem};
-use crate::rolling;
-use crate::rolling::steady::SteadySolver;
+use crate::progress::Watch;
 use crate::solution::{Solution, Status};
 
 use super::kalker_bed::kalker_bed;
@@ -83,11 +82,12 @@ const CELLS: [usize; 2] = [48, 31];
 /// these stiffnesses for displacements along and across rolling.
 ///
 /// # Errors
-/// An axes ratio that is not positive, or a Poisson's ratio outside 0 to 0.5.
+/// An axes ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
 pub fn side_by_side(
     axis_ratio: f64,
     poisson_ratio: f64,
     stiffness: [RelativeStiffness; 2],
+    watch: Watch,
 ) -> Result<SideBySide, Error> {
     let contact = RollingContact::new(axis_ratio, poisson_ratio)?;
     let shear_modulus = contact.bodies.shear_modulus();
@@ -102,8 +102,8 @@ pub fn side_by_side(
     Ok(SideBySide {
         axis_ratio,
         poisson_ratio,
-        longitudinal: course(&contact, &models, 0)?,
-        spin: course(&contact, &models, 1)?,
+        longitudinal: course(&contact, &models, 0, watch)?,
+        spin: course(&contact, &models, 1, watch)?,
     })
 }
 
@@ -112,36 +112,42 @@ fn course(
     contact: &RollingContact,
     models: &[(Model, Arc<dyn Elasticity>)],
     component: usize,
+    watch: Watch,
 ) -> Result<Course, Error> {
     let motion = |part: f64| {
         contact.motion(if component == 0 { [part, 0.0, 0.0] } else { [0.0, 0.0, part] })
     };
-    let mut answers = Vec::with_capacity(models.len());
-    for (model, elasticity) in models {
-        let mut solver = SteadySolver::new(&options());
-        let fast = Options { method: Method::Fastsim(Brush::KALKER), ..options() };
+    let answer = |(model, elasticity): &(Model, Arc<dyn Elasticity>)| {
+        let mut solver = model.method().solver(&options());
         let problem = Problem { elasticity: Arc::clone(elasticity), ..contact.problem.clone() };
-        let mut solve = |kinematics: Kinematics| {
-            let problem = Problem { kinematics, ..problem.clone() };
-            match model {
-                Model::Fastsim => rolling::solve(&problem, &fast, &mut |_| ()),
-                _ => solver.solve(&problem, &mut |_| ()),
-            }
+        let mut solve = |part: f64| {
+            let problem = Problem { kinematics: motion(part), ..problem.clone() };
+            solver.solve(&problem, watch)
         };
         let mut converged = true;
         let mut force = Vec::with_capacity(CREEPAGES.len());
         for part in CREEPAGES {
-            let solution = solve(motion(part))?;
+            let solution = solve(part)?;
             converged &= solution.status == Status::Converged;
             let normalised = solution.normalised;
             force.push(-if component == 0 { normalised.x } else { normalised.y });
         }
-        let solution = solve(motion(TRACTION_AT))?;
+        let solution = solve(TRACTION_AT)?;
         converged &= solution.status == Status::Converged;
         let traction = middle_row(&solution, component);
-        answers.push(Answer { model: *model, force, traction, converged });
-    }
+        Ok::<_, Error>(Answer { model: *model, force, traction, converged })
+    };
+    let answers = parallel::try_map(models.iter().collect(), answer)?;
     Ok(Course { creepage: CREEPAGES.to_vec(), traction_at: TRACTION_AT, answers })
+}
+
+impl Model {
+    fn method(self) -> Method {
+        match self {
+            Self::HalfSpace | Self::Layer | Self::KalkerBed => Method::Full,
+            Self::Fastsim => Method::Fast(FastMethod::Fastsim(Brush::KALKER)),
+        }
+    }
 }
 
 fn options() -> Options {

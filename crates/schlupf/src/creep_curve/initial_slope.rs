@@ -1,14 +1,13 @@
 //! The slope of a creep curve at zero creepage.
 
 use crate::error::Error;
-use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::reference_point;
 use crate::solution::{Resultant, Sensitivity};
 use crate::warning::Warning;
 
-use super::{Abscissa, Creepages, Path, Solver};
+use super::{Abscissa, Creepages, Path, Points};
 
 /// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where everything
 /// that varies is zero; what does not vary keeps its value.
@@ -37,7 +36,7 @@ pub(super) struct Finding {
 
 /// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian of
 /// the equilibrium there; of a fast method, from a difference.
-pub(super) fn find(solver: &mut Solver, normal: &NormalSummary) -> Result<Finding, Error> {
+pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Finding, Error> {
     let path = solver.path;
     if !path.has_origin() {
         return Ok(Finding::default());
@@ -47,7 +46,7 @@ pub(super) fn find(solver: &mut Solver, normal: &NormalSummary) -> Result<Findin
         limit: solver.problem.friction.cold_coefficient() * normal.load,
         lever: (normal.semi_axis_x * normal.semi_axis_y).sqrt(),
     };
-    let force = if solver.steady.options().method == Method::Full {
+    let force = if solver.solver.has_derivatives() {
         solver
             .differentiate(0.0)?
             .and_then(|solution| solution.sensitivity)
@@ -89,7 +88,7 @@ fn along(path: &Path, sensitivity: &Sensitivity) -> Resultant {
 const STEP: f64 = 1e-6;
 
 /// The same of a fast method, which has no derivatives but is as exact as numbers are.
-fn difference(solver: &mut Solver, scale: &Scale) -> Result<Resultant, Error> {
+fn difference(solver: &mut Points, scale: &Scale) -> Result<Resultant, Error> {
     let modulus = Scale::modulus(&solver.problem);
     let typical = scale.limit / (modulus * scale.lever.powi(2) * scale.per_creepage(solver.path));
     let step = STEP * typical;

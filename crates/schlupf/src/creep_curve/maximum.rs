@@ -5,7 +5,7 @@ use crate::kinematics::Kinematics;
 use crate::numerics::root::GOLDEN;
 use crate::solution::{Resultant, Status};
 
-use super::{Point, Solver};
+use super::{Point, Points};
 
 /// Where the tangential force |F| is largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,7 +51,7 @@ const PROBE: f64 = 0.01;
 
 /// The maxima on both sides of zero, below first; each side has its points from zero outwards.
 pub(super) fn of_sides(
-    solver: &mut Solver,
+    solver: &mut Points,
     [above, below]: &[Vec<Point>; 2],
 ) -> Result<Vec<Maximum>, Error> {
     let mut maxima = Vec::new();
@@ -67,7 +67,7 @@ pub(super) fn of_sides(
         let (points, failed) =
             points.into_iter().partition(|point| point.status == Status::Converged);
         let noise =
-            NOISE * solver.steady.options().tolerance * solver.problem.friction.cold_coefficient();
+            NOISE * solver.solver.options().tolerance * solver.problem.friction.cold_coefficient();
         maxima.extend(Side { solver, points, failed, noise }.maximum()?);
     }
     Ok(maxima)
@@ -79,7 +79,7 @@ fn force(point: &Point) -> f64 {
 
 /// The points on one side of zero, from there outwards.
 struct Side<'a, 'b> {
-    solver: &'a mut Solver<'b>,
+    solver: &'a mut Points<'b>,
     /// Those that converged.
     points: Vec<Point>,
     /// Those that did not: where one of them is, there may be a maximum unseen.

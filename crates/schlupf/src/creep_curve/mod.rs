@@ -15,11 +15,10 @@ use crate::error::Error;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
-use crate::problem::{Driver, Options, Problem};
-use crate::quantity::Quantity;
-use crate::rolling;
-use crate::rolling::steady::SteadySolver;
+use crate::problem::Problem;
+use crate::progress::{Progress, Stage, Watch, tell, within};
 use crate::solution::{Area, Power, Resultant, Solution, Status, Work};
+use crate::solver::Solver;
 
 pub use initial_slope::InitialSlope;
 pub use maximum::{Maximum, PLATEAU};
@@ -120,61 +119,45 @@ impl Point {
     }
 }
 
-/// How far a curve has got.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Points that are solved.
-    pub done: usize,
-    /// All points of the curve.
-    pub points: usize,
-}
-
 /// Computes a creep curve of a problem, whose own creepages count only where the path keeps them: see
 /// [`Path::new`].
 ///
-/// `report` is called after every point. Points that do not converge are kept and marked, and a warning
-/// names them.
+/// The solver may go from curve to curve: they share its set-up where they have the normal contact and the
+/// elasticity in common. Points that do not converge are kept and marked, and a warning names them.
 ///
 /// # Errors
-/// Whatever [`check`] refuses, before anything is solved.
+/// Whatever [`check`] refuses, before anything is solved, and [`Error::Stopped`].
 pub fn trace(
-    problem: &Problem,
-    options: &Options,
-    path: &Path,
-    sampling: &Sampling,
-    report: &mut dyn FnMut(Progress),
-) -> Result<CreepCurve, Error> {
-    let options = Options { sensitivity: false, ..options.clone() };
-    trace_with(&mut SteadySolver::new(&options), problem, path, sampling, report)
-}
-
-/// The same with a solver that goes from curve to curve, and whose set-up they share where they have
-/// the normal contact and the elasticity in common.
-pub fn trace_with(
-    steady: &mut SteadySolver,
+    solver: &mut dyn Solver,
     problem: &Problem,
     path: &Path,
     sampling: &Sampling,
-    report: &mut dyn FnMut(Progress),
+    watch: Watch,
 ) -> Result<CreepCurve, Error> {
-    let options = steady.options().clone();
-    check(problem, &options, path, sampling)?;
+    check(problem, path, sampling)?;
+    let method = solver.method();
     let normal = problem.normal.normal_contact(None)?.summary;
     let mut abscissae = sampling.abscissae(path.range());
     let is_downwards = abscissae.first() > abscissae.last();
     abscissae.sort_by(f64::total_cmp);
-    steady.forget();
-    let mut solver = Solver::new(problem, steady, path);
+    solver.forget();
+    let mut solver = Points {
+        problem: problem.clone(),
+        path,
+        solver,
+        watch,
+        progress: Progress { total: Some(sampling.points), ..Progress::count(Stage::Curve, 0) },
+        work: Work::default(),
+    };
     let mut warnings = Warnings::default();
-    let mut done = 0;
     let mut solve_side = |side: &[f64]| -> Result<Vec<Point>, Error> {
         let mut points = Vec::with_capacity(side.len());
         for &abscissa in side {
             let solution = solver.solve(abscissa)?;
             warnings.note(abscissa, &solution.warnings);
             points.push(Point::new(abscissa, &solution));
-            done += 1;
-            report(Progress { done, points: sampling.points });
+            solver.progress.done += 1;
+            tell(watch, solver.progress)?;
         }
         Ok(points)
     };
@@ -192,10 +175,10 @@ pub fn trace_with(
         maxima.reverse();
     }
     Ok(CreepCurve {
-        method: options.method,
+        method,
         path: *path,
         normal,
-        reference: problem.reference,
+        reference: solver.problem.reference,
         warnings: warnings.all(path.abscissa(), &points),
         points,
         initial_slope: slope.value,
@@ -207,22 +190,8 @@ pub fn trace_with(
 /// Checks whatever can be checked before the first solution.
 ///
 /// # Errors
-/// A history or an initial state, as a creep curve is of steady rolling; a wheel that does not roll
-/// somewhere on the path; and whatever [`Problem::check`] and [`Options::check`] refuse there.
-pub fn check(
-    problem: &Problem,
-    options: &Options,
-    path: &Path,
-    sampling: &Sampling,
-) -> Result<(), Error> {
-    let what = "a creep curve is of";
-    if problem.history.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::Time, what });
-    }
-    if problem.initial_state.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
-    }
-    options.check()?;
+/// A wheel that does not roll somewhere on the path, and whatever [`Problem::check`] refuses there.
+pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), Error> {
     sampling.check()?;
     if let Some(locked) = path.locks_at() {
         let quantity = path.abscissa().quantity();
@@ -236,38 +205,35 @@ pub fn check(
 }
 
 /// Solves one point after the other, each from those before.
-struct Solver<'a> {
+struct Points<'a> {
     problem: Problem,
     path: &'a Path,
-    steady: &'a mut SteadySolver,
+    solver: &'a mut dyn Solver,
+    watch: Watch<'a>,
+    progress: Progress,
     /// All work so far.
     work: Work,
 }
 
-impl<'a> Solver<'a> {
-    fn new(problem: &Problem, steady: &'a mut SteadySolver, path: &'a Path) -> Self {
-        Self { problem: problem.clone(), path, steady, work: Work::default() }
+impl Points<'_> {
+    fn move_to(&mut self, abscissa: f64) {
+        let speed = self.problem.kinematics.speed;
+        self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
     }
 
     fn solve(&mut self, abscissa: f64) -> Result<Solution, Error> {
-        let speed = self.problem.kinematics.speed;
-        self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
-        let options = self.steady.options();
-        let marches = options.method == Method::Full && options.driver == Some(Driver::Marching);
-        let solution = if marches {
-            rolling::solve(&self.problem, self.steady.options(), &mut |_| ())?
-        } else {
-            self.steady.solve(&self.problem, &mut |_| ())?
-        };
+        self.move_to(abscissa);
+        let watch = within(self.watch, self.progress);
+        let solution = self.solver.solve(&self.problem, &watch)?;
         self.add(&solution.work);
         Ok(solution)
     }
 
     /// The solution with its derivatives, if it is found at once.
     fn differentiate(&mut self, abscissa: f64) -> Result<Option<Solution>, Error> {
-        let speed = self.problem.kinematics.speed;
-        self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
-        let solution = self.steady.solve_with_derivatives(&self.problem)?;
+        self.move_to(abscissa);
+        let watch = within(self.watch, self.progress);
+        let solution = self.solver.solve_with_derivatives(&self.problem, &watch)?;
         if let Some(solution) = &solution {
             self.add(&solution.work);
         }

@@ -30,7 +30,7 @@ pub trait Elasticity: Debug + Send + Sync {
 }
 
 /// Displacement from traction on the cells of one grid; symmetric and not negative.
-pub trait Compliance: Debug + Send {
+pub trait Compliance: Debug + Send + Sync {
     /// Displacement difference u, wheel minus rail (in m), of every cell of the grid under the
     /// traction t on the wheel (in Pa).
     fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField);

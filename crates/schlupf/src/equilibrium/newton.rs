@@ -3,7 +3,9 @@
 //! kinks, and a norm that must fall in every step creeps along them.
 
 use super::{Equilibrium, Gmres, Limits, Outcome};
+use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
+use crate::progress::{Progress, Stage, Watch, tell};
 
 /// Largest linear residual asked of the Krylov method, relative to that of the Newton step.
 const LARGEST_FORCING: f64 = 0.3;
@@ -46,6 +48,15 @@ pub struct Newton {
     krylov: Gmres,
 }
 
+/// How a solution went, with the linear response to what was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solved<'a> {
+    /// How it went.
+    pub outcome: Outcome,
+    /// L p, in m.
+    pub response: &'a [f64],
+}
+
 /// Largest dimension of a Krylov space: where that does not do, the step is inexact.
 const MAX_DIMENSION: usize = 120;
 
@@ -64,13 +75,17 @@ impl Default for Newton {
 
 impl Newton {
     /// Solves F(p) = 0 from the given p, in place. On return the system was last evaluated, for its
-    /// defect, at the p that is returned.
+    /// defect, at the p that is returned. `watch` is asked before every step.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`]; p is then that of the step before.
     pub fn solve(
         &mut self,
         system: &mut impl Equilibrium,
         p: &mut [f64],
         limits: &Limits,
-    ) -> Outcome {
+        watch: Watch,
+    ) -> Result<Solved<'_>, Error> {
         self.prepare(system);
         let mut outcome = Outcome { products: 1, ..Outcome::default() };
         system.compliance_product(p, &mut self.u);
@@ -98,8 +113,11 @@ impl Newton {
                 outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
             }
             if outcome.converged || given_up {
-                return outcome;
+                return Ok(Solved { outcome, response: &self.u });
             }
+            let change = Some(outcome.residual);
+            let done = outcome.iterations;
+            tell(watch, Progress { change, ..Progress::count(Stage::Steady, done) })?;
             outcome.iterations += 1;
             let enough = ENOUGH * limits.tolerance / outcome.residual;
             outcome.products += self.direction(system, forcing.max(enough).min(0.5));
@@ -113,11 +131,6 @@ impl Newton {
             };
             forcing = (0.9 * (length / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
         }
-    }
-
-    /// L p of the p that was returned last, in m.
-    pub fn response(&self) -> &[f64] {
-        &self.u
     }
 
     fn prepare(&mut self, system: &impl Equilibrium) {

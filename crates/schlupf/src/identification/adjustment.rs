@@ -8,7 +8,6 @@ use crate::interface::friction::constants::{AdjustableFriction, Changes, Frictio
 use crate::normal::PressureSource;
 use crate::normal::at_load::AtLoad;
 use crate::problem::Problem;
-use crate::quantity::Quantity;
 
 use super::parameter::Parameter;
 
@@ -83,16 +82,4 @@ pub(super) fn loaded(
         Some(load) => Arc::new(AtLoad::new(own, load)?),
         None => own,
     })
-}
-
-/// Creep curves are of steady rolling.
-pub(super) fn refuse_transient(problem: &Problem) -> Result<(), Error> {
-    let what = "a creep curve is of";
-    if problem.history.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::Time, what });
-    }
-    if problem.initial_state.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
-    }
-    Ok(())
 }

@@ -3,6 +3,7 @@
 use crate::creep_curve::Abscissa;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::progress::Watch;
 
 use super::data::{Component, Condition, DataPoint};
 use super::model::CreepForceModel;
@@ -44,11 +45,12 @@ const MOST_CONDITIONS: usize = 12;
 /// where that is zero) besides those of the data. Where there are more than twelve conditions, none has one.
 ///
 /// # Errors
-/// Conditions that cannot be.
+/// Conditions that cannot be, and [`Error::Stopped`].
 pub fn sample_curves(
     model: &mut dyn CreepForceModel,
     data: &[DataPoint],
     points: usize,
+    watch: Watch,
 ) -> Result<FittedCurves, Error> {
     let abscissa = abscissa(data);
     let mut series = group(data, abscissa);
@@ -73,7 +75,7 @@ pub fn sample_curves(
         for at in places {
             let mut condition = one.condition;
             set(abscissa, &mut condition.kinematics, at);
-            let force = model.force_ratio(&condition)?;
+            let force = model.force_ratio(&condition, watch)?;
             let ratio = force.map_or(f64::NAN, |force| force.value[one.component.index()]);
             one.curve.push([at, ratio]);
         }

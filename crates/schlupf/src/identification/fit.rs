@@ -5,6 +5,7 @@ use faer::Mat;
 use crate::error::{Error, FitCause, FitError, FitStop};
 use crate::least_squares::{self, Limits, Minimum, Residuals};
 use crate::numerics::vector::root_mean_square;
+use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::solution::{Status, Work};
 use crate::warning::{Unconverged, Warning};
@@ -12,7 +13,7 @@ use crate::warning::{Unconverged, Warning};
 use super::confidence::students_t;
 use super::data::{self, Condition, DataPoint, FittedPoint};
 use super::determinacy::{self, LEAST_SCATTER};
-use super::model::{CreepForceModel, Progress};
+use super::model::CreepForceModel;
 use super::parameter::Parameter;
 use super::residuals::{Failure, Weighted, order};
 use super::statistics::{autocorrelation, r_squared};
@@ -93,7 +94,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 }
 
 /// Fits the parameters of a model to measured points, at most so many steps. The model has the values
-/// found at the end. `report` is called before every solution.
+/// found at the end.
 ///
 /// The parameters θ make Σ ((F/N)_computed − (F/N)_measured)²/σ² smallest, in the logarithms of those that are positive.
 /// Their covariance is s² (JᵀJ)⁻¹ with the variance of the residuals s² = Σr²/(n − p), and intervals are
@@ -106,7 +107,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// counts to one side.
 ///
 /// # Errors
-/// Whatever [`check`] refuses; start values without a solution; forces of the wrong sign; and data that leave a parameter open:
+/// [`Error::Stopped`]; whatever [`check`] refuses; start values without a solution; forces of the wrong sign; and data that leave a parameter open:
 /// no force depends on it, μ0 is looked for in forces that are in proportion to the creepage, its 95 % interval is wider than itself on each side (for a parameter that may
 /// be zero, at least 0.1), or it goes with another one at a correlation above 0.999. For this, scatter that the data do
 /// not give is taken to be at least 10⁻³ of the largest force.
@@ -114,15 +115,15 @@ pub fn fit(
     model: &mut dyn CreepForceModel,
     data: &[DataPoint],
     max_iterations: usize,
-    report: &mut dyn FnMut(Progress),
+    watch: Watch,
 ) -> Result<Fit, Error> {
     check(model, data)?;
-    let mut weighted = Weighted::new(model, data, report);
+    let mut weighted = Weighted::new(model, data, watch);
     let start = vec![0.0; weighted.coordinates.len()];
-    let Some(residuals) = weighted.residuals(&start) else { return Err(no_start(&weighted)) };
+    let Some(residuals) = weighted.residuals(&start)? else { return Err(no_start(&weighted)) };
     data::check_signs(data, &computed(data, &residuals))?;
     let limits = limits(data, start.len(), max_iterations);
-    let Some(minimum) = least_squares::minimise(&mut weighted, &start, &limits) else {
+    let Some(minimum) = least_squares::minimise(&mut weighted, &start, &limits)? else {
         return Err(no_start(&weighted));
     };
     let values = weighted.values(&minimum.parameters);

@@ -23,7 +23,7 @@ pub use confidence::students_t;
 pub use curves::{FittedCurves, Series, sample_curves};
 pub use data::{Component, Condition, DataPoint, FittedPoint};
 pub use fit::{Estimate, Fit, check, fit};
-pub use model::{CreepForceModel, ForceRatio, Progress};
+pub use model::{CreepForceModel, ForceRatio};
 pub use parameter::Parameter;
 pub use polach_method::PolachModel;
 pub use rolling_contact::RollingContactModel;

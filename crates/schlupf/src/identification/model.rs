@@ -1,6 +1,7 @@
 //! What a fit needs of a model.
 
 use crate::error::Error;
+use crate::progress::Watch;
 use crate::solution::Work;
 
 use super::data::Condition;
@@ -16,7 +17,7 @@ pub struct ForceRatio {
 }
 
 /// A model of creep forces with parameters to find. Extension point.
-pub trait CreepForceModel {
+pub trait CreepForceModel: Send + Sync {
     /// The parameters to find.
     fn parameters(&self) -> &[Parameter];
 
@@ -32,16 +33,26 @@ pub trait CreepForceModel {
     /// The force; `None` where it was not found.
     ///
     /// # Errors
-    /// A condition that cannot be.
-    fn force_ratio(&mut self, condition: &Condition) -> Result<Option<ForceRatio>, Error>;
+    /// A condition that cannot be, and [`Error::Stopped`].
+    fn force_ratio(
+        &mut self,
+        condition: &Condition,
+        watch: Watch,
+    ) -> Result<Option<ForceRatio>, Error>;
+
+    /// The forces under several conditions, in their order. Those under one load may end with the first that is not
+    /// found; those under different loads may be computed at the same time.
+    ///
+    /// # Errors
+    /// As [`Self::force_ratio`].
+    fn force_ratios(
+        &mut self,
+        conditions: &[Condition],
+        watch: Watch,
+    ) -> Result<Vec<Option<ForceRatio>>, Error> {
+        conditions.iter().map(|condition| self.force_ratio(condition, watch)).collect()
+    }
 
     /// All work so far.
     fn work(&self) -> Work;
-}
-
-/// How far a fit has got.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Forces computed so far.
-    pub solved: usize,
 }

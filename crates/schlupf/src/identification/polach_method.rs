@@ -1,16 +1,15 @@
 //! Creep forces of Polach's method, as a model to fit.
 
 use crate::error::{Error, FitError};
-use crate::method::{AreaReduction, Method};
-use crate::problem::{Options, Problem};
+use crate::method::{AreaReduction, FastMethod};
+use crate::problem::Problem;
+use crate::progress::{Progress, Stage, Watch, tell};
 use crate::reference_point;
 use crate::simplified::polach::{Differentiated, differentiated_force};
 use crate::simplified::{EllipticContact, friction_state};
 use crate::solution::Work;
 
-use super::adjustment::{
-    adjusted_friction, friction_constant, loaded, refuse_transient, require_heat,
-};
+use super::adjustment::{adjusted_friction, friction_constant, loaded, require_heat};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -31,20 +30,15 @@ impl PolachModel {
     /// A problem whose parameters start at their present values.
     ///
     /// # Errors
-    /// Options with another method, a parameter that neither the method nor the friction law has, a
-    /// history, and whatever [`Problem::check`] and [`Options::check`] refuse.
+    /// A parameter that neither the method nor the friction law has, reductions that cannot be, and whatever
+    /// [`Problem::check`] refuses.
     pub fn new(
         problem: &Problem,
-        options: &Options,
+        reduction: AreaReduction,
         parameters: &[Parameter],
     ) -> Result<Self, Error> {
         problem.check()?;
-        options.check()?;
-        refuse_transient(problem)?;
-        let Method::Polach(reduction) = options.method else {
-            let (reason, method) = ("the method must be \"polach\"", options.method.name());
-            return Err(Error::OtherMethod { reason, method });
-        };
+        FastMethod::Polach(reduction).check()?;
         require_heat(false, parameters, Some("polach"))?;
         let start = parameters.iter().map(|parameter| match parameter {
             Parameter::Friction(constant) => friction_constant(&problem.friction, *constant),
@@ -102,11 +96,16 @@ impl CreepForceModel for PolachModel {
         self.problem.check()
     }
 
-    fn force_ratio(&mut self, condition: &Condition) -> Result<Option<ForceRatio>, Error> {
+    fn force_ratio(
+        &mut self,
+        condition: &Condition,
+        watch: Watch,
+    ) -> Result<Option<ForceRatio>, Error> {
+        tell(watch, Progress::count(Stage::Steady, 0))?;
         condition.kinematics.check()?;
         let contact = self.contact(condition.load)?;
         let place = reference_point::place(self.problem.reference, &contact.normal)?;
-        let kinematics = reference_point::at_patch(&condition.kinematics, place);
+        let kinematics = condition.kinematics.at(place.map(|part| -part));
         self.problem.kinematics = kinematics;
         let (load, state) = (contact.normal.load, friction_state(&self.problem));
         let law = &self.problem.friction.law;

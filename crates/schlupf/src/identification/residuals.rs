@@ -4,9 +4,10 @@ use faer::Mat;
 
 use crate::error::Error;
 use crate::least_squares::Residuals;
+use crate::progress::{Progress, Stage, Watch, within};
 
 use super::data::{Condition, DataPoint};
-use super::model::{CreepForceModel, ForceRatio, Progress};
+use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::{Parameter, Scale};
 
 /// A parameter as the fit moves it.
@@ -48,7 +49,7 @@ pub(super) struct Weighted<'a> {
     last: Option<Evaluation>,
     /// Why the last residuals could not be computed.
     pub failure: Option<Failure>,
-    report: &'a mut dyn FnMut(Progress),
+    watch: Watch<'a>,
     solved: usize,
 }
 
@@ -72,7 +73,7 @@ impl<'a> Weighted<'a> {
     pub fn new(
         model: &'a mut dyn CreepForceModel,
         data: &'a [DataPoint],
-        report: &'a mut dyn FnMut(Progress),
+        watch: Watch<'a>,
     ) -> Self {
         let pairs = model.parameters().iter().zip(model.start());
         let coordinates = pairs.map(|(parameter, start)| Coordinate::new(*parameter, start));
@@ -84,7 +85,7 @@ impl<'a> Weighted<'a> {
             order: order(data),
             last: None,
             failure: None,
-            report,
+            watch,
             solved: 0,
         }
     }
@@ -103,14 +104,18 @@ impl<'a> Weighted<'a> {
         self.model.set(&values).map_err(Failure::Refused)?;
         let mut residuals = vec![0.0; self.data.len()];
         let mut jacobian = Mat::zeros(self.data.len(), values.len());
-        let mut last: Option<(Condition, ForceRatio)> = None;
-        for row in self.order.clone() {
+        // Both components of one measurement have one.
+        let mut conditions: Vec<Condition> =
+            self.order.iter().map(|row| self.data[*row].condition).collect();
+        conditions.dedup();
+        let mut forces = self.solve(&conditions)?.into_iter().zip(conditions);
+        let mut last: Option<(ForceRatio, Condition)> = None;
+        for &row in &self.order {
             let point = &self.data[row];
-            let force = match last.take() {
-                // Both components of one measurement.
-                Some((condition, force)) if condition == point.condition => force,
-                _ => self.solve(&point.condition)?,
-            };
+            if last.as_ref().is_none_or(|(_, condition)| *condition != point.condition) {
+                last = forces.next();
+            }
+            let Some((force, _)) = &last else { break };
             let component = point.component.index();
             let weight = point.standard_deviation.map_or(1.0, f64::recip);
             residuals[row] = weight * (force.value[component] - point.force_ratio);
@@ -118,7 +123,6 @@ impl<'a> Weighted<'a> {
                 let slope = self.coordinates[column].scale.slope(values[column]);
                 jacobian[(row, column)] = weight * slope * by[component];
             }
-            last = Some((point.condition, force));
         }
         let (moved, known) = (moved.to_vec(), residuals.clone());
         self.last = Some(Evaluation { moved, residuals: known, jacobian });
@@ -126,24 +130,23 @@ impl<'a> Weighted<'a> {
         Ok(residuals)
     }
 
-    fn solve(&mut self, condition: &Condition) -> Result<ForceRatio, Failure> {
-        self.solved += 1;
-        (self.report)(Progress { solved: self.solved });
-        match self.model.force_ratio(condition) {
-            Ok(Some(force)) => Ok(force),
-            Ok(None) => Err(Failure::NotFound(*condition)),
-            Err(error) => Err(Failure::Refused(error)),
-        }
+    fn solve(&mut self, conditions: &[Condition]) -> Result<Vec<ForceRatio>, Failure> {
+        let watch = within(self.watch, Progress::count(Stage::Fit, self.solved));
+        self.solved += conditions.len();
+        let forces = self.model.force_ratios(conditions, &watch).map_err(Failure::Refused)?;
+        let pairs = forces.into_iter().zip(conditions);
+        pairs.map(|(force, condition)| force.ok_or(Failure::NotFound(*condition))).collect()
     }
 }
 
 impl Residuals for Weighted<'_> {
-    fn residuals(&mut self, moved: &[f64]) -> Option<Vec<f64>> {
+    fn residuals(&mut self, moved: &[f64]) -> Result<Option<Vec<f64>>, Error> {
         match self.evaluate(moved) {
-            Ok(residuals) => Some(residuals),
+            Ok(residuals) => Ok(Some(residuals)),
+            Err(Failure::Refused(Error::Stopped {})) => Err(Error::Stopped {}),
             Err(failure) => {
                 self.failure = Some(failure);
-                None
+                Ok(None)
             }
         }
     }
@@ -153,9 +156,9 @@ impl Residuals for Weighted<'_> {
     }
 
     /// Found together with the residuals.
-    fn jacobian(&mut self, moved: &[f64], _residuals: &[f64]) -> Option<Mat<f64>> {
-        self.residuals(moved)?;
-        self.last.as_ref().map(|last| last.jacobian.clone())
+    fn jacobian(&mut self, moved: &[f64], _residuals: &[f64]) -> Result<Option<Mat<f64>>, Error> {
+        let is_known = self.residuals(moved)?.is_some();
+        Ok(self.last.as_ref().filter(|_| is_known).map(|last| last.jacobian.clone()))
     }
 }
 

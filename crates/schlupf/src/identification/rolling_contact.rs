@@ -6,15 +6,15 @@ use crate::error::{Error, FitError};
 use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
 use crate::interface::friction::constants::FrictionConstant;
-use crate::method::Method;
 use crate::normal::PressureSource;
+use crate::parallel;
 use crate::problem::{Options, Problem};
+use crate::progress::Watch;
 use crate::rolling::steady::SteadySolver;
 use crate::solution::{Resultant, Work};
+use crate::solver::Solver;
 
-use super::adjustment::{
-    adjusted_friction, friction_constant, loaded, refuse_transient, require_heat,
-};
+use super::adjustment::{adjusted_friction, friction_constant, loaded, require_heat};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -22,7 +22,8 @@ use super::roughness;
 
 /// Steady rolling contact with unknown constants of friction and contact law.
 ///
-/// Points under one load share one solver, so each starts from the solutions before.
+/// Points under one load share one solver, so each starts from the solutions before; different loads are solved on
+/// several threads.
 pub struct RollingContactModel {
     problem: Problem,
     options: Options,
@@ -56,8 +57,8 @@ impl RollingContactModel {
     /// [`Parameter::Roughness`] only.
     ///
     /// # Errors
-    /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it together, a
-    /// fast method, a history, and whatever [`Problem::check`] and [`Options::check`] refuse.
+    /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it together, and whatever
+    /// [`Problem::check`] and [`Options::check`] refuse.
     pub fn new(
         problem: &Problem,
         options: &Options,
@@ -66,11 +67,6 @@ impl RollingContactModel {
     ) -> Result<Self, Error> {
         problem.check()?;
         options.check()?;
-        refuse_transient(problem)?;
-        if options.method != Method::Full {
-            let reason = "what can be fitted is \"full\" and \"polach\"";
-            return Err(Error::OtherMethod { reason, method: options.method.name() });
-        }
         let has_heat = problem.heat.model.is_some();
         require_heat(has_heat, parameters, None)?;
         let materials = [&problem.wheel.material, &problem.rail.material];
@@ -125,15 +121,39 @@ impl RollingContactModel {
     }
 
     /// The place of the solver for a load.
-    fn contact(&mut self, load: Option<f64>) -> Result<usize, Error> {
+    fn contact(&mut self, load: Option<f64>, watch: Watch) -> Result<usize, Error> {
         if let Some(k) = self.contacts.iter().position(|contact| contact.load == load) {
             return Ok(k);
         }
         let normal = loaded(&self.problem, load)?;
+        normal.prepare(None, watch)?;
         let value = normal.normal_contact(None)?.summary.load;
         let solver = SteadySolver::new(&self.options);
         self.contacts.push(LoadedContact { load, normal, value, solver });
         Ok(self.contacts.len() - 1)
+    }
+
+    /// Forces under conditions of one load, as far as they are found.
+    fn under_load(
+        &self,
+        contact: &mut LoadedContact,
+        conditions: &[Condition],
+        watch: Watch,
+    ) -> Result<Vec<(ForceRatio, Work)>, Error> {
+        let mut forces = Vec::with_capacity(conditions.len());
+        for Condition { kinematics, .. } in conditions {
+            let (kinematics, normal) = (*kinematics, Arc::clone(&contact.normal));
+            let problem = Problem { kinematics, normal, ..self.problem.clone() };
+            let solver = &mut contact.solver;
+            let found = solver.solve_with_derivatives_by(&problem, &self.constants, watch)?;
+            let Some((solution, by)) = found else { break };
+            let ratio = |force: [f64; 2]| force.map(|component| -component / contact.value);
+            let derivatives = (0..by.len()).map(|k| ratio(self.by_parameter(k, &by)));
+            let by_parameter = derivatives.collect();
+            let value = ratio([solution.force.x, solution.force.y]);
+            forces.push((ForceRatio { value, by_parameter }, solution.work));
+        }
+        Ok(forces)
     }
 
     /// Derivatives of the force (in N) by a parameter, `by` being those by the constants asked for.
@@ -204,21 +224,39 @@ impl CreepForceModel for RollingContactModel {
         Ok(())
     }
 
-    fn force_ratio(&mut self, condition: &Condition) -> Result<Option<ForceRatio>, Error> {
-        let k = self.contact(condition.load)?;
-        let LoadedContact { normal, value: load, solver, .. } = &mut self.contacts[k];
-        let (normal, load) = (Arc::clone(normal), *load);
-        let kinematics = condition.kinematics;
-        let problem = Problem { kinematics, normal, ..self.problem.clone() };
-        let found = solver.solve_with_derivatives_by(&problem, &self.constants)?;
-        let Some((solution, by)) = found else { return Ok(None) };
-        add(&mut self.work, &solution.work);
-        let ratio = |force: [f64; 2]| force.map(|component| -component / load);
-        let derivatives = (0..by.len()).map(|k| ratio(self.by_parameter(k, &by)));
-        Ok(Some(ForceRatio {
-            value: ratio([solution.force.x, solution.force.y]),
-            by_parameter: derivatives.collect(),
-        }))
+    fn force_ratio(
+        &mut self,
+        condition: &Condition,
+        watch: Watch,
+    ) -> Result<Option<ForceRatio>, Error> {
+        let mut forces = self.force_ratios(std::slice::from_ref(condition), watch)?;
+        Ok(forces.pop().flatten())
+    }
+
+    fn force_ratios(
+        &mut self,
+        conditions: &[Condition],
+        watch: Watch,
+    ) -> Result<Vec<Option<ForceRatio>>, Error> {
+        let contact = conditions.iter().map(|condition| self.contact(condition.load, watch));
+        let contact = contact.collect::<Result<Vec<usize>, Error>>()?;
+        let of_contact = |k: usize| {
+            let own = contact.iter().zip(conditions).filter(|(contact, _)| **contact == k);
+            own.map(|(_, condition)| *condition).collect::<Vec<Condition>>()
+        };
+        let mut contacts = std::mem::take(&mut self.contacts);
+        let each = contacts.iter_mut().enumerate().collect();
+        let found = parallel::map(each, |(k, contact)| {
+            self.under_load(contact, &of_contact(k), watch).map(Vec::into_iter)
+        });
+        self.contacts = contacts;
+        let mut found = found.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        let forces = contact.iter().map(|k| {
+            let (force, work) = found[*k].next()?;
+            add(&mut self.work, &work);
+            Some(force)
+        });
+        Ok(forces.collect())
     }
 
     fn work(&self) -> Work {

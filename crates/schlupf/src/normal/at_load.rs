@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{NormalContact, PressureSource};
 use crate::error::{Error, require_positive};
+use crate::progress::Watch;
 use crate::quantity::Quantity;
 
 /// A source of pressure whose own load is another one.
@@ -24,6 +25,10 @@ impl AtLoad {
 impl PressureSource for AtLoad {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         self.source.normal_contact(load.or(Some(self.load)))
+    }
+
+    fn prepare(&self, load: Option<f64>, watch: Watch) -> Result<(), Error> {
+        self.source.prepare(load.or(Some(self.load)), watch)
     }
 
     fn growth(&self) -> Option<f64> {

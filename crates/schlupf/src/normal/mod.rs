@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::grid::Extent;
+use crate::progress::Watch;
 use crate::warning::Warning;
 
 use tabulated::PressureTable;
@@ -20,6 +21,14 @@ use tabulated::PressureTable;
 pub trait PressureSource: Debug + Send + Sync {
     /// The normal contact under `load` (in N), or under the source's own load.
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error>;
+
+    /// Finds out ahead what the normal contact under `load` (in N), or under the source's own load, takes long for.
+    ///
+    /// # Errors
+    /// As [`Self::normal_contact`], and [`Error::Stopped`].
+    fn prepare(&self, _load: Option<f64>, _watch: Watch) -> Result<(), Error> {
+        Ok(())
+    }
 
     /// With which power of the load the lengths of the patch grow (dimensionless), if the load is
     /// all that changes in the description of the source: 1/3 for two bodies of given curvature, 0

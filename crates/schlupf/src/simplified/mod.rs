@@ -24,14 +24,15 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::heat::peclet::semi_axes;
 use crate::kinematics::{Kinematics, ReferencePoint};
-use crate::method::Method;
+use crate::method::{AreaReduction, FastMethod, Method};
 use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
-use crate::quantity::Quantity;
-use crate::reference_point::{self, Moved};
+use crate::progress::{Progress, Stage, Watch, tell, unwatched};
+use crate::reference_point::AtPatch;
 use crate::solution::{
     Area, Fields, Instant, Power, Resultant, Solution, Status, Temperature, Work,
 };
+use crate::solver::Solver;
 use crate::state::State;
 use crate::summary;
 
@@ -46,50 +47,56 @@ const UNKNOWN: f64 = f64::NAN;
 /// A contact that is set up for one of the fast methods.
 #[derive(Debug)]
 pub struct FastContact {
-    problem: Problem,
+    at: AtPatch,
+    method: FastMethod,
     options: Options,
     contact: EllipticContact,
-    fastsim: Option<Fastsim>,
-    /// Where the reference point lies in the contact frame (x and y in m), if it is another one
-    /// than that frame's origin, at which the problem above has its creepages.
-    place: Option<[f64; 2]>,
+    kernel: Kernel,
+}
+
+/// What a method has beside the ellipse of the contact.
+#[derive(Debug)]
+enum Kernel {
+    KalkerLinear,
+    ShenHedrickElkins,
+    Polach(AreaReduction),
+    Fastsim(Box<Fastsim>),
+}
+
+impl Kernel {
+    fn new(
+        method: FastMethod,
+        problem: &Problem,
+        options: &Options,
+        normal: &NormalContact,
+    ) -> Result<Self, Error> {
+        let fastsim = |kind| {
+            let fastsim = Fastsim::new(problem, options, kind, normal)?;
+            Ok(Self::Fastsim(Box::new(fastsim)))
+        };
+        match method {
+            FastMethod::KalkerLinear => Ok(Self::KalkerLinear),
+            FastMethod::ShenHedrickElkins => Ok(Self::ShenHedrickElkins),
+            FastMethod::Polach(reduction) => Ok(Self::Polach(reduction)),
+            FastMethod::Fastsim(brush) => fastsim((brush, None)),
+            FastMethod::ModifiedFastsim(brush, reduction) => fastsim((brush, Some(reduction))),
+        }
+    }
 }
 
 impl FastContact {
-    /// Sets up a problem for the method of the options.
+    /// Sets up a problem for a method.
     ///
     /// # Errors
-    /// The full method, a history or an initial state, and whatever [`Problem::check`] and
-    /// [`Options::check`] refuse.
-    pub fn new(problem: &Problem, options: &Options) -> Result<Self, Error> {
+    /// Whatever [`FastMethod::check`], [`Problem::check`] and [`Options::check`] refuse.
+    pub fn new(problem: &Problem, method: FastMethod, options: &Options) -> Result<Self, Error> {
         options.check()?;
-        check(problem, options)?;
-        match Moved::from(problem)? {
-            None => Self::at_patch(problem, options),
-            Some(Moved { problem, place }) => {
-                Ok(Self { place: Some(place), ..Self::at_patch(&problem, options)? })
-            }
-        }
-    }
-
-    /// The same of a problem with its creepages at the middle of the patch.
-    fn at_patch(problem: &Problem, options: &Options) -> Result<Self, Error> {
-        let fastsim = match options.method {
-            Method::Fastsim(brush) => Some((brush, None)),
-            Method::ModifiedFastsim(brush, reduction) => Some((brush, Some(reduction))),
-            _ => None,
-        };
-        let normal = problem.normal.normal_contact(None)?;
-        let set_up = |kind| Fastsim::new(problem, options, kind, &normal);
-        let fastsim = fastsim.map(set_up).transpose()?;
-        let contact = EllipticContact::of(problem, normal.summary)?;
-        Ok(Self {
-            problem: problem.clone(),
-            options: options.clone(),
-            contact,
-            fastsim,
-            place: None,
-        })
+        method.check()?;
+        let at = AtPatch::new(problem, &unwatched)?;
+        let normal = at.problem.normal.normal_contact(None)?;
+        let kernel = Kernel::new(method, &at.problem, options, &normal)?;
+        let contact = EllipticContact::of(&at.problem, normal.summary)?;
+        Ok(Self { at, method, options: options.clone(), contact, kernel })
     }
 
     /// The contact as the method sees it.
@@ -100,21 +107,15 @@ impl FastContact {
     /// Takes over another problem; the set-up stays where the bodies and the normal contact do.
     pub fn set_problem(&mut self, problem: &Problem) -> Result<(), Error> {
         let bodies = |problem: &Problem| [problem.wheel.material, problem.rail.material];
-        let fits = Arc::ptr_eq(&self.problem.normal, &problem.normal)
-            && bodies(&self.problem) == bodies(problem);
+        let fits = Arc::ptr_eq(&self.at.problem.normal, &problem.normal)
+            && bodies(&self.at.problem) == bodies(problem);
         if !fits {
-            *self = Self::new(problem, &self.options)?;
+            *self = Self::new(problem, self.method, &self.options)?;
             return Ok(());
         }
-        check(problem, &self.options)?;
-        if let Some(Moved { problem, place }) = Moved::from(problem)? {
-            (self.problem, self.place) = (problem, Some(place));
-        } else {
-            self.problem.clone_from(problem);
-            self.place = None;
-        }
-        if let Some(fastsim) = &mut self.fastsim {
-            fastsim.set_friction(&self.problem);
+        self.at = AtPatch::new(problem, &unwatched)?;
+        if let Kernel::Fastsim(fastsim) = &mut self.kernel {
+            fastsim.set_friction(&self.at.problem);
         }
         Ok(())
     }
@@ -122,27 +123,21 @@ impl FastContact {
     /// Takes over another load (in N); the patch grows as its source says. Allocates nothing, unless that
     /// changes its shape.
     pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
-        let contact = self.problem.normal.normal_contact(Some(load))?;
-        if self.problem.normal.growth().is_none() {
-            return self.set_contact(&contact);
+        let problem = &self.at.problem;
+        let contact = problem.normal.normal_contact(Some(load))?;
+        if problem.normal.growth().is_none() {
+            self.contact = EllipticContact::of(problem, contact.summary)?;
+            self.kernel = Kernel::new(self.method, problem, &self.options, &contact)?;
+            return Ok(());
         }
         let (normal, before) = (contact.summary, self.contact.normal);
-        if let Some(fastsim) = &mut self.fastsim {
+        if let Kernel::Fastsim(fastsim) = &mut self.kernel {
             fastsim.rescale(
                 normal.semi_axis_x / before.semi_axis_x,
                 normal.peak_pressure / before.peak_pressure,
             );
         }
         self.contact.normal = normal;
-        Ok(())
-    }
-
-    /// Takes over a normal contact of another shape.
-    fn set_contact(&mut self, contact: &NormalContact) -> Result<(), Error> {
-        self.contact = EllipticContact::of(&self.problem, contact.summary)?;
-        if let Some(fastsim) = &mut self.fastsim {
-            *fastsim = Fastsim::new(&self.problem, &self.options, fastsim.kind(), contact)?;
-        }
         Ok(())
     }
 
@@ -153,23 +148,20 @@ impl FastContact {
     /// Whatever [`Kinematics::check`] refuses.
     pub fn force(&mut self, motion: &Kinematics) -> Result<Resultant, Error> {
         motion.check()?;
-        let Some(place) = self.place else {
-            self.problem.kinematics = *motion;
-            return Ok(self.present_force());
-        };
-        self.problem.kinematics = reference_point::at_patch(motion, place);
-        Ok(self.present_force().about(place))
+        self.at.set_motion(motion);
+        let force = self.present_force();
+        Ok(self.at.resultant_back(&force))
     }
 
     fn present_force(&mut self) -> Resultant {
-        let (problem, contact) = (&self.problem, &self.contact);
+        let (problem, contact) = (&self.at.problem, &self.contact);
         let motion = &problem.kinematics;
         let limit = || friction_limit(problem, contact.normal.load);
-        match (self.options.method, &mut self.fastsim) {
-            (_, Some(fastsim)) => fastsim.force(problem, contact),
-            (Method::ShenHedrickElkins, _) => shen_hedrick_elkins::force(contact, motion, limit()),
-            (Method::Polach(reduction), _) => polach::force(contact, motion, limit(), reduction),
-            _ => contact.linear_force(motion),
+        match &mut self.kernel {
+            Kernel::KalkerLinear => contact.linear_force(motion),
+            Kernel::ShenHedrickElkins => shen_hedrick_elkins::force(contact, motion, limit()),
+            Kernel::Polach(reduction) => polach::force(contact, motion, limit(), *reduction),
+            Kernel::Fastsim(fastsim) => fastsim.force(problem, contact),
         }
     }
 
@@ -177,20 +169,17 @@ impl FastContact {
     /// areas of stick and slip, and whatever else it does not know are NaN.
     pub fn solution(&mut self) -> Solution {
         let solution = self.solution_at_patch();
-        match self.place {
-            None => solution,
-            Some(place) => reference_point::back(solution, &self.problem, place),
-        }
+        self.at.back(solution)
     }
 
     /// The same with the middle of the patch as its reference point.
     fn solution_at_patch(&mut self) -> Solution {
         let force = self.present_force();
-        let (problem, normal) = (&self.problem, &self.contact.normal);
+        let (problem, normal) = (&self.at.problem, &self.contact.normal);
         let limit = friction_limit(problem, normal.load);
-        let warnings = warnings::of(problem, normal, self.options.method, &force, limit);
+        let warnings = warnings::of(problem, normal, self.method, &force, limit);
         let mut account = summary::Account {
-            method: self.options.method,
+            method: Method::Fast(self.method),
             status: Status::Converged,
             residual: 0.0,
             history: Vec::new(),
@@ -214,7 +203,7 @@ impl FastContact {
             newton_iterations: 0,
             residual: 0.0,
         };
-        if let Some(fastsim) = &mut self.fastsim {
+        if let Kernel::Fastsim(fastsim) = &mut self.kernel {
             let now = fastsim.snapshot(problem);
             instant.max_rise = summary::temperature(&fastsim.patch, &now).max_rise;
             instant.friction_power = summary::power(&fastsim.patch, &now, &force).friction;
@@ -234,7 +223,7 @@ impl FastContact {
     }
 
     fn without_fields(&self, force: Resultant, account: summary::Account) -> Solution {
-        let (problem, normal) = (&self.problem, self.contact.normal);
+        let (problem, normal) = (&self.at.problem, self.contact.normal);
         let motion = problem.kinematics;
         let contact_area = PI * normal.semi_axis_x * normal.semi_axis_y;
         // What is dissipated in steady rolling is what the creep forces put in.
@@ -281,18 +270,38 @@ impl FastContact {
     }
 }
 
-/// Checks what can be checked before the set-up.
-fn check(problem: &Problem, options: &Options) -> Result<(), Error> {
-    problem.check()?;
-    if options.method == Method::Full {
-        return Err(Error::OtherMethod { reason: "a fast method is needed", method: "full" });
+/// Steady states of a fast method.
+#[derive(Debug)]
+pub struct FastSolver {
+    method: FastMethod,
+    options: Options,
+    contact: Option<FastContact>,
+}
+
+impl FastSolver {
+    /// A solver without a set-up.
+    pub fn new(method: FastMethod, options: &Options) -> Self {
+        Self { method, options: options.clone(), contact: None }
     }
-    let what = "a fast method is for";
-    if problem.history.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::Time, what });
+}
+
+impl Solver for FastSolver {
+    fn method(&self) -> Method {
+        Method::Fast(self.method)
     }
-    if problem.initial_state.is_some() {
-        return Err(Error::NotSteady { quantity: Quantity::InitialState, what });
+
+    fn options(&self) -> &Options {
+        &self.options
     }
-    Ok(())
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        tell(watch, Progress::count(Stage::Steady, 0))?;
+        problem.normal.prepare(None, watch)?;
+        if let Some(contact) = &mut self.contact {
+            contact.set_problem(problem)?;
+            return Ok(contact.solution());
+        }
+        let contact = FastContact::new(problem, self.method, &self.options)?;
+        Ok(self.contact.insert(contact).solution())
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::interface::friction::FrictionState;
 use crate::kalker_coefficients::is_tabulated;
-use crate::method::Method;
+use crate::method::FastMethod;
 use crate::normal::{NormalSummary, Pressure};
 use crate::problem::Problem;
 use crate::solution::{Power, Resultant};
@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn of(
     problem: &Problem,
     normal: &NormalSummary,
-    method: Method,
+    method: FastMethod,
     force: &Resultant,
     limit: f64,
 ) -> Vec<Warning> {
@@ -30,7 +30,7 @@ pub(super) fn of(
     }
     let has_moment = !force.moment_z.is_nan();
     warnings.push(Warning::ForcesOnly { method: name, has_moment });
-    if method != Method::KalkerLinear && depends_on_temperature(problem) {
+    if method != FastMethod::KalkerLinear && depends_on_temperature(problem) {
         warnings.push(Warning::ColdFriction { method: name });
     }
     let total = force.x.hypot(force.y);

@@ -56,7 +56,7 @@ impl HeightMap {
         let lattice = self.lattice();
         let scale = 0.5 * lattice.length_x().hypot(lattice.length_y());
         let points = lattice.points().map(|[x, y]| [x / scale, y / scale]);
-        let found = Fit::new(points, self.heights(), scale).form(form);
+        let found = Fit::new(points, self.heights(), scale).form(form)?;
         let Minimum { parameters, residuals, .. } =
             found.ok_or(SurfaceError::NoForm { form: form.name() })?;
         Ok(FormRemoval {
@@ -75,7 +75,7 @@ pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<
     let scale = half * spacing;
     // A line across a sphere over y = 0: what is said of y stays zero.
     let points = (0..heights.len()).map(|i| [(i as f64 + 0.5) / half - 1.0, 0.0]);
-    let found = Fit::new(points, heights, scale).form(Form::Sphere);
+    let found = Fit::new(points, heights, scale).form(Form::Sphere)?;
     let Minimum { parameters, residuals, .. } =
         found.ok_or(SurfaceError::NoForm { form: "circle" })?;
     Ok((over(scale, residuals), -scale / parameters[3]))
@@ -156,14 +156,18 @@ const LIMITS: Limits =
     Limits { tolerance: 1e-12, reducible: 1e-16, negligible: 0.0, max_iterations: 100 };
 
 impl Residuals for Fit {
-    fn residuals(&mut self, parameters: &[f64]) -> Option<Vec<f64>> {
+    fn residuals(&mut self, parameters: &[f64]) -> Result<Option<Vec<f64>>, Error> {
         let pairs = self.points.iter().zip(&self.heights);
         let deviations: Vec<f64> = pairs.map(|(at, z)| (self.shape)(parameters, *at) - z).collect();
-        norm(&deviations).is_finite().then_some(deviations)
+        Ok(norm(&deviations).is_finite().then_some(deviations))
     }
 
     /// By central differences, which are zero for a parameter without influence.
-    fn jacobian(&mut self, parameters: &[f64], residuals: &[f64]) -> Option<Mat<f64>> {
+    fn jacobian(
+        &mut self,
+        parameters: &[f64],
+        residuals: &[f64],
+    ) -> Result<Option<Mat<f64>>, Error> {
         let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
         for (k, column) in jacobian.col_iter_mut().enumerate() {
             let [above, below] = [DIFFERENCE, -DIFFERENCE].map(|step| {
@@ -176,7 +180,7 @@ impl Residuals for Fit {
                 *slope = rise / (2.0 * DIFFERENCE);
             }
         }
-        Some(jacobian)
+        Ok(Some(jacobian))
     }
 }
 
@@ -187,17 +191,18 @@ impl Fit {
     }
 
     /// The best form: its parameters, and the deviations from it, over the scale.
-    fn form(&mut self, form: Form) -> Option<Minimum> {
+    fn form(&mut self, form: Form) -> Result<Option<Minimum>, Error> {
         let terms = if form == Form::Plane { 3 } else { 6 };
         self.shape = polynomial;
         let found = minimise(self, &[0.0; 6][..terms], &LIMITS)?;
+        let Some(Minimum { parameters, .. }) = &found else { return Ok(None) };
         if form == Form::Plane {
-            return Some(found);
+            return Ok(found);
         }
         self.shape = quadric;
-        let mut start = start(&found.parameters, form);
+        let mut start = start(parameters, form);
         for _ in 0..FLATTENINGS {
-            if self.residuals(&start).is_some() {
+            if self.residuals(&start)?.is_some() {
                 break;
             }
             // The paraboloid was too curved for a sphere of its curvature to reach the corners.

@@ -8,13 +8,15 @@ use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::heat::{Heat, partition::Partition};
+use schlupf::history::History;
 use schlupf::interface::contact_law::Incremental;
 use schlupf::interface::friction::{Friction, constant::Constant};
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::marching::march;
-use schlupf::{Options, Problem, Solution, Status};
+use schlupf::state::State;
+use schlupf::{Options, Problem, Solution, Status, Transient, unwatched};
 
 /// Rolling at 30 m/s with the given creepages and spin (in 1/m).
 pub fn rolling(creepage_x: f64, creepage_y: f64, spin: f64) -> Kinematics {
@@ -50,8 +52,6 @@ pub fn problem(kinematics: Kinematics) -> Problem {
         contact_law: Arc::new(Incremental::new(5e6).unwrap()),
         friction: Friction::new(Arc::new(Constant::new(0.4).unwrap()), 20.0),
         heat: Heat { model: None, partition: Partition::Given(0.5) },
-        history: None,
-        initial_state: None,
     }
 }
 
@@ -60,9 +60,24 @@ pub fn cells(cells: usize) -> Options {
     Options { cells_x: cells, cells_y: cells, ..Options::default() }
 }
 
-/// Solves by marching, and does not accept less than convergence.
+/// Marches to the steady state, and does not accept less than convergence.
 pub fn solve(problem: &Problem, options: &Options) -> Solution {
-    let solution = march(problem, options, &mut |_| ()).unwrap();
+    follow(&Transient::to_steady_state(problem), options)
+}
+
+/// The same over a history.
+pub fn solve_over(problem: &Problem, history: History, options: &Options) -> Solution {
+    follow(&Transient { history, ..Transient::to_steady_state(problem) }, options)
+}
+
+/// Goes on from a state to the steady one.
+pub fn from_state(problem: &Problem, state: State) -> Transient {
+    Transient { initial_state: Some(state), ..Transient::to_steady_state(problem) }
+}
+
+/// Marches, and does not accept less than convergence.
+pub fn follow(transient: &Transient, options: &Options) -> Solution {
+    let solution = march(transient, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }

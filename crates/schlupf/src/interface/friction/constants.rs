@@ -80,7 +80,7 @@ impl Changes<'_> {
 }
 
 /// A friction law whose constants can be read and changed.
-pub trait AdjustableFriction {
+pub trait AdjustableFriction: Send + Sync {
     /// Its constants with their values, in SI units or dimensionless.
     fn constants(&self) -> Vec<(FrictionConstant, f64)>;
 

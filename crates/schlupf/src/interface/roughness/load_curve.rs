@@ -4,6 +4,7 @@ use crate::error::{Error, SurfaceError, require_positive};
 use crate::normal::rough_contact::{RoughContact, RoughContactOptions, RoughContactSolution};
 use crate::numerics::interpolation::{hermite, hermite_slope};
 use crate::numerics::vector::dot;
+use crate::progress::{Progress, Stage, Watch, within};
 use crate::quantity::Quantity;
 
 /// A rough contact at one load. Everything is per nominal area.
@@ -82,7 +83,7 @@ pub struct ExponentialRange {
 pub const EXPONENTIAL_RANGE: [f64; 2] = [0.01, 0.2];
 
 impl LoadCurve {
-    /// Solves the contact from the largest mean pressure (in Pa) down; `each` sees every point.
+    /// Solves the contact from the largest mean pressure (in Pa) down.
     ///
     /// Bodies that yield have carried the largest pressure before: the points are those of the flattened surfaces, which
     /// are elastic from then on.
@@ -90,7 +91,7 @@ impl LoadCurve {
         contact: &mut RoughContact,
         largest: f64,
         options: &LoadCurveOptions,
-        each: &mut dyn FnMut(&LoadPoint),
+        watch: Watch,
     ) -> Result<Self, Error> {
         require_positive(Quantity::MeanPressure, largest)?;
         let steps = options.steps();
@@ -99,7 +100,7 @@ impl LoadCurve {
         let mut flattened = None;
         let mut first = None;
         if contact.hardness().is_finite() {
-            let solution = contact.press(largest, &options.contact)?;
+            let solution = contact.press(largest, &options.contact, watch)?;
             flattened = Some(contact.flattened(&solution)?);
             first = Some(solution);
         }
@@ -107,7 +108,9 @@ impl LoadCurve {
         let mut points = Vec::with_capacity(steps + 1);
         for step in 0..=steps {
             let pressure = largest * options.range.powf(-(step as f64) / steps as f64);
-            let solution = contact.press(pressure, &options.contact)?;
+            let done = Progress::count(Stage::LoadCurve, step);
+            let watch = within(watch, Progress { total: Some(steps + 1), ..done });
+            let solution = contact.press(pressure, &options.contact, &watch)?;
             let mut point = LoadPoint::of(&solution, area);
             // The perimeter is corrected as that of round spots, of flat ones by too much.
             let least = point.mean_pressure / hardness;
@@ -119,7 +122,6 @@ impl LoadCurve {
                 point.is_converged &= first.is_converged;
                 point.iterations += first.iterations;
             }
-            each(&point);
             points.push(point);
         }
         points.reverse();

@@ -1,10 +1,11 @@
 //! The micro model in one: surface in, k_c out.
 
-use super::load_curve::{ExponentialRange, LoadCurve, LoadCurveOptions, LoadPoint};
+use super::load_curve::{ExponentialRange, LoadCurve, LoadCurveOptions};
 use super::stiffness::{ContactStiffness, TYPICAL_GAMMA, closed_form};
 use super::tangential_curve::{SimilarBodies, TangentialCurve};
 use crate::error::{Error, require_positive};
 use crate::normal::rough_contact::{Boundary, RoughContact};
+use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::surface::HeightMap;
 use crate::surface::statistics::Statistics;
@@ -47,11 +48,11 @@ pub struct MicroModelResult {
 const BELOW: f64 = 100.0;
 
 impl MicroModel {
-    /// Solves the normal contact over the load (`each` sees every point) and fits k_c.
+    /// Solves the normal contact over the load and fits k_c.
     pub fn solve(
         &self,
         options: &LoadCurveOptions,
-        each: &mut dyn FnMut(&LoadPoint),
+        watch: Watch,
     ) -> Result<MicroModelResult, Error> {
         self.bodies.check()?;
         let statistics = Statistics::of(&self.surface)?;
@@ -63,13 +64,8 @@ impl MicroModel {
         let distance = self.surface.distance_to_plane();
         let contact = RoughContact::new(distance, self.contact_modulus, Boundary::Periodic)?;
         let mut contact = contact.with_hardness(self.hardness)?;
-        let normal = LoadCurve::compute(&mut contact, largest, options, each)?;
+        let normal = LoadCurve::compute(&mut contact, largest, options, watch)?;
         MicroModelResult::new(statistics, normal, &self.bodies, &self.mean_pressures)
-    }
-
-    /// How many loads [`Self::solve`] solves.
-    pub fn loads(&self, options: &LoadCurveOptions) -> usize {
-        self.reaching(options).steps() + 1
     }
 
     /// In Pa.

@@ -28,6 +28,7 @@ use super::tabulated::PressureTable;
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require, require_positive};
 use crate::grid::Extent;
+use crate::progress::{Watch, unwatched};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 use crate::warning::Warning;
@@ -84,7 +85,7 @@ impl Profile {
         Ok(Self { distance, contact_modulus, load, cells, solved: Mutex::default() })
     }
 
-    fn contact(&self, load: f64) -> Result<Placed, Error> {
+    fn contact(&self, load: f64, watch: Watch) -> Result<Placed, Error> {
         let known = self.kept().iter().find(|(at, _)| *at == load).map(|(_, c)| c.clone());
         if let Some(contact) = known {
             return Ok(contact);
@@ -94,6 +95,7 @@ impl Profile {
             contact_modulus: self.contact_modulus,
             load,
             cells: self.cells,
+            watch,
         };
         let contact = placed(search.solve()?)?;
         let mut kept = self.kept();
@@ -128,10 +130,10 @@ impl PressureSource for Profile {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         let load = load.unwrap_or(self.load);
         require_positive(Quantity::Load, load)?;
-        let own = self.contact(self.load)?.extent;
+        let own = self.contact(self.load, &unwatched)?.extent;
         let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
         let origin = [middle(own.x), middle(own.y)];
-        let Placed { approach, extent, table } = self.contact(load)?;
+        let Placed { approach, extent, table } = self.contact(load, &unwatched)?;
         let half = |[from, to]: [f64; 2]| 0.5 * (to - from);
         let summary = NormalSummary {
             load,
@@ -146,12 +148,19 @@ impl PressureSource for Profile {
         Ok(NormalContact { summary, pressure: Pressure::Tabulated(table, 1.0) })
     }
 
+    fn prepare(&self, load: Option<f64>, watch: Watch) -> Result<(), Error> {
+        for load in [self.load, load.unwrap_or(self.load)] {
+            self.contact(load, watch)?;
+        }
+        Ok(())
+    }
+
     fn growth(&self) -> Option<f64> {
         None
     }
 
     fn caveat(&self) -> Option<Warning> {
-        let own = self.contact(self.load).ok()?;
+        let own = self.contact(self.load, &unwatched).ok()?;
         let parts = own.table.parts();
         let across = self.distance.points_within(&own.extent);
         let fewest = across.into_iter().min()?;

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::normal::rough_contact::{
     Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
 };
+use crate::progress::Watch;
 use crate::surface::{HeightMap, Lattice};
 
 /// What is solved.
@@ -16,6 +17,7 @@ pub(super) struct Search<'a> {
     pub load: f64,
     /// Across the contact each way.
     pub cells: usize,
+    pub watch: Watch<'a>,
 }
 
 /// A pressure on equidistant positions, in the coordinates of the distance.
@@ -187,7 +189,7 @@ impl Search<'_> {
         let distance = self.distance.sample(&x, &y);
         let map = HeightMap::new(lattice, distance.clone())?;
         let mut contact = RoughContact::new(map, self.contact_modulus, Boundary::Free)?;
-        let solution = contact.solve(self.load, options)?;
+        let solution = contact.solve(self.load, options, self.watch)?;
         Ok(Pressed { lattice, rectangle, solution, distance })
     }
 

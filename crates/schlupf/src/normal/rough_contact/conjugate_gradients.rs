@@ -18,6 +18,9 @@
 //! bounds how far the energy is from its minimum: half the squared error of the pressure in the energy
 //! norm. Its ratio to pᵀu is the residual.
 
+use crate::error::Error;
+use crate::progress::{Progress, Stage, Watch, tell};
+
 use super::RoughContactOptions;
 use super::compliance::NormalCompliance;
 use crate::numerics::vector::dot;
@@ -76,7 +79,15 @@ struct State {
 
 impl Equilibrium<'_> {
     /// From any pressure that is nowhere negative.
-    pub(super) fn solve(&mut self, start: Vec<f64>, options: &RoughContactOptions) -> Outcome {
+    ///
+    /// # Errors
+    /// [`Error::Stopped`].
+    pub(super) fn solve(
+        &mut self,
+        start: Vec<f64>,
+        options: &RoughContactOptions,
+        watch: Watch,
+    ) -> Result<Outcome, Error> {
         let mut state = State::new(start);
         self.scale_to_the_load(&mut state.pressure);
         self.move_surface(&mut state);
@@ -91,12 +102,14 @@ impl Equilibrium<'_> {
             if residual <= options.tolerance || iterations >= options.max_iterations {
                 break residual;
             }
+            let change = Some(residual);
+            tell(watch, Progress { change, ..Progress::count(Stage::NormalContact, iterations) })?;
             iterations += 1;
             self.choose_direction(&mut state);
             self.step(&mut state);
         };
         let State { pressure, gap, level, products, .. } = state;
-        Outcome { pressure, gap, level, residual, iterations, products }
+        Ok(Outcome { pressure, gap, level, residual, iterations, products })
     }
 
     /// Displacement and energy of the pressure.

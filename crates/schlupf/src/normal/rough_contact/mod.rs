@@ -17,6 +17,7 @@ mod compliance;
 mod conjugate_gradients;
 
 use crate::error::{Error, SurfaceError, require_positive};
+use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::surface::{HeightMap, Lattice};
 
@@ -156,9 +157,10 @@ impl RoughContact {
         &mut self,
         mean_pressure: f64,
         options: &RoughContactOptions,
+        watch: Watch,
     ) -> Result<RoughContactSolution, Error> {
         require_positive(Quantity::MeanPressure, mean_pressure)?;
-        self.solve(mean_pressure * self.distance.lattice().area(), options)
+        self.solve(mean_pressure * self.distance.lattice().area(), options, watch)
     }
 
     /// Presses the bodies together with a load, in N.
@@ -166,6 +168,7 @@ impl RoughContact {
         &mut self,
         load: f64,
         options: &RoughContactOptions,
+        watch: Watch,
     ) -> Result<RoughContactSolution, Error> {
         require_positive(Quantity::Load, load)?;
         require_positive(Quantity::Tolerance, options.tolerance)?;
@@ -185,7 +188,7 @@ impl RoughContact {
         } else {
             std::mem::take(&mut self.pressure)
         };
-        let outcome = equilibrium.solve(start, options);
+        let outcome = equilibrium.solve(start, options, watch)?;
         self.pressure.clone_from(&outcome.pressure);
         Ok(self.solution(load, outcome, options))
     }

@@ -84,11 +84,6 @@ impl Fastsim {
         Ok(fastsim)
     }
 
-    /// Bristles and whether they soften.
-    pub fn kind(&self) -> Kind {
-        (self.brush, self.reduction)
-    }
-
     /// Takes over another law of friction.
     pub fn set_friction(&mut self, problem: &Problem) {
         let conduction = problem.conduction(&problem.kinematics);

@@ -3,7 +3,7 @@
 //! With b = B p the change of A p, relative to that at the leading edge, from cell to cell, and D the
 //! rigid slip on the way, every cell slides by D − b, and the contact law carries the traction on from
 //! its upstream neighbour. As in a time step the law is evaluated together with γ s
-//! (see [`super::time_step`]), now from cell to cell down the strip.
+//! (see `rolling/marching/time_step.rs`), now from cell to cell down the strip.
 
 use std::sync::Arc;
 
@@ -12,11 +12,11 @@ use crate::kinematics::Kinematics;
 use crate::numerics::vector::norm;
 use crate::patch::{Cell, Patch};
 use crate::problem::Problem;
+use crate::rolling::shared::cell::{CellSolver, inverse_2x2, times};
+use crate::rolling::shared::turn::{Way, with_turn};
 use crate::state::Element;
 
-use super::cell::{CellSolver, inverse_2x2, times};
 use super::steady_friction::SteadyFriction;
-use super::turn::{Way, with_turn};
 
 /// The contact law of a patch in steady rolling, and its tangent at the last residual.
 pub(super) struct StripLaw {

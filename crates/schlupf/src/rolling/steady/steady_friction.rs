@@ -18,8 +18,10 @@ use crate::numerics::root::fixed_point;
 use crate::numerics::vector::{add_scaled, dot};
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
+use crate::rolling::shared::passage::{
+    self, flux_over_heat, pair, rigid_velocity, slip, speed_of, ways_through,
+};
 
-use super::friction_heat::ways_through;
 use super::lag::{Lag, LagCause};
 
 /// Slip, heat, temperature and friction of every cell, and their tangent.
@@ -96,7 +98,8 @@ impl SteadyFriction {
         for strip in &patch.strips {
             for k in strip.cells.clone() {
                 let [before, after] = ways_through(patch, strip, k);
-                friction.flux_over_power.push(friction.spacing / (before + after));
+                let over_heat = flux_over_heat(friction.spacing, [before, after]);
+                friction.flux_over_power.push(over_heat);
                 friction.rows.push(row);
                 friction.first.push(strip.cells.start);
                 row += k + 1 - strip.cells.start;
@@ -121,8 +124,7 @@ impl SteadyFriction {
                 let [before, after] = ways_through(patch, strip, k);
                 self.durations[k] = [before / speed, (before + after) / speed];
                 let cell = &patch.cells[k];
-                let rigid = problem.kinematics.rigid_slip(cell.x, cell.y);
-                self.rigid[k] = rigid.map(|slip| speed * slip);
+                self.rigid[k] = rigid_velocity(&problem.kinematics, cell);
             }
         }
         self.weights.clear();
@@ -194,8 +196,8 @@ impl SteadyFriction {
     /// Rises by the friction power, where heat flows along the surface too: those which give the
     /// contact temperature of that.
     fn conduct(&mut self) {
+        let heat = self.heat();
         let Some(conduction) = &mut self.conduction_along else { return };
-        let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
         conduction.contact_rise(&heat, &mut self.rise);
         let (entry, factor) = (self.conduction.entry_temperature, self.conduction.contact_factor());
         for (rise, unheated) in self.rise.iter_mut().zip(&conduction.unheated) {
@@ -203,9 +205,14 @@ impl SteadyFriction {
         }
     }
 
+    /// Heat that is released in the cells, in W/m².
+    fn heat(&self) -> Vec<f64> {
+        self.power.iter().map(|power| passage::heat(*power)).collect()
+    }
+
     /// Both surfaces at the last evaluation, where heat flows along them too.
     pub fn surfaces(&mut self, patch: &Patch) -> Option<Surfaces> {
-        let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
+        let heat = self.heat();
         let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
         conduction.map(|conduction| conduction.surfaces(patch, &heat))
     }
@@ -220,7 +227,7 @@ impl SteadyFriction {
         scaling: Scaling,
     ) -> Option<Vec<f64>> {
         let conductors = self.conductors.filter(|_| self.is_coupled)?;
-        let heat: Vec<f64> = self.power.iter().map(|power| power.max(0.0)).collect();
+        let heat = self.heat();
         let at = |change: f64| {
             let conductors = scaling.of(problem, conductors, change);
             let mut conduction = ContactConduction::new(patch, conductors);
@@ -261,10 +268,9 @@ impl SteadyFriction {
         let is_along = self.conductors.is_some();
         let per_length = self.kinematics.speed / self.spacing;
         for k in 0..self.rows.len() {
-            self.slip[k] = [0, 1].map(|c| self.rigid[k][c] - per_length * change[2 * k + c]);
-            self.power[k] = p[2 * k] * self.slip[k][0] + p[2 * k + 1] * self.slip[k][1];
-            // What the bristles of the contact law return does not cool.
-            self.flux[k] = self.power[k].max(0.0) * self.flux_over_power[k];
+            self.slip[k] = slip(self.rigid[k], per_length, pair(change, k));
+            self.power[k] = passage::power(pair(p, k), self.slip[k]);
+            self.flux[k] = passage::heat(self.power[k]) * self.flux_over_power[k];
         }
         if is_along {
             self.prepare_conduction(patch);
@@ -294,8 +300,8 @@ impl SteadyFriction {
         for (k, along) in saturation.iter().enumerate() {
             let start = if k == self.first[k] { None } else { Some(self.lag.coefficient[k - 1]) };
             let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
-            let power = along[0] * self.rigid[k][0] + along[1] * self.rigid[k][1];
-            let flux = self.pressure[k] * power.max(0.0) * self.flux_over_power[k];
+            let heat = passage::heat(passage::power(*along, self.rigid[k]));
+            let flux = self.pressure[k] * heat * self.flux_over_power[k];
             let coefficient = fixed_point(start, |coefficient| {
                 self.flux[k] = coefficient * flux;
                 self.warm(problem, k);
@@ -335,7 +341,7 @@ impl SteadyFriction {
 
     /// Change of the heat flux with that of the traction of a cell, in W/m².
     pub fn flux_change(&self, k: usize, traction: [f64; 2]) -> f64 {
-        let power = traction[0] * self.slip[k][0] + traction[1] * self.slip[k][1];
+        let power = passage::power(traction, self.slip[k]);
         if self.power[k] >= 0.0 { power * self.flux_over_power[k] } else { 0.0 }
     }
 
@@ -370,9 +376,8 @@ impl SteadyFriction {
     ) {
         for k in 0..self.rows.len() {
             let slid = self.slip_change(passing, cause, k);
-            let own = [traction[2 * k], traction[2 * k + 1]];
-            let rubbed = self.traction[2 * k] * slid[0] + self.traction[2 * k + 1] * slid[1];
-            flux[k] = self.flux_change(k, own);
+            let rubbed = passage::power(pair(&self.traction, k), slid);
+            flux[k] = self.flux_change(k, pair(traction, k));
             if self.power[k] >= 0.0 {
                 flux[k] += rubbed * self.flux_over_power[k];
             }
@@ -421,7 +426,7 @@ impl SteadyFriction {
     fn slip_change(&self, change: &[f64], cause: Option<&FrictionCause>, k: usize) -> [f64; 2] {
         let per_length = self.kinematics.speed / self.spacing;
         let given = cause.map_or([0.0; 2], |cause| cause.slip[k]);
-        [0, 1].map(|c| given[c] - per_length * change[2 * k + c])
+        slip(given, per_length, pair(change, k))
     }
 
     /// The record of an element when it leaves a cell, the latest step first.
@@ -502,8 +507,4 @@ impl FrictionCause {
             way: 0.0,
         }
     }
-}
-
-fn speed_of([x, y]: [f64; 2]) -> f64 {
-    (x * x + y * y).sqrt()
 }

@@ -1,11 +1,8 @@
-//! Marching: the paper's simulation procedure. The material moves on by one cell a time step, and
-//! every step is an equilibrium. Friction follows the temperature that it makes itself in the step, and
-//! the slip speed of the step before: where it falls steeply with the slip speed, a march may swing for
-//! ever, and says so.
+//! The march: all that changes from step to step.
 
 use crate::equilibrium::{Limits, Newton, Outcome, measure};
-use crate::error::Error;
-use crate::grid::Grid;
+use crate::error::{Error, require_finite};
+use crate::grid::{Grid, VectorField};
 use crate::history::History;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
@@ -13,57 +10,76 @@ use crate::normal::NormalContact;
 use crate::numerics::vector::norm;
 use crate::patch::Cell;
 use crate::problem::{Options, Problem};
-use crate::reference_point::Moved;
+use crate::progress::{Progress, Stage, Watch, tell, within};
+use crate::quantity::Quantity;
+use crate::reference_point::AtPatch;
+use crate::rolling::shared::contact::{DiscreteContact, Former};
+use crate::rolling::shared::passage::{speed_of, ways_through};
+use crate::rolling::shared::turn::{Way, with_turn};
+use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
+use crate::transient::Transient;
 use crate::warning::{Unconverged, Warning};
 
-use super::Progress;
 use super::arrival::{Arrival, carry_over, positions};
-use super::contact::{DiscreteContact, Former};
-use super::friction_heat::{Rubbing, lagging, set_temperatures, ways_through};
+use super::friction_heat::{Rubbing, lagging, set_temperatures};
 use super::initial_state::{fitting, on_patch};
 use super::past::Past;
-use super::shift_step::{AT_REST, Shift};
+use super::shift::{AT_REST, Shift};
 use super::step_power::{Start, StepPower};
 use super::time_step::{Prescribed, TimeStep};
-use super::turn::{Way, with_turn};
-use super::warnings;
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
-/// `report` is called after every time step.
-pub fn march(
-    problem: &Problem,
-    options: &Options,
-    report: &mut dyn FnMut(Progress),
-) -> Result<Solution, Error> {
-    match Moved::from(problem)? {
-        None => march_at_patch(problem, options, report),
-        Some(moved) => Ok(moved.back(march_at_patch(&moved.problem, options, report)?)),
-    }
-}
-
-/// The same of a problem with its creepages at the middle of the patch.
-fn march_at_patch(
-    problem: &Problem,
-    options: &Options,
-    report: &mut dyn FnMut(Progress),
-) -> Result<Solution, Error> {
-    problem.check()?;
+/// # Errors
+/// Whatever [`Transient::check`] and [`Options::check`] refuse, a state that does not fit, and
+/// [`Error::Stopped`].
+pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<Solution, Error> {
+    transient.check()?;
     options.check()?;
-    let mut march = March::new(problem, options)?;
+    let at = AtPatch::new(&transient.problem, watch)?;
+    let transient = at.transient(transient);
+    transient.check()?;
+    let mut march = March::new(&transient, options)?;
     march.check_length()?;
+    if let Some(shift) = transient.history.shift {
+        march.shift(shift, watch)?;
+    }
     while !march.is_finished() {
-        let mut start = Start::of(&march.contact, &march.now);
-        let arrivals = march.move_on(&mut start)?;
-        march.find_equilibrium(&arrivals);
+        let mut start = Start::of(&march.displacement, &march.contact.patch, &march.now);
+        let arrivals = march.move_on(&mut start, watch)?;
+        march.find_equilibrium(&arrivals, watch)?;
         march.heat_up(arrivals, &start);
         march.note();
-        report(march.progress());
+        tell(watch, march.progress())?;
     }
-    Ok(march.into_solution())
+    Ok(at.back(march.into_solution()))
+}
+
+/// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift` (along and
+/// across rolling, in m), in one go: a history with nothing but a shift.
+///
+/// The bodies do not roll: creepages and spin of the problem play no part, and those of the solution
+/// are zero, as is its speed. A shift has no duration either, so there is no slip velocity, no friction
+/// power and no heat; friction is that of the temperature with which the bodies meet. How far each
+/// element has slid, in m, is in the solution's state, from which marching can go on.
+///
+/// # Errors
+/// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] refuse, and
+/// [`Error::Stopped`].
+pub fn shift(
+    problem: &Problem,
+    shift: [f64; 2],
+    options: &Options,
+    watch: Watch,
+) -> Result<Solution, Error> {
+    require_finite(Quantity::ShiftX, shift[0])?;
+    require_finite(Quantity::ShiftY, shift[1])?;
+    let history = History { shift: Some(shift), ..History::default() };
+    let transient = Transient { history, ..Transient::to_steady_state(problem) };
+    march(&transient, options, watch)
 }
 
 /// Time steps in succession without an equilibrium after which a march to the steady state ends.
@@ -75,8 +91,11 @@ const MAX_HISTORY_STEPS: f64 = 1e6;
 /// All that changes from step to step.
 struct March<'a> {
     problem: &'a Problem,
+    history: &'a History,
     options: &'a Options,
     contact: DiscreteContact,
+    /// A p of the present traction on the whole grid, in m.
+    displacement: VectorField,
     time: f64,
     now: Snapshot,
     /// The elements, in the order of the patch.
@@ -100,25 +119,26 @@ struct March<'a> {
     /// Time steps in succession whose equilibrium was not found.
     failures: usize,
     work: Work,
-    history: Vec<Instant>,
+    instants: Vec<Instant>,
 }
 
 impl<'a> March<'a> {
-    fn new(problem: &'a Problem, options: &'a Options) -> Result<Self, Error> {
-        let start = problem.history.as_ref().map(|history| history.span()[0]);
-        let load = start.and_then(|t| problem.history.as_ref()?.load(t));
-        let grid = grid_over_history(problem, options)?;
-        let normal = problem.normal.normal_contact(load)?;
+    fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
+        let Transient { problem, history, initial_state } = transient;
+        let [start, _] = history.span();
+        let grid = grid_over_history(transient, options)?;
+        let normal = problem.normal.normal_contact(history.load(start))?;
         let contact = DiscreteContact::new(problem, &normal, grid)?;
-        let state = match &problem.initial_state {
+        let state = match initial_state {
             Some(state) => fitting(state, &grid)?,
             None => State::at_rest(&contact.patch),
         };
-        let time = start.unwrap_or(state.time);
-        let kinematics = kinematics_at(problem, time);
+        let time = if history.is_endless() { state.time } else { start };
+        let kinematics = history.kinematics(time, &problem.kinematics);
         let conduction = problem.conduction(&kinematics);
         let mut march = Self {
             problem,
+            history,
             options,
             time,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
@@ -135,28 +155,22 @@ impl<'a> March<'a> {
             worst_residual: 0.0,
             failures: 0,
             work: Work { cells: contact.patch.len(), ..Work::default() },
-            history: Vec::new(),
+            instants: Vec::new(),
+            displacement: VectorField::zeros(grid.len()),
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
         march.now.rise = march.elements.iter().map(|e| e.rise).collect();
         march.largest_traction = norm(&march.now.traction);
         march.displace();
-        let ways = march.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
-        march.past = Past::of(&march.contact, ways);
-        if let Some(shift) = problem.history.as_ref().and_then(|history| history.shift) {
-            march.shift(shift);
-        }
+        march.past = march.past_in_place();
         Ok(march)
     }
 
     /// A history must end within the steps that are allowed.
     fn check_length(&self) -> Result<(), Error> {
-        let Some(history) = self.problem.history.as_ref().filter(|h| !h.is_shift_only()) else {
-            return Ok(());
-        };
-        let [start, end] = history.span();
-        let fastest = history.fastest(&self.problem.kinematics);
+        let [start, end] = self.history.span();
+        let fastest = self.history.fastest(&self.problem.kinematics);
         let steps = (end - start) * fastest / self.contact.patch.grid.spacing_x;
         let resolved = start.abs().max(end.abs()) * f64::EPSILON * 1e3;
         let is_resolved = resolved < self.contact.patch.grid.spacing_x / fastest;
@@ -167,12 +181,10 @@ impl<'a> March<'a> {
     }
 
     fn is_finished(&self) -> bool {
-        if let Some(history) = &self.problem.history {
-            if history.is_shift_only() {
-                return true;
-            }
-            let [start, end] = history.span();
-            return self.time >= end - 1e-9 * (end - start);
+        if !self.history.is_endless() {
+            let [start, end] = self.history.span();
+            let is_over = self.time >= end - 1e-9 * (end - start);
+            return is_over || self.history.is_shift_only();
         }
         let is_steady = self.passage_change <= self.options.tolerance;
         is_steady || self.failures >= HOPELESS || self.work.steps >= self.options.max_steps
@@ -199,7 +211,7 @@ impl<'a> March<'a> {
     }
 
     /// The wheel is shifted at rest (in m), with the friction of the temperature that the material has.
-    fn shift(&mut self, distance: [f64; 2]) {
+    fn shift(&mut self, distance: [f64; 2], watch: Watch) -> Result<(), Error> {
         let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
         self.now.conduction = self.problem.conduction(&at_rest);
         let patch = &self.contact.patch;
@@ -213,48 +225,47 @@ impl<'a> March<'a> {
         let shift = Shift {
             distance,
             contact: &mut self.contact,
+            displacement: &self.displacement,
             law: self.problem.contact_law.as_ref(),
             bound: &bound,
             elements: &mut self.elements,
         };
-        self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits);
+        self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits, watch)?;
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         self.displace();
-        let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
-        self.past = Past::of(&self.contact, ways);
+        self.past = self.past_in_place();
         self.work.newton_iterations += self.outcome.iterations;
         self.work.operator_products += self.outcome.products as f64;
         (self.now.kinematics, self.now.over_step) = (AT_REST, AT_REST);
         self.keep_instant();
+        Ok(())
     }
 
     /// Carries every element over into the next cell; Eqs. (9)–(12).
-    fn move_on(&mut self, start: &mut Start) -> Result<Vec<Arrival>, Error> {
+    fn move_on(&mut self, start: &mut Start, watch: Watch) -> Result<Vec<Arrival>, Error> {
         let spacing = self.contact.patch.grid.spacing_x;
-        let otherwise = &self.problem.kinematics;
-        if let Some(history) = &self.problem.history {
-            let duration = history.duration(self.time, spacing, otherwise);
-            self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
-            self.time += duration;
-        } else {
-            self.time += spacing / otherwise.speed;
-            self.now.over_step = *otherwise;
-        }
-        self.now.kinematics = kinematics_at(self.problem, self.time);
+        let (history, otherwise) = (self.history, &self.problem.kinematics);
+        let duration = history.duration(self.time, spacing, otherwise);
+        self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
+        self.time += duration;
+        self.now.kinematics = history.kinematics(self.time, otherwise);
         self.now.conduction = self.problem.conduction(&self.now.over_step);
-        start.former = self.follow_load()?;
-        let arrivals =
-            carry_over(&self.contact, (&self.past, start.former.is_some()), &self.elements);
+        start.former = self.follow_load(watch)?;
+        let moves = start.former.is_some();
+        let (contact, displacement) = (&self.contact, &self.displacement);
+        let arrivals = carry_over(contact, displacement, &self.past, moves, &self.elements);
         self.stay_in_place(&arrivals);
         Ok(arrivals)
     }
 
     /// Takes over the patch of a load that changes with time; returns the one before.
-    fn follow_load(&mut self) -> Result<Option<Former>, Error> {
-        let load = self.problem.history.as_ref().and_then(|h| h.load(self.time));
-        let Some(load) = load.filter(|load| *load != self.contact.normal.load) else {
+    fn follow_load(&mut self, watch: Watch) -> Result<Option<Former>, Error> {
+        let Some(load) =
+            self.history.load(self.time).filter(|load| *load != self.contact.normal.load)
+        else {
             return Ok(None);
         };
+        self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
         let normal = self.problem.normal.normal_contact(Some(load))?;
         self.contact.set_normal(&normal).map(Some)
     }
@@ -292,7 +303,7 @@ impl<'a> March<'a> {
     }
 
     /// Newton–Raphson on Eq. (13).
-    fn find_equilibrium(&mut self, arrivals: &[Arrival]) {
+    fn find_equilibrium(&mut self, arrivals: &[Arrival], watch: Watch) -> Result<(), Error> {
         let patch = &self.contact.patch;
         let bound = self.now.bound(patch);
         let mut prescribed = Prescribed::default();
@@ -306,11 +317,13 @@ impl<'a> March<'a> {
             slides.push(with_turn(arrival.slide, &self.now.over_step, &way, arrival.stretch));
         }
         let limits = self.limits();
+        let watch = within(watch, self.progress());
         let law = self.problem.contact_law.as_ref();
         let old_traction = self.now.traction.clone();
         let step = TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides);
         let mut step = step.measured_against(self.largest_traction);
-        self.outcome = step.solve(&mut self.newton, &mut self.now.traction, &limits);
+        let traction = &mut self.now.traction;
+        self.outcome = step.solve(&mut self.newton, traction, &limits, &watch)?;
         let (slides, responses) = (step.slides, step.responses);
         self.displace();
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
@@ -325,7 +338,9 @@ impl<'a> March<'a> {
             ..Element::default()
         };
         self.elements = (0..slides.len()).map(element).collect();
-        self.past = Past::of(&self.contact, arrivals.iter().map(|arrival| arrival.way));
+        let ways = arrivals.iter().map(|arrival| arrival.way);
+        self.past = Past::of(&self.contact, &self.displacement, ways);
+        Ok(())
     }
 
     /// Elastic part of the sliding on a way (in m) into a cell, over that way.
@@ -345,15 +360,24 @@ impl<'a> March<'a> {
 
     /// A p of the present traction, on the whole grid and in the cells.
     fn displace(&mut self) {
-        self.contact.product(&self.now.traction, &mut self.now.displacement);
-        self.now.stored_energy = self.contact.stored_energy();
+        let made = self.contact.product(&self.now.traction);
+        made.at_cells(&mut self.now.displacement);
+        self.now.stored_energy = made.stored_energy();
+        self.displacement.clone_from(made.field());
         self.work.operator_products += 1.0;
+    }
+
+    /// What remains of an instant whose elements have come over whole cells.
+    fn past_in_place(&self) -> Past {
+        let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
+        Past::of(&self.contact, &self.displacement, ways)
     }
 
     /// Friction power and temperatures, Eqs. (17)–(22).
     fn heat_up(&mut self, arrivals: Vec<Arrival>, start: &Start) {
-        start.set_friction_power(&mut self.now, &mut self.contact);
-        self.powers = Some(start.powers_until(&self.now, &mut self.contact));
+        let (contact, displacement) = (&self.contact, &self.displacement);
+        start.set_friction_power(&mut self.now, contact, displacement);
+        self.powers = Some(start.powers_until(&self.now, contact, displacement));
         let remembered: Vec<_> = arrivals.iter().map(|arrival| arrival.friction).collect();
         let mut records: Vec<_> = arrivals.into_iter().map(|arrival| arrival.heat).collect();
         let patch = &self.contact.patch;
@@ -362,7 +386,7 @@ impl<'a> March<'a> {
         for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
             element.heat = record;
             element.rise = self.now.rise[k];
-            element.slip_speed = self.now.slip[k][0].hypot(self.now.slip[k][1]);
+            element.slip_speed = speed_of(self.now.slip[k]);
         }
         self.change = self.change.max(largest_change(&old_rise, &self.now.rise));
         self.remember_friction(&remembered);
@@ -405,7 +429,7 @@ impl<'a> March<'a> {
         let solved = (self.outcome.iterations, self.outcome.residual);
         let distance = self.work.steps as f64 * self.contact.patch.grid.spacing_x;
         let instant = summary::instant(now, [self.time, distance], solved);
-        self.history.push(self.powers.map_or(instant, |powers| Instant {
+        self.instants.push(self.powers.map_or(instant, |powers| Instant {
             friction_power: powers.friction,
             creep_power: powers.creep,
             ..instant
@@ -413,16 +437,17 @@ impl<'a> March<'a> {
     }
 
     fn progress(&self) -> Progress {
-        let steps = self.problem.history.as_ref().map(|history| {
-            let [start, end] = history.span();
+        let [start, end] = self.history.span();
+        let total = (end > start).then(|| {
             let done = ((self.time - start) / (end - start)).clamp(1e-9, 1.0);
             (self.work.steps as f64 / done).round() as usize
         });
-        Progress { step: self.work.steps, steps, change: self.change }
+        let change = Some(self.change);
+        Progress { stage: Stage::Marching, done: self.work.steps, total, change }
     }
 
     fn into_solution(mut self) -> Solution {
-        let transient = self.problem.history.is_some();
+        let transient = !self.history.is_endless();
         let passed = self.passage_change.is_finite();
         let residual = match (transient, passed) {
             (true, _) => self.worst_residual,
@@ -434,8 +459,7 @@ impl<'a> March<'a> {
         } else {
             Status::NotConverged
         };
-        let mut warnings =
-            warnings::warnings(self.problem, self.options, &mut self.contact, &self.now);
+        let mut warnings = warnings(self.problem, self.options, &mut self.contact, &self.now);
         if status == Status::NotConverged {
             warnings.insert(0, Warning::of(self.why_not_converged()));
         }
@@ -445,7 +469,7 @@ impl<'a> March<'a> {
             method: Method::Full,
             status,
             residual,
-            history: self.history,
+            history: self.instants,
             warnings,
             sensitivity: None,
             work: self.work,
@@ -458,13 +482,12 @@ impl<'a> March<'a> {
     fn why_not_converged(&self) -> Unconverged {
         let (tolerance, residual) = (self.options.tolerance, self.worst_residual);
         let (steps, change) = (self.work.steps, self.passage_change);
-        let rolls = self.problem.history.as_ref().is_none_or(|history| !history.is_shift_only());
-        if residual > tolerance && !rolls {
+        if residual > tolerance && self.history.is_shift_only() {
             let newton_steps = self.outcome.iterations;
             Unconverged::Equilibrium { newton_steps, residual, tolerance }
         } else if residual > tolerance {
             Unconverged::TimeStep { residual, tolerance }
-        } else if change.is_infinite() && self.problem.history.is_none() {
+        } else if change.is_infinite() && self.history.is_endless() {
             Unconverged::ShortMarch { steps }
         } else {
             Unconverged::UnsteadyMarch { steps, change, tolerance }
@@ -492,13 +515,9 @@ fn relative_change(old: &[f64], new: &[f64], scale: f64) -> f64 {
     if scale > 0.0 { norm(&moved) / scale } else { 0.0 }
 }
 
-fn kinematics_at(problem: &Problem, time: f64) -> Kinematics {
-    problem.history.as_ref().map_or(problem.kinematics, |h| h.kinematics(time, &problem.kinematics))
-}
-
 /// One grid over the largest patch.
-fn grid_over_history(problem: &Problem, options: &Options) -> Result<Grid, Error> {
-    let largest = problem.history.as_ref().and_then(History::largest_load);
-    let contact: NormalContact = problem.normal.normal_contact(largest)?;
+fn grid_over_history(transient: &Transient, options: &Options) -> Result<Grid, Error> {
+    let largest = transient.history.largest_load();
+    let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;
     Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
 }

@@ -10,16 +10,13 @@ use crate::patch::{Interpolation, Patch};
 use crate::problem::Problem;
 
 /// A patch with the compliance between its cells.
-pub(super) struct DiscreteContact {
+pub(crate) struct DiscreteContact {
     pub normal: NormalSummary,
     pub patch: Patch,
     pub compliance: Box<dyn Compliance>,
-    interpolation: Interpolation,
-    traction: VectorField,
-    /// A p on the whole grid, of the last product.
-    pub displacement: VectorField,
-    /// Differences of the displacement in passing.
-    passing: VectorField,
+    pub interpolation: Interpolation,
+    /// Room for the fields of a product, to be overwritten.
+    room: Room,
     /// μ0 k_c, in 1/m: times the pressure, the stiffness of the contact law at the start.
     bristles: f64,
     /// Infinite between rigid bodies.
@@ -27,18 +24,25 @@ pub(super) struct DiscreteContact {
     estimates: Option<Estimates>,
 }
 
-/// Which field a material point passes within a time step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Passing {
-    AtEnd,
-    OnAverage,
+struct Room {
+    traction: VectorField,
+    displacement: VectorField,
+    /// Differences of the displacement in passing.
+    passing: VectorField,
+}
+
+/// What a product makes: the displacement A p under a traction p.
+pub(crate) struct Displaced<'a> {
+    patch: &'a Patch,
+    interpolation: &'a Interpolation,
+    room: &'a mut Room,
 }
 
 /// A patch that a changing load has replaced by another one on the same grid.
 #[derive(Debug)]
-pub(super) struct Former {
+pub(crate) struct Former {
     pub patch: Patch,
-    interpolation: Interpolation,
+    pub interpolation: Interpolation,
 }
 
 /// What marching must know of the compliance of the whole patch.
@@ -57,15 +61,13 @@ impl DiscreteContact {
     pub fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
         let compliance = problem.elasticity.compliance(&grid)?;
         let patch = touching_patch(normal, grid)?;
-        let zeros = VectorField::zeros(grid.len());
+        let zeros = || VectorField::zeros(grid.len());
         let mut contact = Self {
             interpolation: Interpolation::uncoupled(&patch),
             normal: normal.summary,
             patch,
             compliance,
-            traction: zeros.clone(),
-            passing: zeros.clone(),
-            displacement: zeros,
+            room: Room { traction: zeros(), displacement: zeros(), passing: zeros() },
             bristles: bristles(problem),
             cell_stiffness: 0.0,
             estimates: None,
@@ -74,16 +76,13 @@ impl DiscreteContact {
         Ok(contact)
     }
 
-    /// Another normal contact on the same grid; returns the patch that it replaces. The displacement
-    /// field stays that of the last product: the history of the elements hangs on it.
+    /// Another normal contact on the same grid; returns the patch that it replaces.
     pub fn set_normal(&mut self, normal: &NormalContact) -> Result<Former, Error> {
         let patch = touching_patch(normal, self.patch.grid)?;
         let patch = std::mem::replace(&mut self.patch, patch);
         let interpolation = self.interpolation.clone();
         self.normal = normal.summary;
-        let displacement = self.displacement.clone();
         self.settle();
-        self.displacement = displacement;
         Ok(Former { patch, interpolation })
     }
 
@@ -138,10 +137,8 @@ impl DiscreteContact {
     /// dimensionless; if the elasticity knows it.
     pub fn cell_stiffness_by_size(&mut self) -> Option<f64> {
         let (p, middle) = self.lone_cell();
-        let mut u = vec![0.0; p.len()];
-        let is_known = self.product_by_size(&p, &mut u);
-        let grown = 0.5 * (u[2 * middle] + u[2 * middle + 1]);
-        is_known.then_some(-grown * self.cell_stiffness())
+        let grown = self.product_by_size(&p)?.mean_of_cell(middle, &p);
+        Some(-grown * self.cell_stiffness())
     }
 
     /// Traction of 1 Pa in both directions on the cell in the middle, and its number.
@@ -153,86 +150,29 @@ impl DiscreteContact {
         (p, middle)
     }
 
-    /// u = A p at the cells' points; the displacement of the whole grid is left in the field.
-    pub fn product(&mut self, p: &[f64], u: &mut [f64]) {
-        self.interpolation.spread(p, &mut self.traction);
-        self.compliance.displacement(&self.traction, &mut self.displacement);
-        self.interpolation.gather(&self.displacement, u);
+    /// A p, the traction being given in each cell.
+    pub fn product(&mut self, p: &[f64]) -> Displaced<'_> {
+        self.interpolation.spread(p, &mut self.room.traction);
+        self.compliance.displacement(&self.room.traction, &mut self.room.displacement);
+        self.displaced()
     }
 
-    /// The same for the change of A p with the logarithm of the size of the patch; whether the
-    /// elasticity knows it.
-    pub fn product_by_size(&mut self, p: &[f64], u: &mut [f64]) -> bool {
-        self.interpolation.spread(p, &mut self.traction);
-        let is_known = self.compliance.displacement_by_size(&self.traction, &mut self.displacement);
-        self.interpolation.gather(&self.displacement, u);
-        is_known
+    /// The change of A p with the logarithm of the size of the patch, if the elasticity knows it.
+    pub fn product_by_size(&mut self, p: &[f64]) -> Option<Displaced<'_>> {
+        let Room { traction, displacement, .. } = &mut self.room;
+        self.interpolation.spread(p, traction);
+        let is_known = self.compliance.displacement_by_size(traction, displacement);
+        is_known.then(|| self.displaced())
     }
 
-    /// Elastic energy ½ Σ p·(A p) ΔA of the last product, in J.
-    pub fn stored_energy(&self) -> f64 {
-        let (p, u) = (&self.traction, &self.displacement);
-        0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
-    }
-
-    /// The displacement field of the last product at the cells' points.
-    pub fn displacement_at_cells(&self, u: &mut [f64]) {
-        self.interpolation.gather(&self.displacement, u);
-    }
-
-    /// The displacement field of the last product where the material of each cell entered.
-    pub fn displacement_at_entries(&self, u: &mut [f64]) {
-        self.interpolation.gather_at_entries(&self.displacement, u);
-    }
-
-    /// What those gain with the share to which the interpolation at the leading edge is cubic.
-    pub fn displacement_at_entries_by_share(&self, u: &mut [f64]) {
-        self.interpolation.gather_at_entries_by_share(&self.displacement, u);
-    }
-
-    /// By how much the displacement of the last product changes while a material point passes a
-    /// cell: the difference of its neighbours' values over two cells.
-    ///
-    /// A symmetric compliance that is the same everywhere does no work on such changes in total,
-    /// Σ p·change = 0 exactly: elasticity returns what it takes.
-    pub fn change_in_passing(&mut self, change: &mut [f64]) {
-        let columns = self.patch.grid.columns;
-        differences(&self.displacement.x, columns, &mut self.passing.x);
-        differences(&self.displacement.y, columns, &mut self.passing.y);
-        self.interpolation.gather_means(&self.passing, change);
-    }
-
-    /// By how much A p changes while a material point passes a cell within a time step that began with
-    /// the field `before`: what it changes in passing the field at the end of the step, or on the
-    /// average of both ends, and what changes in place; in the cells of the patch, or of its former one.
-    pub fn change_over_step(
-        &mut self,
-        before: &VectorField,
-        former: Option<&Former>,
-        (passing, change): (Passing, &mut [f64]),
-    ) {
-        let columns = self.patch.grid.columns;
-        let interpolation = former.map_or(&self.interpolation, |former| &former.interpolation);
-        let (end, start) = match passing {
-            Passing::AtEnd => (1.0, 0.0),
-            Passing::OnAverage => (0.5, 0.5),
-        };
-        let passed = combined(&self.displacement, end, before, start);
-        let gained = combined(&self.displacement, 1.0, before, -1.0);
-        differences(&passed.x, columns, &mut self.passing.x);
-        differences(&passed.y, columns, &mut self.passing.y);
-        interpolation.gather_means(&self.passing, change);
-        let mut in_place = vec![0.0; change.len()];
-        interpolation.gather_means(&gained, &mut in_place);
-        for (change, in_place) in change.iter_mut().zip(in_place) {
-            *change += in_place;
-        }
+    fn displaced(&mut self) -> Displaced<'_> {
+        Displaced { patch: &self.patch, interpolation: &self.interpolation, room: &mut self.room }
     }
 
     /// Displacement at the outer edge of the modelled surface over the largest one, dimensionless.
     pub fn edge_displacement(&mut self, p: &[f64]) -> f64 {
-        self.interpolation.spread(p, &mut self.traction);
-        self.compliance.edge_displacement(&self.traction)
+        self.interpolation.spread(p, &mut self.room.traction);
+        self.compliance.edge_displacement(&self.room.traction)
     }
 
     /// Displacement over traction of the patch as a whole, for each component, in m/Pa.
@@ -277,9 +217,7 @@ impl DiscreteContact {
 
     fn measure_cell_stiffness(&mut self) -> f64 {
         let (p, middle) = self.lone_cell();
-        let mut u = vec![0.0; p.len()];
-        self.product(&p, &mut u);
-        let own = 0.5 * (u[2 * middle] + u[2 * middle + 1]);
+        let own = self.product(&p).mean_of_cell(middle, &p);
         if own > 0.0 { own.recip() } else { f64::INFINITY }
     }
 
@@ -287,7 +225,7 @@ impl DiscreteContact {
     fn estimate_stand_in(&mut self) -> [f64; 2] {
         let p: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
         let mut u = vec![0.0; p.len()];
-        self.product(&p, &mut u);
+        self.product(&p).at_cells(&mut u);
         [0, 1].map(|c| {
             let of = |v: &[f64], w: &[f64]| -> f64 {
                 v.iter().zip(w).skip(c).step_by(2).map(|(v, w)| v * w).sum()
@@ -306,7 +244,7 @@ impl DiscreteContact {
             for v in &mut v {
                 *v /= length;
             }
-            self.product(&v, &mut u);
+            self.product(&v).at_cells(&mut u);
             largest = norm(&u);
             if largest == 0.0 {
                 return f64::INFINITY;
@@ -317,22 +255,61 @@ impl DiscreteContact {
     }
 }
 
-/// Half the difference of the neighbours' values along rolling, downstream less upstream; the border
-/// keeps its values.
-fn differences(from: &[f64], columns: usize, to: &mut [f64]) {
-    for (from, to) in from.chunks_exact(columns).zip(to.chunks_exact_mut(columns)) {
-        for i in 1..columns - 1 {
-            to[i] = 0.5 * (from[i - 1] - from[i + 1]);
-        }
+impl Displaced<'_> {
+    /// On the whole grid, in m.
+    pub fn field(&self) -> &VectorField {
+        &self.room.displacement
+    }
+
+    /// At the cells' points, in m.
+    pub fn at_cells(&self, u: &mut [f64]) {
+        self.interpolation.gather(&self.room.displacement, u);
+    }
+
+    /// Where the material of each cell entered, in m.
+    pub fn at_entries(&self, u: &mut [f64]) {
+        self.interpolation.gather_at_entries(&self.room.displacement, u);
+    }
+
+    /// What those gain with the share to which the interpolation at the leading edge is cubic.
+    pub fn at_entries_by_share(&self, u: &mut [f64]) {
+        self.interpolation.gather_at_entries_by_share(&self.room.displacement, u);
+    }
+
+    /// Mean of both components in a cell, in m.
+    fn mean_of_cell(&self, k: usize, like: &[f64]) -> f64 {
+        let mut u = vec![0.0; like.len()];
+        self.at_cells(&mut u);
+        0.5 * (u[2 * k] + u[2 * k + 1])
+    }
+
+    /// Elastic energy ½ Σ p·(A p) ΔA, in J.
+    pub fn stored_energy(&self) -> f64 {
+        let (p, u) = (&self.room.traction, &self.room.displacement);
+        0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
+    }
+
+    /// By how much it changes while a material point passes a cell: the difference of its neighbours' values over two
+    /// cells.
+    ///
+    /// A symmetric compliance that is the same everywhere does no work on such changes in total,
+    /// Σ p·change = 0 exactly: elasticity returns what it takes.
+    pub fn change_in_passing(&mut self, change: &mut [f64]) {
+        let Room { displacement, passing, .. } = &mut *self.room;
+        differences(displacement, self.patch.grid.columns, passing);
+        self.interpolation.gather_means(passing, change);
     }
 }
 
-/// A sum of multiples of two fields.
-fn combined(one: &VectorField, share: f64, other: &VectorField, rest: f64) -> VectorField {
-    let sum = |(p, q): (&f64, &f64)| share * p + rest * q;
-    VectorField {
-        x: one.x.iter().zip(&other.x).map(sum).collect(),
-        y: one.y.iter().zip(&other.y).map(sum).collect(),
+/// Half the difference of the neighbours' values along rolling, downstream less upstream; the border
+/// keeps its values.
+pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorField) {
+    for (from, to) in [(&from.x, &mut to.x), (&from.y, &mut to.y)] {
+        for (from, to) in from.chunks_exact(columns).zip(to.chunks_exact_mut(columns)) {
+            for i in 1..columns - 1 {
+                to[i] = 0.5 * (from[i - 1] - from[i + 1]);
+            }
+        }
     }
 }
 

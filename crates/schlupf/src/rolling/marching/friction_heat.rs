@@ -5,6 +5,7 @@ use crate::heat::{Heat, HeatStep};
 use crate::numerics::root::fixed_point;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
+use crate::rolling::shared::passage::{self, flux_over_heat, ways_through};
 use crate::summary::snapshot::Snapshot;
 
 use super::arrival::Arrival;
@@ -60,12 +61,12 @@ impl Rubbing {
         }
         let per_friction =
             if self.friction > 0.0 { self.power / self.friction } else { self.bound_power };
-        let per_power = patch.grid.spacing_x / (before + after);
+        let per_power = flux_over_heat(patch.grid.spacing_x, [before, after]);
         let mut record = Vec::with_capacity(arrived.heat.len() + 1);
         record.push(HeatStep { flux: 0.0, duration: before / now.over_step.speed });
         record.extend_from_slice(&arrived.heat);
         fixed_point(self.friction, |tried| {
-            record[0].flux = (tried * per_friction * per_power).max(0.0);
+            record[0].flux = passage::heat(tried * per_friction) * per_power;
             at(problem.heat.rise_times_effusivity(&record))
         })
     }
@@ -96,25 +97,10 @@ fn pass_cell(
     record: &mut Vec<HeatStep>,
 ) {
     let [before, after] = ways_through(patch, strip, k);
-    // The friction power is a mean over a whole cell; it is released on the way inside.
-    let energy = now.friction_power[k] * patch.grid.spacing_x;
-    // What the bristles of the contact law return does not cool.
-    let flux = energy.max(0.0) / (before + after);
+    let released = passage::heat(now.friction_power[k]);
+    let flux = released * flux_over_heat(patch.grid.spacing_x, [before, after]);
     let step = |way: f64| HeatStep { flux, duration: way / now.over_step.speed };
     record.insert(0, step(before));
     now.rise[k] = heat.rise_times_effusivity(record);
     record[0] = step(before + after);
-}
-
-/// The ways of the material in a cell, before and after the cell's point (in m): half of those to
-/// its neighbours, and all of those to an edge.
-pub(super) fn ways_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
-    let way_in = patch.cells[k].way_in.distance;
-    let before = if k == strip.cells.start { way_in } else { 0.5 * way_in };
-    let after = if k + 1 == strip.cells.end {
-        strip.exit.distance
-    } else {
-        0.5 * patch.cells[k + 1].way_in.distance
-    };
-    [before, after]
 }

@@ -8,7 +8,7 @@ use crate::kinematics::Kinematics;
 
 /// A way from cell to cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Way {
+pub(crate) struct Way {
     /// Its length, in m.
     pub distance: f64,
     /// Rigid slip on it, in m.
@@ -21,7 +21,7 @@ const SHORTEST_WAY: f64 = 0.3;
 
 /// The slide with the turn on a way. `upstream` is the length of the way before and the elastic
 /// part of the sliding over that length, where there was one.
-pub(super) fn with_turn(
+pub(crate) fn with_turn(
     slide: Slide,
     kinematics: &Kinematics,
     way: &Way,

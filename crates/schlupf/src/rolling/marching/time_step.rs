@@ -10,11 +10,12 @@
 //! (Lions and Mercier 1979) of 0 = A p − D + law⁻¹(p), which never leads away from the solution.
 
 use crate::equilibrium::{self, Equilibrium, Limits, Newton, Outcome};
+use crate::error::Error;
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
 use crate::numerics::vector::norm;
-
-use super::cell::{CellSolver, inverse_2x2, solve_2x2, times};
-use super::contact::DiscreteContact;
+use crate::progress::Watch;
+use crate::rolling::shared::cell::{CellSolver, inverse_2x2, solve_2x2, times};
+use crate::rolling::shared::contact::DiscreteContact;
 
 /// What is known of a time step beforehand, cell by cell.
 #[derive(Debug, Clone, Default)]
@@ -90,8 +91,14 @@ impl<'a> TimeStep<'a> {
     }
 
     /// Solves for the traction on the rail p, from the given one.
-    pub fn solve(&mut self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
-        newton.solve(self, p, limits)
+    pub fn solve(
+        &mut self,
+        newton: &mut Newton,
+        p: &mut [f64],
+        limits: &Limits,
+        watch: Watch,
+    ) -> Result<Outcome, Error> {
+        Ok(newton.solve(self, p, limits, watch)?.outcome)
     }
 }
 
@@ -105,8 +112,9 @@ impl Equilibrium for TimeStep<'_> {
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
-        self.contact.product(p, u);
-        self.contact.displacement_at_entries(&mut self.at_entry);
+        let made = self.contact.product(p);
+        made.at_cells(u);
+        made.at_entries(&mut self.at_entry);
         let own = self.contact.cell_looseness();
         let Prescribed { in_contact, in_place, .. } = self.prescribed;
         for (at, u) in u.iter_mut().enumerate() {

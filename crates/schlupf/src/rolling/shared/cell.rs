@@ -19,7 +19,7 @@ const GOOD: f64 = 1e-2;
 
 /// The law of a contact, and γ (in Pa/m) beside it.
 #[derive(Clone, Copy)]
-pub(super) struct CellSolver<'a> {
+pub(crate) struct CellSolver<'a> {
     pub law: &'a dyn ContactLaw,
     /// γ > 0, in Pa/m.
     pub gamma: f64,
@@ -104,18 +104,18 @@ fn length([x, y]: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-pub(super) fn inverse_2x2(matrix: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+pub(crate) fn inverse_2x2(matrix: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let [[a, b], [c, d]] = matrix;
     let determinant = a * d - b * c;
     [[d / determinant, -b / determinant], [-c / determinant, a / determinant]]
 }
 
-pub(super) fn solve_2x2(matrix: [[f64; 2]; 2], right: [f64; 2]) -> [f64; 2] {
+pub(crate) fn solve_2x2(matrix: [[f64; 2]; 2], right: [f64; 2]) -> [f64; 2] {
     times(&inverse_2x2(matrix), right)
 }
 
 #[inline]
-pub(super) fn times(matrix: &[[f64; 2]; 2], v: [f64; 2]) -> [f64; 2] {
+pub(crate) fn times(matrix: &[[f64; 2]; 2], v: [f64; 2]) -> [f64; 2] {
     let [[xx, xy], [yx, yy]] = *matrix;
     [xx * v[0] + xy * v[1], yx * v[0] + yy * v[1]]
 }

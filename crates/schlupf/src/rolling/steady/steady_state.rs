@@ -4,9 +4,9 @@
 use crate::equilibrium::{self, Equilibrium};
 use crate::numerics::vector::norm;
 use crate::problem::Problem;
+use crate::rolling::shared::contact::Displaced;
 
-use super::contact::DiscreteContact;
-use super::level::Level;
+use super::level::{Descent, Level};
 use super::steady_friction::{FrictionCause, SteadyFriction};
 use super::strip_law::{Cause, StripLaw};
 
@@ -61,10 +61,7 @@ impl Equilibrium for SteadyState<'_> {
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         let is_coupled = self.is_coupled();
         let Level { contact, strips, room, .. } = &mut self.levels[0];
-        let (b, passing) = u.split_at_mut(p.len());
-        contact.product(p, b);
-        let passing = is_coupled.then_some(passing);
-        relate(contact, strips, &mut room.at_entry, (b, passing));
+        relate(contact.product(p), strips, &mut room.at_entry, u, is_coupled);
     }
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
@@ -102,21 +99,24 @@ impl Equilibrium for SteadyState<'_> {
     }
 }
 
-/// From the displacement at the cells, in b, and the field of the last product: b relative to the
-/// upstream neighbour, and the change in passing if that is wanted.
+/// The linear response to what a product made: the displacement at the cells relative to the upstream neighbour, and
+/// the change in passing if that is wanted.
 fn relate(
-    contact: &mut DiscreteContact,
+    mut made: Displaced,
     strips: &StripLaw,
     at_entry: &mut [f64],
-    (b, passing): (&mut [f64], Option<&mut [f64]>),
+    response: &mut [f64],
+    is_coupled: bool,
 ) {
-    contact.displacement_at_entries(at_entry);
+    let (b, passing) = response.split_at_mut(at_entry.len());
+    made.at_cells(b);
+    made.at_entries(at_entry);
     for (b, entry) in b.iter_mut().zip(at_entry) {
         *b -= *entry;
     }
     strips.differences(b);
-    if let Some(passing) = passing {
-        contact.change_in_passing(passing);
+    if is_coupled {
+        made.change_in_passing(passing);
     }
 }
 
@@ -184,8 +184,7 @@ impl SteadyState<'_> {
             return None;
         }
         let b = &mut response[..traction.len()];
-        contact.product(traction, b);
-        contact.displacement_at_entries_by_share(&mut room.at_entry);
+        contact.product(traction).at_entries_by_share(&mut room.at_entry);
         for (b, entry) in b.iter_mut().zip(&room.at_entry) {
             *b = -by_stiffness * entry;
         }
@@ -198,10 +197,11 @@ impl SteadyState<'_> {
     pub fn response_by_size(&mut self, response: &mut [f64]) -> bool {
         let is_coupled = self.is_coupled();
         let Level { contact, strips, traction, room, .. } = &mut self.levels[0];
-        let (b, passing) = response.split_at_mut(traction.len());
-        let is_known = contact.product_by_size(traction, b);
-        let passing = is_coupled.then_some(passing);
-        relate(contact, strips, &mut room.at_entry, (b, passing));
+        let made = contact.product_by_size(traction);
+        let is_known = made.is_some();
+        if let Some(made) = made {
+            relate(made, strips, &mut room.at_entry, response, is_coupled);
+        }
         is_known
     }
 }
@@ -210,21 +210,18 @@ impl SteadyState<'_> {
 /// levels.
 fn precondition(levels: &mut [Level], v: &mut [f64]) {
     let Some((level, coarser)) = levels.split_first_mut() else { return };
-    let (Some(transfer), Some(next)) = (&level.transfer, coarser.first_mut()) else {
+    let Some(Descent { transfer, carried, known }) = &mut level.descent else {
         sweep(&mut level.strips, &level.friction, v);
         return;
     };
-    let mut right = std::mem::take(&mut next.room.right);
-    transfer.restrict(v, &mut right);
+    transfer.restrict(v, carried);
     sweep(&mut level.strips, &level.friction, v);
-    transfer.restrict(v, &mut next.room.left);
-    precondition(coarser, &mut right);
-    let room = &mut coarser[0].room;
-    for (right, left) in right.iter_mut().zip(&room.left) {
-        *right -= left;
+    transfer.restrict(v, known);
+    precondition(coarser, carried);
+    for (carried, known) in carried.iter_mut().zip(known) {
+        *carried -= *known;
     }
-    transfer.add_prolonged(&right, v);
-    room.right = right;
+    transfer.add_prolonged(carried, v);
 }
 
 fn sweep(strips: &mut StripLaw, friction: &SteadyFriction, v: &mut [f64]) {

@@ -23,7 +23,7 @@ fn yielding(problem: &Problem, pressure: f64) -> Option<Warning> {
 }
 
 /// Whatever the reader must know.
-pub(super) fn warnings(
+pub(crate) fn warnings(
     problem: &Problem,
     options: &Options,
     contact: &mut DiscreteContact,

@@ -12,15 +12,16 @@
 //!
 //! Where the load changes, the edges of the patch move: [`super::moving_edge`].
 
-use crate::grid::Grid;
+use crate::grid::{Grid, VectorField};
 use crate::heat::HeatStep;
 use crate::interface::contact_law::Slide;
 use crate::patch::{Cell, Patch, Strip};
+use crate::rolling::shared::contact::DiscreteContact;
+use crate::rolling::shared::passage::pair;
 use crate::state::Element;
 
-use super::contact::DiscreteContact;
 use super::moving_edge::{Motion, motions};
-use super::past::{Departure, Past, pair};
+use super::past::{Departure, Past};
 
 /// What an element brings into its new cell.
 #[derive(Debug, Clone, Default)]
@@ -45,15 +46,17 @@ pub(super) struct Arrival {
 }
 
 /// Moves all elements on by one cell. The contact has its new patch already, if the load changes
-/// (`moves`), and its displacement field is still that of the last instant.
+/// (`moves`); the displacement is that of the last instant.
 pub(super) fn carry_over(
     contact: &DiscreteContact,
-    (past, moves): (&Past, bool),
+    displacement: &VectorField,
+    past: &Past,
+    moves: bool,
     elements: &[Element],
 ) -> Vec<Arrival> {
     let patch = &contact.patch;
     let mut at_cells = vec![0.0; 2 * patch.len()];
-    contact.displacement_at_cells(&mut at_cells);
+    contact.interpolation.gather(displacement, &mut at_cells);
     let motions = if moves { motions(patch, past) } else { Vec::new() };
     let mut arrivals = Vec::with_capacity(patch.len());
     for (n, strip) in patch.strips.iter().enumerate() {

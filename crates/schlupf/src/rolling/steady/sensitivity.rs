@@ -36,28 +36,25 @@ const MAX_SIZE: usize = 50_000_000;
 const RESTARTS: usize = 4;
 
 /// The derivatives at the solution of the first of `levels`, if all linear systems could be solved;
-/// and the number of products. `response` is L p of the solution.
+/// and the number of products.
 pub(super) fn sensitivity(
     problem: &Problem,
     levels: &mut [Level],
-    response: &[f64],
     tolerance: f64,
 ) -> (Option<Sensitivity>, usize) {
-    let mut derivatives = Derivatives::new(problem, levels, response.len(), tolerance);
-    let found = derivatives.all(response);
+    let mut derivatives = Derivatives::new(problem, levels, tolerance);
+    let found = derivatives.all();
     (found, derivatives.products)
 }
 
-/// The same by some constants of the interface only, one derivative for each; `response_size` is the
-/// size of the linear response.
+/// The same by some constants of the interface only, one derivative for each.
 pub(super) fn by_constants(
     problem: &Problem,
     levels: &mut [Level],
-    response_size: usize,
     tolerance: f64,
     constants: &[InterfaceConstant],
 ) -> (Option<Vec<Resultant>>, usize) {
-    let mut derivatives = Derivatives::new(problem, levels, response_size, tolerance);
+    let mut derivatives = Derivatives::new(problem, levels, tolerance);
     let found = constants.iter().map(|constant| derivatives.by_constant(*constant)).collect();
     (found, derivatives.products)
 }
@@ -76,13 +73,8 @@ struct Derivatives<'a> {
 }
 
 impl<'a> Derivatives<'a> {
-    fn new(
-        problem: &'a Problem,
-        levels: &'a mut [Level],
-        response_size: usize,
-        tolerance: f64,
-    ) -> Self {
-        let size = levels[0].size();
+    fn new(problem: &'a Problem, levels: &'a mut [Level], tolerance: f64) -> Self {
+        let (size, response_size) = (levels[0].size(), levels[0].response.len());
         let [least, largest] = ACCURACY_RANGE;
         let dimension = (MAX_SIZE / (size + response_size)).clamp(60, MAX_DIMENSION);
         let by_bristles = SteadyState::new(problem, levels).response_by_stiffness();
@@ -99,7 +91,7 @@ impl<'a> Derivatives<'a> {
         }
     }
 
-    fn all(&mut self, response: &[f64]) -> Option<Sensitivity> {
+    fn all(&mut self) -> Option<Sensitivity> {
         let [slowness_x, slowness_y] = self.problem.kinematics.slowness_by_creepage();
         let warmer = self.warmer();
         let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
@@ -109,7 +101,7 @@ impl<'a> Derivatives<'a> {
             creepage_x: self.by(&self.by_motion(&along_x, slowness_x, &warmer))?,
             creepage_y: self.by(&self.by_motion(&along_y, slowness_y, &warmer))?,
             spin: self.by(&self.by_motion(&turning, 0.0, &warmer))?,
-            load: match self.direct_by_load(response) {
+            load: match self.direct_by_load() {
                 Some(direct) => Some(self.by_load(&direct)?),
                 None => None,
             },
@@ -200,16 +192,16 @@ impl<'a> Derivatives<'a> {
     }
 
     /// What changes with the logarithm of the load, if the elasticity knows how it grows.
-    fn direct_by_load(&mut self, response: &[f64]) -> Option<Direct> {
+    fn direct_by_load(&mut self) -> Option<Direct> {
         let growth = self.problem.normal.growth()?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
+        direct.response = vec![0.0; self.response_step.len()];
         let mut system = SteadyState::new(self.problem, self.levels);
-        direct.response = vec![0.0; response.len()];
         if growth != 0.0 && !system.response_by_size(&mut direct.response) {
             return None;
         }
         self.products += usize::from(growth != 0.0);
-        let Level { contact, strips, friction, .. } = &self.levels[0];
+        let Level { contact, strips, friction, response, .. } = &self.levels[0];
         for u in &mut direct.response {
             *u *= growth;
         }

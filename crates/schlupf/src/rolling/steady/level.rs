@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
+use crate::rolling::shared::contact::DiscreteContact;
 
-use super::contact::DiscreteContact;
 use super::steady_friction::SteadyFriction;
 use super::strip_law::StripLaw;
 use super::transfer::Transfer;
@@ -15,10 +15,12 @@ pub(super) struct Level {
     pub contact: DiscreteContact,
     pub strips: StripLaw,
     pub friction: SteadyFriction,
-    /// To the next coarser level.
-    pub transfer: Option<Transfer>,
+    /// To the next coarser level, if there is one.
+    pub descent: Option<Descent>,
     /// Traction on the rail p of this level's solution, in Pa.
     pub traction: Vec<f64>,
+    /// The linear response to it, in m.
+    pub response: Vec<f64>,
     /// The same of the points before, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
     /// Its first guess from those before alone, in Pa.
@@ -35,10 +37,15 @@ pub(super) struct Room {
     pub flux: Vec<f64>,
     /// Changes of μ pₙ, in Pa.
     pub bound: Vec<f64>,
-    /// What is preconditioned, in Pa.
-    pub right: Vec<f64>,
-    /// What the finer level has of it already, in Pa.
-    pub left: Vec<f64>,
+}
+
+/// The way to the next coarser level and back, with room for tractions of that level.
+pub(super) struct Descent {
+    pub transfer: Transfer,
+    /// What is carried over, in Pa.
+    pub carried: Vec<f64>,
+    /// What this level has of it already, in Pa.
+    pub known: Vec<f64>,
 }
 
 /// A grid of fewer cells across the patch than this is not halved again. On five cells the long
@@ -60,7 +67,9 @@ pub(super) fn nested(
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         let level = Level::new(problem, normal, grid)?;
         if let Some(finer) = levels.last_mut() {
-            finer.transfer = Some(Transfer::new(&finer.contact.patch, &level.contact.patch));
+            let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
+            let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
+            finer.descent = Some(Descent { transfer, carried, known });
         }
         let is_short_ranged = level.contact.is_short_ranged();
         let coarsest = if is_short_ranged { COARSEST_SHORT_RANGED } else { COARSEST };
@@ -81,16 +90,15 @@ impl Level {
         Ok(Self {
             strips: StripLaw::new(problem, &contact.patch),
             friction: SteadyFriction::new(problem, &contact.patch),
-            transfer: None,
+            descent: None,
             traction: zeros(),
+            response: Vec::new(),
             earlier: [zeros(), zeros()],
             foreseen: zeros(),
             room: Room {
                 at_entry: zeros(),
                 flux: vec![0.0; contact.patch.len()],
                 bound: vec![0.0; contact.patch.len()],
-                right: zeros(),
-                left: zeros(),
             },
             contact,
         })

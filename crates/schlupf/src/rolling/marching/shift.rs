@@ -1,12 +1,18 @@
-//! The equilibrium after a shift at rest: every cell slides by the shift less what the bodies
-//! yield, with the same shift in all of them, because nothing is carried along.
+//! Two bodies at rest, pressed together and shifted tangentially: Cattaneo's and Mindlin's problem,
+//! for any patch, elasticity and contact law.
+//!
+//! Nothing is carried along, so there is one equilibrium: every cell slides by the shift less what the
+//! bodies yield, with the same shift in all of them.
 
 use crate::equilibrium::{Limits, Newton, Outcome};
+use crate::error::Error;
+use crate::grid::VectorField;
 use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::kinematics::Kinematics;
+use crate::progress::Watch;
+use crate::rolling::shared::contact::DiscreteContact;
 use crate::state::Element;
 
-use super::contact::DiscreteContact;
 use super::time_step::{Prescribed, TimeStep};
 
 /// Speed and creepages of bodies that do not roll.
@@ -17,8 +23,9 @@ pub(super) const AT_REST: Kinematics =
 pub(super) struct Shift<'a> {
     /// Along and across rolling, in m.
     pub distance: [f64; 2],
-    /// The contact, with the displacement field of the traction before.
     pub contact: &'a mut DiscreteContact,
+    /// A p of the traction before on the whole grid, in m.
+    pub displacement: &'a VectorField,
     pub law: &'a dyn ContactLaw,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
@@ -27,11 +34,17 @@ pub(super) struct Shift<'a> {
 }
 
 impl Shift<'_> {
-    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and
-    /// leaves it there and in the elements.
-    pub fn find(self, newton: &mut Newton, p: &mut [f64], limits: &Limits) -> Outcome {
+    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and leaves it
+    /// there and in the elements.
+    pub fn find(
+        self,
+        newton: &mut Newton,
+        p: &mut [f64],
+        limits: &Limits,
+        watch: Watch,
+    ) -> Result<Outcome, Error> {
         let mut before = vec![0.0; p.len()];
-        self.contact.displacement_at_cells(&mut before);
+        self.contact.interpolation.gather(self.displacement, &mut before);
         let sliding = before.chunks_exact(2);
         let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
         let cells = self.elements.len();
@@ -44,13 +57,13 @@ impl Shift<'_> {
         };
         let slides = self.elements.iter().map(past).collect();
         let mut step = TimeStep::new(self.contact, self.law, self.bound, &prescribed, slides);
-        let outcome = step.solve(newton, p, limits);
+        let outcome = step.solve(newton, p, limits, watch)?;
         for (k, element) in self.elements.iter_mut().enumerate() {
             let slide = &step.slides[k];
             element.traction = [p[2 * k], p[2 * k + 1]];
             element.saturation = step.responses[k].traction;
             element.sliding = [0, 1].map(|c| slide.distance[c] + slide.increment[c]);
         }
-        outcome
+        Ok(outcome)
     }
 }

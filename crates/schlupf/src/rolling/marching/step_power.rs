@@ -1,0 +1,137 @@
+//! Slip and friction power at an instant, the powers over the time step before it, and the energy that the
+//! bodies store.
+//!
+//! Over a step the traction is the mean of that at its two ends, and the displacement changes by its
+//! difference, both in place. With a symmetric compliance the elastic part of the work is then exactly
+//! the change of the stored energy ½ Σ p·(A p) ΔA, whatever the step, and what the material carries
+//! through the patch cancels, so that
+//!
+//! power of the creep forces = friction power + change of the stored energy over the duration.
+//!
+//! Heat follows from the friction power at the instant: an element is in the middle of its cell then.
+
+use crate::grid::VectorField;
+use crate::kinematics::Kinematics;
+use crate::patch::{Cell, Interpolation, Patch};
+use crate::rolling::shared::contact::{DiscreteContact, Former, differences};
+use crate::rolling::shared::passage::{power, rigid_velocity, slip};
+use crate::solution::Resultant;
+use crate::summary::{self, snapshot::Snapshot};
+
+/// The last instant, as far as the powers of the step after it depend on it.
+#[derive(Debug)]
+pub(super) struct Start {
+    displacement: VectorField,
+    traction: Vec<f64>,
+    force: Resultant,
+    /// The patch of that instant, where the step has another one.
+    pub former: Option<Former>,
+}
+
+/// Means over a time step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StepPower {
+    /// Friction power, in W.
+    pub friction: f64,
+    /// Power of the creep forces, in W.
+    pub creep: f64,
+}
+
+impl Start {
+    /// The present instant, with its displacement, before the material moves on.
+    pub fn of(displacement: &VectorField, patch: &Patch, now: &Snapshot) -> Self {
+        Self {
+            displacement: displacement.clone(),
+            traction: now.traction.clone(),
+            force: summary::force(patch, now),
+            former: None,
+        }
+    }
+
+    /// Slip velocity and friction power of every cell at the instant in which a step has ended. Each
+    /// cell's friction power is that of its traction with the mean slip over the cell, so rigid slip
+    /// works with the whole force.
+    pub fn set_friction_power(
+        &self,
+        now: &mut Snapshot,
+        contact: &DiscreteContact,
+        displacement: &VectorField,
+    ) {
+        let passed = displacement.clone();
+        let change = self.change(&contact.interpolation, &contact.patch, displacement, passed);
+        now.slip = slips(&now.kinematics, &contact.patch, &change);
+        now.friction_power = powers(&now.traction, &now.slip);
+    }
+
+    /// Powers over the step that has ended, with those cells that the patch has left within it.
+    pub fn powers_until(
+        &self,
+        now: &Snapshot,
+        contact: &DiscreteContact,
+        displacement: &VectorField,
+    ) -> StepPower {
+        let half = |traction: &[f64], patch: &Patch, interpolation: &Interpolation| {
+            let passed = combined(displacement, 0.5, &self.displacement, 0.5);
+            let change = self.change(interpolation, patch, displacement, passed);
+            let slip = slips(&now.over_step, patch, &change);
+            0.5 * powers(traction, &slip).iter().sum::<f64>() * patch.grid.cell_area()
+        };
+        let (patch, interpolation) = (&contact.patch, &contact.interpolation);
+        let (before, interpolation_before) = match &self.former {
+            Some(former) => (&former.patch, &former.interpolation),
+            None => (patch, interpolation),
+        };
+        let friction = half(&now.traction, patch, interpolation)
+            + half(&self.traction, before, interpolation_before);
+        let force = summary::force(&contact.patch, now).mean(&self.force);
+        StepPower { friction, creep: summary::creep_power(&now.over_step, &force) }
+    }
+
+    /// By how much A p changes while a material point passes each cell of a patch within the step: what it changes in
+    /// passing a field, and what changes in place until the displacement at the end.
+    fn change(
+        &self,
+        interpolation: &Interpolation,
+        patch: &Patch,
+        displacement: &VectorField,
+        passed: VectorField,
+    ) -> Vec<f64> {
+        // The border of the grid, where no cell is, keeps the values.
+        let mut passing = VectorField::zeros(patch.grid.len());
+        differences(&passed, patch.grid.columns, &mut passing);
+        let gained = combined(displacement, 1.0, &self.displacement, -1.0);
+        let mut change = vec![0.0; 2 * patch.len()];
+        let mut in_place = change.clone();
+        interpolation.gather_means(&passing, &mut change);
+        interpolation.gather_means(&gained, &mut in_place);
+        for (change, in_place) in change.iter_mut().zip(in_place) {
+            *change += in_place;
+        }
+        change
+    }
+}
+
+/// A sum of multiples of two fields.
+fn combined(one: &VectorField, share: f64, other: &VectorField, rest: f64) -> VectorField {
+    let sum = |(p, q): (&f64, &f64)| share * p + rest * q;
+    VectorField {
+        x: one.x.iter().zip(&other.x).map(sum).collect(),
+        y: one.y.iter().zip(&other.y).map(sum).collect(),
+    }
+}
+
+/// Slip velocity of every cell (in m/s) from the change of A p on the way through it (in m).
+fn slips(motion: &Kinematics, patch: &Patch, change: &[f64]) -> Vec<[f64; 2]> {
+    let cells = patch.cells.iter().zip(change.chunks_exact(2));
+    let rate = motion.speed / patch.grid.spacing_x;
+    let of_cell = |(cell, change): (&Cell, &[f64])| {
+        slip(rigid_velocity(motion, cell), rate, [change[0], change[1]])
+    };
+    cells.map(of_cell).collect()
+}
+
+/// Friction power over area in every cell, in W/m².
+fn powers(traction: &[f64], slip: &[[f64; 2]]) -> Vec<f64> {
+    let cells = traction.chunks_exact(2).zip(slip);
+    cells.map(|(p, slip)| power([p[0], p[1]], *slip)).collect()
+}

@@ -1,0 +1,7 @@
+//! What steady rolling and marching have in common.
+
+pub(crate) mod contact;
+pub(crate) mod cell;
+pub(crate) mod turn;
+pub(crate) mod passage;
+pub(crate) mod warnings;

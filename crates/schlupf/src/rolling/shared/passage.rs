@@ -1,0 +1,61 @@
+//! The passage of the material through a cell: its ways, its slip, and the heat of friction that is released evenly on
+//! the way; Eqs. (17), (18).
+
+use crate::kinematics::Kinematics;
+use crate::patch::{Cell, Patch, Strip};
+
+/// The ways of the material in a cell, before and after the cell's point (in m): half of those to
+/// its neighbours, and all of those to an edge.
+pub(crate) fn ways_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
+    let way_in = patch.cells[k].way_in.distance;
+    let before = if k == strip.cells.start { way_in } else { 0.5 * way_in };
+    let after = if k + 1 == strip.cells.end {
+        strip.exit.distance
+    } else {
+        0.5 * patch.cells[k + 1].way_in.distance
+    };
+    [before, after]
+}
+
+/// x and y component of a cell.
+#[inline]
+pub(crate) fn pair(values: &[f64], k: usize) -> [f64; 2] {
+    [values[2 * k], values[2 * k + 1]]
+}
+
+/// Rigid slip velocity in a cell, in m/s.
+pub(crate) fn rigid_velocity(motion: &Kinematics, cell: &Cell) -> [f64; 2] {
+    motion.rigid_slip(cell.x, cell.y).map(|slip| motion.speed * slip)
+}
+
+/// Slip velocity (in m/s) from the rigid one, the cells that the material passes a second, and the change of A p on the
+/// way through the cell (in m).
+#[inline]
+pub(crate) fn slip(rigid: [f64; 2], cells_a_second: f64, change: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|c| rigid[c] - cells_a_second * change[c])
+}
+
+/// Slip speed (in m/s) of a slip velocity, in m/s.
+#[inline]
+pub(crate) fn speed_of([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// Friction power over area (in W/m²) of a traction (in Pa) under a slip velocity, in m/s.
+#[inline]
+pub(crate) fn power(traction: [f64; 2], slip: [f64; 2]) -> f64 {
+    traction[0] * slip[0] + traction[1] * slip[1]
+}
+
+/// Heat that a friction power over area releases (in W/m² both): what the bristles of the contact law return does not
+/// cool.
+#[inline]
+pub(crate) fn heat(power: f64) -> f64 {
+    power.max(0.0)
+}
+
+/// Heat flux on the way through a cell over the heat that is released in it, dimensionless: that is a mean over a whole
+/// cell of a size along rolling, in m.
+pub(crate) fn flux_over_heat(spacing: f64, [before, after]: [f64; 2]) -> f64 {
+    spacing / (before + after)
+}

@@ -1,0 +1,66 @@
+//! The solvers of steady states by method and by way.
+
+use crate::error::Error;
+use crate::method::Method;
+use crate::problem::{Options, Problem};
+use crate::progress::Watch;
+use crate::simplified::FastSolver;
+use crate::solution::Solution;
+use crate::solver::Solver;
+use crate::transient::Transient;
+
+use super::marching::march;
+use super::steady::SteadySolver;
+
+impl Method {
+    /// What finds steady states with this method.
+    pub fn solver(self, options: &Options) -> Box<dyn Solver> {
+        match self {
+            Self::Full => Box::new(SteadySolver::new(options)),
+            Self::Fast(method) => Box::new(FastSolver::new(method, options)),
+        }
+    }
+}
+
+/// Marches to steady states of the full equations, from rest each. Derivatives are those of a
+/// [`SteadySolver`].
+pub struct MarchingSolver {
+    steady: SteadySolver,
+}
+
+impl MarchingSolver {
+    /// A solver without a past.
+    pub fn new(options: &Options) -> Self {
+        Self { steady: SteadySolver::new(options) }
+    }
+}
+
+impl Solver for MarchingSolver {
+    fn method(&self) -> Method {
+        Method::Full
+    }
+
+    fn options(&self) -> &Options {
+        self.steady.options()
+    }
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        march(&Transient::to_steady_state(problem), self.options(), watch)
+    }
+
+    fn has_derivatives(&self) -> bool {
+        true
+    }
+
+    fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        self.steady.solve_with_derivatives(problem, watch)
+    }
+
+    fn forget(&mut self) {
+        self.steady.forget();
+    }
+}

@@ -1,0 +1,306 @@
+//! What steady states with one normal contact and one elasticity share, and the way to a state on nested grids.
+
+use std::sync::Arc;
+
+use crate::equilibrium::{Limits, Newton, Outcome};
+use crate::error::Error;
+use crate::interface::contact_law::Slide;
+use crate::kinematics::Kinematics;
+use crate::method::Method;
+use crate::problem::{Branch, Options, Problem};
+use crate::progress::Watch;
+use crate::rolling::shared::passage::speed_of;
+use crate::rolling::shared::warnings::warnings;
+use crate::solution::{Resultant, Solution, Status, Work};
+use crate::state::State;
+use crate::summary::{self, snapshot::Snapshot};
+use crate::warning::Warning;
+
+use super::branches;
+use super::level::{self, Descent, Level};
+use super::steady_state::SteadyState;
+
+/// How a state is looked for, and the work that it was.
+pub(super) struct Search<'a> {
+    pub options: &'a Options,
+    pub newton: &'a mut Newton,
+    pub work: Work,
+    pub watch: Watch<'a>,
+}
+
+/// What problems with one normal contact and elasticity share.
+pub(super) struct Setup {
+    /// The problem solved last.
+    problem: Problem,
+    pub levels: Vec<Level>,
+    /// Motions of the solutions that the levels remember, the latest first.
+    pub earlier: Vec<Kinematics>,
+}
+
+/// Parts of k_c by way of which a state is looked for that is not found otherwise.
+const SOFTER: [f64; 2] = [0.01, 0.1];
+
+/// The same problem with softer bristles, the softest first, if the law can be made softer.
+fn softened(problem: &Problem) -> Vec<Problem> {
+    let stiffness = problem.contact_law.respond(&Slide::default()).by_increment[0][0];
+    let soften = |part: f64| {
+        let contact_law = problem.contact_law.with_stiffness(part * stiffness).ok()??;
+        Some(Problem { contact_law, ..problem.clone() })
+    };
+    SOFTER.into_iter().filter_map(soften).collect()
+}
+
+/// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same where
+/// only the change since an earlier solution counts.
+const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
+
+/// Farthest extrapolation, in distances between the last two solutions.
+const FARTHEST: f64 = 2.5;
+
+impl Setup {
+    pub fn new(problem: &Problem, options: &Options) -> Result<Self, Error> {
+        let normal = problem.normal.normal_contact(None)?;
+        let levels = level::nested(problem, &normal, options)?;
+        Ok(Self { problem: problem.clone(), levels, earlier: Vec::new() })
+    }
+
+    pub fn fits(&self, problem: &Problem) -> bool {
+        Arc::ptr_eq(&self.problem.normal, &problem.normal)
+            && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
+    }
+
+    /// The steady state, from the solutions before; where that fails, from none; and then by way of softer
+    /// bristles, with which it is smoother.
+    pub fn find(&mut self, problem: &Problem, search: &mut Search) -> Result<Outcome, Error> {
+        if !self.earlier.is_empty() {
+            let outcome = self.find_equilibrium(problem, search)?;
+            if outcome.converged {
+                return Ok(outcome);
+            }
+        }
+        let outcome = self.find_equilibrium(problem, search)?;
+        if outcome.converged {
+            return Ok(outcome);
+        }
+        for softer in softened(problem) {
+            let found = self.find_equilibrium(&softer, search)?;
+            if !found.converged {
+                return Ok(outcome);
+            }
+        }
+        self.find_equilibrium(problem, search)
+    }
+
+    /// Newton's method for the whole patch, from the coarsest grid to the finest.
+    fn find_equilibrium(
+        &mut self,
+        problem: &Problem,
+        search: &mut Search,
+    ) -> Result<Outcome, Error> {
+        let Search { options, newton, work, watch } = search;
+        let cells = self.levels[0].contact.patch.len();
+        (work.cells, work.outer_iterations) = (cells, 1);
+        let ahead = self.extrapolation(problem);
+        self.problem = problem.clone();
+        let mut outcome = Outcome::default();
+        for depth in (0..self.levels.len()).rev() {
+            self.levels[depth].set_problem(problem);
+            self.guess(depth, ahead);
+            let coarse = COARSE_TOLERANCE[usize::from(!self.earlier.is_empty())];
+            let limits = Limits {
+                tolerance: if depth == 0 { options.tolerance } else { coarse },
+                max_iterations: options.max_iterations,
+                is_monotone: branches::may_be_several(problem, &self.levels[depth], false),
+            };
+            let mut traction = std::mem::take(&mut self.levels[depth].traction);
+            let mut system = SteadyState::new(problem, &mut self.levels[depth..]);
+            let solved = newton.solve(&mut system, &mut traction, &limits, *watch);
+            self.levels[depth].traction = traction;
+            let solved = solved?;
+            self.levels[depth].response.clear();
+            self.levels[depth].response.extend_from_slice(solved.response);
+            outcome = solved.outcome;
+            let share = self.levels[depth].strips.len() as f64 / cells as f64;
+            work.newton_iterations += outcome.iterations;
+            work.operator_products += share * outcome.products as f64;
+        }
+        if outcome.converged {
+            let is_at_rest = self.levels[0].traction.iter().all(|p| *p == 0.0);
+            if is_at_rest { self.earlier.clear() } else { self.remember(problem.kinematics) }
+        } else {
+            self.earlier.clear();
+        }
+        Ok(outcome)
+    }
+
+    /// Follows the creepage to a problem from high slip and from low slip, the branch that is asked
+    /// for last. The state on it, with a warning if the other one is another; where a branch is lost,
+    /// whichever state is found, with a warning that says so.
+    pub fn follow_branches(
+        &mut self,
+        problem: &Problem,
+        search: &mut Search,
+    ) -> Result<(Outcome, Option<Warning>), Error> {
+        let options = search.options;
+        let (other, [here, there]) = match options.branch {
+            Branch::LowSlip => (Branch::HighSlip, ["low", "high"]),
+            Branch::HighSlip => (Branch::LowSlip, ["high", "low"]),
+        };
+        let elsewhere = self.follow(problem, other, search)?;
+        let here_found = self.follow(problem, options.branch, search)?;
+        let (Some((outcome, force)), Some((_, other))) = (here_found, elsewhere) else {
+            self.earlier.clear();
+            return Ok((self.find(problem, search)?, Some(Warning::BranchLost {})));
+        };
+        let normal = &self.levels[0].contact.normal;
+        let limit = problem.friction.cold_coefficient() * normal.load;
+        let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
+        let turned = (force.moment_z - other.moment_z) / lever;
+        let apart = (force.x - other.x).hypot(force.y - other.y).hypot(turned);
+        let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
+            let tangential = |force: Resultant| [force.x, force.y];
+            Warning::SeveralStates {
+                branch: here,
+                force: tangential(force),
+                other_branch: there,
+                other_force: tangential(other),
+            }
+        });
+        Ok((outcome, warning))
+    }
+
+    /// The end of a branch with its forces; nothing where it is lost.
+    fn follow(
+        &mut self,
+        problem: &Problem,
+        branch: Branch,
+        search: &mut Search,
+    ) -> Result<Option<(Outcome, Resultant)>, Error> {
+        self.earlier.clear();
+        let mut end = None;
+        for kinematics in branches::way_to(&problem.kinematics, branch) {
+            let on_the_way = Problem { kinematics, ..problem.clone() };
+            let outcome = self.find(&on_the_way, search)?;
+            if !outcome.converged {
+                return Ok(None);
+            }
+            end = Some(outcome);
+        }
+        let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
+        Ok(end.map(|outcome| (outcome, force)))
+    }
+
+    /// The first guess on a level: what extrapolation along the earlier solutions gives, and the
+    /// part of the next coarser solution that this did not foresee.
+    fn guess(&mut self, depth: usize, ahead: f64) {
+        let (levels, coarser) = self.levels.split_at_mut(depth + 1);
+        let level = &mut levels[depth];
+        let [last, before] = &level.earlier;
+        match self.earlier.len() {
+            0 => level.traction.fill(0.0),
+            1 => level.traction.copy_from_slice(last),
+            _ => {
+                let pairs = last.iter().zip(before);
+                for (guess, (last, before)) in level.traction.iter_mut().zip(pairs) {
+                    *guess = last + ahead * (last - before);
+                }
+            }
+        }
+        level.clip();
+        level.foreseen.copy_from_slice(&level.traction);
+        if let (Some(Descent { transfer, carried, .. }), Some(next)) =
+            (&mut level.descent, coarser.first())
+        {
+            let pairs = next.traction.iter().zip(&next.foreseen);
+            for (news, (found, foreseen)) in carried.iter_mut().zip(pairs) {
+                *news = found - foreseen;
+            }
+            transfer.add_prolonged(carried, &mut level.traction);
+            level.clip();
+        }
+    }
+
+    fn remember(&mut self, kinematics: Kinematics) {
+        for level in &mut self.levels {
+            level.earlier.swap(0, 1);
+            level.earlier[0].copy_from_slice(&level.traction);
+        }
+        self.earlier.truncate(1);
+        self.earlier.insert(0, kinematics);
+    }
+
+    /// How far a motion lies ahead on the line through the last two, in distances between them; zero
+    /// where it does not lie on that line.
+    fn extrapolation(&self, problem: &Problem) -> f64 {
+        let [last, before] = self.earlier.as_slice() else { return 0.0 };
+        let normal = &self.levels[0].contact.normal;
+        let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
+        let difference = |to: &Kinematics, from: &Kinematics| {
+            [
+                to.creepage_x - from.creepage_x,
+                to.creepage_y - from.creepage_y,
+                lever * (to.spin - from.spin),
+            ]
+        };
+        let (made, next) = (difference(last, before), difference(&problem.kinematics, last));
+        let dot = |v: &[f64; 3], w: &[f64; 3]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
+        let squared = dot(&made, &made);
+        if squared == 0.0 {
+            return 0.0;
+        }
+        let ahead = dot(&made, &next) / squared;
+        let aside: f64 = (0..3).map(|c| (next[c] - ahead * made[c]).powi(2)).sum();
+        if aside > 1e-6 * dot(&next, &next) { 0.0 } else { ahead.clamp(-1.0, FARTHEST) }
+    }
+
+    /// All results.
+    pub fn solution(
+        &mut self,
+        problem: &Problem,
+        options: &Options,
+        outcome: &Outcome,
+        mut work: Work,
+    ) -> Solution {
+        let Level { contact, strips, friction, traction, response, .. } = &mut self.levels[0];
+        let mut now = Snapshot::blank(problem.kinematics, friction.conduction, strips.len());
+        now.traction.copy_from_slice(traction);
+        let mut made = contact.product(traction);
+        made.at_cells(&mut now.displacement);
+        now.stored_energy = made.stored_energy();
+        let mut change = vec![0.0; traction.len()];
+        made.change_in_passing(&mut change);
+        work.operator_products += 1.0;
+        friction.evaluate(problem, &contact.patch, traction, &change);
+        now.slip.copy_from_slice(&friction.slip);
+        now.friction_power.copy_from_slice(&friction.power);
+        now.rise.copy_from_slice(&friction.rise);
+        now.friction.copy_from_slice(&friction.lag.coefficient);
+        let mut elements = strips.elements(&contact.patch, traction, response);
+        for (k, element) in elements.iter_mut().enumerate() {
+            element.slip_speed = speed_of(friction.slip[k]);
+            element.rise = friction.rise[k];
+            element.friction_on_leaving = friction.lag.on_leaving(k);
+            if problem.heat.model.is_some() {
+                element.heat = friction.record_on_leaving(k);
+            }
+        }
+        let patch = &contact.patch;
+        let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
+        now.exit_rise = exits.collect();
+        now.surfaces = friction.surfaces(patch);
+        let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
+        let solved = (work.newton_iterations, outcome.residual);
+        let instant = summary::instant((&contact.normal, patch, &now), [0.0; 2], solved);
+        let account = summary::Account {
+            method: Method::Full,
+            status: if is_found { Status::Converged } else { Status::NotConverged },
+            residual: outcome.residual,
+            history: vec![instant],
+            warnings: warnings(problem, options, contact, &now),
+            sensitivity: None,
+            work,
+            state: State { grid: contact.patch.grid, time: 0.0, elements },
+        };
+        summary::solution(problem, options, (&contact.normal, &contact.patch, &now), account)
+    }
+}

@@ -1,0 +1,181 @@
+//! The solver of steady states at once.
+
+use crate::equilibrium::{Newton, Outcome};
+use crate::error::Error;
+use crate::interface::InterfaceConstant;
+use crate::method::Method;
+use crate::problem::{Options, Problem};
+use crate::progress::Watch;
+use crate::reference_point::AtPatch;
+use crate::rolling::marching::march;
+use crate::solution::{Resultant, Solution, Work};
+use crate::solver::Solver;
+use crate::transient::Transient;
+use crate::warning::Warning;
+
+use super::branches;
+use super::sensitivity::{by_constants, sensitivity};
+use super::setup::{Search, Setup};
+
+/// Solves a problem for its steady state.
+///
+/// Where Newton's method fails, the state is marched to instead, and a warning says so.
+///
+/// # Errors
+/// Whatever [`Problem::check`] and [`Options::check`] refuse, and [`Error::Stopped`].
+pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solution, Error> {
+    SteadySolver::new(options).solve(problem, watch)
+}
+
+/// Finds steady states of the full equations at once.
+///
+/// Each starts from the solutions before; where that fails, from none.
+pub struct SteadySolver {
+    options: Options,
+    setup: Option<Setup>,
+    newton: Newton,
+}
+
+/// What an attempt to find the steady state at once came to.
+enum Attempt {
+    Found(Box<Solution>),
+    /// How far Newton's method got from a cold start, and what is to be said beside.
+    Failed(Outcome, Option<Warning>),
+}
+
+impl Attempt {
+    fn found(self) -> Option<Solution> {
+        match self {
+            Self::Found(solution) => Some(*solution),
+            Self::Failed(..) => None,
+        }
+    }
+}
+
+impl Solver for SteadySolver {
+    fn method(&self) -> Method {
+        Method::Full
+    }
+
+    fn options(&self) -> &Options {
+        &self.options
+    }
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let attempt = self.attempt(&at.problem, self.options.sensitivity, watch)?;
+        let (outcome, warning) = match attempt {
+            Attempt::Found(solution) => return Ok(at.back(*solution)),
+            Attempt::Failed(outcome, warning) => (outcome, warning),
+        };
+        let mut marched = march(&Transient::to_steady_state(problem), &self.options, watch)?;
+        let (residual, newton_steps) = (outcome.residual, outcome.iterations);
+        marched.warnings.push(Warning::Marched { residual, newton_steps });
+        marched.warnings.extend(warning);
+        Ok(marched)
+    }
+
+    fn has_derivatives(&self) -> bool {
+        true
+    }
+
+    fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let found = self.attempt(&at.problem, true, watch)?.found();
+        Ok(found.map(|solution| at.back(solution)))
+    }
+
+    fn forget(&mut self) {
+        if let Some(setup) = &mut self.setup {
+            setup.earlier.clear();
+        }
+    }
+}
+
+impl SteadySolver {
+    /// A solver without a past.
+    pub fn new(options: &Options) -> Self {
+        Self { options: options.clone(), setup: None, newton: Newton::default() }
+    }
+
+    /// The steady state with the derivatives of forces and moment by some constants of contact law and
+    /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
+    /// have has no effect. Nothing where Newton's method or a linear system fails.
+    pub fn solve_with_derivatives_by(
+        &mut self,
+        problem: &Problem,
+        constants: &[InterfaceConstant],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let Some(mut solution) = self.attempt(&at.problem, false, watch)?.found() else {
+            return Ok(None);
+        };
+        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
+        let tolerance = self.options.tolerance;
+        let (found, products) = by_constants(&at.problem, levels, tolerance, constants);
+        solution.work.sensitivity_products = products;
+        Ok(found.map(|derivatives| {
+            let derivatives = derivatives.iter().map(|by| at.resultant_back(by)).collect();
+            (at.back(solution), derivatives)
+        }))
+    }
+
+    /// The steady state of a problem with its creepages at the middle of the patch.
+    fn attempt(
+        &mut self,
+        problem: &Problem,
+        with_derivatives: bool,
+        watch: Watch,
+    ) -> Result<Attempt, Error> {
+        self.options.check()?;
+        let setup = self.setup.take().filter(|setup| setup.fits(problem));
+        let mut setup = match setup {
+            Some(setup) => setup,
+            None => Setup::new(problem, &self.options)?,
+        };
+        if problem.kinematics.is_pure_rolling() {
+            // Nothing slides: no earlier solution is as near as none.
+            setup.earlier.clear();
+        }
+        let mut search = Search {
+            options: &self.options,
+            newton: &mut self.newton,
+            work: Work::default(),
+            watch,
+        };
+        let mut outcome = setup.find(problem, &mut search)?;
+        let mut warning = None;
+        if branches::may_be_several(problem, &setup.levels[0], outcome.converged) {
+            (outcome, warning) = setup.follow_branches(problem, &mut search)?;
+        }
+        let work = search.work;
+        let attempt = if outcome.converged {
+            let mut solution = setup.solution(problem, &self.options, &outcome, work);
+            solution.warnings.extend(warning);
+            if with_derivatives {
+                self.differentiate(problem, &mut setup, &mut solution);
+            }
+            Attempt::Found(Box::new(solution))
+        } else {
+            Attempt::Failed(outcome, warning)
+        };
+        self.setup = Some(setup);
+        Ok(attempt)
+    }
+
+    /// Adds the derivatives to a solution that was just found.
+    fn differentiate(&self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
+        let tolerance = self.options.tolerance;
+        let (found, products) = sensitivity(problem, &mut setup.levels, tolerance);
+        solution.sensitivity = found;
+        solution.work.sensitivity_products = products;
+        if found.is_none() {
+            solution.warnings.push(Warning::NoSensitivity {});
+        }
+    }
+}

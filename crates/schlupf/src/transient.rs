@@ -1,0 +1,32 @@
+//! Transient rolling: a problem whose motion and load change with time, or which starts from a given state.
+
+use crate::error::Error;
+use crate::history::History;
+use crate::problem::Problem;
+use crate::state::State;
+
+/// Rolling over time.
+#[derive(Debug, Clone)]
+pub struct Transient {
+    /// The contact. Where the history gives speed, creepages or load, those of the problem do not count.
+    pub problem: Problem,
+    /// Creepages, speed and load over time. Without any times, and without a shift, all is constant, and the wheel
+    /// rolls until nothing changes any more.
+    pub history: History,
+    /// State to start from. `None` is rest: no tangential traction, bulk temperatures.
+    pub initial_state: Option<State>,
+}
+
+impl Transient {
+    /// Constant conditions from rest: rolling to the steady state.
+    pub fn to_steady_state(problem: &Problem) -> Self {
+        let (problem, history) = (problem.clone(), History::default());
+        Self { problem, history, initial_state: None }
+    }
+
+    /// Checks whatever can be checked before the patch is known.
+    pub fn check(&self) -> Result<(), Error> {
+        self.problem.check()?;
+        self.history.check(&self.problem.kinematics)
+    }
+}
