@@ -65,7 +65,7 @@ fn solve(problem: &Problem, options: &Options) -> Solution {
 }
 
 fn normalised(problem: &Problem, method: FastMethod, across: usize) -> Resultant {
-    fast(&problem, method, across).normalised
+    fast(problem, method, across).normalised
 }
 
 /// a = 8 mm, b = 4 mm, N = 82 kN, μ = 0.3, G = 82 GPa, ν = 0.28, with this motion at 30 m/s.

@@ -279,11 +279,11 @@ impl Setup {
             element.rise = friction.rise[k];
             element.friction_on_leaving = friction.lag.on_leaving(k);
             if problem.heat.model.is_some() {
-                element.heat = friction.record_on_leaving(k);
+                element.heat = friction.heat.record_on_leaving(k).to_vec();
             }
         }
         let patch = &contact.patch;
-        let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
+        let exits = patch.strips.iter().map(|strip| friction.heat.exit_rise(strip));
         now.exit_rise = exits.collect();
         now.surfaces = friction.surfaces(patch);
         let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
