@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use schlupf::bulk_temperature::Cooling;
 use schlupf::history::History;
+use schlupf::message::Message;
 use schlupf::rolling::MarchingSolver;
 use schlupf::state::State;
-use schlupf::{Method, Options, Problem, Solver, Transient};
+use schlupf::{Error, Method, Options, Problem, Quantity, Solver, Transient};
 
 use crate::document::{self, Entry};
 use crate::edited;
@@ -18,9 +19,6 @@ use crate::place::{Place, Source};
 use crate::read;
 use crate::settings::Settings;
 use crate::template::template;
-
-/// What makes a history, each by itself.
-const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
 
 /// A case that was read and checked.
 #[derive(Debug, Clone)]
@@ -42,7 +40,7 @@ pub struct Case {
     /// k_c of the contact law, and where it comes from.
     pub law_stiffness: LawStiffness,
     /// What was given without effect, each with its place, and what to know about a roughness.
-    pub notices: Vec<String>,
+    pub notices: Vec<Message>,
     settings: Settings,
     /// The text that was read, without overrides.
     text: String,
@@ -61,7 +59,7 @@ pub enum Driver {
 }
 
 /// What a case asks for.
-pub enum Task {
+pub enum Target {
     /// Steady rolling, and what finds it.
     Steady(Box<dyn Solver>),
     /// Rolling over time.
@@ -133,8 +131,8 @@ impl Case {
         CaseErrors::check(errors)?;
         let (problem, history, law_stiffness) = read::problem(&settings, folder, solved)?;
         let mut notices = settings.idle();
-        let notice = |text| format!("contact_law.roughness: {text}");
-        notices.extend(law_stiffness.caveats().into_iter().map(notice));
+        let caveats = law_stiffness.caveats().into_iter();
+        notices.extend(caveats.map(|message| message.about("contact_law.roughness")));
         Ok(Self {
             title: settings.text("title")?,
             problem,
@@ -186,41 +184,37 @@ impl Case {
     ///
     /// # Errors
     /// A history or a state where the method or the way that was asked for cannot follow it.
-    pub fn task(&self, initial_state: Option<State>) -> Result<Task, CaseError> {
+    pub fn target(&self, initial_state: Option<State>) -> Result<Target, CaseError> {
         if self.history.is_none() && initial_state.is_none() {
-            return Ok(Task::Steady(self.any_solver(&self.options)));
+            return Ok(Target::Steady(self.any_solver(&self.options)));
         }
-        let what = if self.history.is_some() { "a history" } else { "an initial state" };
+        let is_history = self.history.is_some();
         match (self.method, self.driver) {
-            (Method::Fast(method), _) => {
-                let name = method.name();
-                let reason = format!("{name:?} is of steady rolling, but there is {what}");
-                Err(self.contradiction("solver.method", &reason))
+            (Method::Fast(_), _) => {
+                let quantity = if is_history { Quantity::Time } else { Quantity::InitialState };
+                Err(self.explain(&Error::NotSteady { quantity, what: "a fast method is for" }))
             }
             (Method::Full, Some(Driver::Steady)) => {
-                let reason =
-                    format!("{what} needs solver.driver = \"marching\", but it is \"steady\"");
-                Err(self.contradiction("solver.driver", &reason))
+                let quantity = if is_history { Quantity::Driver } else { Quantity::InitialState };
+                Err(self.explain(&Error::NotSteady { quantity, what: "the steady driver is for" }))
             }
             (Method::Full, Some(Driver::Marching) | None) => {
                 let history = self.history.clone().unwrap_or_default();
                 let problem = self.problem.clone();
-                Ok(Task::Transient(Box::new(Transient { problem, history, initial_state })))
+                Ok(Target::Transient(Box::new(Transient { problem, history, initial_state })))
             }
         }
     }
 
-    /// Checks that the case is one of steady rolling. `what` says for what, such as "a creep curve is".
+    /// Checks that the case is one of steady rolling. `what` says for what, such as "a creep curve is of".
     ///
     /// # Errors
     /// A history.
-    pub fn require_steady(&self, what: &str) -> Result<(), CaseError> {
-        if self.history.is_none() {
-            return Ok(());
+    pub fn require_steady(&self, what: &'static str) -> Result<(), CaseError> {
+        match self.history {
+            None => Ok(()),
+            Some(_) => Err(self.explain(&Error::NotSteady { quantity: Quantity::Time, what })),
         }
-        let field = HISTORY.into_iter().find(|field| self.settings.is_given(field));
-        let reason = format!("{what} of steady rolling, but there is a history");
-        Err(self.contradiction(field.unwrap_or("history.time"), &reason))
     }
 
     /// What finds steady states of the case, without derivatives; see [`Self::require_steady`].
@@ -235,12 +229,8 @@ impl Case {
         }
     }
 
-    fn contradiction(&self, field: &str, reason: &str) -> CaseError {
-        self.settings.error(field, format!("{field}: {reason}"))
-    }
-
     /// An error of the core, at the place of the field that it names.
-    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+    pub fn explain(&self, error: &Error) -> CaseError {
         self.settings.explain(error)
     }
 

@@ -7,8 +7,14 @@ use schlupf::kinematics::Kinematics;
 
 use crate::error::{CaseError, Cause};
 use crate::fields::closest;
+use crate::names;
 use crate::place::Place;
 use crate::tables;
+
+/// Dotted path of the field of a parameter. That of the roughness stands for its k_c.
+pub fn field(parameter: Parameter) -> &'static str {
+    names::path(parameter.quantity()).unwrap_or_default()
+}
 
 /// The parameters that an option lists, such as
 /// `friction.coefficient,friction.temperature_at_zero_friction`.
@@ -16,8 +22,8 @@ pub fn parameters(option: &'static str, text: &str) -> Result<Vec<Parameter>, Ca
     let place = || Place::Override { option, text: text.to_owned() };
     let mut parameters = Vec::new();
     for name in text.split(',').map(str::trim) {
-        let Some(parameter) = Parameter::all().find(|parameter| parameter.name() == name) else {
-            let names = || Parameter::all().map(Parameter::name);
+        let Some(parameter) = Parameter::all().find(|parameter| field(*parameter) == name) else {
+            let names = || Parameter::all().map(field);
             let short = |full: &&str| full.rsplit('.').next() == name.rsplit('.').next();
             let meant = closest(name, names()).or_else(|| names().find(short));
             let help = match meant {
@@ -62,11 +68,10 @@ mod tests {
     #[test]
     fn parameters_are_named_as_in_the_case_file() {
         let names = "friction.coefficient, contact_law.stiffness";
-        let read: Vec<&str> =
-            parameters("--fit", names).unwrap().into_iter().map(Parameter::name).collect();
+        let read: Vec<&str> = parameters("--fit", names).unwrap().into_iter().map(field).collect();
         assert_eq!(read, ["friction.coefficient", "contact_law.stiffness"]);
         for parameter in Parameter::all() {
-            assert_eq!(parameters("--fit", parameter.name()), Ok(vec![parameter]));
+            assert_eq!(parameters("--fit", field(parameter)), Ok(vec![parameter]));
         }
     }
 

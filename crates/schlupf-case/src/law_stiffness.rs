@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use schlupf::interface::roughness::micro_model::MicroModelResult;
+use schlupf::message::Message;
 
 use crate::fields::readable;
 use crate::surface::SurfaceSource;
@@ -44,7 +45,7 @@ pub struct MicroContact {
     /// Number of its cells.
     pub cells: usize,
     /// What the reader should know about the surface.
-    pub notices: Vec<String>,
+    pub notices: Vec<Message>,
 }
 
 /// What the normal contact of a micro model depends on.
@@ -79,7 +80,7 @@ impl LawStiffness {
     }
 
     /// What is doubtful about it.
-    pub fn caveats(&self) -> Vec<String> {
+    pub fn caveats(&self) -> Vec<Message> {
         match &self.origin {
             StiffnessOrigin::Given | StiffnessOrigin::Default => Vec::new(),
             StiffnessOrigin::MicroModel(micro) => micro.caveats(),
@@ -90,7 +91,7 @@ impl LawStiffness {
                     "h_rms is {} m, outside of 1 nm to 100 µm: is its unit right?",
                     readable(*rms_height)
                 );
-                if is_usual { Vec::new() } else { vec![text] }
+                if is_usual { Vec::new() } else { vec![of("unusual-height", text)] }
             }
         }
     }
@@ -103,31 +104,37 @@ impl MicroContact {
     }
 
     /// Where Eq. (8) with one k_c is not what the micro model finds.
-    pub fn caveats(&self) -> Vec<String> {
+    pub fn caveats(&self) -> Vec<Message> {
         let caveats = caveats(&self.result, self.cells, &self.key);
         caveats.into_iter().chain(self.notices.iter().cloned()).collect()
     }
+}
+
+/// What is said of a roughness.
+pub(crate) fn of(code: &'static str, text: String) -> Message {
+    Message::new(code, "contact_law.roughness", text)
 }
 
 /// Mean pressure in elastic spots over E* from which on hard steel, too, yields; dimensionless.
 const YIELDING: f64 = 0.03;
 
 /// Elastic spots that carry more than any steel does.
-fn yielding(result: &MicroModelResult, key: &MicroKey) -> Option<String> {
+fn yielding(result: &MicroModelResult, key: &MicroKey) -> Option<Message> {
     let mean = result.normal.mean_spot_pressure(key.largest_pressure);
     let is_beyond = key.hardness.is_infinite() && mean > YIELDING * key.contact_modulus;
     is_beyond.then(|| {
-        format!(
+        let text = format!(
             "the spots carry {:.1} GPa in the mean at {:.0} MPa, more than steel does before it yields \
              (2.5 to 3 GPa on rails): a hardness belongs to this surface",
             1e-9 * mean,
             1e-6 * key.largest_pressure
-        )
+        );
+        of("yielding-spots", text)
     })
 }
 
 /// Where Eq. (8) with one k_c is not what a micro model of so many cells finds, or that is doubtful.
-pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<String> {
+pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<Message> {
     let mut caveats = Vec::from_iter(yielding(result, key));
     let pressures = result.stiffness.mean_pressures.iter().copied();
     let least = pressures.clone().fold(f64::INFINITY, f64::min);
@@ -138,45 +145,55 @@ pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<S
     {
         let found = in_contact(pressure);
         if found < fewest {
-            caveats.push(format!(
+            caveats.push(of(
+            "few-cells-in-contact",
+            format!(
                 "only {found:.0} cells are in contact at the {which} pressure: k_c is doubtful; more cells \
                  or a larger surface make it better"
-            ));
+            )));
             break;
         }
     }
     let stiffness = &result.stiffness;
     if stiffness.common.root_mean_square_error > NOTICEABLE_ERROR {
-        caveats.push(format!(
+        caveats.push(of(
+            "not-exponential",
+            format!(
             "Eq. (8) with one k_c misses {:.0} % of μp (root mean square), at most {:.0} %: the \
              surface does not load exponentially at these pressures",
             1e2 * stiffness.common.root_mean_square_error,
             1e2 * stiffness.common.largest_error
-        ));
+        )));
     }
     if stiffness.spread > NOTICEABLE_SPREAD {
         let values = || stiffness.fits.iter().map(|fit| fit.stiffness);
-        caveats.push(format!(
+        caveats.push(of(
+            "stiffness-varies",
+            format!(
             "k_c depends on the pressure: from {:.3e} to {:.3e} 1/m between {:.0} and {:.0} MPa",
             values().fold(f64::INFINITY, f64::min),
             values().fold(0.0, f64::max),
             1e-6 * stiffness.mean_pressures.iter().copied().fold(f64::INFINITY, f64::min),
             1e-6 * stiffness.mean_pressures.iter().copied().fold(0.0, f64::max)
-        ));
+        )));
     }
     if !result.normal.is_converged() {
-        caveats.push(
+        caveats.push(of(
+            "micro-model-not-converged",
+
             "the normal contact of the micro model did not converge at every pressure: do not trust \
              its k_c"
                 .to_owned(),
-        );
+        ));
     }
     if result.exponential.is_none() {
-        caveats.push(
+        caveats.push(of(
+            "no-closed-form",
+
             "fewer than three of the solved pressures bring 1 to 20 % of the surface into contact: the \
              closed form does not apply"
                 .to_owned(),
-        );
+        ));
     }
     caveats
 }

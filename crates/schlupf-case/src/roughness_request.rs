@@ -8,6 +8,7 @@ use crate::case::Case;
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors};
 use crate::law_stiffness::MicroKey;
+use crate::names::FieldNames;
 use crate::place::Place;
 use crate::read::{self, MicroRequest};
 use crate::settings::Settings;
@@ -37,12 +38,13 @@ const ROUGHNESS: &str = "contact_law.roughness.";
 
 impl Case {
     /// The rough contact of the bodies of this case with what options give: with `folder`, where their
-    /// paths start, in place of its own roughness, else in addition to it. `None` where there is no
-    /// surface.
+    /// paths start, in place of its own roughness, else in addition to it; `names` are what errors call
+    /// the fields. `None` where there is no surface.
     pub fn rough_contact(
         &self,
         options: &[GivenByOption],
         folder: Option<&Path>,
+        names: FieldNames,
     ) -> Result<Option<RoughnessRequest>, CaseErrors> {
         let mut entries = self.entries.clone();
         // Whatever method the case is solved by, and whatever its k_c is.
@@ -52,7 +54,7 @@ impl Case {
             document::assign(&mut entries, source, &given.field, &given.value);
         }
         let file = Place::File { name: self.name.clone() };
-        let (settings, errors) = Settings::read(&entries, file);
+        let (settings, errors) = Settings::read_named(&entries, file, names);
         CaseErrors::check(errors)?;
         let folder = folder.unwrap_or(&self.folder);
         let request = read::micro_request(&settings, folder)?;

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::document::Content;
 use crate::fields::{ALTERNATIVES, Default, Field, Kind, Requirement, SECTIONS, Section};
+use crate::names::FieldNames;
 
 /// The JSON schema (2020-12) of a case file.
 pub fn schema() -> Value {
@@ -104,7 +105,7 @@ fn kind_schema(kind: Kind, requirement: Requirement) -> Value {
         Kind::Quantity(measure) => json!({
             "type": "string",
             "examples": [format!("1 {}", measure.unit)],
-            "$comment": format!("{} in {}; {}", measure.name, measure.examples, requirement.text(measure.unit)),
+            "$comment": format!("{} in {}; {}", measure.name, measure.examples, requirement.text(measure.unit, &FieldNames::CASE)),
         }),
         Kind::Number => bounded("number", requirement),
         Kind::Count => bounded("integer", requirement),
@@ -130,8 +131,11 @@ fn constants(kind: Kind) -> Vec<Value> {
 
 fn bounded(kind: &str, requirement: Requirement) -> Value {
     let mut schema = json!({ "type": kind });
-    for (keyword, bound) in requirement.bounds() {
-        schema[keyword] = bound.into();
+    let keywords = [("minimum", "exclusiveMinimum"), ("maximum", "exclusiveMaximum")];
+    for (bound, (inclusive, exclusive)) in requirement.bounds().into_iter().zip(keywords) {
+        if let Some((bound, belongs)) = bound {
+            schema[if belongs { inclusive } else { exclusive }] = bound.into();
+        }
     }
     schema
 }

@@ -2,11 +2,18 @@
 
 use std::collections::HashMap;
 
+use schlupf::Quantity;
+use schlupf::message::Message;
+
 use crate::document::{Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
 use crate::fields::{self, ALTERNATIVES, Default, Field, NOT_PER_CENT, UsedWith};
+use crate::names::{self, FieldNames, Noting};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
+
+/// Code of what is said of a field that was given without effect.
+pub const NO_EFFECT: &str = "no-effect";
 
 /// The settings of a case.
 #[derive(Debug, Clone)]
@@ -14,6 +21,8 @@ pub struct Settings {
     given: HashMap<&'static str, Given>,
     /// Where to say that something is missing.
     file: Place,
+    /// What fields are called in messages.
+    names: FieldNames,
 }
 
 /// A field that was given.
@@ -28,14 +37,19 @@ struct Given {
 impl Settings {
     /// Reads every entry; whatever cannot stand there is an error.
     pub fn read(entries: &[Entry], file: Place) -> (Self, Vec<CaseError>) {
-        let mut settings = Self { given: HashMap::new(), file };
+        Self::read_named(entries, file, FieldNames::CASE)
+    }
+
+    /// The same with other names of the fields.
+    pub fn read_named(entries: &[Entry], file: Place, names: FieldNames) -> (Self, Vec<CaseError>) {
+        let mut settings = Self { given: HashMap::new(), file, names };
         let mut errors = Vec::new();
         for entry in entries {
             match fields::find(&entry.path) {
                 None => errors.push(unknown_field(entry)),
                 Some(field) => match field.read(&entry.value) {
                     Ok(setting) => settings.insert(field, setting, entry),
-                    Err(refusal) => errors.push(refused(field.path, &refusal, entry)),
+                    Err(refusal) => errors.push(settings.refused(field.path, &refusal, entry)),
                 },
             }
         }
@@ -43,6 +57,22 @@ impl Settings {
             errors = settings.contradictions();
         }
         (settings, errors)
+    }
+
+    /// What fields are called in messages.
+    pub fn names(&self) -> FieldNames {
+        self.names
+    }
+
+    /// What a field is called in messages.
+    pub fn name<'a>(&self, path: &'a str) -> &'a str {
+        self.names.name(path)
+    }
+
+    fn refused(&self, path: &str, refusal: &Refusal, entry: &Entry) -> CaseError {
+        let place = entry.origin.place(&refusal.span);
+        let message = refusal.message(self.name(path));
+        CaseError::new(path, message, place).help(refusal.help.clone())
     }
 
     fn insert(&mut self, field: &Field, setting: Setting, entry: &Entry) {
@@ -140,7 +170,7 @@ impl Settings {
         let setting = self.setting(other)?;
         match setting {
             Setting::Number(number) if !field.requirement.holds(number) => {
-                let requirement = field.requirement.text(field.kind.unit());
+                let requirement = field.requirement.text(field.kind.unit(), &self.names);
                 let message = format!(
                     "{} must be {requirement}, but is that of {other}, {}",
                     field.path,
@@ -180,37 +210,30 @@ impl Settings {
     /// An error of the core, at the place of the field that it names; where that has its default, at
     /// that of a field that goes with it or that the error speaks of.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
-        let message = error.to_string();
-        let (schlupf::Error::Invalid { quantity, .. }
-        | schlupf::Error::Contradiction { quantity, .. }
-        | schlupf::Error::NotConverged { quantity, .. }) = error
-        else {
-            return CaseError::new("", message, self.file.clone());
-        };
-        let cause = match error {
-            schlupf::Error::NotConverged { .. } => Cause::NotConverged,
-            _ => Cause::Input,
-        };
-        let mentioned = fields::all().map(|field| field.path).filter(|path| message.contains(path));
-        let given = std::iter::once(*quantity)
-            .chain(fields::related(quantity))
-            .chain(mentioned)
+        let noting = Noting::new(self.names);
+        let (quantity, message) = (error.quantity(), error.text(&noting));
+        let cause = if error.is_of_convergence() { Cause::NotConverged } else { Cause::Input };
+        let path = names::path(quantity);
+        let given = path
+            .into_iter()
+            .chain(path.into_iter().flat_map(fields::related))
+            .chain(noting.fields())
             .find(|path| self.is_given(path));
         let error = match given {
-            Some(path) => self.error(path, message).help(self.per_cent(path, quantity)),
-            None => CaseError::new(quantity, message, self.file.clone()),
+            Some(given) => self.error(given, message).help(self.per_cent(given, quantity)),
+            None => CaseError::new(path.unwrap_or_default(), message, self.file.clone()),
         };
         CaseError { cause, ..error }
     }
 
     /// Advice where a given creepage is too large to be a part of one; the numbers of a history's file are not here.
-    fn per_cent(&self, path: &str, quantity: &str) -> Option<String> {
+    fn per_cent(&self, path: &str, quantity: Quantity) -> Option<String> {
         let largest = match &self.given.get(path)?.setting {
             Setting::Number(number) => *number,
             Setting::Series(series) => series.iter().fold(0.0, |a: f64, b| a.max(b.abs())),
             _ => f64::NAN,
         };
-        let of_file = path == "history.file" && quantity == "history.creepage_x";
+        let of_file = path == "history.file" && quantity == Quantity::HistoryCreepageX;
         let help = of_file.then(|| NOT_PER_CENT.to_owned());
         help.or_else(|| fields::creepage_in_per_cent(path, largest))
     }
@@ -237,7 +260,8 @@ impl Settings {
     pub fn missing_beside(&self, path: &str, other: &str) -> CaseError {
         let field = fields::find(path);
         let doc = field.map_or("", |field| field.doc);
-        let message = format!("{path} is missing, which {other} needs: {doc}");
+        let (name, other_name) = (self.name(path), self.name(other));
+        let message = format!("{name} is missing, which {other_name} needs: {doc}");
         let example = field.and_then(Field::assignment);
         CaseError::new(path, message, self.place(other))
             .help(example.map(|example| format!("such as {example}")))
@@ -273,7 +297,7 @@ impl Settings {
 
     /// Fields that were given and have no effect. A model that was chosen by an override makes the
     /// file's fields of other models idle on purpose: no word about those.
-    pub fn idle(&self) -> Vec<String> {
+    pub fn idle(&self) -> Vec<Message> {
         let mut notices = Vec::new();
         for field in fields::all() {
             let Some(given) = self.given.get(field.path).filter(|_| !self.is_used(field)) else {
@@ -284,7 +308,8 @@ impl Settings {
                 field.uses().map(|(model, _)| model).filter(|model| self.counts(model)).collect();
             if models.is_empty() || field.uses().any(|used| self.is_chosen(used)) {
                 if let Some(companion) = fields::companion(path) {
-                    notices.push(format!("{place}: {path} has no effect without {companion}"));
+                    let text = format!("{place}: {path} has no effect without {companion}");
+                    notices.push(Message::new(NO_EFFECT, path, text));
                 }
                 continue;
             }
@@ -294,7 +319,8 @@ impl Settings {
                 let chosen: Vec<String> =
                     models.iter().map(|model| format!("{model} = {}", self.shown(model))).collect();
                 let chosen = chosen.join(" and ");
-                notices.push(format!("{place}: {path} has no effect with {chosen}"));
+                let text = format!("{place}: {path} has no effect with {chosen}");
+                notices.push(Message::new(NO_EFFECT, path, text));
             }
         }
         notices
@@ -316,9 +342,10 @@ impl Settings {
         } else {
             (second, first)
         };
+        let [later_name, earlier_name] = [later, earlier].map(|path| self.name(path));
         let message = format!(
-            "{later} must not be given together with {earlier}: {reason}, but {later} is {} and \
-             {earlier} is {} ({})",
+            "{later_name} must not be given together with {earlier_name}: {reason}, but {later_name} is \
+             {} and {earlier_name} is {} ({})",
             self.shown(later),
             self.shown(earlier),
             self.place(earlier)
@@ -335,11 +362,6 @@ impl Settings {
 /// Name of the section that a path begins with.
 fn section_of(path: &str) -> &str {
     path.rsplit_once('.').map_or("", |(section, _)| section)
-}
-
-fn refused(path: &str, refusal: &Refusal, entry: &Entry) -> CaseError {
-    let place = entry.origin.place(&refusal.span);
-    CaseError::new(path, refusal.message(path), place).help(refusal.help.clone())
 }
 
 fn unknown_field(entry: &Entry) -> CaseError {

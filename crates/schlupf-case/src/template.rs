@@ -73,7 +73,7 @@ mod tests {
     #[test]
     fn it_is_a_case_without_notices() {
         let case = read(&template()).unwrap();
-        assert_eq!(case.notices, [""; 0]);
+        assert_eq!(case.notices, []);
         assert_eq!(case.problem.kinematics.creepage_x, 0.008);
         assert_eq!(case.problem.kinematics.speed, 30.0);
     }

@@ -49,6 +49,7 @@ fn outside(field: &Field) -> Vec<f64> {
         Requirement::Radius(low, high) => {
             vec![0.0, step(low, -1.0), -step(low, -1.0), step(high, 1.0), -step(high, 1.0)]
         }
+        other => panic!("no field has the requirement {other:?}"),
     }
 }
 

@@ -8,6 +8,10 @@ use approx::assert_relative_eq;
 use schlupf_case::{Case, LawStiffness, StiffnessOrigin};
 use support::{Row, assert_errors, read};
 
+fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
+    notices.iter().map(|notice| notice.text.clone()).collect()
+}
+
 /// k_c = 2(1 − ν)/(μ0 (2 − ν) γ h_rms) for ν = 0.28, μ0 = 0.4 (the defaults), in 1/m.
 fn by_hand(slope_factor: f64, rms_height: f64) -> f64 {
     1.44 / (0.4 * 1.72 * slope_factor * rms_height)
@@ -134,7 +138,7 @@ fn files_go_through_the_micro_model() {
 #[test]
 fn a_doubtful_surface_is_mentioned() {
     let case = with_samples("[contact_law]\nroughness = \"wave.x3p\"", &[]).unwrap();
-    let notices = case.notices.join("\n");
+    let notices = texts(&case.notices).join("\n");
     for expected in [
         "contact_law.roughness: the spots carry ",
         "cells are in contact at the largest pressure: k_c is doubtful",
@@ -143,9 +147,9 @@ fn a_doubtful_surface_is_mentioned() {
     }
     let hard = ["contact_law.roughness.hardness=2.7 GPa"];
     let hard = with_samples("[contact_law]\nroughness = \"wave.x3p\"", &hard).unwrap();
-    assert!(!hard.notices.join("").contains("the spots carry"), "{:?}", hard.notices);
+    assert!(!texts(&hard.notices).join("").contains("the spots carry"), "{:?}", hard.notices);
     let smooth = with_samples("contact_law.roughness.rms_height = \"1 um\"", &[]).unwrap();
-    assert_eq!(smooth.notices, [""; 0]);
+    assert_eq!(texts(&smooth.notices), [""; 0]);
 }
 
 /// Heights in a wrong unit are noticed, also where k_c has a closed form; steep surfaces, too.
@@ -154,11 +158,11 @@ fn wrong_units_are_mentioned() {
     for (height, is_doubtful) in [("1 mm", true), ("1 pm", true), ("1 nm", false), ("90 um", false)]
     {
         let case = read(&format!("contact_law.roughness.rms_height = \"{height}\""), &[]).unwrap();
-        let is_said = case.notices.iter().any(|notice| notice.contains("is its unit right?"));
+        let is_said = case.notices.iter().any(|notice| notice.text.contains("is its unit right?"));
         assert_eq!(is_said, is_doubtful, "{height}: {:?}", case.notices);
     }
     let steep = read(SPECTRUM, &["contact_law.roughness.rms_slope=0.7"]).unwrap();
-    let notices = steep.notices.join("\n");
+    let notices = texts(&steep.notices).join("\n");
     assert!(notices.contains("gradient is 0.7: the model takes slopes for small"), "{notices}");
 }
 
@@ -311,5 +315,5 @@ fn a_fast_method_needs_no_roughness() {
     let fast = "[solver]\nmethod = \"fastsim\"\n[contact_law.roughness]\nfile = \"none.x3p\"";
     let case = read(fast, &[]).unwrap();
     assert!(matches!(case.law_stiffness.origin, StiffnessOrigin::Default));
-    assert!(case.notices[0].contains("contact_law.roughness.file has no effect"));
+    assert!(case.notices[0].text.contains("contact_law.roughness.file has no effect"));
 }

@@ -7,9 +7,22 @@ use std::path::{Path, PathBuf};
 use approx::assert_relative_eq;
 use schlupf::surface::HeightMap;
 use schlupf::surface::holes::Holes;
-use schlupf_case::surface::{Cells, SurfaceData, SurfaceOptions, from_bytes, read};
+use schlupf_case::surface::{self, Cells, MeasuredSurface, SurfaceData, SurfaceOptions};
+use schlupf_case::{CaseError, FieldNames};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
+
+fn read(path: &Path, options: &SurfaceOptions) -> Result<MeasuredSurface, CaseError> {
+    surface::read(path, options, FieldNames::CASE)
+}
+
+fn from_bytes(
+    name: String,
+    bytes: Vec<u8>,
+    options: &SurfaceOptions,
+) -> Result<MeasuredSurface, CaseError> {
+    surface::from_bytes(name, bytes, options, FieldNames::CASE)
+}
 
 fn sample(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/surfaces").join(name)
@@ -204,9 +217,9 @@ fn each_defect_of_a_file_is_named() {
         ("wave_integers_holes.x3p", &plain, "2 of 384 are missing, the first in row 5, column 7"),
         ("wave_single_holes.x3p", &plain, "1 of 384 are missing, the first in row 5, column 7"),
         ("flat.x3p", &plain, "the surface is flat: its heights are 0.000001 m everywhere"),
-        ("wave.npy", &plain, "surface.unit must be a unit of length, m, mm or µm"),
-        ("wave.npy", &with_unit, "surface.spacing must be given"),
-        ("wave_holes.xyz", &plain, "surface.unit must be a unit of length"),
+        ("wave.npy", &plain, "contact_law.roughness.unit must be a unit of length, m, mm or µm"),
+        ("wave.npy", &with_unit, "contact_law.roughness.spacing must be given"),
+        ("wave_holes.xyz", &plain, "contact_law.roughness.unit must be a unit of length"),
         ("wave_holes.xyz", &wrong_unit, "`s` is s in base units"),
         ("wave_holes.xyz", &with_unit, "1 of 384 are missing"),
         ("make.py", &plain, "must be a .csv, .npy, .x3p or .xyz file, but is not"),
@@ -226,7 +239,11 @@ fn each_defect_of_a_file_is_named() {
         ("a.xyz", "0 0 1\n1 0 2\n0 1\n", "a.xyz:3:1: a row must have 3 entries"),
         ("a.xyz", "0 0 1\n1 0 up\n", "a.xyz:2:1: height must be a finite number, but is \"up\""),
         ("a.xyz", "", "must have at least two values of x"),
-        ("a.csv", "x [um],y [um],height [m]\n0,0,0\n1,0,2\n", "a.csv:3:1: surface.file must have"),
+        (
+            "a.csv",
+            "x [um],y [um],height [m]\n0,0,0\n1,0,2\n",
+            "a.csv:3:1: contact_law.roughness.file must have",
+        ),
         ("a.xyz", "0 0 1\n1 0 -3.4e38\n", "at most 1 m, but this one is -3.4e32 m"),
         ("a.x3p", "x", "must be an X3P file, a zip archive"),
         ("a.npy", "x", "must be an .npy file"),

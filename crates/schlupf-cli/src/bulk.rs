@@ -1,66 +1,80 @@
 //! `schlupf bulk`.
 
-use std::path::Path;
-use std::process::ExitCode;
-
-use schlupf::bulk_temperature::{self, BulkTemperature, Cooling, bulk_temperature};
-use schlupf::{Error, Status};
+use clap::Args;
+use schlupf::Error;
+use schlupf::bulk_temperature::{self, Cooling, bulk_temperature};
 use schlupf_case::{Case, CaseErrors};
-use schlupf_output::bulk_temperature::{Report, document, text};
+use schlupf_output::bulk_temperature::BulkReport;
+use schlupf_output::figures;
 
-use crate::arguments::BulkArguments;
-use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
-use crate::outputs::{self, Input};
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::failure::Failure;
+use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::report;
+use crate::task::{Found, Task, messages};
 
-/// Finds the bulk temperature of the wheel and writes the balance.
-pub fn run(arguments: &BulkArguments) -> Result<ExitCode, Failure> {
-    let case = read_case(&arguments.case)?;
-    let cooling = case.require_cooling().map_err(CaseErrors::from)?;
-    let explain = |error: Error| Failure::Case(case.explain(&error).into());
-    case.require_steady("the bulk temperature is that").map_err(CaseErrors::from)?;
-    bulk_temperature::check(&case.problem, &cooling).map_err(explain)?;
-    check_outputs(arguments, &case)?;
-    let mut balance = find(&case, &cooling).map_err(explain)?;
-    balance.solution.warnings.splice(0..0, case.notices.iter().cloned());
-    let report = Report {
-        title: case.title.clone(),
-        cooling,
-        rail_temperature: case.problem.rail.bulk_temperature,
-        wheel_radius: case.wheel_radius(),
-        balance,
-    };
-    write(arguments, &report)?;
-    match report.balance.solution.status {
-        Status::Converged => Ok(ExitCode::SUCCESS),
-        Status::NotConverged => {
-            report::warn(&format!(
-                "not converged: {:.1e} W of heat are left over after {} steady states",
-                report.balance.surplus(),
-                report.balance.iterations
-            ));
-            Ok(ExitCode::from(NOT_CONVERGED))
-        }
+/// Whose balance to find, and where to write it.
+#[derive(Debug, Args)]
+pub struct Bulk {
+    /// Which case; its section [cooling] says what cools the wheel.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+/// A case with what cools its wheel.
+pub struct Plan {
+    case: Case,
+    cooling: Cooling,
+}
+
+impl Task for Bulk {
+    type Plan = Plan;
+    type Report = BulkReport;
+
+    fn case(&self) -> CaseArguments {
+        self.case.clone()
+    }
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
+    }
+
+    fn figure_names(&self) -> Vec<String> {
+        figures::names()
+    }
+
+    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        let cooling = case.require_cooling().map_err(CaseErrors::from)?;
+        case.require_steady("the bulk temperature is that of").map_err(CaseErrors::from)?;
+        bulk_temperature::check(&case.problem, &cooling).map_err(|error| explain(&case, &error))?;
+        Ok(Plan { case, cooling })
+    }
+
+    fn inputs(&self, plan: &Plan) -> Vec<Input> {
+        Input::of_case(&self.case, &plan.case)
+    }
+
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<BulkReport>, Failure> {
+        let Plan { case, cooling } = plan;
+        let mut solver = case.solver();
+        let balance = bulk_temperature(&case.problem, &mut *solver, &cooling, &progress.watch());
+        let balance = balance.map_err(|error| explain(&case, &error))?;
+        let warnings = messages(&balance.solution.warnings);
+        let report = BulkReport {
+            cooling,
+            rail_temperature: case.problem.rail.bulk_temperature,
+            wheel_radius: case.wheel_radius(),
+            warnings: case.notices.iter().cloned().chain(warnings).collect(),
+            title: case.title,
+            balance,
+        };
+        Ok(report.into())
     }
 }
 
-fn find(case: &Case, cooling: &Cooling) -> Result<BulkTemperature, Error> {
-    let progress = Progress::start();
-    let mut solver = case.solver();
-    bulk_temperature(&case.problem, &mut *solver, cooling, &progress.watch())
-}
-
-fn check_outputs(arguments: &BulkArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.report.json_file();
-    let outputs: Vec<(&str, &Path)> = json.map(|path| ("--json", path)).into_iter().collect();
-    outputs::check(&outputs, &Input::of_case(&arguments.case, case))
-}
-
-fn write(arguments: &BulkArguments, report: &Report) -> Result<(), Failure> {
-    if let Some(path) = arguments.report.json_file() {
-        outputs::write(&[(path.to_owned(), document(report).into_bytes())], None)?;
-    }
-    arguments.report.print(|| document(report), || text(report))
+fn explain(case: &Case, error: &Error) -> Failure {
+    Failure::Case(case.explain(error).into())
 }

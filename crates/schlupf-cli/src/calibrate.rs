@@ -1,8 +1,9 @@
 //! `schlupf calibrate`.
 
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
 
+use clap::{Args, ValueHint};
 use schlupf::calibration::displacements::{DisplacementFit, Sample, fit};
 use schlupf::calibration::side_by_side::side_by_side;
 use schlupf::calibration::{Calibration, CalibrationOptions, calibrate, deviation_of_table};
@@ -13,46 +14,97 @@ use schlupf::elasticity::calibrated_layer::{
 use schlupf::elasticity::elastic_layer::LayerStiffness;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::history::History;
+use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
-use schlupf::{Error, Status, Watch};
-use schlupf_case::{Case, CaseErrors, Displacements, read_displacements};
-use schlupf_output::calibration::{Anew, Fitted, FittedComponent, Layer, Report, json, summary};
-use schlupf_output::figures::{self, Figure};
+use schlupf::{Error, Quantity, Status, Warning, Watch};
+use schlupf_case::{Case, CaseErrors, Displacements, FieldNames, read_displacements};
+use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
+use schlupf_output::figures;
 
-use crate::arguments::CalibrateArguments;
-use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
-use crate::outputs::{self, Input};
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::failure::Failure;
+use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::report;
-use crate::solve::figure_files;
+use crate::task::{Found, Task, messages};
 
 const DISPLACEMENTS: &str = "--displacements";
 
-/// Finds stiffnesses for the patch of a case and writes them.
-pub fn run(arguments: &CalibrateArguments) -> Result<ExitCode, Failure> {
-    let case = read_case(&arguments.case)?;
-    check_outputs(arguments, &case)?;
-    let displacements = arguments
-        .displacements
-        .iter()
-        .map(|path| read_displacements(DISPLACEMENTS, path).map_err(CaseErrors::from))
-        .collect::<Result<Vec<_>, _>>()?;
-    let progress = Progress::start();
-    progress.stage("calibrating");
-    let explain = |error: Error| Failure::Case(case.explain(&error).into());
-    let patch = Patch::of(&case).map_err(explain)?;
-    let found = patch.report(arguments, &displacements, &case, &progress.watch());
-    let (report, figure) = found.map_err(explain)?;
-    let figure = figure.transpose()?;
-    drop(progress);
-    write(arguments, &report, figure)?;
-    match report.status {
-        Status::Converged => Ok(ExitCode::SUCCESS),
-        Status::NotConverged => {
-            report::warn("not converged: the stiffnesses are those of the last step");
-            Ok(ExitCode::from(NOT_CONVERGED))
-        }
+/// What to calibrate the layer to, and where to write the stiffnesses.
+#[derive(Debug, Args)]
+pub struct Calibrate {
+    /// Which case; its patch and its bodies count.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Calibrate against the half-space anew, beside the table
+    #[arg(long, conflicts_with = "displacements")]
+    pub anew: bool,
+    /// Fit to displacements of a finite-element model (CSV with columns x, y, traction_x, displacement_x, …); may be
+    /// given several times
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub displacements: Vec<PathBuf>,
+    /// Cells across the patch on which layer and half-space are compared
+    #[arg(long, value_name = "N", default_value_t = CalibrationOptions::default().cells,
+          value_parser = number_of_cells)]
+    pub cells: usize,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+/// A number of cells on which a calibration means something and ends.
+fn number_of_cells(text: &str) -> Result<usize, String> {
+    const CELLS: RangeInclusive<usize> = 10..=80;
+    let count = text.parse().ok().filter(|count| CELLS.contains(count));
+    let (least, largest) = (CELLS.start(), CELLS.end());
+    count.ok_or_else(|| format!("must be a whole number between {least} and {largest}"))
+}
+
+/// A case with the displacements to fit to.
+pub struct Plan {
+    case: Case,
+    displacements: Vec<Displacements>,
+}
+
+impl Task for Calibrate {
+    type Plan = Plan;
+    type Report = CalibrationReport;
+
+    fn case(&self) -> CaseArguments {
+        self.case.clone()
+    }
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
+    }
+
+    fn figure_names(&self) -> Vec<String> {
+        vec![figures::CALIBRATION.to_owned()]
+    }
+
+    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        let read = |path: &PathBuf| read_displacements(DISPLACEMENTS, path);
+        let displacements = self.displacements.iter().map(read).collect::<Result<Vec<_>, _>>();
+        Ok(Plan { case, displacements: displacements.map_err(CaseErrors::from)? })
+    }
+
+    fn inputs(&self, plan: &Plan) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, &plan.case);
+        inputs.extend(self.displacements.iter().map(|path| Input {
+            what: DISPLACEMENTS.to_owned(),
+            path: path.clone(),
+            except: None,
+        }));
+        inputs
+    }
+
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CalibrationReport>, Failure> {
+        progress.stage("calibrating");
+        let Plan { case, displacements } = plan;
+        let watch = progress.watch();
+        let report =
+            Patch::of(&case).and_then(|patch| patch.report(self, &displacements, &case, &watch));
+        let report = report.map_err(|error| Failure::Case(case.explain(&error).into()))?;
+        Ok(report.into())
     }
 }
 
@@ -64,8 +116,6 @@ struct Patch {
     /// √(ab), in m.
     size: f64,
 }
-
-type Figured = Option<Result<Figure, figures::FigureError>>;
 
 impl Patch {
     /// That of the case; of a history that with the largest load.
@@ -80,11 +130,11 @@ impl Patch {
 
     fn report(
         &self,
-        arguments: &CalibrateArguments,
+        arguments: &Calibrate,
         displacements: &[Displacements],
         case: &Case,
         watch: Watch,
-    ) -> Result<(Report, Figured), Error> {
+    ) -> Result<CalibrationReport, Error> {
         let options = CalibrationOptions {
             cells: arguments.cells,
             max_iterations: case.options.max_iterations,
@@ -96,7 +146,7 @@ impl Patch {
         let tabulated = match tabulated_stiffness(ratios.0, ratios.1) {
             Ok(stiffness) => Some(stiffness),
             Err(error) if needs_no_table => {
-                warnings.push(error.to_string());
+                warnings.push(of("no-table", error.text(&FieldNames::CASE)));
                 None
             }
             Err(error) => return Err(error),
@@ -112,16 +162,16 @@ impl Patch {
         warnings.extend(fitted.iter().flat_map(|fitted| doubts(fitted, exact)));
         let mut converged = anew.is_none_or(|anew| anew.converged)
             && fitted.iter().flat_map(components).all(|component| component.fit.converged);
-        let mut figure = None;
-        if arguments.figures.is_some() {
+        let mut sides = None;
+        if arguments.outputs.figures.is_some() && displacements.is_empty() {
             let stiffness = anew.map(|anew| anew.stiffness).or(tabulated);
             if let Some(stiffness) = stiffness {
-                let sides = side_by_side(ratios.0, ratios.1, stiffness, watch)?;
-                converged &= sides.is_converged();
-                figure = Some(figures::calibration(&case.title, &sides));
+                let found = side_by_side(ratios.0, ratios.1, stiffness, watch)?;
+                converged &= found.is_converged();
+                sides = Some(found);
             }
         }
-        let report = Report {
+        Ok(CalibrationReport {
             title: case.title.clone(),
             normal: self.normal.summary,
             shear_modulus: self.bodies.shear_modulus(),
@@ -130,21 +180,18 @@ impl Patch {
             anew: anew.map(|anew| self.anew(&anew)),
             fitted,
             warnings,
+            sides,
             status: if converged { Status::Converged } else { Status::NotConverged },
-        };
-        Ok((report, figure))
+        })
     }
 
-    fn warnings(&self, case: &Case, layer: &CalibratedLayer) -> Vec<String> {
-        let mut warnings = case.notices.clone();
+    fn warnings(&self, case: &Case, layer: &CalibratedLayer) -> Vec<Message> {
         let of_parts = layer.caveat_of_parts(self.normal.summary.parts);
         let is_table = matches!(self.normal.pressure, Pressure::Tabulated(..));
-        let of_shape = (is_table && of_parts.is_none())
-            .then(|| "the patch is treated like the ellipse with the same extent".to_owned());
-        warnings.extend(of_parts);
-        warnings.extend(of_shape);
-        warnings.extend(self.bodies.caveat());
-        warnings
+        let of_shape = (is_table && of_parts.is_none()).then_some(Warning::TakenForAnEllipse {});
+        let warnings: Vec<Warning> =
+            of_parts.into_iter().chain(of_shape).chain(self.bodies.caveat()).collect();
+        case.notices.iter().cloned().chain(messages(&warnings)).collect()
     }
 
     fn layer(
@@ -202,84 +249,49 @@ const FOREIGN: f64 = 30.0;
 
 /// An error that no layer has such displacements.
 fn unlike(fit: &DisplacementFit, component: usize, files: &[String]) -> Error {
-    Error::Contradiction {
-        quantity: ["displacement_x", "displacement_y"][component],
-        reason: format!(
-            "no elastic layer has the displacements of {}: the nearest is {:.0} % of them away; check that \
-             tractions and displacements belong together, and their units",
-            files.join(", "),
-            100.0 * fit.largest_deviation()
-        ),
+    Error::UnlikeALayer {
+        quantity: [Quantity::DisplacementX, Quantity::DisplacementY][component],
+        deviation: fit.largest_deviation(),
+        sources: files.join(", "),
     }
 }
 
 /// What to know about fits to displacements; `exact` is the layer that is like the half-space.
-fn doubts(fitted: &Fitted, exact: Option<[LayerStiffness; 2]>) -> Vec<String> {
+fn doubts(fitted: &Fitted, exact: Option<[LayerStiffness; 2]>) -> Vec<Message> {
     let mut doubts = Vec::new();
     for (k, (name, component)) in ["x", "y"].into_iter().zip(&fitted.components).enumerate() {
         let Some(FittedComponent { fit, .. }) = component else { continue };
         if let Some(ratio) = exact.map(|exact| fit.bedding / exact[k].bedding)
             && !(FOREIGN.recip()..FOREIGN).contains(&ratio)
         {
-            doubts.push(format!(
+            doubts.push(of("foreign-bedding", format!(
                 "the bedding for displacement_{name} is {ratio:.1e} times that of half-spaces of the case's \
                  bodies: are units and bodies right?"
-            ));
+            )));
         }
         if fit.largest_deviation() > FAR {
-            doubts.push(format!(
+            doubts.push(of("hardly-a-layer", format!(
                 "the layer misses {:.0} % of displacement_{name}: it is hardly an elastic layer's",
                 100.0 * fit.largest_deviation()
-            ));
+            )));
         }
         for (direction, is_open) in ["along", "across"].into_iter().zip(fit.is_open) {
             if is_open {
-                doubts.push(format!(
+                doubts.push(of("open-reach", format!(
                     "displacement_{name} leaves open how far the coupling reaches {direction} rolling: its \
                      decay length is at the end of the range that is looked at"
-                ));
+                )));
             }
         }
     }
     doubts
 }
 
+/// What is said of a calibration.
+fn of(code: &'static str, text: String) -> Message {
+    Message::new(code, "elasticity.calibration", text)
+}
+
 fn components(fitted: &Fitted) -> impl Iterator<Item = &FittedComponent> {
     fitted.components.iter().flatten()
-}
-
-fn check_outputs(arguments: &CalibrateArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.report.json_file();
-    let outputs: Vec<(&str, &Path)> = json.map(|path| ("--json", path)).into_iter().collect();
-    let mut inputs = Input::of_case(&arguments.case, case);
-    inputs.extend(arguments.displacements.iter().map(|path| Input {
-        what: DISPLACEMENTS.to_owned(),
-        path: path.clone(),
-        except: None,
-    }));
-    match &arguments.figures {
-        None => outputs::check(&outputs, &inputs),
-        Some(directory) => {
-            let names = figure_files(figures::CALIBRATION);
-            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
-        }
-    }
-}
-
-fn write(
-    arguments: &CalibrateArguments,
-    report: &Report,
-    figure: Option<Figure>,
-) -> Result<(), Failure> {
-    let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
-    if let Some(path) = arguments.report.json_file() {
-        files.push((path.to_owned(), json::document(report).into_bytes()));
-    }
-    if let (Some(directory), Some(figure)) = (&arguments.figures, figure) {
-        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-        files.push((svg, figure.svg.into_bytes()));
-        files.push((png, figure.png));
-    }
-    outputs::write(&files, arguments.figures.as_deref())?;
-    arguments.report.print(|| json::document(report), || summary::text(report))
 }

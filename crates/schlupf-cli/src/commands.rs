@@ -37,9 +37,7 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
         .normal_contact(None)
         .map_err(|error| Failure::Case(case.explain(&error).into()))?
         .summary;
-    for notice in &case.notices {
-        report::warn(notice);
-    }
+    case.notices.iter().for_each(report::warn);
     let effective = case.effective();
     let law = contact_law::of(&case);
     let mut text = format!(

@@ -1,25 +1,23 @@
 //! `schlupf compare`.
 
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use clap::Args;
+use schlupf::message::Message;
 use schlupf::normal::Pressure;
 use schlupf::parallel;
 use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Problem, Solution, Solver, Watch};
+use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch};
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, Effective, Place};
-use schlupf_output::comparison::{Answer, Comparison, Entry, csv, json, summary};
+use schlupf_output::comparison::{Answer, Comparison, Entry};
 use schlupf_output::figures;
 
-use crate::arguments::CompareArguments;
-use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::failure::Failure;
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::solve::figure_files;
-use crate::{outputs, report};
+use crate::task::{Found, Task, messages};
 
 /// What the fields that a method sets come from, in messages.
 const COMPARE: &str = "compare";
@@ -29,30 +27,47 @@ const BOUND: &str = "fastsim.bound";
 
 const MARGIN: &str = "elasticity.margin";
 
-/// Compares all methods on a case and writes the results.
-pub fn run(arguments: &CompareArguments) -> Result<ExitCode, Failure> {
-    let case = read_case(&arguments.case)?;
-    case.require_steady("a comparison is").map_err(CaseErrors::from)?;
-    check_outputs(arguments, &case)?;
-    for notice in &case.notices {
-        report::warn(notice);
+/// What to compare, and where to write it.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+impl Task for Compare {
+    type Plan = Case;
+    type Report = Comparison;
+
+    fn case(&self) -> CaseArguments {
+        self.case.clone()
     }
-    let progress = Progress::start();
-    let entries = entries(&case, &progress.watch())?;
-    let comparison = Comparison { title: case.title, entries };
-    let files = files(arguments, &comparison, &progress)?;
-    drop(progress);
-    outputs::write(&files, arguments.figures.as_deref())?;
-    arguments.report.print(|| json::document(&comparison), || summary::text(&comparison))?;
-    for entry in &comparison.entries {
-        if let Some(reason) = entry.reason() {
-            report::warn(&format!("{}: not available: {reason}", entry.name));
-        } else if entry.is_unconverged() {
-            report::warn(&format!("{}: not converged", entry.name));
-        }
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
     }
-    let code = if comparison.is_converged() { 0 } else { NOT_CONVERGED };
-    Ok(ExitCode::from(code))
+
+    fn figure_names(&self) -> Vec<String> {
+        vec![figures::COMPARISON.to_owned()]
+    }
+
+    fn plan(&self, case: Case) -> Result<Case, Failure> {
+        case.require_steady("a comparison is of").map_err(CaseErrors::from)?;
+        Ok(case)
+    }
+
+    fn inputs(&self, case: &Case) -> Vec<Input> {
+        Input::of_case(&self.case, case)
+    }
+
+    fn find(&self, case: Case, progress: &Progress) -> Result<Found<Comparison>, Failure> {
+        let entries = entries(&case, &progress.watch())?;
+        let warnings = case.notices.iter().cloned().chain(warnings(&entries)).collect();
+        Ok(Comparison { title: case.title, entries, warnings }.into())
+    }
 }
 
 /// What all methods make of the case: all solutions on several threads first, then their times one after the other.
@@ -174,8 +189,7 @@ impl Solved {
         let time = self.time(watch);
         let times = time.and_then(|time| Ok((time, self.time_again(watch)?)));
         let (time, time_again) = times.map_err(|error| explained(&self.case, &error))?;
-        let solution = Solution { warnings: warnings(&self.solution), ..self.solution };
-        Ok(Answer { solution, time, time_again })
+        Ok(Answer { solution: self.solution, time, time_again })
     }
 
     /// Time of a solution from the set-up on, in s. The normal contact, which is the same for all, is known.
@@ -202,10 +216,19 @@ impl Solved {
     }
 }
 
-/// The warnings but one: the table shows what a fast method does not give.
-fn warnings(solution: &Solution) -> Vec<String> {
-    let is_told = |text: &&String| !text.contains("only, no fields and no temperatures");
-    solution.warnings.iter().filter(is_told).cloned().collect()
+/// Whatever the reader of the numbers must know, but for what the table shows: that a fast method
+/// gives no fields.
+fn warnings(entries: &[Entry]) -> Vec<Message> {
+    let of = |entry: &Entry| match &entry.answer {
+        Err(reason) => {
+            vec![Message::new("not-available", "solver.method", reason).about("not available")]
+        }
+        Ok(answer) => {
+            let told = |warning: &&Warning| !matches!(warning, Warning::ForcesOnly { .. });
+            messages(answer.solution.warnings.iter().filter(told)).collect()
+        }
+    };
+    entries.iter().flat_map(|entry| of(entry).into_iter().map(|m| m.about(entry.name))).collect()
 }
 
 /// Mean time of the forces by a contact that is set up, in s.
@@ -218,50 +241,4 @@ fn forces_again(mut contact: FastContact, problem: &Problem) -> Result<f64, Erro
         repetitions += 1;
     }
     Ok(start.elapsed().as_secs_f64() / f64::from(repetitions.max(1)))
-}
-
-fn check_outputs(arguments: &CompareArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.report.json_file();
-    let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
-        .into_iter()
-        .filter_map(|(option, path)| Some((option, path?)))
-        .collect();
-    let input = |what: &str, path: &Path| Input {
-        what: what.to_owned(),
-        path: path.to_owned(),
-        except: None,
-    };
-    let mut inputs: Vec<Input> =
-        arguments.case.case.iter().map(|path| input("the case file", path)).collect();
-    inputs.extend(case.files().iter().map(|(field, path)| input(field, path)));
-    match &arguments.figures {
-        None => outputs::check(&outputs, &inputs),
-        Some(directory) => {
-            let names = figure_files(figures::COMPARISON);
-            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
-        }
-    }
-}
-
-/// All files in memory: what cannot be made is known before the first one is written.
-fn files(
-    arguments: &CompareArguments,
-    comparison: &Comparison,
-    progress: &Progress,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-    let mut files = Vec::new();
-    if let Some(path) = arguments.report.json_file() {
-        files.push((path.to_owned(), json::document(comparison).into_bytes()));
-    }
-    if let Some(path) = &arguments.csv {
-        files.push((path.clone(), csv::table(comparison).into_bytes()));
-    }
-    if let Some(directory) = &arguments.figures {
-        progress.stage("drawing figures");
-        let figure = figures::comparison(comparison)?;
-        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-        files.push((svg, figure.svg.into_bytes()));
-        files.push((png, figure.png));
-    }
-    Ok(files)
 }

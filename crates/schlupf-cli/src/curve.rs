@@ -1,22 +1,20 @@
 //! `schlupf curve`.
 
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use schlupf::creep_curve::{self, CreepCurve, Creepages, Sampling, Spacing};
+use clap::{ArgGroup, Args, ValueEnum};
+use schlupf::creep_curve::{self, CreepCurve, Creepages, MAX_POINTS, Sampling, Spacing};
 use schlupf::{Watch, parallel};
-use schlupf_case::{Case, CaseErrors, Family, direction, range};
-use schlupf_output::creep_curve::{CurveFamily, Member, csv, json, summary};
+use schlupf_case::{Case, CaseErrors, Family, FieldNames, direction, quantity_field, range};
+use schlupf_output::creep_curve as output;
+use schlupf_output::creep_curve::CurveFamily;
 use schlupf_output::figures;
 
-use crate::arguments::{CurveArguments, SpacingArgument};
-use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::failure::Failure;
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::solve::figure_files;
-use crate::{outputs, report};
+use crate::task::{Found, Task};
 
 const CREEPAGE_X: &str = "--creepage-x";
 const CREEPAGE_Y: &str = "--creepage-y";
@@ -24,66 +22,141 @@ const SPIN: &str = "--spin";
 const CREEPAGE: &str = "--creepage";
 const OVER: &str = "--over";
 
-/// Computes creep curves and writes them.
-pub fn run(arguments: &CurveArguments) -> Result<ExitCode, Failure> {
-    let case = read_case(&arguments.case)?;
-    let varied = Varied::read(arguments)?;
-    let family = arguments.over.as_deref().map(|text| Family::parse(OVER, text)).transpose();
-    let family = family.map_err(CaseErrors::from)?;
-    let sampling = sampling(arguments);
-    let tasks = tasks(&case, &varied, family.as_ref())?;
-    for task in &tasks {
-        task.check(&sampling, &varied)?;
+/// Which creep curves, and where to write them.
+#[derive(Debug, Args)]
+#[command(group = ArgGroup::new("varied")
+    .args(["creepage_x", "creepage_y", "spin", "creepage"]).required(true).multiple(true))]
+pub struct Curve {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Vary the longitudinal creepage, such as 0..0.05; several of these options vary all together
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub creepage_x: Option<String>,
+    /// Vary the lateral creepage
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub creepage_y: Option<String>,
+    /// Vary the spin creepage, such as "0..2 1/m"
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub spin: Option<String>,
+    /// Vary the total creepage in the direction of --direction
+    #[arg(
+        long,
+        value_name = "START..END",
+        allow_hyphen_values = true,
+        requires = "direction",
+        conflicts_with_all = ["creepage_x", "creepage_y"]
+    )]
+    pub creepage: Option<String>,
+    /// Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg)
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, requires = "creepage")]
+    pub direction: Option<String>,
+    /// Number of points
+    #[arg(long, value_name = "N", default_value_t = Sampling::default().points,
+          value_parser = number_of_points)]
+    pub points: usize,
+    /// How the points are spaced: finer near zero creepage, or evenly
+    #[arg(long, value_enum, default_value_t = SpacingArgument::Refined)]
+    pub spacing: SpacingArgument,
+    /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s"
+    #[arg(long, value_name = "SECTION.FIELD=VALUE,…")]
+    pub over: Option<String>,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+/// A number of points that makes a curve.
+pub fn number_of_points(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|count| (2..=MAX_POINTS).contains(count));
+    count.ok_or_else(|| format!("must be a whole number between 2 and {MAX_POINTS}"))
+}
+
+/// How the points of a curve are spaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SpacingArgument {
+    /// Steps grow from zero creepage outwards
+    Refined,
+    /// All steps are equal
+    Even,
+}
+
+/// The curves to compute.
+pub struct Plan {
+    title: String,
+    family: Option<Family>,
+    sampling: Sampling,
+    members: Vec<Member>,
+}
+
+impl Task for Curve {
+    type Plan = Plan;
+    type Report = CurveFamily;
+
+    fn case(&self) -> CaseArguments {
+        self.case.clone()
     }
-    check_outputs(arguments, &tasks)?;
-    let progress = Progress::start();
-    let members = members(&tasks, &sampling, &progress)?;
-    let over = family.map(|family| family.field.to_owned());
-    let family = CurveFamily { title: case.title, over, sampling, members };
-    let files = files(arguments, &family, &progress)?;
-    drop(progress);
-    outputs::write(&files, arguments.figures.as_deref())?;
-    arguments.report.print(|| json::document(&family), || summary::text(&family))?;
-    if family.is_converged() {
-        return Ok(ExitCode::SUCCESS);
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
     }
-    for member in &family.members {
-        let name = family.name(member).map_or_else(String::new, |name| format!("{name}: "));
-        let failures = member.curve.warnings.iter();
-        for failure in failures.filter(|text| text.starts_with("not converged: ")) {
-            report::warn(&format!("{name}{failure}"));
-        }
+
+    fn figure_names(&self) -> Vec<String> {
+        vec![figures::CREEP_CURVE.to_owned()]
     }
-    Ok(ExitCode::from(NOT_CONVERGED))
+
+    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        let varied = Varied::read(self)?;
+        let family = self.over.as_deref().map(|text| Family::parse(OVER, text)).transpose();
+        let family = family.map_err(CaseErrors::from)?;
+        let sampling = self.sampling();
+        let members = members(&case, &varied, family.as_ref())?;
+        members.iter().try_for_each(|member| member.check(&sampling, &varied))?;
+        Ok(Plan { title: case.title, family, sampling, members })
+    }
+
+    fn inputs(&self, plan: &Plan) -> Vec<Input> {
+        let of_member = |member: &Member| Input::of_case(&self.case, &member.case);
+        plan.members.iter().flat_map(of_member).collect()
+    }
+
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CurveFamily>, Failure> {
+        let Plan { title, family, sampling, members } = plan;
+        let found = trace(&members, &sampling, &progress.watch())?;
+        let over = family.map(|family| family.field.to_owned());
+        Ok(CurveFamily::new(title, over, sampling, found).into())
+    }
 }
 
 /// All curves, on several threads.
-fn members(
-    tasks: &[Task],
+fn trace(
+    members: &[Member],
     sampling: &Sampling,
-    progress: &Progress,
-) -> Result<Vec<Member>, Failure> {
-    let watch = progress.watch();
-    let done: Vec<AtomicUsize> = tasks.iter().map(|_| AtomicUsize::new(0)).collect();
-    let total = Some(tasks.len() * sampling.points);
-    let each = tasks.iter().zip(&done).collect();
-    parallel::try_map(each, |(task, own): (&Task, &AtomicUsize)| {
-        let curve = task.trace(sampling, &|progress| {
+    watch: Watch,
+) -> Result<Vec<output::Member>, Failure> {
+    let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
+    let total = Some(members.len() * sampling.points);
+    let each = members.iter().zip(&done).collect();
+    parallel::try_map(each, |(member, own): (&Member, &AtomicUsize)| {
+        let curve = member.trace(sampling, &|progress| {
             own.store(progress.done, Ordering::Relaxed);
             let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
             watch(schlupf::Progress { done, total, ..progress })
         })?;
-        let notices = task.case.notices.clone();
-        Ok(Member { value: task.value.clone(), notices, curve })
+        let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
+        let warnings = member.case.notices.iter().cloned().chain(of_curve).collect();
+        Ok(output::Member { value: member.value.clone(), warnings, curve })
     })
 }
 
-fn sampling(arguments: &CurveArguments) -> Sampling {
-    let spacing = match arguments.spacing {
-        SpacingArgument::Refined => Spacing::Refined,
-        SpacingArgument::Even => Spacing::Even,
-    };
-    Sampling { points: arguments.points, spacing }
+impl Curve {
+    fn sampling(&self) -> Sampling {
+        let spacing = match self.spacing {
+            SpacingArgument::Refined => Spacing::Refined,
+            SpacingArgument::Even => Spacing::Even,
+        };
+        Sampling { points: self.points, spacing }
+    }
 }
 
 /// Which creepages vary, and from where to where.
@@ -98,9 +171,8 @@ struct Varied {
 }
 
 impl Varied {
-    fn read(arguments: &CurveArguments) -> Result<Self, Failure> {
-        let CurveArguments { creepage_x, creepage_y, spin, creepage, direction: angle, .. } =
-            arguments;
+    fn read(arguments: &Curve) -> Result<Self, Failure> {
+        let Curve { creepage_x, creepage_y, spin, creepage, direction: angle, .. } = arguments;
         let range = |option, field, text: &Option<String>| {
             let text = text.as_deref();
             text.map(|text| range(option, field, text)).transpose().map_err(CaseErrors::from)
@@ -161,20 +233,20 @@ impl Varied {
 }
 
 /// One curve to compute.
-struct Task {
+pub struct Member {
     value: Option<String>,
     case: Case,
     path: creep_curve::Path,
 }
 
-/// One task, or one for each member of the family.
-fn tasks(case: &Case, varied: &Varied, family: Option<&Family>) -> Result<Vec<Task>, Failure> {
-    let task = |value: Option<&String>, case: Case| {
+/// One, or one for each value of the family.
+fn members(case: &Case, varied: &Varied, family: Option<&Family>) -> Result<Vec<Member>, Failure> {
+    let member = |value: Option<&String>, case: Case| {
         let path = varied.path(&case).map_err(|error| varied.failure(&case, &error))?;
-        Ok(Task { value: value.cloned(), case, path })
+        Ok(Member { value: value.cloned(), case, path })
     };
     let Some(family) = family else {
-        return Ok(vec![task(None, case.clone())?]);
+        return Ok(vec![member(None, case.clone())?]);
     };
     if let Some(option) = varied.option_in_place_of(family.field) {
         let field = family.field;
@@ -182,29 +254,25 @@ fn tasks(case: &Case, varied: &Varied, family: Option<&Family>) -> Result<Vec<Ta
         return Err(Failure::Arguments(reason));
     }
     let members = family.members(case)?;
-    family.values.iter().zip(members).map(|(value, case)| task(Some(value), case)).collect()
+    family.values.iter().zip(members).map(|(value, case)| member(Some(value), case)).collect()
 }
 
 impl Varied {
     /// An error of the core about a curve: of the options that ask for it, or of the case.
     fn failure(&self, case: &Case, error: &schlupf::Error) -> Failure {
-        let (schlupf::Error::Invalid { quantity, .. }
-        | schlupf::Error::Contradiction { quantity, .. }) = error
-        else {
-            return Failure::Case(case.explain(error).into());
-        };
-        let is_of_option = self.option_in_place_of(quantity).is_some();
+        let field = quantity_field(error.quantity());
+        let is_of_option = self.option_in_place_of(field).is_some();
         if is_of_option {
-            Failure::Arguments(format!("{}: {error}", self.text))
+            Failure::Arguments(format!("{}: {}", self.text, error.text(&FieldNames::CASE)))
         } else {
             Failure::Case(case.explain(error).into())
         }
     }
 }
 
-impl Task {
+impl Member {
     fn check(&self, sampling: &Sampling, varied: &Varied) -> Result<(), Failure> {
-        self.case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
+        self.case.require_steady("a creep curve is of").map_err(CaseErrors::from)?;
         creep_curve::check(&self.case.problem, &self.path, sampling)
             .map_err(|error| varied.failure(&self.case, &error))
     }
@@ -214,44 +282,4 @@ impl Task {
         creep_curve::trace(&mut *solver, &self.case.problem, &self.path, sampling, watch)
             .map_err(|error| Failure::Case(self.case.explain(&error).into()))
     }
-}
-
-fn check_outputs(arguments: &CurveArguments, tasks: &[Task]) -> Result<(), Failure> {
-    let json = arguments.report.json_file();
-    let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
-        .into_iter()
-        .filter_map(|(option, path)| Some((option, path?)))
-        .collect();
-    let of_task = |task: &Task| Input::of_case(&arguments.case, &task.case);
-    let inputs: Vec<Input> = tasks.iter().flat_map(of_task).collect();
-    match &arguments.figures {
-        None => outputs::check(&outputs, &inputs),
-        Some(directory) => {
-            let names = figure_files(figures::CREEP_CURVE);
-            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
-        }
-    }
-}
-
-/// All files in memory: what cannot be made is known before the first one is written.
-fn files(
-    arguments: &CurveArguments,
-    family: &CurveFamily,
-    progress: &Progress,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-    let mut files = Vec::new();
-    if let Some(path) = arguments.report.json_file() {
-        files.push((path.to_owned(), json::document(family).into_bytes()));
-    }
-    if let Some(path) = &arguments.csv {
-        files.push((path.clone(), csv::table(family).into_bytes()));
-    }
-    if let Some(directory) = &arguments.figures {
-        progress.stage("drawing figures");
-        let figure = figures::creep_curve(family)?;
-        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-        files.push((svg, figure.svg.into_bytes()));
-        files.push((png, figure.png));
-    }
-    Ok(files)
 }

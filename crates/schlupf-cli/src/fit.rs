@@ -1,26 +1,25 @@
 //! `schlupf fit`.
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
+use clap::{Args, ValueHint};
+use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf::identification::{
-    self, CreepForceModel, DataPoint, Fit, Parameter, PolachModel, RollingContactModel,
-    sample_curves,
+    self, CreepForceModel, DataPoint, Parameter, PolachModel, RollingContactModel, sample_curves,
 };
+use schlupf::message::Message;
 use schlupf::method::FastMethod;
-use schlupf::{Error, Method, Status};
-use schlupf_case::identification::{parameters, read_data};
-use schlupf_case::{Case, CaseErrors};
+use schlupf::{Error, Method, Quantity};
+use schlupf_case::identification::{field, parameters, read_data};
+use schlupf_case::{Case, CaseErrors, FieldNames};
 use schlupf_output::figures;
-use schlupf_output::identification::{FitReport, FittedRoughness, csv, json, summary};
+use schlupf_output::identification::{FitReport, FittedRoughness};
 
-use crate::arguments::FitArguments;
-use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
-use crate::outputs::{self, Input};
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::failure::Failure;
+use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::report;
-use crate::solve::figure_files;
+use crate::task::{Found, OwnFile, Task, messages};
 
 const DATA: &str = "--data";
 const FIT: &str = "--fit";
@@ -28,108 +27,184 @@ const FIT: &str = "--fit";
 /// Points of a curve in the figure.
 const CURVE_POINTS: usize = 41;
 
-/// Finds the parameters and writes them.
-pub fn run(arguments: &FitArguments) -> Result<ExitCode, Failure> {
-    let case = read_case(&arguments.case)?;
-    let parameters = parameters(FIT, &arguments.fit).map_err(CaseErrors::from)?;
-    let data =
-        read_data(DATA, &arguments.data, &case.problem.kinematics).map_err(CaseErrors::from)?;
-    let explain = |error: Error| explain(arguments, &case, &error);
-    case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
-    let model = Model::new(&case, &parameters, arguments.gamma);
-    let Some(mut model) = model.map_err(explain)? else { return Err(no_model(case.method)) };
-    identification::check(model.creep_forces(), &data).map_err(explain)?;
-    let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
-    check_outputs(arguments, &case)?;
-    let other_loads = other_loads(&data, load);
-    if let Some(text) = &other_loads {
-        report::warn(text);
+/// What to fit to which data, and where to write it.
+#[derive(Debug, Args)]
+pub struct Fit {
+    /// Which case; its values are those to start from.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Measured points (CSV): creepage_x, creepage_y or spin [1/m], force_ratio (-Fx/N over creepage_x,
+    /// -Fy/N over creepage_y) or force_ratio_x, force_ratio_y, and where they differ from the case speed
+    /// [m/s], load [kN]; standard_deviation where known
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub data: PathBuf,
+    /// What to find, such as friction.coefficient,contact_law.stiffness; contact_law.roughness is the
+    /// r.m.s. height of both surfaces together, in place of the stiffness
+    #[arg(long, value_name = "SECTION.FIELD,…")]
+    pub fit: String,
+    /// γ, for contact_law.roughness: the rough surfaces approach by γ times that height when the pressure
+    /// grows e-fold
+    #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_GAMMA, value_parser = gamma)]
+    pub gamma: f64,
+    /// Most steps of the fit
+    #[arg(long, value_name = "N", default_value_t = 100,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub max_steps: u32,
+    /// Write the case with the values found, comments and layout kept
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub write_case: Option<PathBuf>,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+/// A γ that theory or measurement may have.
+fn gamma(text: &str) -> Result<f64, String> {
+    let gamma = text.parse().ok().filter(|gamma| (0.01..=10.0).contains(gamma));
+    gamma.ok_or_else(|| "must be a number between 0.01 and 10".to_owned())
+}
+
+/// What is fitted to which data.
+pub struct Plan {
+    case: Case,
+    parameters: Vec<Parameter>,
+    data: Vec<DataPoint>,
+    model: Model,
+    /// Load of the case, in N.
+    load: f64,
+}
+
+impl Task for Fit {
+    type Plan = Plan;
+    type Report = FitReport;
+
+    fn case(&self) -> CaseArguments {
+        self.case.clone()
     }
-    let progress = Progress::start();
-    progress.stage("fitting");
-    let steps = arguments.max_steps as usize;
-    let fit = identification::fit(model.creep_forces(), &data, steps, &progress.watch());
-    let mut fit = fit.map_err(explain)?;
-    fit.warnings.extend(case.notices.iter().cloned().chain(other_loads));
-    let points = if arguments.figures.is_some() { CURVE_POINTS } else { 0 };
-    let curves = sample_curves(model.creep_forces(), &data, points, &progress.watch());
-    let curves = curves.map_err(explain)?;
-    let contact_stiffness = model.contact_stiffness();
-    let roughness = parameters
-        .contains(&Parameter::Roughness)
-        .then_some(FittedRoughness { gamma: arguments.gamma, contact_stiffness });
-    let report = FitReport {
-        title: case.title.clone(),
-        data: arguments.data.display().to_string(),
-        load,
-        fit,
-        curves,
-        roughness,
-    };
-    let mut files = files(arguments, &report, &progress)?;
-    let fitted = arguments.write_case.as_ref().map(|path| {
-        let text = fitted_case(&case, &report.fit, contact_stiffness, path)?;
-        Ok((path.clone(), text.into_bytes()))
-    });
-    // What was found is written, whether a case can have it or not.
-    let no_case = match fitted.transpose() {
-        Ok(fitted) => {
-            files.extend(fitted);
-            None
-        }
-        Err(failure) => Some(failure),
-    };
-    drop(progress);
-    outputs::write(&files, arguments.figures.as_deref())?;
-    arguments.report.print(|| json::document(&report), || summary::text(&report))?;
-    if let Some(failure) = no_case {
-        return Err(failure);
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
     }
-    match report.fit.status {
-        Status::Converged => Ok(ExitCode::SUCCESS),
-        Status::NotConverged => {
-            let failures = report.fit.warnings.iter();
-            failures
-                .filter(|text| text.starts_with("not converged: "))
-                .for_each(|t| report::warn(t));
-            Ok(ExitCode::from(NOT_CONVERGED))
+
+    fn figure_names(&self) -> Vec<String> {
+        vec![figures::FIT.to_owned()]
+    }
+
+    fn own_files(&self) -> Vec<OwnFile<'_>> {
+        let case = OwnFile::given("--write-case", FitReport::CASE, self.write_case.as_ref());
+        case.into_iter().collect()
+    }
+
+    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        case.require_steady("a creep curve is of").map_err(CaseErrors::from)?;
+        let parameters = parameters(FIT, &self.fit).map_err(CaseErrors::from)?;
+        let data = read_data(DATA, &self.data, &case.problem.kinematics);
+        let data = data.map_err(CaseErrors::from)?;
+        let explain = |error: Error| self.explain(&case, &error);
+        let mut model = Model::new(&case, &parameters, self.gamma).map_err(explain)?;
+        identification::check(model.creep_forces(), &data).map_err(explain)?;
+        let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
+        Ok(Plan { case, parameters, data, model, load })
+    }
+
+    fn inputs(&self, plan: &Plan) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, &plan.case);
+        inputs.push(Input { what: DATA.to_owned(), path: self.data.clone(), except: None });
+        inputs
+    }
+
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<FitReport>, Failure> {
+        let Plan { case, parameters, data, mut model, load } = plan;
+        progress.stage("fitting");
+        let explain = |error: Error| self.explain(&case, &error);
+        let (steps, watch) = (self.max_steps as usize, progress.watch());
+        let fit = identification::fit(model.creep_forces(), &data, steps, &watch);
+        let fit = fit.map_err(explain)?;
+        let points = if self.outputs.figures.is_some() { CURVE_POINTS } else { 0 };
+        let curves = sample_curves(model.creep_forces(), &data, points, &watch);
+        let curves = curves.map_err(explain)?;
+        let stiffness = model.contact_stiffness();
+        let fitted = self.write_case.as_ref();
+        let fitted = fitted.map(|path| fitted_case(&case, &fit, stiffness, path)).transpose();
+        let is_fitted = parameters.contains(&Parameter::Roughness);
+        let roughness = stiffness.filter(|_| is_fitted);
+        let notices = case.notices.iter().cloned();
+        let warnings = messages(&fit.warnings).chain(notices).chain(other_loads(&data, load));
+        let report = FitReport {
+            data: self.data.display().to_string(),
+            load,
+            curves,
+            roughness: roughness
+                .map(|contact_stiffness| FittedRoughness { gamma: self.gamma, contact_stiffness }),
+            names: parameters.iter().map(|parameter| name(*parameter).to_owned()).collect(),
+            case: fitted.as_ref().ok().cloned().flatten(),
+            warnings: warnings.collect(),
+            fit,
+            title: case.title,
+        };
+        // What was found is written, whether a case can have it or not.
+        Ok(Found { report, failure: fitted.err() })
+    }
+}
+
+impl Fit {
+    /// An error of the core: of the data and what they are to determine, or of the case.
+    fn explain(&self, case: &Case, error: &Error) -> Failure {
+        let quantity = error.quantity();
+        let mut fitted = parameters(FIT, &self.fit).into_iter().flatten();
+        let is_fitted = fitted.any(|parameter| parameter.quantity() == quantity);
+        let is_of_data = matches!(
+            quantity,
+            Quantity::ForceRatio | Quantity::StandardDeviation | Quantity::SlopeFactor
+        );
+        if is_fitted || is_of_data {
+            let (data, error) = (self.data.display(), error.text(&FieldNames::CASE));
+            Failure::Arguments(format!("{FIT} {} {DATA} {data}: {error}", self.fit))
+        } else {
+            Failure::Case(case.explain(error).into())
         }
     }
 }
 
+/// What a parameter is called.
+fn name(parameter: Parameter) -> &'static str {
+    field(parameter)
+}
+
 /// Loads of the data (in N) far from that of the case: units, as a rule.
-fn other_loads(data: &[DataPoint], load: f64) -> Option<String> {
+fn other_loads(data: &[DataPoint], load: f64) -> Option<Message> {
     const FAR: f64 = 10.0;
     let loads = data.iter().filter_map(|point| point.condition.load);
     let far = loads.filter(|other| other / load > FAR || load / other > FAR);
     let other =
         far.max_by(|one, other| (one / load).ln().abs().total_cmp(&(other / load).ln().abs()))?;
-    Some(format!(
+    let text = format!(
         "the data have a load of {other:.4e} N, the case one of {load:.4e} N: are the units right?"
-    ))
+    );
+    Some(Message::new("other-loads", "normal.load", text))
 }
 
 /// What is fitted.
-enum Model {
+pub enum Model {
     Full(Box<RollingContactModel>),
     Polach(Box<PolachModel>),
 }
 
 impl Model {
-    /// `None` where the method cannot be fitted.
-    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Option<Self>, Error> {
+    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Self, Error> {
         let Case { problem, options, .. } = case;
-        Ok(match case.method {
-            Method::Full => {
-                let model = RollingContactModel::new(problem, options, parameters, gamma)?;
-                Some(Self::Full(Box::new(model)))
-            }
+        match case.method {
+            Method::Full => RollingContactModel::new(problem, options, parameters, gamma)
+                .map(|model| Self::Full(Box::new(model))),
             Method::Fast(FastMethod::Polach(reduction)) => {
-                let model = PolachModel::new(problem, reduction, parameters)?;
-                Some(Self::Polach(Box::new(model)))
+                PolachModel::new(problem, reduction, parameters)
+                    .map(|model| Self::Polach(Box::new(model)))
             }
-            Method::Fast(_) => None,
-        })
+            Method::Fast(method) => {
+                let reason = "what can be fitted is \"full\" and \"polach\"";
+                Err(Error::OtherMethod { reason, method: method.name() })
+            }
+        }
     }
 
     fn creep_forces(&mut self) -> &mut dyn CreepForceModel {
@@ -140,106 +215,41 @@ impl Model {
     }
 
     /// k_c at the present values (in 1/m), where there is one.
-    fn contact_stiffness(&self) -> f64 {
+    fn contact_stiffness(&self) -> Option<f64> {
         match self {
-            Self::Full(model) => model.contact_stiffness(),
-            Self::Polach(_) => f64::NAN,
+            Self::Full(model) => Some(model.contact_stiffness()),
+            Self::Polach(_) => None,
         }
-    }
-}
-
-/// Only some methods can be fitted.
-fn no_model(method: Method) -> Failure {
-    Failure::Arguments(format!(
-        "solver.method: what can be fitted is \"full\" and \"polach\", but the method is {:?}",
-        method.name()
-    ))
-}
-
-/// An error of the core: of the data and what they are to determine, or of the case.
-fn explain(arguments: &FitArguments, case: &Case, error: &Error) -> Failure {
-    let (Error::Invalid { quantity, .. } | Error::Contradiction { quantity, .. }) = error else {
-        return Failure::Case(case.explain(error).into());
-    };
-    let is_fitted = arguments.fit.split(',').any(|name| name.trim() == *quantity);
-    let is_of_data = ["force_ratio", "standard_deviation", "gamma"].contains(quantity);
-    if is_fitted || is_of_data {
-        let data = arguments.data.display();
-        Failure::Arguments(format!("{FIT} {} {DATA} {data}: {error}", arguments.fit))
-    } else {
-        Failure::Case(case.explain(error).into())
     }
 }
 
 /// The text of the case with the values found.
 fn fitted_case(
     case: &Case,
-    fit: &Fit,
-    contact_stiffness: f64,
+    fit: &identification::Fit,
+    contact_stiffness: Option<f64>,
     path: &Path,
 ) -> Result<String, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut values: Vec<(&str, f64)> = fit
-        .estimates
-        .iter()
-        .map(|estimate| match estimate.parameter {
+    let stiffness = field(Parameter::ContactStiffness);
+    let mut values = Vec::new();
+    for estimate in &fit.estimates {
+        match (estimate.parameter, contact_stiffness) {
             // k_c is what a case has.
-            Parameter::Roughness => (Parameter::ContactStiffness.name(), contact_stiffness),
-            parameter => (parameter.name(), estimate.value),
-        })
-        .collect();
-    let stiffness = Parameter::ContactStiffness.name();
+            (Parameter::Roughness, Some(value)) => values.push((stiffness, value)),
+            (parameter, _) => values.push((field(parameter), estimate.value)),
+        }
+    }
     let is_written = values.iter().any(|(name, _)| *name == stiffness);
-    if !is_written && contact_stiffness.is_finite() && case.law_stiffness.is_from_roughness() {
+    if let Some(value) = contact_stiffness
+        && !is_written
+        && case.law_stiffness.is_from_roughness()
+    {
         // From another μ0 the roughness would give another k_c than that of the fit.
-        values.push((stiffness, contact_stiffness));
+        values.push((stiffness, value));
     }
     let text = case.edited(&values, folder).map_err(CaseErrors::from)?;
     // What is written can be read again.
     Case::from_str(&text, &path.display().to_string(), folder, &[])?;
     Ok(text)
-}
-
-fn check_outputs(arguments: &FitArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.report.json_file();
-    let outputs: Vec<(&str, &Path)> = [
-        ("--json", json),
-        ("--csv", arguments.csv.as_deref()),
-        ("--write-case", arguments.write_case.as_deref()),
-    ]
-    .into_iter()
-    .filter_map(|(option, path)| Some((option, path?)))
-    .collect();
-    let mut inputs = Input::of_case(&arguments.case, case);
-    inputs.push(Input { what: DATA.to_owned(), path: arguments.data.clone(), except: None });
-    match &arguments.figures {
-        None => outputs::check(&outputs, &inputs),
-        Some(directory) => {
-            let names = figure_files(figures::FIT);
-            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
-        }
-    }
-}
-
-/// All files but the case in memory: what cannot be made is known before the first one is written.
-fn files(
-    arguments: &FitArguments,
-    report: &FitReport,
-    progress: &Progress,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-    let mut files = Vec::new();
-    if let Some(path) = arguments.report.json_file() {
-        files.push((path.to_owned(), json::document(report).into_bytes()));
-    }
-    if let Some(path) = &arguments.csv {
-        files.push((path.clone(), csv::table(report).into_bytes()));
-    }
-    if let Some(directory) = &arguments.figures {
-        progress.stage("drawing figures");
-        let figure = figures::fit(report)?;
-        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-        files.push((svg, figure.svg.into_bytes()));
-        files.push((png, figure.png));
-    }
-    Ok(files)
 }

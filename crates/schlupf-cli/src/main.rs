@@ -17,6 +17,7 @@ mod report;
 mod roughness;
 mod solve;
 mod stdout;
+mod task;
 mod temperature;
 
 use std::process::ExitCode;
@@ -28,8 +29,7 @@ use arguments::{Arguments, Command};
 use failure::Failure;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
-    run(arguments).unwrap_or_else(|failure| {
+    run(Arguments::parse()).unwrap_or_else(|failure| {
         report::print(&failure);
         ExitCode::from(failure.exit_code())
     })
@@ -41,14 +41,14 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
     let no_threads = |error| Failure::Arguments(format!("--threads: {error}"));
     threads.build_global().map_err(no_threads)?;
     match arguments.command {
-        Command::Solve(arguments) => solve::run(&arguments),
-        Command::Curve(arguments) => curve::run(&arguments),
-        Command::Temperature(arguments) => temperature::run(&arguments),
-        Command::Bulk(arguments) => bulk::run(&arguments),
-        Command::Calibrate(arguments) => calibrate::run(&arguments),
-        Command::Roughness(arguments) => roughness::run(&arguments),
-        Command::Compare(arguments) => compare::run(&arguments),
-        Command::Fit(arguments) => fit::run(&arguments),
+        Command::Solve(arguments) => task::run(&*arguments),
+        Command::Curve(arguments) => task::run(&*arguments),
+        Command::Temperature(arguments) => task::run(&*arguments),
+        Command::Bulk(arguments) => task::run(&*arguments),
+        Command::Calibrate(arguments) => task::run(&*arguments),
+        Command::Roughness(arguments) => task::run(&*arguments),
+        Command::Compare(arguments) => task::run(&*arguments),
+        Command::Fit(arguments) => task::run(&*arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

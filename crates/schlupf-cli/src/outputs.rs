@@ -177,6 +177,13 @@ pub fn write(files: &[(PathBuf, Vec<u8>)], directory: Option<&Path>) -> Result<(
     result
 }
 
+/// Removes files; what cannot be removed stays.
+pub fn remove(files: &[PathBuf]) {
+    for file in files {
+        let _ = fs::remove_file(file);
+    }
+}
+
 /// What was not there before.
 #[derive(Debug, Default)]
 struct Created {

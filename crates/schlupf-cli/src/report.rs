@@ -6,6 +6,7 @@ use std::io::{IsTerminal, Write, stderr};
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
 };
+use schlupf::message::Message;
 use schlupf_case::{CaseError, Place};
 
 use crate::failure::Failure;
@@ -24,8 +25,9 @@ pub fn print(failure: &Failure) {
 }
 
 /// Prints a warning.
-pub fn warn(message: &str) {
-    let _ = writeln!(stderr(), "warning: {message}");
+pub fn warn(message: &Message) {
+    let what = if message.is_of_convergence() { "not converged: " } else { "" };
+    let _ = writeln!(stderr(), "warning: {what}{}", message.text);
 }
 
 /// With colours and lines on a terminal, else in plain characters and without line breaks of its own.

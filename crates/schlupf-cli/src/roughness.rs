@@ -1,65 +1,161 @@
 //! `schlupf roughness`.
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
+use clap::{Args, ValueHint};
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
-use schlupf::{Error, Status};
-use schlupf_case::surface::{RoughSurface, SurfaceOrigin, renamed};
-use schlupf_case::{Case, CaseErrors, GivenByOption, RoughnessRequest, caveats, pressures};
+use schlupf::{Error, Watch};
+use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
+use schlupf_case::{
+    Case, CaseErrors, FieldNames, GivenByOption, RoughnessRequest, caveats, pressures,
+};
 use schlupf_output::figures;
-use schlupf_output::roughness::{RoughnessReport, Spots, csv, json, npy, summary};
+use schlupf_output::roughness::{RoughnessReport, Spots};
 
-use crate::arguments::{CaseArguments, RoughnessArguments};
-use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
-use crate::outputs::{self, Input};
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::failure::Failure;
+use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::report;
-use crate::solve::figure_files;
+use crate::task::{Found, OwnFile, Task};
 
-/// Solves the micro model of a surface and writes what it says about k_c.
-pub fn run(arguments: &RoughnessArguments) -> Result<ExitCode, Failure> {
-    let case_arguments =
-        CaseArguments { case: arguments.case.clone(), overrides: arguments.overrides.clone() };
-    let case = read_case(&case_arguments)?;
-    let request = request(arguments, &case)?;
-    check_outputs(arguments, &case_arguments, &case)?;
-    let progress = Progress::start();
-    progress.stage("reading the surface");
-    let rough = request.load().map_err(|error| in_options(arguments, error.into()))?;
-    let explain = |error: Error| in_options(arguments, CaseErrors::from(request.explain(&error)));
-    let result = solve(&case, &request, &rough, &progress).map_err(explain)?;
-    let is_wanted = [&arguments.figures, &arguments.pressures, &arguments.gaps];
-    let spots = match is_wanted.into_iter().flatten().next() {
-        Some(_) => Some(spots(&request, &rough.surface, &progress).map_err(explain)?),
-        None => None,
-    };
-    let report = describe(arguments, &case, (request, rough), (result, spots));
-    let files = files(arguments, &report, &progress)?;
-    drop(progress);
-    outputs::write(&files, arguments.figures.as_deref())?;
-    arguments.report.print(|| json::document(&report), || summary::text(&report))?;
-    match report.status() {
-        Status::Converged => Ok(ExitCode::SUCCESS),
-        Status::NotConverged => {
-            report::warn("not converged: the normal contact at one pressure at least");
-            Ok(ExitCode::from(NOT_CONVERGED))
+/// Which surface to press on which bodies, and where to write the results.
+#[derive(Debug, Args)]
+pub struct Roughness {
+    /// Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz); without it and without
+    /// --synthetic that of the case
+    #[arg(value_hint = ValueHint::FilePath, conflicts_with = "synthetic")]
+    pub surface: Option<PathBuf>,
+    /// Surface of the other body, on the same lattice: their heights are added
+    #[arg(long, value_name = "SURFACE", value_hint = ValueHint::FilePath, requires = "surface")]
+    pub second: Option<PathBuf>,
+    /// Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",shortest="5 um",seed=1;
+    /// also rms_slope and roll_off
+    #[arg(long, value_name = "KEY=VALUE,…")]
+    pub synthetic: Option<String>,
+    /// What is taken off a measured surface [default: plane]
+    #[arg(long, value_name = "plane|cylinder|sphere|none", requires = "surface")]
+    pub form: Option<String>,
+    /// Take longer waves than this off a measured surface, such as "0.8 mm" (λc of the Gaussian filter, ISO 16610)
+    #[arg(long, value_name = "LENGTH", requires = "surface")]
+    pub cutoff: Option<String>,
+    /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um
+    #[arg(long, value_name = "UNIT", requires = "surface")]
+    pub unit: Option<String>,
+    /// Distance of the points of an .npy file, such as "1 um"
+    #[arg(long, value_name = "LENGTH", requires = "surface")]
+    pub spacing: Option<String>,
+    /// Fill points without a height smoothly
+    #[arg(long, requires = "surface")]
+    pub fill_holes: bool,
+    /// Resample a surface whose cells are not square
+    #[arg(long, requires = "surface")]
+    pub square_cells: bool,
+    /// Cells along x: the surface is resampled, or made with so many
+    #[arg(long, value_name = "N")]
+    pub cells: Option<String>,
+    /// Seed of the surface made from a profile
+    #[arg(long, value_name = "N", requires = "surface")]
+    pub seed: Option<String>,
+    /// Mean pressures: a range, of which six are taken, or a list [default: 0.2..1.2 GPa; those of the
+    /// patch with --case]
+    #[arg(long, allow_hyphen_values = true, value_name = "START..END|P,P,…")]
+    pub pressure: Option<String>,
+    /// Coefficient of friction [default: that of the case]
+    #[arg(long, allow_hyphen_values = true, value_name = "MU")]
+    pub friction: Option<String>,
+    /// Hardness of the softer body, such as "2.5 GPa" [default: elastic bodies]
+    #[arg(long, allow_hyphen_values = true, value_name = "PRESSURE")]
+    pub hardness: Option<String>,
+    /// Case file of the bodies; steel wheel and rail when none is named
+    #[arg(long, value_name = "CASE", value_hint = ValueHint::FilePath)]
+    pub case: Option<PathBuf>,
+    /// Set a field of the case, such as wheel.young_modulus="200 GPa"
+    #[arg(long = "set", value_name = "SECTION.FIELD=VALUE")]
+    pub overrides: Vec<String>,
+    /// Write the heights, of both surfaces together and without form, as .npy in m
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub heights: Option<PathBuf>,
+    /// Write the pressures in all cells at the largest mean pressure as .npy in Pa
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub pressures: Option<PathBuf>,
+    /// Write the gaps there as .npy in m; negative is the depth that was flattened
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub gaps: Option<PathBuf>,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+/// A surface to press, and on what.
+pub struct Plan {
+    case: Case,
+    request: RoughnessRequest,
+}
+
+impl Task for Roughness {
+    type Plan = Plan;
+    type Report = RoughnessReport;
+
+    fn case(&self) -> CaseArguments {
+        CaseArguments { case: self.case.clone(), overrides: self.overrides.clone() }
+    }
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
+    }
+
+    fn figure_names(&self) -> Vec<String> {
+        figures::ROUGHNESS.map(str::to_owned).to_vec()
+    }
+
+    fn own_files(&self) -> Vec<OwnFile<'_>> {
+        let heights = OwnFile::given("--heights", RoughnessReport::HEIGHTS, self.heights.as_ref());
+        let pressures =
+            OwnFile::given("--pressures", RoughnessReport::PRESSURES, self.pressures.as_ref());
+        let gaps = OwnFile::given("--gaps", RoughnessReport::GAPS, self.gaps.as_ref());
+        [heights, pressures, gaps].into_iter().flatten().collect()
+    }
+
+    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        Ok(Plan { request: request(self, &case)?, case })
+    }
+
+    fn inputs(&self, plan: &Plan) -> Vec<Input> {
+        let mut inputs = Input::of_case(&Task::case(self), &plan.case);
+        for (what, path) in [("the surface", &self.surface), ("--second", &self.second)] {
+            let input =
+                |path: &PathBuf| Input { what: what.to_owned(), path: path.clone(), except: None };
+            inputs.extend(path.as_ref().map(input));
         }
+        inputs
+    }
+
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<RoughnessReport>, Failure> {
+        let Plan { case, request } = plan;
+        progress.stage("reading the surface");
+        let rough = request.load().map_err(CaseErrors::from)?;
+        let explain = |error: Error| Failure::Case(request.explain(&error).into());
+        let result = solve(&case, &request, &rough, progress).map_err(explain)?;
+        let is_wanted = [&self.outputs.figures, &self.pressures, &self.gaps];
+        let is_wanted = is_wanted.into_iter().any(Option::is_some);
+        let spots =
+            is_wanted.then(|| spots(&request, &rough.surface, &progress.watch())).transpose();
+        let spots = spots.map_err(explain)?;
+        Ok(describe(self, &case, (request, rough), (result, spots)).into())
     }
 }
 
 /// What the options and the case ask for.
-fn request(arguments: &RoughnessArguments, case: &Case) -> Result<RoughnessRequest, Failure> {
+fn request(arguments: &Roughness, case: &Case) -> Result<RoughnessRequest, Failure> {
     let fields = fields(arguments)?;
     let is_own = arguments.surface.is_none() && arguments.synthetic.is_none();
     let folder = (!is_own).then_some(Path::new(""));
-    let request = case.rough_contact(&fields, folder);
-    match request.map_err(|errors| in_options(arguments, errors))? {
+    let names = if is_own { FieldNames::CASE } else { NAMES };
+    match case.rough_contact(&fields, folder, names)? {
         Some(request) => Ok(request),
         None => Err(Failure::Arguments(
             "there is no surface: name a file, or make one with --synthetic \
@@ -81,31 +177,31 @@ const KEYS: [(&str, &str); 7] = [
 ];
 
 /// The fields that the options give.
-fn fields(arguments: &RoughnessArguments) -> Result<Vec<GivenByOption>, Failure> {
+fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
     let file = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
     let flag = |is_given: bool| is_given.then(|| "true".to_owned());
     let quoted = |text: String| format!("{text:?}");
     let options = [
-        ("SURFACE", "file", file(&arguments.surface).map(quoted)),
-        ("--second", "second_file", file(&arguments.second).map(quoted)),
-        ("--form", "form", arguments.form.clone()),
-        ("--cutoff", "cutoff_wavelength", arguments.cutoff.clone()),
-        ("--unit", "unit", arguments.unit.clone().map(quoted)),
-        ("--spacing", "spacing", arguments.spacing.clone()),
-        ("--fill-holes", "fill_holes", flag(arguments.fill_holes)),
-        ("--square-cells", "square_cells", flag(arguments.square_cells)),
-        ("--cells", "cells", arguments.cells.clone()),
-        ("--seed", "seed", arguments.seed.clone()),
-        ("--hardness", "hardness", arguments.hardness.clone()),
+        ("file", file(&arguments.surface).map(quoted)),
+        ("second_file", file(&arguments.second).map(quoted)),
+        ("form", arguments.form.clone()),
+        ("cutoff_wavelength", arguments.cutoff.clone()),
+        ("unit", arguments.unit.clone().map(quoted)),
+        ("spacing", arguments.spacing.clone()),
+        ("fill_holes", flag(arguments.fill_holes)),
+        ("square_cells", flag(arguments.square_cells)),
+        ("cells", arguments.cells.clone()),
+        ("seed", arguments.seed.clone()),
+        ("hardness", arguments.hardness.clone()),
     ];
     let mut fields = Vec::new();
     let mut push = |option, text: String, field: &str, value: String| {
         fields.push(GivenByOption { option, text, field: field.to_owned(), value });
     };
-    for (option, name, value) in options {
-        if let Some(value) = value {
+    for (name, value) in options {
+        if let (Some(value), Some(option)) = (value, NAMES.option(&field(name))) {
             let text = value.trim_matches('"').to_owned();
-            push(option, text, &format!("contact_law.roughness.{name}"), value);
+            push(option, text, &field(name), value);
         }
     }
     for (text, field, value) in synthetic(arguments)? {
@@ -130,7 +226,7 @@ fn fields(arguments: &RoughnessArguments) -> Result<Vec<GivenByOption>, Failure>
 const DEFAULT_PRESSURES: &str = "0.2..1.2 GPa";
 
 /// Text, field and value of every part of --synthetic.
-fn synthetic(arguments: &RoughnessArguments) -> Result<Vec<(String, String, String)>, Failure> {
+fn synthetic(arguments: &Roughness) -> Result<Vec<(String, String, String)>, Failure> {
     let Some(text) = &arguments.synthetic else { return Ok(Vec::new()) };
     let parts = text.split(',').map(|part| {
         let (key, value) = part.split_once('=').unwrap_or((part, ""));
@@ -138,8 +234,7 @@ fn synthetic(arguments: &RoughnessArguments) -> Result<Vec<(String, String, Stri
         let field = KEYS.iter().find(|(name, field)| key == *name || key == *field);
         match field {
             Some((_, field)) if !value.is_empty() => {
-                let field = format!("contact_law.roughness.{field}");
-                Ok((part.trim().to_owned(), field, value.to_owned()))
+                Ok((part.trim().to_owned(), self::field(field), value.to_owned()))
             }
             _ => Err(Failure::Arguments(format!(
                 "--synthetic must be key=value,key=value,… with the keys {}, but has {part:?}",
@@ -159,34 +254,30 @@ fn synthetic(arguments: &RoughnessArguments) -> Result<Vec<(String, String, Stri
 }
 
 /// What fields of a case are called as options.
-const NAMES: &[(&str, &str)] = &[
+const NAMES: FieldNames = FieldNames::of_options(&[
     ("contact_law.roughness.file", "SURFACE"),
     ("contact_law.roughness.second_file", "--second"),
     ("contact_law.roughness.form", "--form"),
     ("contact_law.roughness.cutoff_wavelength", "--cutoff"),
     ("contact_law.roughness.unit", "--unit"),
     ("contact_law.roughness.spacing", "--spacing"),
+    ("contact_law.roughness.fill_holes", "--fill-holes"),
+    ("contact_law.roughness.square_cells", "--square-cells"),
     ("contact_law.roughness.cells", "--cells"),
+    ("contact_law.roughness.seed", "--seed"),
     ("contact_law.roughness.hardness", "--hardness"),
     ("contact_law.roughness.pressures", "--pressure"),
+    ("contact_law.roughness.rms_height", "rms_height"),
+    ("contact_law.roughness.rms_slope", "rms_slope"),
+    ("contact_law.roughness.hurst", "hurst"),
     ("contact_law.roughness.longest_wavelength", "longest"),
     ("contact_law.roughness.roll_off_wavelength", "roll_off"),
     ("contact_law.roughness.shortest_wavelength", "shortest"),
-    ("contact_law.roughness.", ""),
-    ("fill_holes = true fills them", "--fill-holes fills them"),
-    ("square_cells = true resamples it", "--square-cells resamples it"),
-    ("; paths are relative to the case file", ""),
-];
+]);
 
-/// Errors in terms of the options where these give the surface, else of the case.
-fn in_options(arguments: &RoughnessArguments, errors: CaseErrors) -> Failure {
-    if arguments.surface.is_none() && arguments.synthetic.is_none() {
-        return Failure::Case(errors);
-    }
-    let named = |error: schlupf_case::CaseError| renamed(error, NAMES);
-    let CaseErrors { first, others } = errors;
-    let others = others.into_iter().map(named).collect();
-    Failure::Case(CaseErrors { first: Box::new(named(*first)), others })
+/// A field of the roughness.
+fn field(name: &str) -> String {
+    format!("contact_law.roughness.{name}")
 }
 
 /// The micro model; that of the case is taken over where it is the same.
@@ -213,17 +304,12 @@ fn solve(
 }
 
 /// The contact at the largest mean pressure.
-fn spots(
-    request: &RoughnessRequest,
-    surface: &HeightMap,
-    progress: &Progress,
-) -> Result<Spots, Error> {
+fn spots(request: &RoughnessRequest, surface: &HeightMap, watch: Watch) -> Result<Spots, Error> {
     let key = request.key();
     let distance = surface.distance_to_plane();
     let contact = RoughContact::new(distance, key.contact_modulus, Boundary::Periodic)?;
     let mut contact = contact.with_hardness(key.hardness)?;
-    let solution =
-        contact.press(key.largest_pressure, &RoughContactOptions::default(), &progress.watch())?;
+    let solution = contact.press(key.largest_pressure, &RoughContactOptions::default(), watch)?;
     Ok(Spots {
         mean_pressure: key.largest_pressure,
         is_converged: solution.is_converged,
@@ -233,7 +319,7 @@ fn spots(
 }
 
 fn describe(
-    arguments: &RoughnessArguments,
+    arguments: &Roughness,
     case: &Case,
     (request, rough): (RoughnessRequest, RoughSurface),
     (result, spots): (MicroModelResult, Option<Spots>),
@@ -246,8 +332,8 @@ fn describe(
             names.join(" and ")
         }
     };
-    let mut warnings = rough.notices;
-    warnings.extend(caveats(&result, rough.surface.lattice().len(), request.key()));
+    let caveats = caveats(&result, rough.surface.lattice().len(), request.key());
+    let warnings = rough.notices.into_iter().chain(caveats).collect();
     RoughnessReport {
         title,
         spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
@@ -260,68 +346,4 @@ fn describe(
         remarks: rough.remarks,
         warnings,
     }
-}
-
-fn check_outputs(
-    arguments: &RoughnessArguments,
-    case_arguments: &CaseArguments,
-    case: &Case,
-) -> Result<(), Failure> {
-    let json = arguments.report.json_file();
-    let outputs: Vec<(&str, &Path)> = [
-        ("--json", json),
-        ("--csv", arguments.csv.as_deref()),
-        ("--heights", arguments.heights.as_deref()),
-        ("--pressures", arguments.pressures.as_deref()),
-        ("--gaps", arguments.gaps.as_deref()),
-    ]
-    .into_iter()
-    .filter_map(|(option, path)| Some((option, path?)))
-    .collect();
-    let mut inputs = Input::of_case(case_arguments, case);
-    for (what, path) in [("the surface", &arguments.surface), ("--second", &arguments.second)] {
-        let input =
-            |path: &PathBuf| Input { what: what.to_owned(), path: path.clone(), except: None };
-        inputs.extend(path.as_ref().map(input));
-    }
-    match &arguments.figures {
-        None => outputs::check(&outputs, &inputs),
-        Some(directory) => {
-            let names: Vec<String> =
-                figures::ROUGHNESS.iter().flat_map(|name| figure_files(name)).collect();
-            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
-        }
-    }
-}
-
-/// All files in memory: what cannot be made is known before the first one is written.
-fn files(
-    arguments: &RoughnessArguments,
-    report: &RoughnessReport,
-    progress: &Progress,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-    let mut files = Vec::new();
-    if let Some(path) = arguments.report.json_file() {
-        files.push((path.to_owned(), json::document(report).into_bytes()));
-    }
-    if let Some(path) = &arguments.csv {
-        files.push((path.clone(), csv::table(report).into_bytes()));
-    }
-    if let Some(path) = &arguments.heights {
-        files.push((path.clone(), npy::heights(report)));
-    }
-    if let Some(fields) = npy::contact(report) {
-        for (path, field) in [&arguments.pressures, &arguments.gaps].into_iter().zip(fields) {
-            files.extend(path.iter().map(|path| (path.clone(), field.clone())));
-        }
-    }
-    if let Some(directory) = &arguments.figures {
-        progress.stage("drawing figures");
-        for figure in figures::roughness(report)? {
-            let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-            files.push((svg, figure.svg.into_bytes()));
-            files.push((png, figure.png));
-        }
-    }
-    Ok(files)
 }

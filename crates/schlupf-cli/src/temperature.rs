@@ -1,63 +1,107 @@
 //! `schlupf temperature`.
 
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-
+use clap::Args;
 use schlupf::temperature_field::{Side, TemperatureField};
-use schlupf::{Error, Problem, Solution, Status};
+use schlupf::{Error, Problem, Solution};
 use schlupf_case::{Case, CaseError, CaseErrors, depths, length, position};
 use schlupf_output::figures;
-use schlupf_output::temperature::{Request, Temperatures, csv, json, summary};
+use schlupf_output::temperature::{Request, Temperatures};
 
-use crate::arguments::TemperatureArguments;
-use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
-use crate::outputs::{self, Input};
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::curve::number_of_points;
+use crate::failure::Failure;
+use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::report;
-use crate::solve::figure_files;
+use crate::task::{Found, Task, messages};
 
-/// Solves a case and writes temperatures below a point and along its row.
-pub fn run(arguments: &TemperatureArguments) -> Result<ExitCode, Failure> {
-    let case = read_case(&arguments.case)?;
-    let wanted = Wanted::read(arguments)?;
-    let explain = |error: Error| Failure::Case(case.explain(&error).into());
-    let what = "temperatures below the surface and in the wake are those";
-    case.require_steady(what).map_err(CaseErrors::from)?;
-    check_outputs(arguments, &case)?;
-    let progress = Progress::start();
-    let solution = case.solver().solve(&case.problem, &progress.watch());
-    let mut solution = solution.map_err(explain)?;
-    let field = TemperatureField::new(&case.problem, &solution).map_err(explain)?;
-    let request = wanted.request(&case.problem, &solution, &field)?;
-    let (profile, rows) = Temperatures::sample(&field, &request);
-    solution.warnings.splice(0..0, case.notices.iter().cloned());
-    solution.warnings.extend(TemperatureField::caveat(&case.problem, &solution));
-    let temperatures = Temperatures {
-        title: case.title,
-        status: solution.status,
-        request,
-        bulk: [case.problem.wheel.bulk_temperature, case.problem.rail.bulk_temperature],
-        profile,
-        rows,
-        warnings: solution.warnings,
-    };
-    let files = files(arguments, &temperatures, &progress)?;
-    drop(progress);
-    outputs::write(&files, arguments.figures.as_deref())?;
-    arguments.report.print(|| json::document(&temperatures), || summary::text(&temperatures))?;
-    match solution.status {
-        Status::Converged => Ok(ExitCode::SUCCESS),
-        Status::NotConverged => {
-            let residual = solution.residual;
-            report::warn(&format!("not converged: the relative residual is {residual:.1e}"));
-            Ok(ExitCode::from(NOT_CONVERGED))
-        }
+/// Where to look at the temperatures, and where to write them.
+#[derive(Debug, Args)]
+pub struct Temperature {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Place along rolling, such as "-3 mm"; the hottest one when left out
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub x: Option<String>,
+    /// Place across rolling; that of the hottest point when left out
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub y: Option<String>,
+    /// Depths of the profile, such as "0..2 mm"; as far as heat has come when left out
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub depth: Option<String>,
+    /// Length of the wake; twice the length of the contact when left out
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub wake: Option<String>,
+    /// Number of points of each line
+    #[arg(long, value_name = "N", default_value_t = 201, value_parser = number_of_points)]
+    pub points: usize,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+/// A case with where to look.
+pub struct Plan {
+    case: Case,
+    wanted: Wanted,
+}
+
+impl Task for Temperature {
+    type Plan = Plan;
+    type Report = Temperatures;
+
+    fn case(&self) -> CaseArguments {
+        self.case.clone()
+    }
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
+    }
+
+    fn figure_names(&self) -> Vec<String> {
+        vec![figures::TEMPERATURE.to_owned()]
+    }
+
+    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        let wanted = Wanted::read(self)?;
+        let what = "temperatures below the surface and in the wake are those of";
+        case.require_steady(what).map_err(CaseErrors::from)?;
+        Ok(Plan { case, wanted })
+    }
+
+    fn inputs(&self, plan: &Plan) -> Vec<Input> {
+        Input::of_case(&self.case, &plan.case)
+    }
+
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<Temperatures>, Failure> {
+        let Plan { case, wanted } = plan;
+        let explain = |error: Error| explain(&case, &error);
+        let problem = &case.problem;
+        let solution = case.solver().solve(problem, &progress.watch()).map_err(explain)?;
+        let field = TemperatureField::new(problem, &solution).map_err(explain)?;
+        let request = wanted.request(problem, &solution, &field)?;
+        let (profile, rows) = Temperatures::sample(&field, &request);
+        let caveats = TemperatureField::caveat(problem, &solution);
+        let warnings = messages(solution.warnings.iter().chain(&caveats));
+        let temperatures = Temperatures {
+            status: solution.status,
+            request,
+            bulk: [&problem.wheel, &problem.rail].map(|body| body.bulk_temperature),
+            profile,
+            rows,
+            warnings: case.notices.iter().cloned().chain(warnings).collect(),
+            title: case.title,
+        };
+        Ok(temperatures.into())
     }
 }
 
+fn explain(case: &Case, error: &Error) -> Failure {
+    Failure::Case(case.explain(error).into())
+}
+
 /// What the options ask for, lengths in m.
-struct Wanted {
+pub struct Wanted {
     x: Option<f64>,
     y: Option<f64>,
     depth: Option<[f64; 2]>,
@@ -66,7 +110,7 @@ struct Wanted {
 }
 
 impl Wanted {
-    fn read(arguments: &TemperatureArguments) -> Result<Self, Failure> {
+    fn read(arguments: &Temperature) -> Result<Self, Failure> {
         let read = || {
             let of = |option, what, text: &Option<String>| {
                 text.as_deref().map(|text| position(option, what, text)).transpose()
@@ -170,43 +214,4 @@ const ROW_DEPTHS: [f64; 2] = [0.5, 1.0];
 fn millimetres(value: f64) -> f64 {
     let value = value / 1e-3;
     format!("{value:.3e}").parse().unwrap_or(value)
-}
-
-fn check_outputs(arguments: &TemperatureArguments, case: &Case) -> Result<(), Failure> {
-    let json = arguments.report.json_file();
-    let outputs: Vec<(&str, &Path)> = [("--json", json), ("--csv", arguments.csv.as_deref())]
-        .into_iter()
-        .filter_map(|(option, path)| Some((option, path?)))
-        .collect();
-    let inputs = Input::of_case(&arguments.case, case);
-    match &arguments.figures {
-        None => outputs::check(&outputs, &inputs),
-        Some(directory) => {
-            let names = figure_files(figures::TEMPERATURE);
-            outputs::check_with_directory(&outputs, &inputs, ("--figures", directory), &names)
-        }
-    }
-}
-
-/// All files in memory: what cannot be made is known before the first one is written.
-fn files(
-    arguments: &TemperatureArguments,
-    temperatures: &Temperatures,
-    progress: &Progress,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-    let mut files = Vec::new();
-    if let Some(path) = arguments.report.json_file() {
-        files.push((path.to_owned(), json::document(temperatures).into_bytes()));
-    }
-    if let Some(path) = &arguments.csv {
-        files.push((path.clone(), csv::table(temperatures).into_bytes()));
-    }
-    if let Some(directory) = &arguments.figures {
-        progress.stage("drawing figures");
-        let figure = figures::temperature(temperatures)?;
-        let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-        files.push((svg, figure.svg.into_bytes()));
-        files.push((png, figure.png));
-    }
-    Ok(files)
 }

@@ -6,15 +6,19 @@ use serde::Serialize;
 
 use schlupf::bulk_temperature::{BulkTemperature, Cooling};
 use schlupf::kinematics::ReferencePoint;
+use schlupf::message::Message;
 use schlupf::solution::Status;
 
+use crate::figures::{self, Figure, FigureError};
 use crate::json::{self, PROGRAM};
 use crate::number::significant as number;
-use crate::summary::{entry, line, reason, without_noise};
+use crate::report::{Report, reasons, verdict};
+use crate::summary::{entry, line, without_noise};
+use crate::table;
 
 /// The balance of a wheel's heat, with what it was found for.
 #[derive(Debug, Clone)]
-pub struct Report {
+pub struct BulkReport {
     /// Title of the case.
     pub title: String,
     /// What cools the wheel.
@@ -25,9 +29,11 @@ pub struct Report {
     pub wheel_radius: Option<f64>,
     /// The balance.
     pub balance: BulkTemperature,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<Message>,
 }
 
-impl Report {
+impl BulkReport {
     /// How long a revolution lasts, in s.
     fn revolution(&self) -> Option<f64> {
         let solution = &self.balance.solution;
@@ -38,8 +44,8 @@ impl Report {
 }
 
 /// The balance as a JSON document: SI units, temperatures in degC.
-pub fn document(report: &Report) -> String {
-    let Report { balance, cooling, .. } = report;
+fn document(report: &BulkReport) -> String {
+    let BulkReport { balance, cooling, .. } = report;
     let flows = Flows {
         frictional: balance.frictional_heat,
         convection: balance.convection,
@@ -49,7 +55,7 @@ pub fn document(report: &Report) -> String {
     json::text(&Document {
         program: PROGRAM,
         title: &report.title,
-        status: json::status(balance.solution.status),
+        status: balance.solution.status,
         temperature: Temperatures {
             wheel: balance.temperature,
             rail: report.rail_temperature,
@@ -60,7 +66,7 @@ pub fn document(report: &Report) -> String {
         heat_per_revolution: report.revolution().map(|time| flows.times(time)),
         heat: flows,
         iterations: balance.iterations,
-        solution: json::Document::new(&report.title, &balance.solution),
+        solution: json::Document::new(&report.title, &balance.solution, &report.warnings),
     })
 }
 
@@ -68,7 +74,7 @@ pub fn document(report: &Report) -> String {
 struct Document<'a> {
     program: &'static str,
     title: &'a str,
-    status: &'static str,
+    status: Status,
     temperature: Temperatures,
     cooling: CoolingEntry,
     heat: Flows,
@@ -113,7 +119,7 @@ impl Flows {
 }
 
 /// The balance on a terminal: temperatures, what the wheel receives and gives, forces, status and warnings.
-pub fn text(report: &Report) -> String {
+fn text(report: &BulkReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     temperatures(&mut text, report);
     heat(&mut text, report);
@@ -122,8 +128,8 @@ pub fn text(report: &Report) -> String {
     text
 }
 
-fn temperatures(text: &mut String, report: &Report) {
-    let Report { balance, cooling, .. } = report;
+fn temperatures(text: &mut String, report: &BulkReport) {
+    let BulkReport { balance, cooling, .. } = report;
     let others = format!(
         "rail {} °C, air {} °C",
         number(report.rail_temperature),
@@ -138,8 +144,8 @@ fn temperatures(text: &mut String, report: &Report) {
     text.push('\n');
 }
 
-fn heat(text: &mut String, report: &Report) {
-    let Report { balance, cooling, .. } = report;
+fn heat(text: &mut String, report: &BulkReport) {
+    let BulkReport { balance, cooling, .. } = report;
     let revolution = report.revolution();
     let mut flow = |name: &str, power: f64, remark: &str| {
         let work = revolution.map(|time| format!("{} J per revolution", number(power * time)));
@@ -154,7 +160,7 @@ fn heat(text: &mut String, report: &Report) {
     text.push('\n');
 }
 
-fn forces(text: &mut String, report: &Report) {
+fn forces(text: &mut String, report: &BulkReport) {
     let solution = &report.balance.solution;
     let x = without_noise(solution.force.x, solution.normalised.x);
     let y = without_noise(solution.force.y, solution.normalised.y);
@@ -166,12 +172,9 @@ fn forces(text: &mut String, report: &Report) {
     text.push('\n');
 }
 
-fn status(text: &mut String, report: &Report) {
+fn status(text: &mut String, report: &BulkReport) {
     let balance = &report.balance;
-    let verdict = match balance.solution.status {
-        Status::Converged => "converged",
-        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
-    };
+    let verdict = verdict(balance.solution.status);
     let imbalance = balance.surplus() / 1e3;
     line(
         text,
@@ -181,11 +184,34 @@ fn status(text: &mut String, report: &Report) {
             balance.iterations
         ),
     );
-    let warnings = &balance.solution.warnings;
-    for cause in warnings.iter().filter_map(|warning| reason(warning)) {
-        line(text, &format!("  {cause}"));
+    for reason in reasons(&report.warnings) {
+        line(text, &format!("  {reason}"));
     }
-    for warning in warnings.iter().filter(|warning| reason(warning).is_none()) {
-        line(text, &format!("warning: {warning}"));
+}
+
+impl Report for BulkReport {
+    fn status(&self) -> Status {
+        self.balance.solution.status
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        document(self)
+    }
+
+    fn summary(&self) -> String {
+        text(self)
+    }
+
+    /// The fields of the contact in the long run.
+    fn csv(&self) -> Option<String> {
+        Some(table::csv(&self.balance.solution.fields, "contact of the warm wheel"))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        figures::all(&self.title, &self.balance.solution)
     }
 }

@@ -6,21 +6,13 @@ use schlupf::Method;
 use schlupf::kinematics::ReferencePoint;
 use schlupf::solution::{Solution, Status};
 
-use crate::contact_law::ContactLaw;
 use crate::number::significant as number;
+use crate::report::{reasons, verdict};
+use crate::solution::SolutionReport;
 
-/// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work, status and
-/// warnings.
-pub fn text(title: &str, solution: &Solution) -> String {
-    all(title, None, solution)
-}
-
-/// The same with the k_c that was used and where it comes from.
-pub fn text_with_law(title: &str, contact_law: &ContactLaw, solution: &Solution) -> String {
-    all(title, Some(contact_law), solution)
-}
-
-fn all(title: &str, contact_law: Option<&ContactLaw>, solution: &Solution) -> String {
+/// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work and status.
+pub(crate) fn text(report: &SolutionReport) -> String {
+    let SolutionReport { title, contact_law, solution, .. } = report;
     let mut text = format!("{title}\n\n");
     normal_contact(&mut text, solution);
     if let Some(law) = contact_law {
@@ -29,16 +21,8 @@ fn all(title: &str, contact_law: Option<&ContactLaw>, solution: &Solution) -> St
     text.push('\n');
     forces(&mut text, solution);
     heat(&mut text, solution);
-    work(&mut text, solution);
-    for warning in solution.warnings.iter().filter(|warning| reason(warning).is_none()) {
-        line(&mut text, &format!("warning: {warning}"));
-    }
+    work(&mut text, report);
     text
-}
-
-/// Why a solution did not converge, where a warning says that: it stands beside the status.
-pub(crate) fn reason(warning: &str) -> Option<&str> {
-    warning.strip_prefix("not converged: ")
 }
 
 fn normal_contact(text: &mut String, solution: &Solution) {
@@ -155,7 +139,8 @@ fn heat(text: &mut String, solution: &Solution) {
     text.push('\n');
 }
 
-fn work(text: &mut String, solution: &Solution) {
+fn work(text: &mut String, report: &SolutionReport) {
+    let solution = &report.solution;
     let work = &solution.work;
     if solution.method != Method::Full {
         fast_work(text, solution);
@@ -168,12 +153,9 @@ fn work(text: &mut String, solution: &Solution) {
         work.newton_iterations,
         number(work.operator_products)
     );
-    let status = match solution.status {
-        Status::Converged => "converged",
-        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
-    };
+    let status = verdict(solution.status);
     line(text, &format!("{status}, relative residual {}", number(solution.residual)));
-    for reason in solution.warnings.iter().filter_map(|warning| reason(warning)) {
+    for reason in reasons(&report.warnings) {
         line(text, &format!("  {reason}"));
     }
     line(text, &done);

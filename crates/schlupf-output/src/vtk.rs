@@ -1,5 +1,6 @@
 //! The fields as a legacy VTK file, for `ParaView` and its kin.
 
+use schlupf::columns::Record;
 use schlupf::solution::{Fields, Solution};
 
 /// The fields on the uniform grid of the patch: binary structured points, one value per cell, zero
@@ -7,20 +8,27 @@ use schlupf::solution::{Fields, Solution};
 pub fn structured_points(title: &str, solution: &Solution) -> Vec<u8> {
     let fields = &solution.fields;
     let mut file = header(title, fields).into_bytes();
-    scalars(&mut file, fields, "pressure", |cell| fields.pressure[cell]);
-    vectors(&mut file, fields, "traction", [&fields.traction_x, &fields.traction_y]);
-    vectors(&mut file, fields, "slip", [&fields.slip_x, &fields.slip_y]);
-    vectors(&mut file, fields, "displacement", [&fields.displacement_x, &fields.displacement_y]);
-    scalars(&mut file, fields, "temperature_rise_wheel", |cell| {
-        fields.temperature_rise_wheel[cell]
-    });
-    scalars(&mut file, fields, "temperature_rise_rail", |cell| fields.temperature_rise_rail[cell]);
-    scalars(&mut file, fields, "friction_power", |cell| fields.friction_power[cell]);
-    scalars(&mut file, fields, "friction_coefficient", |cell| fields.friction_coefficient[cell]);
-    scalars(&mut file, fields, "covered", |cell| fields.covered[cell]);
-    scalars(&mut file, fields, "sliding", |cell| f64::from(u8::from(fields.sliding[cell])));
+    let columns = Fields::columns().iter().filter(|column| !POSITION.contains(&column.name));
+    for column in columns {
+        let number = |cell| (column.value)(fields, cell).number().unwrap_or_default();
+        match column.name.strip_suffix("_x") {
+            Some(name) => vectors(&mut file, fields, name),
+            None if column.name.ends_with("_y") => {}
+            None => scalars(&mut file, fields, column.name, number),
+        }
+    }
     scalars(&mut file, fields, "contact", |_| 1.0);
     file
+}
+
+/// Columns that the grid gives.
+const POSITION: [&str; 2] = ["x", "y"];
+
+/// The column of a component.
+fn component(fields: &Fields, name: &str, axis: char) -> impl Fn(usize) -> f64 {
+    let name = format!("{name}_{axis}");
+    let column = Fields::columns().iter().find(|column| column.name == name);
+    move |cell| column.and_then(|column| (column.value)(fields, cell).number()).unwrap_or_default()
 }
 
 fn header(title: &str, fields: &Fields) -> String {
@@ -53,9 +61,10 @@ fn scalars(file: &mut Vec<u8>, fields: &Fields, name: &str, value: impl Fn(usize
     append(file, &on_grid(fields, |cell| [value(cell)]));
 }
 
-fn vectors(file: &mut Vec<u8>, fields: &Fields, name: &str, components: [&[f64]; 2]) {
+fn vectors(file: &mut Vec<u8>, fields: &Fields, name: &str) {
+    let [x, y] = ['x', 'y'].map(|axis| component(fields, name, axis));
     file.extend(format!("VECTORS {name} double\n").bytes());
-    append(file, &on_grid(fields, |cell| [components[0][cell], components[1][cell], 0.0]));
+    append(file, &on_grid(fields, |cell| [x(cell), y(cell), 0.0]));
 }
 
 /// Values of the contact cells at their places on the grid, zero elsewhere.

@@ -3,10 +3,12 @@
 mod common;
 
 use common::{RECIPE, solution};
+use schlupf::message::Message;
 use schlupf::method::{AreaReduction, FastMethod};
 use schlupf::solution::Temperature;
 use schlupf::{Method, Solution, Status};
-use schlupf_output::comparison::{Answer, Comparison, Entry, csv, json, summary};
+use schlupf_output::Report;
+use schlupf_output::comparison::{Answer, Comparison, Entry};
 use schlupf_output::figures::{self, FigureError};
 
 /// The full method and Polach's, which gives neither moment nor temperature.
@@ -29,7 +31,8 @@ fn comparison() -> Comparison {
         entry("full, half-space", "full", Some("half-space"), full),
         entry("Polach", "polach", None, polach),
     ];
-    Comparison { title: "both".to_owned(), entries }
+    let warnings = vec![Message::new("beware", "method", "full, half-space: a warning")];
+    Comparison { title: "both".to_owned(), entries, warnings }
 }
 
 /// The same with a method in between that cannot answer.
@@ -57,7 +60,7 @@ fn texts(svg: &str) -> Vec<String> {
 
 #[test]
 fn json_has_null_for_what_is_not_given() {
-    let document: serde_json::Value = serde_json::from_str(&json::document(&comparison())).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&comparison().json()).unwrap();
     let [full, polach] = [0, 1].map(|k| &document["methods"][k]);
     assert_eq!(
         (full["method"].as_str(), full["elasticity"].as_str()),
@@ -67,13 +70,13 @@ fn json_has_null_for_what_is_not_given() {
     assert!(polach["force"]["moment_z"].is_null() && polach["max_rise"].is_null());
     assert!(polach["elasticity"].is_null() && polach["force"]["x"].is_number());
     assert_eq!(polach["time_again"], 1e-7);
-    assert!(document["warnings"][0].as_str().unwrap().starts_with("full, half-space: a warning"));
+    assert_eq!(document["warnings"][0]["code"], "beware");
 }
 
 #[test]
 fn csv_has_empty_entries_for_what_is_not_given() {
-    let table = csv::table(&comparison());
-    let mut reader = ::csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
+    let table = comparison().csv().unwrap();
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
     let headers = reader.headers().unwrap().clone();
     let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
     let at = |row: usize, name: &str| {
@@ -89,8 +92,8 @@ fn csv_has_empty_entries_for_what_is_not_given() {
 fn the_table_marks_what_is_not_given_or_not_converged() {
     let mut comparison = comparison();
     comparison.entries[0].answer.as_mut().unwrap().solution.status = Status::NotConverged;
-    assert!(!comparison.is_converged());
-    let text = summary::text(&comparison);
+    assert_eq!(comparison.status(), Status::NotConverged);
+    let text = comparison.summary();
     let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
     assert!(line("full, half-space").ends_with("NOT CONVERGED"), "{text}");
     assert_eq!(line("Polach").matches('–').count(), 2, "{text}");
@@ -106,25 +109,25 @@ fn the_figure_has_a_bar_or_a_word_for_every_number() {
     // The time is 2.5 ms from nothing.
     assert!(texts.iter().any(|text| text == "time (ms)"), "{texts:?}");
     assert_eq!(texts.iter().filter(|text| *text == "2.5").count(), 2, "{texts:?}");
-    let nothing = Comparison { title: String::new(), entries: Vec::new() };
+    let nothing = Comparison { title: String::new(), entries: Vec::new(), warnings: Vec::new() };
     assert_eq!(figures::comparison(&nothing).unwrap_err(), FigureError::NothingToCompare);
 }
 
 #[test]
 fn a_method_without_an_answer_says_why() {
     let comparison = with_a_gap();
-    assert!(comparison.is_converged());
-    let document: serde_json::Value = serde_json::from_str(&json::document(&comparison)).unwrap();
+    assert_eq!(comparison.status(), Status::Converged);
+    let document: serde_json::Value = serde_json::from_str(&comparison.json()).unwrap();
     let gap = &document["methods"][1];
     assert_eq!(gap["status"], "not-available");
     assert_eq!(gap["reason"], "no \"stiffness\", anywhere");
     assert!(gap["force"]["x"].is_null() && gap["time"].is_null(), "{gap}");
     assert!(document["methods"][0]["reason"].is_null());
-    let text = summary::text(&comparison);
+    let text = comparison.summary();
     let reason = "not available: no \"stiffness\", anywhere";
     assert!(text.lines().any(|line| line.ends_with(reason)), "{text}");
-    let table = csv::table(&comparison);
-    let mut reader = ::csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
+    let table = comparison.csv().unwrap();
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
     let width = reader.headers().unwrap().len();
     let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
     let filled: Vec<&str> = rows[1].iter().filter(|entry| !entry.is_empty()).collect();

@@ -9,10 +9,12 @@ use schlupf::creep_curve::{
     CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling, Spacing,
 };
 use schlupf::kinematics::ReferencePoint;
+use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{Area, Power, Resultant, Work};
 use schlupf::{Method, Status};
-use schlupf_output::creep_curve::{CurveFamily, Member, csv as table, json, summary};
+use schlupf_output::Report;
+use schlupf_output::creep_curve::{CurveFamily, Member};
 use schlupf_output::figures::{FigureError, creep_curve, creep_curve_drawing};
 
 const LOAD: f64 = 80e3;
@@ -68,7 +70,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
             kalker: Some(Resultant { x: 4.2, y: 0.0, moment_z: 0.0 }),
         }),
         maxima: vec![maximum],
-        warnings: vec!["a warning".to_owned()],
+        warnings: Vec::new(),
         work: Work::default(),
     }
 }
@@ -86,17 +88,15 @@ fn over_x(from: f64, to: f64) -> Path {
 fn family_of(path: Path, values: &[&str]) -> CurveFamily {
     let member = |(k, value): (usize, Option<&str>)| Member {
         value: value.map(str::to_owned),
-        notices: Vec::new(),
+        warnings: vec![Message::new("beware", "spin", "a warning")],
         curve: made_up(path, 0.4 / (1.0 + 0.1 * k as f64)),
     };
     let values: Vec<Option<&str>> =
         if values.is_empty() { vec![None] } else { values.iter().map(|v| Some(*v)).collect() };
-    CurveFamily {
-        title: "steel wheel".to_owned(),
-        over: values[0].map(|_| "kinematics.speed".to_owned()),
-        sampling: Sampling { points: 21, spacing: Spacing::Refined },
-        members: values.into_iter().enumerate().map(member).collect(),
-    }
+    let over = values[0].map(|_| "kinematics.speed".to_owned());
+    let sampling = Sampling { points: 21, spacing: Spacing::Refined };
+    let members = values.into_iter().enumerate().map(member).collect();
+    CurveFamily::new("steel wheel".to_owned(), over, sampling, members)
 }
 
 fn keys(value: &serde_json::Value) -> BTreeSet<&str> {
@@ -121,7 +121,7 @@ fn text_of(svg: &str) -> Vec<String> {
 #[test]
 fn json_has_its_keys() {
     let family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s"]);
-    let document: serde_json::Value = serde_json::from_str(&json::document(&family)).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&family.json()).unwrap();
     assert_eq!(keys(&document), set("program title path over curves warnings"));
     let path = &document["path"];
     let names = "abscissa start end creepage_x creepage_y spin direction points spacing";
@@ -152,7 +152,8 @@ fn json_has_its_keys() {
     let read = curve["points"]["force_x"][7].as_f64().unwrap();
     assert!((read / force - 1.0).abs() < 1e-15, "{read} {force}");
     assert_eq!(curve["points"]["status"][7], "converged");
-    assert_eq!(document["warnings"], serde_json::json!(["a warning"]));
+    let warning = serde_json::json!({ "code": "beware", "quantity": "spin", "text": "a warning" });
+    assert_eq!(document["warnings"], serde_json::json!([warning]));
 }
 
 #[test]
@@ -163,7 +164,7 @@ fn json_says_null_where_there_is_nothing() {
     curve.maxima.clear();
     curve.points[3].status = Status::NotConverged;
     curve.points[3].force.x = f64::NAN;
-    let document: serde_json::Value = serde_json::from_str(&json::document(&family)).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&family.json()).unwrap();
     assert!(document["over"].is_null());
     let curve = &document["curves"][0];
     assert!(curve["value"].is_null() && curve["initial_slope"].is_null());
@@ -175,7 +176,7 @@ fn json_says_null_where_there_is_nothing() {
 #[test]
 fn csv_reads_back_to_the_same_numbers() {
     let family = family_of(over_x(0.0, 0.05), &["10 m/s", "a, \"b\""]);
-    let text = table::table(&family);
+    let text = family.csv().unwrap();
     assert!(text.starts_with("# units: as given, 1, 1, 1/m, N, N, N m, 1, "), "{text}");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
@@ -195,7 +196,7 @@ fn csv_reads_back_to_the_same_numbers() {
 #[test]
 fn csv_of_a_fixed_direction_has_the_total_creepage() {
     let path = Path::in_direction([0.0, 0.05], 0.5, [0.0; 2]).unwrap();
-    let text = table::table(&family_of(path, &[]));
+    let text = family_of(path, &[]).csv().unwrap();
     assert_eq!(text.lines().nth(1).unwrap().split(',').next(), Some("creepage"));
     assert!(text.lines().last().unwrap().starts_with("5e-2,"));
 }
@@ -207,7 +208,7 @@ fn the_summary_is_compact_and_says_what_it_leaves_out() {
     let copies: Vec<Point> = curve.points.iter().flat_map(|point| [*point; 5]).collect();
     curve.points = copies;
     curve.points[7].status = Status::NotConverged;
-    let text = summary::text(&family);
+    let text = family.summary();
     assert!(text.lines().count() <= 36, "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 100));
     for part in [
@@ -233,22 +234,25 @@ fn the_summary_says_why_there_is_no_slope_and_no_maximum() {
     let curve = &mut family.members[0].curve;
     curve.initial_slope = None;
     let top = curve.maxima.pop().unwrap();
-    let text = summary::text(&family);
+    let text = family.summary();
     assert!(text.contains("none: the curve does not reach zero creepage"), "{text}");
     assert!(text.contains("none within the range: |F|/N is largest at an end"), "{text}");
     family.members[0].curve.maxima = vec![Maximum { is_saturated: true, ..top }];
-    let text = summary::text(&family);
+    let text = family.summary();
     assert!(text.contains("saturated: within 0.1 % from creepage_x = 0.015 on"), "{text}");
 }
 
 #[test]
 fn warnings_name_their_curve_unless_they_are_common() {
     let mut family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s"]);
-    family.members[1].curve.warnings.push("another".to_owned());
-    family.members[0].notices.push("no effect".to_owned());
+    family.members[1].warnings.push(Message::new("other", "spin", "another"));
+    family.members[0].warnings.push(Message::new("no-effect", "spin", "no effect"));
+    let CurveFamily { title, over, sampling, members, .. } = family;
+    let family = CurveFamily::new(title, over, sampling, members);
     let expected =
         ["a warning", "kinematics.speed = 10 m/s: no effect", "kinematics.speed = 20 m/s: another"];
-    assert_eq!(family.warnings(), expected);
+    let texts: Vec<&str> = family.warnings.iter().map(|message| &*message.text).collect();
+    assert_eq!(texts, expected);
 }
 
 #[test]

@@ -7,9 +7,11 @@ use schlupf::identification::{
 };
 use schlupf::interface::friction::constants::FrictionConstant;
 use schlupf::kinematics::Kinematics;
+use schlupf::message::Message;
 use schlupf::solution::Work;
+use schlupf_output::Report;
 use schlupf_output::figures::{FigureError, fit, fit_drawing};
-use schlupf_output::identification::{FitReport, FittedRoughness, csv as table, json, summary};
+use schlupf_output::identification::{FitReport, FittedRoughness};
 
 const SPEEDS: [f64; 2] = [10.0, 30.0];
 const CREEPAGES: [f64; 4] = [-0.01, 0.002, 0.01, 0.05];
@@ -62,7 +64,7 @@ fn report(status: Status) -> FitReport {
         reduced_chi_squared: Some(0.4),
         degrees_of_freedom: 6,
         iterations: 5,
-        warnings: vec!["not converged: for a reason".to_owned(), "beware".to_owned()],
+        warnings: Vec::new(),
         work: Work { newton_iterations: 50, operator_products: 400.5, ..Work::default() },
     };
     FitReport {
@@ -72,13 +74,18 @@ fn report(status: Status) -> FitReport {
         fit,
         curves: FittedCurves { abscissa: Abscissa::CreepageX, series },
         roughness: Some(FittedRoughness { gamma: 0.45, contact_stiffness: 1.2e7 }),
+        names: ["friction.coefficient", "contact_law.roughness"].map(str::to_owned).to_vec(),
+        case: None,
+        warnings: vec![
+            Message::new(Message::NOT_CONVERGED, "parameters", "for a reason"),
+            Message::new("beware", "parameters", "beware"),
+        ],
     }
 }
 
 #[test]
 fn json_has_parameters_intervals_and_points() {
-    let value: serde_json::Value =
-        serde_json::from_str(&json::document(&report(Status::Converged))).unwrap();
+    let value: serde_json::Value = serde_json::from_str(&report(Status::Converged).json()).unwrap();
     assert_eq!(value["status"], "converged");
     assert_eq!(value["parameters"][0]["name"], "friction.coefficient");
     assert_eq!(value["parameters"][1]["half_width_95"], 1e-8);
@@ -92,7 +99,7 @@ fn json_has_parameters_intervals_and_points() {
 
 #[test]
 fn the_table_has_a_row_for_each_force() {
-    let text = table::table(&report(Status::Converged));
+    let text = report(Status::Converged).csv().unwrap();
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 8);
@@ -104,12 +111,12 @@ fn the_table_has_a_row_for_each_force() {
 
 #[test]
 fn the_summary_shows_values_with_their_digits() {
-    let text = summary::text(&report(Status::NotConverged));
+    let text = report(Status::NotConverged).summary();
     assert!(text.contains("0.3000      0.0060"), "{text}");
     assert!(text.contains("0.500       0.010 µm"), "{text}");
     assert!(text.contains("contact_law.stiffness = 1.2e7 1/m, with γ = 0.45"), "{text}");
     assert!(text.contains("NOT CONVERGED"), "{text}");
-    assert!(text.contains("\n  for a reason\n") && text.contains("\nwarning: beware\n"), "{text}");
+    assert!(text.contains("\n  for a reason\n") && !text.contains("beware"), "{text}");
 }
 
 #[test]

@@ -4,12 +4,14 @@ use schlupf::Status;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::MicroModel;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
+use schlupf::message::Message;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::unwatched;
+use schlupf_output::Report;
 use schlupf_output::contact_law::{ContactLaw, Fit};
 use schlupf_output::figures::{FigureError, ROUGHNESS, roughness, roughness_drawings};
-use schlupf_output::roughness::{RoughnessReport, Spots, csv, json, npy, summary};
+use schlupf_output::roughness::{RoughnessReport, Spots};
 
 /// Steel, 64² cells, two pressures.
 fn report() -> RoughnessReport {
@@ -46,14 +48,14 @@ fn report() -> RoughnessReport {
             is_converged: true,
         }),
         remarks: vec!["a remark".to_owned()],
-        warnings: vec!["a warning".to_owned()],
+        warnings: vec![Message::new("beware", "surface", "a warning")],
     }
 }
 
 #[test]
 fn the_table_has_every_point_and_reads_back() {
     let report = report();
-    let table = csv::table(&report);
+    let table = report.csv().unwrap();
     let rows: Vec<Vec<f64>> = table
         .lines()
         .skip(2)
@@ -71,7 +73,7 @@ fn the_table_has_every_point_and_reads_back() {
 #[test]
 fn json_has_its_keys() {
     let report = report();
-    let value: serde_json::Value = serde_json::from_str(&json::document(&report)).unwrap();
+    let value: serde_json::Value = serde_json::from_str(&report.json()).unwrap();
     let keys: Vec<&String> = value.as_object().unwrap().keys().collect();
     let expected = [
         "bodies",
@@ -100,7 +102,7 @@ fn json_has_its_keys() {
 #[test]
 fn heights_are_a_file_of_numpy() {
     let report = report();
-    let bytes = npy::heights(&report);
+    let bytes = report.own_file(RoughnessReport::HEIGHTS).unwrap();
     assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
     let start = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
     assert_eq!(start % 64, 0);
@@ -109,7 +111,8 @@ fn heights_are_a_file_of_numpy() {
     let cell = start + 8 * 65;
     let height = f64::from_le_bytes(bytes[cell..cell + 8].try_into().unwrap());
     assert_eq!(height, report.surface.heights()[65]);
-    let [pressure, gap] = npy::contact(&report).unwrap();
+    let file = |format| report.own_file(format).unwrap();
+    let [pressure, gap] = [RoughnessReport::PRESSURES, RoughnessReport::GAPS].map(file);
     assert_eq!((pressure.len(), gap.len()), (bytes.len(), bytes.len()));
     let value = |bytes: &[u8]| f64::from_le_bytes(bytes[cell..cell + 8].try_into().unwrap());
     assert_eq!([value(&pressure), value(&gap)], [2e9, 0.0]);
@@ -119,7 +122,7 @@ fn heights_are_a_file_of_numpy() {
 fn the_summary_shows_statistics_pressures_and_warnings() {
     let mut report = report();
     report.hardness = 2.5e9;
-    let text = summary::text(&report);
+    let text = report.summary();
     for part in [
         "a <rough> surface",
         "64 x 64 cells of 6.25 µm, 0.4 x 0.4 mm",
@@ -138,7 +141,7 @@ fn the_summary_shows_statistics_pressures_and_warnings() {
     }
     report.spots.as_mut().unwrap().is_converged = false;
     assert_eq!(report.status(), Status::NotConverged);
-    assert!(summary::text(&report).contains("NOT CONVERGED"));
+    assert!(report.summary().contains("NOT CONVERGED"));
 }
 
 fn texts(svg: &str) -> String {

@@ -5,8 +5,10 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::{RECIPE, solution};
-use schlupf::Status;
-use schlupf_output::{csv as table, json, summary, vtk};
+use schlupf::message::Message;
+use schlupf::{Solution, Status};
+use schlupf_output::Report;
+use schlupf_output::solution::SolutionReport;
 
 /// The keys that the interface fixes, as paths.
 const KEYS: &str = "program title status normal normal.load normal.semi_axis_x normal.semi_axis_y \
@@ -35,9 +37,13 @@ fn paths(value: &serde_json::Value, prefix: &str, found: &mut BTreeSet<String>) 
     }
 }
 
+fn report(title: &str, solution: Solution) -> SolutionReport {
+    SolutionReport { title: title.to_owned(), contact_law: None, solution, warnings: Vec::new() }
+}
+
 #[test]
 fn json_has_the_keys_of_the_interface_and_no_others() {
-    let document = json::document("a \"case\"", &solution(RECIPE));
+    let document = report("a \"case\"", solution(RECIPE)).json();
     let value: serde_json::Value = serde_json::from_str(&document).unwrap();
     let mut found = BTreeSet::new();
     paths(&value, "", &mut found);
@@ -67,7 +73,7 @@ fn json_has_the_keys_of_the_interface_and_no_others() {
 fn json_gives_back_the_same_numbers() {
     let solution = solution(RECIPE);
     let value: serde_json::Value =
-        serde_json::from_str(&json::document("case", &solution)).unwrap();
+        serde_json::from_str(&report("case", solution.clone()).json()).unwrap();
     assert_eq!(value["force"]["x"].as_f64(), Some(solution.force.x));
     assert_eq!(value["power"]["returned"].as_f64(), Some(solution.power.returned));
     assert_eq!(value["work"]["cells"].as_u64(), Some(solution.fields.len() as u64));
@@ -81,7 +87,7 @@ fn json_stays_valid_where_numbers_are_not() {
     solution.residual = f64::INFINITY;
     solution.normal.approach = None;
     let value: serde_json::Value =
-        serde_json::from_str(&json::document("case", &solution)).unwrap();
+        serde_json::from_str(&report("case", solution.clone()).json()).unwrap();
     assert!(value["force"]["x"].is_null());
     assert!(value["residual"].is_null());
     assert!(value["normal"]["approach"].is_null());
@@ -91,20 +97,23 @@ fn json_stays_valid_where_numbers_are_not() {
 #[test]
 fn csv_reads_back_to_the_same_numbers() {
     let solution = solution(RECIPE);
-    let text = table::fields(&solution);
-    assert!(text.starts_with("# units: m, m, Pa, Pa, Pa, m/s, m/s, 1, W/m^2, K, K, 0 or 1"));
+    let text = report("", solution.clone()).csv().unwrap();
+    assert!(
+        text.starts_with("# units: m, m, Pa, Pa, Pa, m/s, m/s, m, m, 1, W/m^2, K, K, 1, 0 or 1")
+    );
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
     assert_eq!(
         header.join(", "),
-        "x, y, pressure, traction_x, traction_y, slip_x, slip_y, friction_coefficient, \
-         friction_power, temperature_rise_wheel, temperature_rise_rail, sliding"
+        "x, y, pressure, traction_x, traction_y, slip_x, slip_y, displacement_x, displacement_y, \
+         friction_coefficient, friction_power, temperature_rise_wheel, temperature_rise_rail, \
+         covered, sliding"
     );
-    let rows: Vec<[f64; 12]> = reader.deserialize().map(Result::unwrap).collect();
+    let rows: Vec<[f64; 15]> = reader.deserialize().map(Result::unwrap).collect();
     let fields = &solution.fields;
     assert_eq!(rows.len(), fields.len());
     for (cell, row) in rows.iter().enumerate() {
-        let read = [row[0], row[1], row[2], row[3], row[6], row[8], row[9]];
+        let read = [row[0], row[1], row[2], row[3], row[6], row[10], row[11]];
         let written = [
             fields.x[cell],
             fields.y[cell],
@@ -115,14 +124,15 @@ fn csv_reads_back_to_the_same_numbers() {
             fields.temperature_rise_wheel[cell],
         ];
         assert_eq!(read, written);
-        assert_eq!(row[11] == 1.0, fields.sliding[cell]);
+        assert_eq!(row[14] == 1.0, fields.sliding[cell]);
     }
 }
 
 #[test]
 fn vtk_has_a_value_for_every_cell_of_the_grid() {
     let solution = solution(RECIPE);
-    let file = vtk::structured_points("Rad\nauf Schiene, µ", &solution);
+    let file =
+        report("Rad\nauf Schiene, µ", solution.clone()).own_file(SolutionReport::VTK).unwrap();
     let grid = &solution.fields.grid;
     let text = String::from_utf8_lossy(&file);
     let header: Vec<&str> = text.lines().take(8).collect();
@@ -152,15 +162,16 @@ fn find(file: &[u8], head: &[u8]) -> usize {
 #[test]
 fn summary_fits_a_terminal() {
     let mut solution = solution(RECIPE);
-    let text = summary::text("steel wheel", &solution);
+    let text = report("steel wheel", solution.clone()).summary();
     assert!(text.lines().count() <= 35);
     assert!(text.lines().all(|line| line.chars().count() <= 100));
     for part in ["steel wheel", "5.88 mm", "770 MPa", "108 km/h", "warning: a warning"] {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
     solution.status = Status::NotConverged;
-    solution.warnings.push("not converged: after 9 steps".to_owned());
-    let text = summary::text("", &solution);
+    let mut failed = report("", solution.clone());
+    failed.warnings.push(Message::new(Message::NOT_CONVERGED, "solver", "after 9 steps"));
+    let text = failed.summary();
     assert_eq!(text.to_lowercase().matches("not converged").count(), 1, "{text}");
     assert!(text.contains("after 9 steps") && text.contains("(not settled)"), "{text}");
 }
@@ -171,7 +182,7 @@ fn rounding_noise_is_no_force_and_no_rise_has_no_place() {
     (solution.force.y, solution.normalised.y) = (3.1e-9, 1e-13);
     (solution.force.moment_z, solution.normalised.moment_z) = (-2e-12, -6e-15);
     solution.temperature = schlupf::solution::Temperature::default();
-    let text = summary::text("", &solution);
+    let text = report("", solution.clone()).summary();
     let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap();
     let words = |name: &str| line(name).split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(words("lateral force"), "lateral force 0 kN 0 μ0 N");
@@ -185,6 +196,6 @@ fn minus_zero_is_zero() {
     let mut solution = solution(RECIPE);
     solution.kinematics.creepage_y = -0.0;
     solution.fields.traction_y.fill(-0.0);
-    assert!(!json::document("", &solution).contains("-0.0,"));
-    assert!(!table::fields(&solution).contains("-0e0"));
+    assert!(!report("", solution.clone()).json().contains("-0.0,"));
+    assert!(!report("", solution.clone()).csv().unwrap().contains("-0e0"));
 }

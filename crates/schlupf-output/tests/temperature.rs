@@ -1,8 +1,10 @@
 //! CSV, JSON, summary and figure of made-up temperatures along lines.
 
 use schlupf::Status;
+use schlupf::message::Message;
+use schlupf_output::Report;
 use schlupf_output::figures::{FigureError, temperature, temperature_drawing};
-use schlupf_output::temperature::{Line, Request, Row, Temperatures, csv, json, summary};
+use schlupf_output::temperature::{Line, Request, Row, Temperatures};
 
 /// A hot wheel (100 °C) on a cold rail, which mix in the contact from x = 6 to −6 mm.
 fn made_up(points: u32) -> Temperatures {
@@ -30,14 +32,17 @@ fn made_up(points: u32) -> Temperatures {
         bulk: [100.0, 0.0],
         profile: line(positions(0.0, 1e-3)),
         rows: [0.0, 40e-6, 80e-6].map(row).to_vec(),
-        warnings: vec!["a warning".to_owned(), "not converged: a reason".to_owned()],
+        warnings: vec![
+            Message::new("beware", "heat", "a warning"),
+            Message::new(Message::NOT_CONVERGED, "heat", "a reason"),
+        ],
     }
 }
 
 #[test]
 fn the_table_has_every_point_and_reads_back() {
     let temperatures = made_up(5);
-    let table = csv::table(&temperatures);
+    let table = temperatures.csv().unwrap();
     let rows: Vec<Vec<&str>> = table.lines().skip(2).map(|row| row.split(',').collect()).collect();
     assert_eq!(rows.len(), 4 * 5);
     assert_eq!(&rows[4][..4], ["profile", "-3e-3", "0e0", "1e-3"]);
@@ -50,7 +55,7 @@ fn the_table_has_every_point_and_reads_back() {
 #[test]
 fn json_has_its_keys() {
     let temperatures = made_up(5);
-    let value: serde_json::Value = serde_json::from_str(&json::document(&temperatures)).unwrap();
+    let value: serde_json::Value = serde_json::from_str(&temperatures.json()).unwrap();
     let keys: Vec<&String> = value.as_object().unwrap().keys().collect();
     let expected =
         ["bulk", "contact", "point", "profile", "program", "rows", "status", "title", "warnings"];
@@ -63,7 +68,7 @@ fn json_has_its_keys() {
 
 #[test]
 fn the_summary_shows_some_points_and_all_warnings() {
-    let text = summary::text(&made_up(101));
+    let text = made_up(101).summary();
     for part in [
         "a <hot> wheel",
         "below x = -3 mm, y = 0 mm",
@@ -75,7 +80,7 @@ fn the_summary_shows_some_points_and_all_warnings() {
     ] {
         assert!(text.contains(part), "{part:?} is not in\n{text}");
     }
-    assert!(summary::text(&made_up(2)).contains("depth (mm)"));
+    assert!(made_up(2).summary().contains("depth (mm)"));
 }
 
 #[test]

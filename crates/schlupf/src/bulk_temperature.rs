@@ -22,9 +22,11 @@ use crate::grid::Grid;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, within};
+use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::solution::{Solution, Status};
 use crate::solver::Solver;
+use crate::warning::{Unconverged, Warning};
 
 /// How a wheel is cooled by the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,9 +41,9 @@ pub struct Cooling {
 
 impl Cooling {
     fn check(&self) -> Result<(), Error> {
-        require_positive("cooling.film_coefficient", self.film_coefficient, "W/(m^2 K)")?;
-        require_positive("cooling.area", self.area, "m^2")?;
-        require_finite("cooling.air_temperature", self.air_temperature, "degC")
+        require_positive(Quantity::FilmCoefficient, self.film_coefficient)?;
+        require_positive(Quantity::CooledArea, self.area)?;
+        require_finite(Quantity::AirTemperature, self.air_temperature)
     }
 }
 
@@ -92,11 +94,8 @@ pub fn bulk_temperature(
     check(problem, cooling)?;
     let method = solver.method();
     if !method.has_fields() {
-        let name = method.name();
-        return Err(Error::Contradiction {
-            quantity: "solver.method",
-            reason: format!("the wheel warms by frictional heat, but {name:?} gives forces only"),
-        });
+        let reason = "the wheel warms by frictional heat, which needs a method with temperatures";
+        return Err(Error::OtherMethod { reason, method: method.name() });
     }
     let at = AtPatch::new(problem, watch)?;
     let mut balance =
@@ -112,9 +111,7 @@ pub fn bulk_temperature(
 pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
     cooling.check()?;
     if problem.heat.model.is_none() {
-        let reason = "the wheel warms by frictional heat only, but the heat model is \"none\"";
-        let reason = reason.to_owned();
-        return Err(Error::Contradiction { quantity: "heat.model", reason });
+        return Err(Error::NoHeat {});
     }
     problem.check()
 }
@@ -246,15 +243,8 @@ impl Balance<'_> {
             }
         }
         low.solution.status = Status::NotConverged;
-        low.solution.warnings.insert(
-            0,
-            format!(
-                "not converged: after {} steady states the wheel still receives {:.1e} W more than \
-                 it gives",
-                self.iterations,
-                low.surplus()
-            ),
-        );
+        let cause = Unconverged::HeatBalance { states: self.iterations, surplus: low.surplus() };
+        low.solution.warnings.insert(0, Warning::of(cause));
         Ok(low)
     }
 }

@@ -1,7 +1,5 @@
 //! The regular grid of cells on which a patch is discretised.
 
-use serde::{Deserialize, Serialize};
-
 /// An axis-parallel rectangle in the contact frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
@@ -19,11 +17,40 @@ impl Extent {
     }
 }
 
+/// Equidistant positions along a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axis {
+    /// First position, in m.
+    pub start: f64,
+    /// Distance of the positions, in m.
+    pub spacing: f64,
+    /// Number of positions.
+    pub count: usize,
+}
+
+impl Axis {
+    /// Position number `k`, in m.
+    pub fn at(&self, k: usize) -> f64 {
+        self.start + k as f64 * self.spacing
+    }
+
+    /// Number of the position that is nearest to one (in m) within the axis.
+    pub fn nearest(&self, position: f64) -> usize {
+        ((position - self.start) / self.spacing).round() as usize
+    }
+
+    /// All positions, in m.
+    pub fn positions(&self) -> Vec<f64> {
+        (0..self.count).map(|k| self.at(k)).collect()
+    }
+}
+
 /// A regular grid of rectangular cells; cell (i, j) has column i along x and row j along y.
 ///
 /// The first and the last [`BORDER`] columns are never in contact: the displacement just ahead of
 /// the leading edge is interpolated there.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Grid {
     /// Number of cells along x, border included.
     pub columns: usize,

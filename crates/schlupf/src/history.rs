@@ -1,7 +1,10 @@
 //! Creepages, speed and load over time: transient rolling, which may start with a shift at rest.
 
-use crate::error::{Error, require_finite, require_positive};
+use crate::error::{Error, Place, require_at, require_finite};
 use crate::kinematics::Kinematics;
+use crate::numerics::interpolation::piecewise_linear;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Quantities over time, linear between the times and constant outside. `None` is constant.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,44 +28,40 @@ pub struct History {
 impl History {
     /// Checks the tables, and that the wheel rolls at every time.
     pub fn check(&self, otherwise: &Kinematics) -> Result<(), Error> {
-        let contradiction = |quantity, reason| Err(Error::Contradiction { quantity, reason });
         if let Some([x, y]) = self.shift {
-            require_finite("history.shift_x", x, "m")?;
-            require_finite("history.shift_y", y, "m")?;
+            require_finite(Quantity::ShiftX, x)?;
+            require_finite(Quantity::ShiftY, y)?;
         }
         let count = self.time.len();
         let is_over_time = count > 0 || !self.is_constant();
         if count < 2 && is_over_time {
-            let reason = format!("at least two times are required, but there are {count}");
-            return contradiction("history.time", reason);
+            return Err(Error::TooFew { quantity: Quantity::Time, fewest: 2, count });
         }
-        if let Some(k) = self.time.iter().position(|t| !t.is_finite()) {
-            let reason = format!("time {} is {} s, not finite", k + 1, self.time[k]);
-            return contradiction("history.time", reason);
+        for (k, time) in self.time.iter().enumerate() {
+            require_at(Quantity::Time, Requirement::Finite, *time, Place::Index(k + 1))?;
         }
-        if let Some(k) = self.time.windows(2).position(|pair| pair[1] <= pair[0]) {
-            let (before, after) = (self.time[k], self.time[k + 1]);
-            let reason =
-                format!("times must ascend strictly, but {after} s comes after {before} s");
-            return contradiction("history.time", reason);
+        if let Some(pair) = self.time.windows(2).find(|pair| pair[1] <= pair[0]) {
+            let (quantity, before, after) = (Quantity::Time, pair[0], pair[1]);
+            return Err(Error::NotAscending { quantity, axis: "", before, after });
         }
         for (quantity, table) in [
-            ("history.speed", &self.speed),
-            ("history.creepage_x", &self.creepage_x),
-            ("history.creepage_y", &self.creepage_y),
-            ("history.spin", &self.spin),
-            ("history.load", &self.load),
+            (Quantity::HistorySpeed, &self.speed),
+            (Quantity::HistoryCreepageX, &self.creepage_x),
+            (Quantity::HistoryCreepageY, &self.creepage_y),
+            (Quantity::HistorySpin, &self.spin),
+            (Quantity::HistoryLoad, &self.load),
         ] {
             let length = table.as_ref().map_or(count, Vec::len);
             if length != count {
-                let reason = format!("{length} values for {count} times");
-                return contradiction(quantity, reason);
+                return Err(Error::WrongCount { quantity, expected: count, count: length });
             }
         }
         for &time in &self.time {
-            self.kinematics(time, otherwise).check().map_err(|error| in_history(&error, time))?;
+            let in_history = |error| Error::AtTime { error: Box::new(error), time };
+            self.kinematics(time, otherwise).check().map_err(in_history)?;
             if let Some(load) = self.load(time) {
-                require_positive("history.load", load, &format!("N at {time} s"))?;
+                let place = Place::Time(time);
+                require_at(Quantity::HistoryLoad, Requirement::Positive, load, place)?;
             }
         }
         Ok(())
@@ -172,33 +171,8 @@ impl History {
     }
 
     fn interpolate(&self, values: &[f64], time: f64) -> f64 {
-        let after = self.time.partition_point(|t| *t <= time);
-        if after == 0 {
-            return values[0];
-        }
-        if after == values.len() {
-            return values[after - 1];
-        }
-        let (start, end) = (self.time[after - 1], self.time[after]);
-        let share = (time - start) / (end - start);
-        (1.0 - share) * values[after - 1] + share * values[after]
+        piecewise_linear(&self.time, values, time)[0]
     }
-}
-
-fn in_history(error: &Error, time: f64) -> Error {
-    let quantity = match error {
-        Error::Invalid { quantity, .. }
-        | Error::Contradiction { quantity, .. }
-        | Error::NotConverged { quantity, .. } => *quantity,
-        Error::Stopped => return Error::Stopped,
-    };
-    let quantity = match quantity {
-        "kinematics.speed" => "history.speed",
-        "kinematics.creepage_y" => "history.creepage_y",
-        "kinematics.spin" => "history.spin",
-        _ => "history.creepage_x",
-    };
-    Error::Contradiction { quantity, reason: format!("at {time} s, {error}") }
 }
 
 /// Times the duration of a step is improved.
@@ -253,9 +227,15 @@ mod tests {
         shift.check(&ROLLING).unwrap();
         assert!(shift.is_shift_only());
         let changing = History { load: Some(vec![]), ..shift.clone() };
-        assert!(changing.check(&ROLLING).unwrap_err().to_string().contains("at least two times"));
+        assert!(
+            changing
+                .check(&ROLLING)
+                .unwrap_err()
+                .to_string()
+                .contains("time must have at least 2 entries, but has 0")
+        );
         let endless = History { shift: Some([0.0, f64::NAN]), ..History::default() };
-        assert!(endless.check(&ROLLING).unwrap_err().to_string().contains("history.shift_y"));
+        assert!(endless.check(&ROLLING).unwrap_err().to_string().contains("shift_y"));
     }
 
     /// At every time, also between those of the table, the motion is that of the same rigid body.
@@ -286,14 +266,14 @@ mod tests {
         let refuse = |history: History| history.check(&ROLLING).unwrap_err().to_string();
         let times = vec![0.0, 1.0];
         let once = History { time: vec![0.0], ..History::default() };
-        assert!(refuse(once).contains("at least two times"));
+        assert!(refuse(once).contains("time must have at least 2 entries, but has 1"));
         let backwards = History { time: vec![1.0, 1.0], ..History::default() };
         assert!(refuse(backwards).contains("ascend strictly"));
         let short = History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };
-        assert!(refuse(short).contains("history.spin: 1 values for 2 times"));
+        assert!(refuse(short).contains("spin_history must have 2 values, but has 1"));
         let locked =
             History { time: times, creepage_x: Some(vec![0.0, 2.0]), ..History::default() };
         let message = refuse(locked);
-        assert!(message.contains("history.creepage_x: at 1 s") && message.contains("reversed"));
+        assert!(message.contains("creepage_x_history: at 1 s") && message.contains("reversed"));
     }
 }

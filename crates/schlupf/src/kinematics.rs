@@ -1,9 +1,13 @@
 //! From the motion of the wheel to the rigid slip in the contact; Eqs. (1)–(3), (9)–(12).
 
 use crate::error::{Error, require, require_finite, require_positive};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// The point at which the creepages hold and about which the moment is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ReferencePoint {
     /// The middle of the patch, which is the origin of the contact frame.
     #[default]
@@ -27,6 +31,7 @@ impl ReferencePoint {
 /// The rigid slip of the wheel over the rail, over the speed, is (ξ − φ y, η + φ x), with x and y
 /// from the point at which the creepages hold ([`ReferencePoint`]). Braking has ξ > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Kinematics {
     /// Speed of the vehicle and of the contact frame v0, in m/s.
     pub speed: f64,
@@ -94,26 +99,15 @@ impl Kinematics {
 
     /// Checks that the wheel rolls: a speed, finite creepages, ω R > 0.
     pub fn check(&self) -> Result<(), Error> {
-        require_positive("kinematics.speed", self.speed, "m/s")?;
-        require_finite("kinematics.creepage_x", self.creepage_x, "")?;
-        let lateral = self.creepage_y;
-        require(lateral.abs() < 1.0, "kinematics.creepage_y", "between -1 and 1", lateral, "")?;
-        require_finite("kinematics.spin", self.spin, "1/m")?;
+        require_positive(Quantity::Speed, self.speed)?;
+        require_finite(Quantity::CreepageX, self.creepage_x)?;
+        require(Quantity::CreepageY, Requirement::Inside(-1.0, 1.0), self.creepage_y)?;
+        require_finite(Quantity::Spin, self.spin)?;
         let rolling = self.circumferential_speed();
         if rolling > 0.0 {
             return Ok(());
         }
-        Err(Error::Invalid {
-            quantity: "kinematics.creepage_x",
-            requirement: "less than cos(yaw_angle): the wheel must roll, angular_velocity · \
-                          wheel_radius > 0"
-                .to_owned(),
-            value: format!(
-                "{}, a {} wheel with a circumferential speed of {rolling} m/s",
-                self.creepage_x,
-                if rolling == 0.0 { "locked" } else { "reversed" }
-            ),
-        })
+        Err(Error::NoRolling { creepage_x: self.creepage_x, rolling })
     }
 }
 

@@ -5,6 +5,7 @@ use faer::Mat;
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 
 use crate::error::Error;
+use crate::numerics::vector::dot;
 
 /// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
 pub trait Residuals: Send + Sync {
@@ -107,7 +108,7 @@ pub struct Minimum {
 impl Minimum {
     /// Sum of the squared residuals, dimensionless.
     pub fn sum_of_squares(&self) -> f64 {
-        sum_of_squares(&self.residuals)
+        dot(&self.residuals, &self.residuals)
     }
 
     /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters. `None` where it is
@@ -196,7 +197,7 @@ fn evaluate(
     limit: Option<f64>,
 ) -> Result<Option<Evaluated>, Error> {
     let Some(residuals) = model.residuals(parameters)? else { return Ok(None) };
-    let is_less = limit.is_none_or(|limit| sum_of_squares(&residuals) < limit);
+    let is_less = limit.is_none_or(|limit| dot(&residuals, &residuals) < limit);
     if !is_less {
         return Ok(None);
     }
@@ -248,7 +249,7 @@ impl Minimum {
 
     fn is_minimum(&self, limits: &Limits) -> bool {
         let Some(step) = self.damped_step(LEAST_DAMPING) else { return false };
-        let gain: f64 = step.iter().zip(self.descent()).map(|(step, along)| step * along).sum();
+        let gain = dot(&step, &self.descent());
         let mut moves = step.iter().zip(&self.parameters);
         gain <= limits.negligible
             || gain <= limits.reducible * self.sum_of_squares()
@@ -279,14 +280,8 @@ impl Minimum {
     }
 }
 
-fn sum_of_squares(residuals: &[f64]) -> f64 {
-    residuals.iter().map(|r| r * r).sum()
-}
-
-fn column_norms(matrix: &Mat<f64>) -> Vec<f64> {
-    (0..matrix.ncols())
-        .map(|j| (0..matrix.nrows()).map(|i| matrix[(i, j)].powi(2)).sum::<f64>().sqrt())
-        .collect()
+pub(crate) fn column_norms(matrix: &Mat<f64>) -> Vec<f64> {
+    matrix.col_iter().map(|column| column.norm_l2()).collect()
 }
 
 #[cfg(test)]

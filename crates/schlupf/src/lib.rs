@@ -11,9 +11,14 @@
 
 #![forbid(unsafe_code)]
 
+pub mod quantity;
+pub mod message;
+pub mod requirement;
 pub mod error;
+pub mod warning;
 pub mod progress;
 pub mod parallel;
+mod numerics;
 pub mod least_squares;
 pub mod material;
 pub mod kinematics;
@@ -44,11 +49,16 @@ pub mod bulk_temperature;
 pub mod creep_curve;
 pub mod calibration;
 pub mod identification;
+pub mod columns;
+#[cfg(feature = "serde")]
+mod serialize;
 
 pub use error::Error;
 pub use method::Method;
 pub use problem::{Options, Problem};
 pub use progress::{Progress, Watch, unwatched};
+pub use quantity::Quantity;
 pub use solution::{Solution, Status};
 pub use solver::Solver;
 pub use transient::Transient;
+pub use warning::Warning;

@@ -1,6 +1,8 @@
 //! Elastic and thermal constants of a body, and what two bodies have in common.
 
 use crate::error::{Error, require, require_positive};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// A homogeneous, isotropic, linearly elastic and heat-conducting material.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,13 +45,13 @@ impl Material {
         (self.conductivity * self.density * self.specific_heat).sqrt()
     }
 
-    fn check(&self, names: &[&'static str; 5]) -> Result<(), Error> {
-        require_positive(names[0], self.young_modulus, "Pa")?;
-        let ratio = self.poisson_ratio;
-        require((0.0..=0.5).contains(&ratio), names[1], "between 0 and 0.5", ratio, "")?;
-        require_positive(names[2], self.conductivity, "W/(m K)")?;
-        require_positive(names[3], self.density, "kg/m^3")?;
-        require_positive(names[4], self.specific_heat, "J/(kg K)")
+    fn check(&self, quantities: [Quantity; 5]) -> Result<(), Error> {
+        let [young_modulus, poisson_ratio, conductivity, density, specific_heat] = quantities;
+        require_positive(young_modulus, self.young_modulus)?;
+        require(poisson_ratio, Requirement::Between(0.0, 0.5), self.poisson_ratio)?;
+        require_positive(conductivity, self.conductivity)?;
+        require_positive(density, self.density)?;
+        require_positive(specific_heat, self.specific_heat)
     }
 }
 
@@ -74,34 +76,35 @@ impl Body {
 
     /// Checks the constants of a wheel.
     pub fn check_wheel(&self) -> Result<(), Error> {
-        self.material.check(&[
-            "wheel.young_modulus",
-            "wheel.poisson_ratio",
-            "wheel.conductivity",
-            "wheel.density",
-            "wheel.specific_heat",
+        self.material.check([
+            Quantity::WheelYoungModulus,
+            Quantity::WheelPoissonRatio,
+            Quantity::WheelConductivity,
+            Quantity::WheelDensity,
+            Quantity::WheelSpecificHeat,
         ])?;
-        self.check_temperature("wheel.bulk_temperature")
+        self.check_temperature(Quantity::WheelBulkTemperature)
     }
 
     /// Checks the constants of a rail.
     pub fn check_rail(&self) -> Result<(), Error> {
-        self.material.check(&[
-            "rail.young_modulus",
-            "rail.poisson_ratio",
-            "rail.conductivity",
-            "rail.density",
-            "rail.specific_heat",
+        self.material.check([
+            Quantity::RailYoungModulus,
+            Quantity::RailPoissonRatio,
+            Quantity::RailConductivity,
+            Quantity::RailDensity,
+            Quantity::RailSpecificHeat,
         ])?;
-        self.check_temperature("rail.bulk_temperature")
+        self.check_temperature(Quantity::RailBulkTemperature)
     }
 
-    fn check_temperature(&self, quantity: &'static str) -> Result<(), Error> {
-        let value = self.bulk_temperature;
-        let above_absolute_zero = value.is_finite() && value >= -273.15;
-        require(above_absolute_zero, quantity, "finite and at least -273.15 degC", value, "degC")
+    fn check_temperature(&self, quantity: Quantity) -> Result<(), Error> {
+        require(quantity, Requirement::AtLeast(ABSOLUTE_ZERO), self.bulk_temperature)
     }
 }
+
+/// In degC.
+const ABSOLUTE_ZERO: f64 = -273.15;
 
 impl Default for Body {
     fn default() -> Self {
@@ -141,6 +144,6 @@ mod tests {
         let mut body = Body::STEEL;
         body.material.poisson_ratio = 0.6;
         let message = body.check_rail().unwrap_err().to_string();
-        assert_eq!(message, "rail.poisson_ratio must be between 0 and 0.5, but is 0.6");
+        assert_eq!(message, "rail_poisson_ratio must be between 0 and 0.5, but is 0.6");
     }
 }

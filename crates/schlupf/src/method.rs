@@ -4,6 +4,8 @@
 //! problem do not count, only the elastic constants of the bodies do.
 
 use crate::error::{Error, require};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// A method.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -143,32 +145,25 @@ impl FastMethod {
 impl AreaReduction {
     fn check(self) -> Result<(), Error> {
         let Self { area_adhesion, area_slip } = self;
-        part("solver.polach_area_adhesion", area_adhesion)?;
-        part("solver.polach_area_slip", area_slip)?;
-        require(
-            area_slip <= area_adhesion,
-            "solver.polach_area_slip",
-            &format!("at most solver.polach_area_adhesion = {area_adhesion}"),
-            area_slip,
-            "",
-        )
+        part(Quantity::PolachAreaAdhesion, area_adhesion)?;
+        part(Quantity::PolachAreaSlip, area_slip)?;
+        let at_most = Requirement::UpTo(Quantity::PolachAreaAdhesion, area_adhesion);
+        require(Quantity::PolachAreaSlip, at_most, area_slip)
     }
 }
 
 impl SlopeReduction {
     fn check(self) -> Result<(), Error> {
         let Self { initial, limit_ratio, decay } = self;
-        part("fastsim.initial_reduction", initial)?;
-        let is_part = (0.0..=1.0).contains(&limit_ratio);
-        let quantity = "fastsim.reduction_limit_ratio";
-        require(is_part, quantity, "between 0 and 1", limit_ratio, "")?;
-        let is_legal = decay >= 0.0 && decay.is_finite();
-        require(is_legal, "fastsim.reduction_decay", "finite and at least 0", decay, "")
+        part(Quantity::InitialReduction, initial)?;
+        let is_part = Requirement::Between(0.0, 1.0);
+        require(Quantity::ReductionLimitRatio, is_part, limit_ratio)?;
+        require(Quantity::ReductionDecay, Requirement::NotNegative, decay)
     }
 }
 
-fn part(quantity: &'static str, value: f64) -> Result<(), Error> {
-    require(value > 0.0 && value <= 1.0, quantity, "above 0 and at most 1", value, "")
+fn part(quantity: Quantity, value: f64) -> Result<(), Error> {
+    require(quantity, Requirement::AboveUpTo(0.0, 1.0), value)
 }
 
 #[cfg(test)]
@@ -181,16 +176,16 @@ mod tests {
         let polach = |area_adhesion, area_slip| {
             FastMethod::Polach(AreaReduction { area_adhesion, area_slip })
         };
-        assert!(message(polach(1.1, 0.4)).starts_with("solver.polach_area_adhesion"));
-        assert!(message(polach(0.5, 0.0)).starts_with("solver.polach_area_slip"));
-        assert!(message(polach(0.3, 0.4)).contains("at most solver.polach_area_adhesion = 0.3"));
+        assert!(message(polach(1.1, 0.4)).starts_with("polach_area_adhesion"));
+        assert!(message(polach(0.5, 0.0)).starts_with("polach_area_slip"));
+        assert!(message(polach(0.3, 0.4)).contains("at most polach_area_adhesion = 0.3"));
         let modified = |initial, limit_ratio, decay| {
             let reduction = SlopeReduction { initial, limit_ratio, decay };
             FastMethod::ModifiedFastsim(Brush::KALKER, reduction)
         };
-        assert!(message(modified(f64::NAN, 0.1, 1.0)).starts_with("fastsim.initial_reduction"));
-        assert!(message(modified(1.0, 1.1, 1.0)).starts_with("fastsim.reduction_limit_ratio"));
-        assert!(message(modified(1.0, 0.1, -1.0)).starts_with("fastsim.reduction_decay"));
+        assert!(message(modified(f64::NAN, 0.1, 1.0)).starts_with("initial_reduction"));
+        assert!(message(modified(1.0, 1.1, 1.0)).starts_with("reduction_limit_ratio"));
+        assert!(message(modified(1.0, 0.1, -1.0)).starts_with("reduction_decay"));
         assert_eq!(polach(1.0, 1.0).check(), Ok(()));
     }
 }

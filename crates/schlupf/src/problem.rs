@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::elasticity::Elasticity;
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, require};
 use crate::heat::Heat;
 use crate::heat::partition::Conduction;
 use crate::heat::peclet::Peclet;
@@ -13,6 +13,8 @@ use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::Body;
 use crate::normal::PressureSource;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// A rolling contact: two bodies, how they move, and the laws that hold between them.
 #[derive(Debug, Clone)]
@@ -155,41 +157,17 @@ impl Default for Options {
 impl Options {
     /// Checks that the numbers are usable.
     pub fn check(&self) -> Result<(), Error> {
-        let cells = |quantity, count: usize, least: usize| {
-            let range = format!("between {least} and {MAX_CELLS}");
-            require((least..=MAX_CELLS).contains(&count), quantity, &range, count as f64, "cells")
-        };
-        cells("grid.cells_x", self.cells_x, 2)?;
-        cells("grid.cells_y", self.cells_y, 1)?;
-        let together = self.cells_x * self.cells_y;
-        if together > MAX_CELLS_TOGETHER {
-            return Err(Error::Contradiction {
-                quantity: "grid.cells_x",
-                reason: format!(
-                    "{} × {} cells are {together}, more than {MAX_CELLS_TOGETHER}",
-                    self.cells_x, self.cells_y
-                ),
-            });
+        let between = |least: usize| Requirement::Between(least as f64, MAX_CELLS as f64);
+        require(Quantity::CellsX, between(2), self.cells_x as f64)?;
+        require(Quantity::CellsY, between(1), self.cells_y as f64)?;
+        let (columns, rows) = (self.cells_x, self.cells_y);
+        if columns * rows > MAX_CELLS_TOGETHER {
+            return Err(Error::TooManyCells { columns, rows, most: MAX_CELLS_TOGETHER });
         }
-        require_positive("solver.tolerance", self.tolerance, "")?;
-        require(
-            (1e-13..=0.1).contains(&self.tolerance),
-            "solver.tolerance",
-            "between 1e-13 and 0.1",
-            self.tolerance,
-            "",
-        )?;
-        let positive =
-            |quantity, count: usize| require(count > 0, quantity, "at least 1", count as f64, "");
-        positive("solver.max_iterations", self.max_iterations)?;
-        positive("solver.max_steps", self.max_steps)?;
-        let threshold = self.slip_threshold;
-        require(
-            threshold > 0.0 && threshold < 1.0,
-            "solver.slip_threshold",
-            "above 0 and below 1",
-            threshold,
-            "",
-        )
+        require(Quantity::Tolerance, Requirement::Between(1e-13, 0.1), self.tolerance)?;
+        let at_least_one = Requirement::AtLeast(1.0);
+        require(Quantity::MaxIterations, at_least_one, self.max_iterations as f64)?;
+        require(Quantity::MaxSteps, at_least_one, self.max_steps as f64)?;
+        require(Quantity::SlipThreshold, Requirement::Inside(0.0, 1.0), self.slip_threshold)
     }
 }

@@ -66,6 +66,6 @@ pub(crate) fn within(
 pub(crate) fn tell(watch: Watch, progress: Progress) -> Result<(), Error> {
     match watch(progress) {
         ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(Error::Stopped),
+        ControlFlow::Break(()) => Err(Error::Stopped {}),
     }
 }

@@ -18,12 +18,7 @@ pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result
     match (reference, normal.origin) {
         (ReferencePoint::Patch, _) => Ok([0.0; 2]),
         (ReferencePoint::File, Some([x, y])) => Ok([-x, -y]),
-        (ReferencePoint::File, None) => Err(Error::Contradiction {
-            quantity: "kinematics.reference",
-            reason: "\"file\" needs a normal contact from a file, but this one has none, and so no other \
-                     origin than the middle of the patch, \"patch\""
-                .to_owned(),
-        }),
+        (ReferencePoint::File, None) => Err(Error::NoOrigin {}),
     }
 }
 
@@ -50,14 +45,8 @@ impl AtPatch {
         }
         let place = place(reference, &problem.normal.normal_contact(None)?.summary)?;
         let kinematics = problem.kinematics.at(place.map(|part| -part));
-        kinematics.check().map_err(|error| Error::Contradiction {
-            quantity: "kinematics.reference",
-            reason: format!(
-                "creepages at the middle of the patch, {:e} m and {:e} m from the origin of the file, follow \
-                 from those at the origin and from the spin: {error}",
-                place[0], place[1]
-            ),
-        })?;
+        let no_rolling = |error| Error::NoRollingAtPatch { place, error: Box::new(error) };
+        kinematics.check().map_err(no_rolling)?;
         let problem = Problem { kinematics, reference: ReferencePoint::Patch, ..problem.clone() };
         Ok(Self { problem, reference, place })
     }

@@ -5,9 +5,12 @@ use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::state::State;
+use crate::warning::Warning;
 
 /// Whether the equations hold to the tolerance asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Status {
     /// They do.
     Converged,
@@ -15,9 +18,20 @@ pub enum Status {
     NotConverged,
 }
 
+impl Status {
+    /// Its name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::NotConverged => "not-converged",
+        }
+    }
+}
+
 /// A solved rolling contact. The fields belong to the last instant. What the method does not know is NaN,
 /// and its fields have no cells: see [`Method`].
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Solution {
     /// What was solved: all equations, or those of a fast method.
     pub method: Method,
@@ -56,7 +70,7 @@ pub struct Solution {
     /// Forces over time, one entry a time step.
     pub history: Vec<Instant>,
     /// Whatever the reader of the numbers must know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Derivatives of forces and moment, where they were asked for and found.
     pub sensitivity: Option<Sensitivity>,
     /// How much work it was.
@@ -83,6 +97,7 @@ impl Solution {
 
 /// Tangential force and moment on the wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Resultant {
     /// Longitudinal force Fx, in N (or normalised, dimensionless).
     pub x: f64,
@@ -118,6 +133,7 @@ impl Resultant {
 /// Derivatives of the steady forces and moment on the wheel, everything else staying. Where a law has
 /// a kink they are those of one of its sides.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sensitivity {
     /// By the longitudinal creepage ξ, in N and N m.
     pub creepage_x: Resultant,
@@ -155,6 +171,7 @@ impl Sensitivity {
 
 /// Power put into the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Power {
     /// Friction power ∫ q dA, in W.
     pub friction: f64,
@@ -176,6 +193,7 @@ pub struct Power {
 
 /// T-gamma, the wear number of the railways.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TGamma {
     /// |ξ Fx| + |η Fy|, in N.
     pub without_spin: f64,
@@ -185,6 +203,7 @@ pub struct TGamma {
 
 /// Largest temperatures in the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Temperature {
     /// The larger of the two rises, in K.
     pub max_rise: f64,
@@ -204,6 +223,7 @@ pub struct Temperature {
 
 /// Areas in m², each cell with its covered part.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Area {
     /// Contact area, in m².
     pub contact: f64,
@@ -215,6 +235,7 @@ pub struct Area {
 
 /// One entry for each contact cell, strip by strip from the leading to the trailing edge.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fields {
     /// Grid of the patch.
     pub grid: Grid,
@@ -266,6 +287,7 @@ impl Fields {
 
 /// Forces at the end of one time step.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Instant {
     /// Time, in s.
     pub time: f64,
@@ -294,6 +316,7 @@ pub struct Instant {
 
 /// Work counters.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Work {
     /// Newton steps, all together.
     pub newton_iterations: usize,

@@ -1,13 +1,12 @@
 //! What the material in the contact remembers: the state from which rolling goes on.
 
-use serde::{Deserialize, Serialize};
-
 use crate::grid::Grid;
 use crate::heat::HeatStep;
 use crate::patch::{Cell, Patch};
 
 /// State of all elements in contact at one instant.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// The grid on which the elements stand.
     pub grid: Grid,
@@ -18,7 +17,8 @@ pub struct State {
 }
 
 /// A point contact element.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Element {
     /// Cell of the grid in which it is.
     pub index: usize,

@@ -17,6 +17,7 @@ use crate::method::Method;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 use crate::solution::Solution;
+use crate::warning::Warning;
 
 /// Wheel or rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,20 +68,15 @@ struct Conductor {
 
 impl TemperatureField {
     /// What the reader of the temperatures must know, if anything.
-    pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<String> {
+    pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<Warning> {
         let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
-        let slow = peclet
-            .caveat("Temperatures below the surface and in the wake, unlike those in the contact,");
+        let slow = peclet.caveat(true);
         Self::caveat_of_model(problem).into_iter().chain(slow).collect()
     }
 
-    fn caveat_of_model(problem: &Problem) -> Option<String> {
+    fn caveat_of_model(problem: &Problem) -> Option<Warning> {
         let model = problem.heat.model.as_ref()?;
-        (!model.is_linear()).then(|| {
-            "heat.model: below the surface and in the wake temperatures follow from the heat that is \
-             released, by Duhamel's theorem; the heat model of the case holds for the cells only"
-                .to_owned()
-        })
+        (!model.is_linear()).then_some(Warning::HeatModelOfCells {})
     }
 
     /// The temperatures of steady rolling, from the solution of a problem. A history has none: its material has left
@@ -91,14 +87,8 @@ impl TemperatureField {
     /// [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
         if solution.method != Method::Full {
-            return Err(Error::Contradiction {
-                quantity: "solver.method",
-                reason: format!(
-                    "temperatures below the surface need the heat record of \"full\", but the method is \
-                     {:?}",
-                    solution.method.name()
-                ),
-            });
+            let reason = "temperatures below the surface need the heat record of \"full\"";
+            return Err(Error::OtherMethod { reason, method: solution.method.name() });
         }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;

@@ -17,7 +17,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::reference::winkler_strip;
 use schlupf::rolling::marching::march;
-use schlupf::{Error, Options, Status, Transient, unwatched};
+use schlupf::{Options, Quantity, Status, Transient, unwatched};
 
 /// Kalker 1982 in the limit of an exact integration: Winkler bedding, Coulomb friction, elliptic
 /// bound.
@@ -85,7 +85,7 @@ fn a_state_can_be_taken_up_again() {
         max_relative = 1e-6
     );
     let other = march(&half, &cells(18), &unwatched).unwrap_err();
-    assert!(matches!(other, Error::Contradiction { quantity: "solver.initial_state", .. }));
+    assert!(other.quantity() == Quantity::InitialState);
 }
 
 /// Creepages that grow from zero and stay: the transient ends in the steady state.
@@ -160,10 +160,10 @@ fn an_unfinished_march_is_not_called_converged() {
     let solution = march(&slow, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::NotConverged);
     assert!(solution.residual > options.tolerance);
-    assert!(solution.warnings[0].starts_with("not converged: the march ends after 5 time steps"));
+    assert!(solution.warnings[0].to_string().starts_with("the march ends after 5 time steps"));
     let options = Options { max_iterations: 1, max_steps: 3, ..cells(16) };
     let solution = march(&slow, &options, &unwatched).unwrap();
-    assert!(solution.warnings[0].contains("equilibrium"), "{:?}", solution.warnings);
+    assert!(solution.warnings[0].to_string().contains("equilibrium"), "{:?}", solution.warnings);
 }
 
 /// A margin that is too narrow is mentioned.
@@ -173,7 +173,7 @@ fn a_narrow_margin_warns() {
     let s = LayerStiffness { bedding: 1e13, coupling_along_x: 3.24e7, coupling_along_y: 3.24e7 };
     narrow.elasticity = Arc::new(ElasticLayer::new(s, s, Some(1e-3)).unwrap());
     let warnings = solve(&narrow, &cells(16)).warnings;
-    assert!(warnings[0].starts_with("elasticity.margin"), "{warnings:?}");
+    assert!(warnings[0].to_string().starts_with("margin"), "{warnings:?}");
     assert!(solve(&problem(rolling(0.002, 0.0, 0.0)), &cells(16)).warnings.is_empty());
 }
 

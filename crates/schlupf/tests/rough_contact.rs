@@ -278,9 +278,9 @@ fn honest_about_failure() {
     assert_eq!(solution.iterations, 3);
     let mut contact = contact.with_hardness(5e7).unwrap();
     let message = contact.press(1e8, &options, &unwatched).unwrap_err().to_string();
-    assert!(message.contains("normal.load must be positive and below"), "{message}");
+    assert!(message.contains("load must be positive and below"), "{message}");
     let message = contact.press(f64::NAN, &options, &unwatched).unwrap_err().to_string();
-    assert!(message.contains("normal.pressure must be positive"), "{message}");
+    assert!(message.contains("mean_pressure must be positive"), "{message}");
     let flat = HeightMap::from_fn(Lattice::square(8, 1.0), |_, _| 0.0).unwrap();
     let message = RoughContact::new(flat, MODULUS, Boundary::Periodic).unwrap_err().to_string();
     assert!(message.contains("flat"), "{message}");

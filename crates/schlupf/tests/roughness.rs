@@ -189,19 +189,19 @@ fn bad_input_of_the_micro_model_is_refused() {
     let elastic = model(128, 1);
     let first = solve(&elastic);
     let message = TangentialCurve::new(&first.normal, 1.1e9, &BODIES).unwrap_err().to_string();
-    assert!(message.contains("normal.pressure must be between"), "{message}");
+    assert!(message.contains("mean_pressure must be between"), "{message}");
     let refused = |model: &MicroModel| {
         model.solve(&LoadCurveOptions::default(), &unwatched).unwrap_err().to_string()
     };
     let none = MicroModel { mean_pressures: Vec::new(), ..elastic.clone() };
-    assert!(refused(&none).contains("normal.pressure"));
+    assert!(refused(&none).contains("mean_pressure"));
     let flat = MicroModel { surface: elastic.surface.scaled(0.0), ..elastic.clone() };
     assert!(refused(&flat).contains("flat"));
     let smooth = MicroModel { surface: elastic.surface.scaled(1e-3), ..elastic.clone() };
     assert!(refused(&smooth).contains("all of the surface is in contact under"));
     let bodies = SimilarBodies { poisson_ratio: 0.6, ..BODIES };
     let wrong = MicroModel { bodies, ..elastic.clone() };
-    assert!(refused(&wrong).contains("wheel.poisson_ratio must be between 0 and 0.5"));
+    assert!(refused(&wrong).contains("wheel_poisson_ratio must be between 0 and 0.5"));
     let too_soft = MicroModel { hardness: 5e8, ..elastic };
     assert!(refused(&too_soft).contains("below what the hardness can carry"));
 }

@@ -200,7 +200,7 @@ fn what_is_no_shift_from_rest_is_refused() {
     let rest = problem(rolling(0.001, 0.0, 0.0));
     let refuse =
         |problem: &Problem, by: [f64; 2]| shift(problem, by, &options, &unwatched).unwrap_err();
-    assert!(refuse(&rest, [0.0, f64::NAN]).to_string().starts_with("shift must be finite"));
+    assert!(refuse(&rest, [0.0, f64::NAN]).to_string().starts_with("shift_y must be finite"));
 }
 
 /// One Newton step is not enough, and the solution says so.
@@ -211,5 +211,5 @@ fn an_equilibrium_that_is_not_reached_is_not_converged() {
     let solution = shift(&spheres(0.0), [by, 0.0], &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::NotConverged);
     assert!(solution.residual > options.tolerance);
-    assert!(solution.warnings[0].starts_with("not converged: after 1 Newton steps"));
+    assert!(solution.warnings[0].to_string().starts_with("after 1 Newton steps"));
 }

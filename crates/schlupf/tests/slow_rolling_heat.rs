@@ -344,7 +344,7 @@ fn what_does_not_hold_is_said() {
     let marched = common::solve(&slow, &cells(10));
     let steady = solve(&slow, &cells(10));
     let is_about = |solution: &Solution, what: &str| {
-        solution.warnings.iter().any(|warning| warning.contains(what))
+        solution.warnings.iter().any(|warning| warning.to_string().contains(what))
     };
     assert!(is_about(&marched, "1.000e1 (wheel) and 1.000e1 (rail)"));
     assert!(!is_about(&steady, "heat"), "{:?}", steady.warnings);

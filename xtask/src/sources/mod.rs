@@ -2,9 +2,11 @@
 //! the tree to it, so that `cargo test --workspace` fails where `cargo xtask sources` reports.
 
 mod allowances;
+mod circles;
 mod loose_ends;
 mod module_order;
 mod panics;
+mod paths;
 mod sizes;
 mod syntax;
 mod tree;
@@ -43,8 +45,9 @@ impl fmt::Display for Finding {
     }
 }
 
-const RULES: [Rule; 7] = [
+const RULES: [Rule; 8] = [
     module_order::RULE,
+    circles::RULE,
     units::RULE,
     sizes::RULE,
     panics::RULE,

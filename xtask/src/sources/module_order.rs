@@ -1,10 +1,9 @@
 //! The modules of the core stand in the order in which data flows.
 
-use proc_macro2::TokenTree;
-use syn::visit::{self, Visit};
-use syn::{Ident, ImplItem, Item, ItemMod, ItemUse, Macro, Path, UseTree};
+use syn::Item;
 
-use super::syntax::{flatten, is_punct, is_test_impl_item, is_test_item};
+use super::paths::{Path, module_of, named_paths};
+use super::syntax::is_test_item;
 use super::tree::Source;
 use super::{Finding, Rule};
 
@@ -31,41 +30,32 @@ fn check(sources: &[Source]) -> Vec<Finding> {
 
 fn check_folder(sources: &[Source], folder: &str, root: &str) -> Vec<Finding> {
     let root = format!("{CORE}{folder}{root}");
-    let Some(named) = sources.iter().find(|source| source.path == root) else {
-        return Vec::new();
-    };
-    let root = Root::read(named, folder);
-    // The root itself stands for all modules: it only names them and re-exports.
-    let modules = sources.iter().filter(|source| !source.for_tests && source.path != named.path);
+    let Some(root) = sources.iter().find(|source| source.path == root) else { return Vec::new() };
+    let root = Root::read(root);
+    let modules = sources.iter().filter(|source| !source.for_tests);
     modules.flat_map(|source| check_file(source, &root)).collect()
 }
 
 fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
-    let Some(file) = source.path.strip_prefix(CORE) else { return Vec::new() };
-    let mut module: Vec<String> =
-        file.trim_end_matches(".rs").split('/').map(str::to_owned).collect();
-    if module.last().is_some_and(|last| last == "mod") {
-        module.pop();
-    }
-    let below = module.strip_prefix(root.path.as_slice());
-    let Some(top) = below.and_then(|below| below.first()).cloned() else { return Vec::new() };
-    let Some(position) = root.position(&top) else { return Vec::new() };
-    let mut uses = Uses { module, named: Vec::new() };
-    uses.visit_file(&source.file);
-    let named = uses.named.into_iter().filter_map(|(path, line)| {
-        let name = path.strip_prefix(root.path.as_slice())?.first()?.clone();
-        Some((name, line))
-    });
-    let wrong = named.filter_map(|(name, line)| {
-        let module = root.module_of(&name);
-        match root.position(module) {
-            Some(used) if used <= position => None,
-            Some(_) => Some(
-                source.finding(line, format!("`{top}` uses `{module}`, which stands below it")),
-            ),
-            None => Some(source.finding(line, format!("`crate::{name}` does not name its module"))),
-        }
-    });
+    let Some(module) = source.path.strip_prefix(CORE).map(module_of) else { return Vec::new() };
+    // The root itself stands for all modules: it only names them and re-exports.
+    let Some(top) = root.name_in(&module) else { return Vec::new() };
+    let Some(position) = root.position(top) else { return Vec::new() };
+    let wrong = named_paths(&source.file.items, &module).into_iter().filter_map(
+        |Path { names, line, .. }| {
+            let name = root.name_in(&names)?;
+            let module = root.module_of(name);
+            match root.position(module) {
+                Some(used) if used <= position => None,
+                Some(_) => Some(
+                    source.finding(line, format!("`{top}` uses `{module}`, which stands below it")),
+                ),
+                None => {
+                    Some(source.finding(line, format!("`crate::{name}` does not name its module")))
+                }
+            }
+        },
+    );
     wrong.collect()
 }
 
@@ -79,17 +69,26 @@ struct Root {
 }
 
 impl Root {
-    fn read(source: &Source, folder: &str) -> Self {
-        let path = folder.split_terminator('/').map(str::to_owned).collect();
+    fn read(source: &Source) -> Self {
+        let path = source.path.strip_prefix(CORE).map(module_of).unwrap_or_default();
         let mut root = Self { path, modules: Vec::new(), exports: Vec::new() };
         for item in source.file.items.iter().filter(|item| !is_test_item(item)) {
-            match item {
-                Item::Mod(module) => root.modules.push(module.ident.to_string()),
-                Item::Use(export) => root.exports.extend(exports(export)),
-                _ => {}
+            if let Item::Mod(module) = item {
+                root.modules.push(module.ident.to_string());
             }
         }
+        let exports = named_paths(&source.file.items, &root.path).into_iter();
+        let exports = exports.filter_map(|path| {
+            let module = root.name_in(&path.names)?.clone();
+            Some((path.export?, module))
+        });
+        root.exports = exports.collect();
         root
+    }
+
+    /// What follows after it in a path.
+    fn name_in<'a>(&self, path: &'a [String]) -> Option<&'a String> {
+        path.strip_prefix(self.path.as_slice())?.first()
     }
 
     fn position(&self, module: &str) -> Option<usize> {
@@ -100,138 +99,6 @@ impl Root {
     fn module_of<'a>(&'a self, name: &'a str) -> &'a str {
         self.exports.iter().find(|(export, _)| export == name).map_or(name, |(_, module)| module)
     }
-}
-
-fn exports(item: &ItemUse) -> Vec<(String, String)> {
-    let mut paths = Vec::new();
-    spread(&item.tree, &mut Vec::new(), &mut paths);
-    let named = paths.into_iter().filter_map(|path| {
-        let module = path.iter().find(|(name, _)| name != "crate" && name != "self")?;
-        Some((path.last()?.0.clone(), module.0.clone()))
-    });
-    named.collect()
-}
-
-/// Segments of a path with their lines.
-type Segments = Vec<(String, usize)>;
-
-fn segment(ident: &Ident) -> (String, usize) {
-    (ident.to_string(), ident.span().start().line)
-}
-
-/// The paths of a `use`, each from its beginning; a renamed one ends in its new name.
-fn spread(tree: &UseTree, before: &mut Segments, paths: &mut Vec<Segments>) {
-    match tree {
-        UseTree::Path(path) => {
-            before.push(segment(&path.ident));
-            spread(&path.tree, before, paths);
-            before.pop();
-        }
-        UseTree::Group(group) => {
-            for tree in &group.items {
-                spread(tree, before, paths);
-            }
-        }
-        UseTree::Name(name) => paths.push([before.as_slice(), &[segment(&name.ident)]].concat()),
-        UseTree::Rename(name) => {
-            let ends = [segment(&name.ident), segment(&name.rename)];
-            paths.push([before.as_slice(), &ends].concat());
-        }
-        UseTree::Glob(glob) => {
-            let star = ("*".to_owned(), glob.star_token.span.start().line);
-            paths.push([before.as_slice(), &[star]].concat());
-        }
-    }
-}
-
-/// Collects what a file names in the crate.
-struct Uses {
-    /// The present module.
-    module: Vec<String>,
-    /// Paths from the root of the crate, and lines.
-    named: Vec<(Vec<String>, usize)>,
-}
-
-impl Uses {
-    fn note(&mut self, path: &[(String, usize)]) {
-        let path = match path {
-            [(first, _), rest @ ..] if first == "self" => rest,
-            _ => path,
-        };
-        let climbed = path.iter().take_while(|(name, _)| name == "super").count();
-        let (start, below) = match path {
-            [(first, _), rest @ ..] if first == "crate" => (0, rest),
-            _ if climbed > 0 && climbed <= self.module.len() => {
-                (self.module.len() - climbed, &path[climbed..])
-            }
-            _ => return,
-        };
-        let Some((_, line)) = below.first() else { return };
-        let own = self.module[..start].iter().cloned();
-        self.named.push((own.chain(below.iter().map(|(name, _)| name.clone())).collect(), *line));
-    }
-}
-
-impl<'ast> Visit<'ast> for Uses {
-    fn visit_item(&mut self, item: &'ast Item) {
-        if !is_test_item(item) {
-            visit::visit_item(self, item);
-        }
-    }
-
-    fn visit_impl_item(&mut self, item: &'ast ImplItem) {
-        if !is_test_impl_item(item) {
-            visit::visit_impl_item(self, item);
-        }
-    }
-
-    fn visit_item_mod(&mut self, module: &'ast ItemMod) {
-        self.module.push(module.ident.to_string());
-        visit::visit_item_mod(self, module);
-        self.module.pop();
-    }
-
-    fn visit_item_use(&mut self, item: &'ast ItemUse) {
-        let mut paths = Vec::new();
-        spread(&item.tree, &mut Vec::new(), &mut paths);
-        for path in paths {
-            self.note(&path);
-        }
-    }
-
-    fn visit_path(&mut self, path: &'ast Path) {
-        let segments: Segments = path.segments.iter().map(|part| segment(&part.ident)).collect();
-        self.note(&segments);
-        visit::visit_path(self, path);
-    }
-
-    fn visit_macro(&mut self, call: &'ast Macro) {
-        let tokens = flatten(call.tokens.clone());
-        for path in paths_among(&tokens) {
-            self.note(&path);
-        }
-        visit::visit_macro(self, call);
-    }
-}
-
-/// The paths among the tokens of a macro call, which has no syntax tree.
-fn paths_among(tokens: &[TokenTree]) -> Vec<Segments> {
-    let mut paths = Vec::new();
-    let mut path = Segments::new();
-    for (i, token) in tokens.iter().enumerate() {
-        match token {
-            TokenTree::Ident(ident) => {
-                if !(i > 0 && is_punct(tokens.get(i - 1), ':')) {
-                    paths.push(std::mem::take(&mut path));
-                }
-                path.push(segment(ident));
-            }
-            TokenTree::Punct(punct) if punct.as_char() == ':' => {}
-            _ => paths.push(std::mem::take(&mut path)),
-        }
-    }
-    paths.push(path);
-    paths
 }
 
 #[cfg(test)]
@@ -281,12 +148,12 @@ mod tests {
     #[test]
     fn a_folder_has_its_own_order() {
         let root = ("crates/schlupf/src/rolling/mod.rs", "mod shared;\nmod steady;");
-        let of =
-            |text| found(&RULE, &[ROOT, root, ("crates/schlupf/src/rolling/shared/a.rs", text)]);
-        assert_eq!(
-            of("use super::b::B;\nuse crate::heat::Heat;\nuse crate::rolling::shared::b;"),
-            []
-        );
+        let of = |text| {
+            let file = ("crates/schlupf/src/rolling/shared/a.rs", text);
+            found(&RULE, &[ROOT, root, file])
+        };
+        let above = "use super::b::B;\nuse crate::heat::Heat;\nuse crate::rolling::shared::b;";
+        assert_eq!(of(above), []);
         for text in ["use super::super::steady::A;", "use crate::rolling::steady::A;"] {
             let message = "`shared` uses `steady`, which stands below it".to_owned();
             assert_eq!(of(text), [(1, message)], "{text}");

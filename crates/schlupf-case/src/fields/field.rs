@@ -1,8 +1,9 @@
 //! What a field is.
 
-use super::requirement::Requirement;
+use super::Requirement;
 use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 use crate::document::{Content, Value};
+use crate::names::FieldNames;
 use crate::setting::{Refusal, Setting};
 use crate::units::{Measure, QuantityError, parse_quantity};
 
@@ -227,7 +228,7 @@ impl Field {
             return Ok(number);
         }
         let help = creepage_in_per_cent(self.path, number);
-        Err(Refusal::new(self.requirement.text(unit), value).help(help))
+        Err(Refusal::new(self.requirement.text(unit, &FieldNames::CASE), value).help(help))
     }
 
     fn wrong_quantity(error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {

@@ -3,7 +3,6 @@
 
 mod alternatives;
 mod field;
-mod requirement;
 mod suggestion;
 mod table;
 
@@ -11,8 +10,8 @@ pub use alternatives::{
     ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companion, related,
 };
 pub use field::{Choice, Default, Field, Kind, Section, UsedWith};
-pub use requirement::{Requirement, readable};
-pub use suggestion::{NOT_PER_CENT, closest, closest_path, creepage_in_per_cent, is_per_cent};
+pub use schlupf::requirement::{Requirement, readable};
+pub use suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 pub use table::SECTIONS;
 
 /// All fields, in the order of the case file.
@@ -28,6 +27,18 @@ pub fn find(path: &str) -> Option<&'static Field> {
 /// The section with a name; the name of the top level is empty.
 pub fn section(name: &str) -> Option<&'static Section> {
     SECTIONS.iter().find(|section| section.name == name)
+}
+
+/// The dotted path that was probably meant: a field of the same section with a similar name, or a
+/// field of the same name in another section.
+pub fn closest_path(path: &str) -> Option<&'static str> {
+    let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
+    let in_section = || all().filter(|field| field.section() == section);
+    if let Some(neighbour) = closest(name, in_section().map(Field::name)) {
+        return in_section().find(|field| field.name() == neighbour).map(|field| field.path);
+    }
+    let namesakes = || all().filter(|field| field.name() == name).map(|field| field.path);
+    closest(path, namesakes()).or_else(|| namesakes().next())
 }
 
 #[cfg(test)]
@@ -76,5 +87,17 @@ mod tests {
         paths.sort_unstable();
         paths.dedup();
         assert_eq!(paths.len(), count);
+    }
+
+    #[test]
+    fn misspelt_and_misplaced_fields_are_recognised() {
+        assert_eq!(closest_path("kinematics.creepage"), Some("kinematics.creepage_x"));
+        assert_eq!(closest_path("kinematics.sped"), Some("kinematics.speed"));
+        assert_eq!(closest_path("kinematics.load"), Some("normal.load"));
+        assert_eq!(closest_path("load"), Some("normal.load"));
+        assert_eq!(closest_path("wheel.youngs_modulus"), Some("wheel.young_modulus"));
+        assert_eq!(closest_path("friction.mu"), None);
+        assert_eq!(closest_path("grid.cell_x"), Some("grid.cells_x"));
+        assert_eq!(closest_path("contactlaw.stiffness"), Some("contact_law.stiffness"));
     }
 }

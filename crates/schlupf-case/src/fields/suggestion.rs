@@ -20,18 +20,6 @@ pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
         .map(|(_, candidate)| candidate)
 }
 
-/// The dotted path that was probably meant: a field of the same section with a similar name, or a
-/// field of the same name in another section.
-pub fn closest_path(path: &str) -> Option<&'static str> {
-    let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
-    let in_section = || super::all().filter(|field| field.section() == section);
-    if let Some(neighbour) = closest(name, in_section().map(super::Field::name)) {
-        return in_section().find(|field| field.name() == neighbour).map(|field| field.path);
-    }
-    let namesakes = || super::all().filter(|field| field.name() == name).map(|field| field.path);
-    closest(path, namesakes()).or_else(|| namesakes().next())
-}
-
 /// What to write in place of per cent.
 pub const NOT_PER_CENT: &str = "it is a part of one, not per cent: 1 % is 0.01";
 
@@ -58,17 +46,5 @@ mod tests {
         assert!(![0.99, f64::INFINITY].into_iter().any(|value| advised("creepage_x", value)));
         assert!(!advised("kinematics.spin", 1.539));
         assert!(is_per_cent("%") && is_per_cent("1.5 %") && !is_per_cent("1/m"));
-    }
-
-    #[test]
-    fn misspelt_and_misplaced_fields_are_recognised() {
-        assert_eq!(closest_path("kinematics.creepage"), Some("kinematics.creepage_x"));
-        assert_eq!(closest_path("kinematics.sped"), Some("kinematics.speed"));
-        assert_eq!(closest_path("kinematics.load"), Some("normal.load"));
-        assert_eq!(closest_path("load"), Some("normal.load"));
-        assert_eq!(closest_path("wheel.youngs_modulus"), Some("wheel.young_modulus"));
-        assert_eq!(closest_path("friction.mu"), None);
-        assert_eq!(closest_path("grid.cell_x"), Some("grid.cells_x"));
-        assert_eq!(closest_path("contactlaw.stiffness"), Some("contact_law.stiffness"));
     }
 }

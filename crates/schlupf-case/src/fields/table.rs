@@ -7,8 +7,8 @@ mod solver;
 
 use super::field::Default::{self, Nothing, Same, Text};
 use super::field::{Choice, Field, Kind, Section};
-use super::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 use crate::units::Measure;
+use schlupf::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 use std::f64::consts::FRAC_PI_2;
 
 const fn field(

@@ -20,10 +20,12 @@ use schlupf::unwatched;
 use crate::error::{CaseError, Cause};
 use crate::fields::{MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
 use crate::law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin};
+use crate::names;
 use crate::place::Place;
 use crate::settings::Settings;
-use crate::surface::{Cells, RoughSurface, SurfaceOptions, SurfaceOrigin, SurfaceSource, renamed};
+use crate::surface::{Cells, RoughSurface, SurfaceOptions, SurfaceOrigin, SurfaceSource};
 
+const SECTION: &str = "contact_law.roughness.";
 const RMS_HEIGHT: &str = "contact_law.roughness.rms_height";
 const OF_BODIES: [&str; 2] =
     ["contact_law.roughness.rms_height_wheel", "contact_law.roughness.rms_height_rail"];
@@ -156,7 +158,8 @@ fn spectrum(settings: &Settings, given: &str) -> Result<SurfaceSource, CaseError
     if longest_wavelength < shortest_wavelength {
         let [longest, shortest] = [longest_wavelength, shortest_wavelength].map(readable);
         let message = format!(
-            "{LONGEST} must be at least the shortest wavelength, {shortest} m, but is {longest} m"
+            "{} must be at least the shortest wavelength, {shortest} m, but is {longest} m",
+            settings.name(LONGEST)
         );
         return Err(settings.error(LONGEST, message));
     }
@@ -232,14 +235,15 @@ fn micro_model(
 
 /// Reads or makes the surface.
 pub fn load(settings: &Settings, source: &SurfaceSource) -> Result<RoughSurface, CaseError> {
-    source.load().map_err(|error| placed(settings, error))
+    source.load(settings.names()).map_err(|error| placed(settings, error))
 }
 
 /// Mean pressures of the tangential curves, in Pa.
 fn mean_pressures(settings: &Settings, normal: &dyn PressureSource) -> Result<Vec<f64>, CaseError> {
     match settings.series(PRESSURES) {
         Some([]) => {
-            let message = format!("{PRESSURES} must have at least one entry, but is empty");
+            let message =
+                format!("{} must have at least one entry, but is empty", settings.name(PRESSURES));
             Err(settings.error(PRESSURES, message))
         }
         Some(pressures) => Ok(pressures.to_vec()),
@@ -257,59 +261,22 @@ fn hardness(settings: &Settings, largest_pressure: f64) -> Result<f64, CaseError
         return Ok(hardness);
     }
     let message = format!(
-        "{HARDNESS} must be above the largest mean pressure, {} Pa, but is {} Pa",
+        "{} must be above the largest mean pressure, {} Pa, but is {} Pa",
+        settings.name(HARDNESS),
         readable(largest_pressure),
         readable(hardness)
     );
     Err(settings.error(HARDNESS, message))
 }
 
-/// What the core and the files call things, and the names of the fields.
-const NAMES: &[(&str, &str)] = &[
-    ("surface.file ", "contact_law.roughness.file "),
-    ("surface.unit", "contact_law.roughness.unit"),
-    ("surface.spacing_x", "contact_law.roughness.spacing"),
-    ("surface.spacing", "contact_law.roughness.spacing"),
-    ("surface.h_rms", RMS_HEIGHT),
-    ("surface.gradient", RMS_SLOPE),
-    ("surface.hurst_exponent", HURST),
-    ("surface.longest_wavelength", LONGEST),
-    ("surface.roll_off_wavelength", ROLL_OFF),
-    ("surface.shortest_wavelength", SHORTEST),
-    ("surface.cutoff_wavelength", CUTOFF),
-    ("surface.hardness", HARDNESS),
-    ("surface.form", FORM),
-    ("surface.columns", "contact_law.roughness.cells"),
-    ("surface.rows", "contact_law.roughness.cells"),
-    ("surface.heights: ", ""),
-    ("surface.heights", FILE),
-    ("ask for holes to be filled", "fill_holes = true fills them"),
-    ("ask for square cells: the surface is then resampled", "square_cells = true resamples it"),
-];
-
 /// An error of a surface, in terms of the case. One in a line of the file stays there; all others are at
 /// the field that names it.
 fn placed(settings: &Settings, error: CaseError) -> CaseError {
-    let file = file_of(settings, &error.place);
-    let error = renamed(error, NAMES);
-    let error = renamed(error, &[(FILE, file)]);
-    let field = if error.field == "surface.file" { file } else { &error.field };
-    let field = field.to_owned();
     let place = match error.place {
         Place::Text { .. } => error.place,
-        _ => place_of(settings, &field),
+        _ => place_of(settings, &error.field),
     };
-    CaseError { field, place, cause: Cause::Input, ..error }
-}
-
-/// The field that names the file in which something is wrong.
-fn file_of(settings: &Settings, place: &Place) -> &'static str {
-    let Place::File { name } = place else { return FILE };
-    let is_named = |field: &str| {
-        settings.is_given(field)
-            && settings.text(field).is_ok_and(|text| Path::new(name).ends_with(text))
-    };
-    if is_named(SECOND_FILE) && !is_named(FILE) { SECOND_FILE } else { FILE }
+    CaseError { place, cause: Cause::Input, ..error }
 }
 
 fn place_of(settings: &Settings, field: &str) -> Place {
@@ -320,14 +287,10 @@ fn place_of(settings: &Settings, field: &str) -> Place {
 
 /// An error of the micro model, at the place of the roughness if it is about that.
 pub fn explain(settings: &Settings, error: &schlupf::Error) -> CaseError {
-    let (schlupf::Error::Invalid { quantity, .. } | schlupf::Error::Contradiction { quantity, .. }) =
-        error
-    else {
-        return settings.explain(error);
-    };
-    if !quantity.starts_with("surface.") {
+    let field = names::path(error.quantity()).unwrap_or_default();
+    if !field.starts_with(SECTION) {
         return settings.explain(error);
     }
-    let message = format!("the micro model of the roughness: {error}");
-    placed(settings, CaseError::new(quantity, message, Place::Default))
+    let message = format!("the micro model of the roughness: {}", error.text(&settings.names()));
+    placed(settings, CaseError::new(field, message, Place::Default))
 }

@@ -14,12 +14,18 @@ use schlupf::surface::{HeightMap, Lattice};
 
 use crate::error::{CaseError, Cause};
 use crate::fields::readable;
+use crate::names::{self, FieldNames};
 use crate::place::Place;
 use crate::units::{Measure, parse_unit};
 
-pub use source::{RoughSurface, SurfaceOrigin, SurfaceSource, renamed};
+pub use source::{RoughSurface, SurfaceOrigin, SurfaceSource};
 
-const FILE: &str = "surface.file";
+/// Fields that errors of surfaces name.
+const FILE: &str = "contact_law.roughness.file";
+const UNIT: &str = "contact_law.roughness.unit";
+const SPACING: &str = "contact_law.roughness.spacing";
+const FILL_HOLES: &str = "contact_law.roughness.fill_holes";
+const SQUARE_CELLS: &str = "contact_law.roughness.square_cells";
 
 /// What becomes of a map whose cells are not square.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,15 +68,22 @@ pub struct MeasuredSurface {
     pub filled: f64,
 }
 
-/// Reads a file of the format that its ending names.
-pub fn read(path: &Path, options: &SurfaceOptions) -> Result<MeasuredSurface, CaseError> {
-    let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| {
-        let message = format!("{FILE} must be a readable file, but is not: {error}");
-        let place = Place::File { name: name.clone() };
-        CaseError { cause: Cause::FileSystem, ..CaseError::new(FILE, message, place) }
-    })?;
-    from_bytes(name, bytes, options)
+/// How a file is read, and what the fields are called that say so.
+#[derive(Clone, Copy)]
+struct Reading<'a> {
+    options: &'a SurfaceOptions,
+    names: FieldNames,
+    /// Dotted path of the field that names the file.
+    field: &'static str,
+}
+
+/// Reads a file of the format that its ending names; `names` are for messages.
+pub fn read(
+    path: &Path,
+    options: &SurfaceOptions,
+    names: FieldNames,
+) -> Result<MeasuredSurface, CaseError> {
+    Reading { options, names, field: FILE }.path(path)
 }
 
 /// The same from the bytes of a file.
@@ -78,32 +91,67 @@ pub fn from_bytes(
     name: String,
     bytes: Vec<u8>,
     options: &SurfaceOptions,
+    names: FieldNames,
 ) -> Result<MeasuredSurface, CaseError> {
-    let ending = Path::new(&name).extension().and_then(|ending| ending.to_str());
-    match ending.map(str::to_lowercase).as_deref() {
-        Some("csv") => points::from_csv(name, bytes, options),
-        Some("xyz") => points::from_xyz(name, bytes, options),
-        Some("npy") => npy::read(&name, &bytes, options),
-        Some("x3p") => x3p::read(&name, bytes, options),
-        _ => Err(refusal(&name, "must be a .csv, .npy, .x3p or .xyz file, but is not")),
+    Reading { options, names, field: FILE }.bytes(name, bytes)
+}
+
+impl Reading<'_> {
+    fn path(self, path: &Path) -> Result<MeasuredSurface, CaseError> {
+        let name = path.display().to_string();
+        let bytes = std::fs::read(path).map_err(|error| {
+            let error =
+                self.refusal(&name, format!("must be a readable file, but is not: {error}"));
+            CaseError { cause: Cause::FileSystem, ..error }
+        })?;
+        self.bytes(name, bytes)
+    }
+
+    fn bytes(self, name: String, bytes: Vec<u8>) -> Result<MeasuredSurface, CaseError> {
+        let ending = Path::new(&name).extension().and_then(|ending| ending.to_str());
+        match ending.map(str::to_lowercase).as_deref() {
+            Some("csv") => points::from_csv(name, bytes, self),
+            Some("xyz") => points::from_xyz(name, bytes, self),
+            Some("npy") => npy::read(&name, &bytes, self),
+            Some("x3p") => x3p::read(&name, bytes, self),
+            _ => Err(self.refusal(&name, "must be a .csv, .npy, .x3p or .xyz file, but is not")),
+        }
+    }
+
+    /// What the field that names the file is called.
+    fn file(self) -> &'static str {
+        self.names.name(self.field)
+    }
+
+    /// An error of all of a file, which its place names; the message follows the field.
+    fn refusal(self, name: &str, message: impl AsRef<str>) -> CaseError {
+        let message = format!("{} {}", self.file(), message.as_ref());
+        CaseError::new(self.field, message, Place::File { name: name.to_owned() })
+    }
+
+    /// An error of the core, at no place yet.
+    fn explained(self, error: &Error) -> CaseError {
+        let field = names::path(error.quantity()).unwrap_or(self.field);
+        CaseError::new(field, error.text(&self.names), Place::Default)
+    }
+
+    /// The same of a file.
+    fn of_file(self, file: &Path, error: &Error) -> CaseError {
+        let error = error.text(&self.names);
+        self.refusal(&file.display().to_string(), format!("cannot be used: {error}"))
     }
 }
 
-/// An error of all of a file, which its place names; the message follows the field.
-fn refusal(name: &str, message: impl AsRef<str>) -> CaseError {
-    let message = format!("{FILE} {}", message.as_ref());
-    CaseError::new(FILE, message, Place::File { name: name.to_owned() })
-}
-
 /// The factor of the unit that the options name.
-fn unit(name: &str, options: &SurfaceOptions) -> Result<crate::units::Conversion, CaseError> {
-    let text = options.unit.as_deref().unwrap_or_default();
+fn unit(name: &str, how: Reading) -> Result<crate::units::Conversion, CaseError> {
+    let text = how.options.unit.as_deref().unwrap_or_default();
     parse_unit(text, &Measure::LENGTH).map_err(|error| {
         let message = format!(
-            "surface.unit must be a unit of length, {}, because {name} names none: {error}",
+            "{} must be a unit of length, {}, because {name} names none: {error}",
+            how.names.name(UNIT),
             Measure::LENGTH.examples
         );
-        CaseError::new("surface.unit", message, Place::File { name: name.to_owned() })
+        CaseError::new(UNIT, message, Place::File { name: name.to_owned() })
     })
 }
 
@@ -112,17 +160,19 @@ fn finish(
     name: &str,
     lattice: Lattice,
     heights: Vec<f64>,
-    options: &SurfaceOptions,
+    how: Reading,
 ) -> Result<MeasuredSurface, CaseError> {
-    let explain = |error: Error| refusal(name, format!("is no surface: {error}"));
+    let Reading { options, names, .. } = how;
+    let explain =
+        |error: Error| how.refusal(name, format!("is no surface: {}", error.text(&names)));
     if let Some(cell) = heights.iter().position(|height| is_too_high(*height)) {
         let (row, column) = (cell / lattice.columns, cell % lattice.columns);
         let message = too_high(heights[cell], &format!("in row {row}, column {column}"));
-        return Err(refusal(name, message).help(ADVICE_ON_HEIGHTS.to_owned()));
+        return Err(how.refusal(name, message).help(ADVICE_ON_HEIGHTS.to_owned()));
     }
     let holes = heights.iter().filter(|height| !height.is_finite()).count();
     if holes > 0 && options.holes == Holes::Refuse {
-        return Err(holes_error(name, &lattice, &heights));
+        return Err(holes_error(name, &lattice, &heights, how));
     }
     let filled = holes as f64 / heights.len().max(1) as f64;
     if lattice.rows == 1 || lattice.columns == 1 {
@@ -140,9 +190,8 @@ fn finish(
         Cells::RefuseNonSquare => {
             let [x, y] = [lattice.spacing_x, lattice.spacing_y].map(micrometres);
             let error =
-                refusal(name, format!("must have square cells, but they are {x} µm by {y} µm"));
-            let advice = "ask for square cells: the surface is then resampled";
-            return Err(error.help(advice.to_owned()));
+                how.refusal(name, format!("must have square cells, but they are {x} µm by {y} µm"));
+            return Err(error.help(format!("{} resamples it", names.switch(SQUARE_CELLS))));
         }
     };
     Ok(MeasuredSurface { data: SurfaceData::Map(map), filled })
@@ -164,7 +213,7 @@ fn too_high(height: f64, place: &str) -> String {
     format!("must have heights of at most {HIGHEST} m, but {place} is {} m", readable(height))
 }
 
-fn holes_error(name: &str, lattice: &Lattice, heights: &[f64]) -> CaseError {
+fn holes_error(name: &str, lattice: &Lattice, heights: &[f64], how: Reading) -> CaseError {
     let holes: Vec<usize> = (0..heights.len()).filter(|cell| !heights[*cell].is_finite()).collect();
     let (count, first) = (holes.len(), holes.first().copied().unwrap_or(0));
     let (row, column) = (first / lattice.columns, first % lattice.columns);
@@ -173,7 +222,8 @@ fn holes_error(name: &str, lattice: &Lattice, heights: &[f64]) -> CaseError {
         "must have a height at every point, but {count} of {all} are missing, the first in row \
          {row}, column {column}"
     );
-    refusal(name, message).help("ask for holes to be filled".to_owned())
+    let switch = how.names.switch(FILL_HOLES);
+    how.refusal(name, message).help(format!("{switch} fills them"))
 }
 
 /// Straight lines across the holes of a profile; beyond its first and last height it goes on level.

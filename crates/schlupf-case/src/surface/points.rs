@@ -1,14 +1,13 @@
 //! Points x, y, height as text: CSV with units in its header, and .xyz without.
 
+use schlupf::grid::Axis;
 use schlupf::surface::Lattice;
 
-use super::{
-    ADVICE_ON_HEIGHTS, FILE, MeasuredSurface, SurfaceOptions, finish, is_too_high, refusal,
-    too_high, unit,
-};
+use super::{ADVICE_ON_HEIGHTS, MeasuredSurface, Reading, finish, is_too_high, too_high, unit};
 use crate::error::CaseError;
-use crate::tables::axis::{Axis, rounded};
+use crate::tables::axis::axis;
 use crate::tables::columns::{Column, Columns};
+use crate::tables::lattice;
 use crate::units::Measure;
 
 const fn length(name: &'static str, required: bool, holes: bool) -> Column {
@@ -23,70 +22,46 @@ const COLUMNS: [Column; 3] =
 const MAX_SPARSE: usize = 4;
 
 /// From a CSV file with the columns x, y and height, its rows in any order.
-pub fn from_csv(
-    name: String,
-    bytes: Vec<u8>,
-    options: &SurfaceOptions,
-) -> Result<MeasuredSurface, CaseError> {
-    from_columns(&Columns::read(name, bytes, FILE, &COLUMNS)?, options)
+pub fn from_csv(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
+    from_columns(&Columns::read(name, bytes, how.file(), &COLUMNS)?, how)
 }
 
 /// From lines `x y z` in the unit of the options.
-pub fn from_xyz(
-    name: String,
-    bytes: Vec<u8>,
-    options: &SurfaceOptions,
-) -> Result<MeasuredSurface, CaseError> {
-    let convert = unit(&name, options)?;
-    from_columns(&Columns::read_bare(name, bytes, FILE, &COLUMNS, convert)?, options)
+pub fn from_xyz(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
+    let convert = unit(&name, how)?;
+    from_columns(&Columns::read_bare(name, bytes, how.file(), &COLUMNS, convert)?, how)
 }
 
-fn from_columns(columns: &Columns, options: &SurfaceOptions) -> Result<MeasuredSurface, CaseError> {
+fn from_columns(columns: &Columns, how: Reading) -> Result<MeasuredSurface, CaseError> {
     let name = &columns.source.name;
     let [xs, ys, heights] = &columns.values[..] else {
-        return Err(refusal(name, "must have three columns"));
+        return Err(how.refusal(name, "must have three columns"));
     };
     if let Some(row) = heights.iter().position(|height| is_too_high(*height)) {
-        let message = format!("{FILE} {}", too_high(heights[row], "this one"));
+        let message = format!("{} {}", how.file(), too_high(heights[row], "this one"));
         return Err(columns.error(columns.lines[row], message).help(ADVICE_ON_HEIGHTS.to_owned()));
     }
+    let zeros = vec![0.0; xs.len()];
+    let ys = if ys.is_empty() { &zeros } else { ys };
     let is_level = |values: &[f64]| values.windows(2).all(|pair| pair[0] == pair[1]);
     // A line along y is a profile as well as one along x.
-    let (xs, ys, name_of_x) =
-        if is_level(xs) && !is_level(ys) { (ys, xs, "y") } else { (xs, ys, "x") };
-    let x = Axis::of(name_of_x, xs, columns)?;
-    let y = if is_level(ys) { None } else { Some(Axis::of("y", ys, columns)?) };
-    let rows = y.as_ref().map_or(1, |y| y.count);
-    if x.count.saturating_mul(rows) > MAX_SPARSE * xs.len() {
-        let message = format!(
-            "the points must fill a rectangle of {} by {rows}, but there are only {}",
-            x.count,
-            xs.len()
-        );
-        return Err(columns.error(columns.header_line, message));
-    }
-    let mut lines = vec![0; x.count * rows];
-    let mut map = vec![f64::NAN; lines.len()];
-    for (k, (&line, &height)) in columns.lines.iter().zip(heights).enumerate() {
-        let row = y.as_ref().map_or(0, |y| y.index(ys[k]));
-        let cell = row * x.count + x.index(xs[k]);
-        if lines[cell] != 0 {
-            let at = rounded(xs[k] * 1e3);
-            let first = lines[cell];
-            let message = format!(
-                "every point must be given once, but that at {name_of_x} = {at} mm stands in line {first} too"
-            );
-            return Err(columns.error(line, message));
-        }
-        lines[cell] = line;
-        map[cell] = height;
-    }
-    let [spacing_x, spacing_y] = match &y {
-        Some(y) => spacings([&x, y], ["x", "y"].map(|name| columns.digit(name))),
-        None => [x.spacing; 2],
+    let is_along_y = is_level(xs) && !is_level(ys);
+    let (xs, ys, names) = if is_along_y { (ys, xs, ["y", "x"]) } else { (xs, ys, ["x", "y"]) };
+    let x = axis(names[0], xs, columns)?;
+    let y = if is_level(ys) {
+        Axis { start: ys[0], spacing: x.spacing, count: 1 }
+    } else {
+        axis("y", ys, columns)?
     };
-    let lattice = Lattice { columns: x.count, rows, spacing_x, spacing_y };
-    finish(name, lattice, map, options)
+    let points: [(_, _, &[f64]); 2] = [(names[0], &x, xs), (names[1], &y, ys)];
+    let (places, lines) = lattice::places(points, MAX_SPARSE, columns)?;
+    let mut map = vec![f64::NAN; lines.len()];
+    for (&place, &height) in places.iter().zip(heights) {
+        map[place] = height;
+    }
+    let [spacing_x, spacing_y] = spacings([&x, &y], ["x", "y"].map(|name| columns.digit(name)));
+    let lattice = Lattice { columns: x.count, rows: y.count, spacing_x, spacing_y };
+    finish(name, lattice, map, how)
 }
 
 /// Spacings along x and y (in m); the same where they differ by no more than the last digits of the positions

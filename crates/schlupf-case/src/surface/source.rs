@@ -3,16 +3,23 @@
 use std::path::{Path, PathBuf};
 
 use schlupf::Error;
+use schlupf::message::Message;
 use schlupf::surface::form::Form;
 use schlupf::surface::profile::Profile;
 use schlupf::surface::spectrum::{RadialSpectrum, Window, spectral_gradient};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 
-use super::{MeasuredSurface, SurfaceData, SurfaceOptions, read, refusal};
+use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions};
 use crate::error::CaseError;
 use crate::fields::readable;
+use crate::law_stiffness::of;
+use crate::names::FieldNames;
 use crate::place::Place;
+
+const RMS_SLOPE: &str = "contact_law.roughness.rms_slope";
+const SECOND_FILE: &str = "contact_law.roughness.second_file";
+const RMS_HEIGHT: &str = "contact_law.roughness.rms_height";
 
 /// What is taken off a measured surface.
 #[derive(Clone, Copy)]
@@ -61,7 +68,7 @@ pub struct RoughSurface {
     /// How it was made of what was given.
     pub remarks: Vec<String>,
     /// What is doubtful about it.
-    pub notices: Vec<String>,
+    pub notices: Vec<Message>,
 }
 
 /// The micro model takes slopes for small: root mean square gradients from which that is doubtful, and from
@@ -80,92 +87,108 @@ const MOST_IN_LONG_WAVES: f64 = 0.5;
 const MOST_CELLS: usize = 1024;
 
 impl SurfaceSource {
-    /// Reads or makes the surface. Errors name fields of `surface`; see [`renamed`].
-    pub fn load(&self) -> Result<RoughSurface, CaseError> {
+    /// Reads or makes the surface. Errors call the fields by these names.
+    pub fn load(&self, names: FieldNames) -> Result<RoughSurface, CaseError> {
         let mut said = Said::default();
         let surface = match &self.origin {
-            SurfaceOrigin::SelfAffine(spectrum) => self.self_affine(spectrum)?,
+            SurfaceOrigin::SelfAffine(spectrum) => self.self_affine(spectrum, names)?,
             SurfaceOrigin::Files { files, options, form, cutoff } => {
                 let taken_off = TakenOff { form: *form, cutoff: *cutoff };
-                self.of_files(files, options, taken_off, &mut said)?
+                let how = Reading { options, names, field: FILE };
+                self.of_files(files, how, taken_off, &mut said)?
             }
         };
         let surface = surface.about_its_mean();
-        surface.require_rough().map_err(|error| explained(&error))?;
-        said.notices.extend(self.check_gradient(&surface)?);
+        let how = Reading { options: &SurfaceOptions::default(), names, field: FILE };
+        surface.require_rough().map_err(|error| how.explained(&error))?;
+        said.notices.extend(self.check_gradient(&surface, names)?);
         said.notices.extend(self.check_size(&surface));
         Ok(RoughSurface { surface, remarks: said.remarks, notices: said.notices })
     }
 
     /// Refuses a surface that is too steep to be one; what to say of one that is nearly so.
-    fn check_gradient(&self, surface: &HeightMap) -> Result<Option<String>, CaseError> {
+    fn check_gradient(
+        &self,
+        surface: &HeightMap,
+        names: FieldNames,
+    ) -> Result<Option<Message>, CaseError> {
         let gradient = spectral_gradient(surface);
         if gradient <= DOUBTFUL_GRADIENT {
             return Ok(None);
         }
         let is = readable(gradient);
         if gradient <= LARGEST_GRADIENT {
-            return Ok(Some(format!(
-                "the root mean square gradient is {is}: the model takes slopes for small, its k_c is doubtful"
-            )));
+            let text = format!(
+                "the root mean square gradient is {is}: the model takes slopes for small, its k_c is \
+                 doubtful"
+            );
+            return Ok(Some(of("steep-surface", text)));
         }
         let [low, high] = surface.range().map(|height| readable(height * 1e6));
         let (field, cause) = match &self.origin {
             SurfaceOrigin::SelfAffine(SelfAffine { roughness: Roughness::Gradient(_), .. }) => {
-                ("surface.gradient", "")
+                (RMS_SLOPE, "")
             }
             SurfaceOrigin::SelfAffine(_) => {
-                ("surface.h_rms", "; is it too high for the shortest wavelength?")
+                (RMS_HEIGHT, "; is it too high for the shortest wavelength?")
             }
             SurfaceOrigin::Files { .. } => (
-                "surface.file",
+                FILE,
                 "; is the unit of the heights or the spacing of the points another, or do single heights \
                  stand for missing values?",
             ),
         };
         let message = format!(
-            "{field} must have a root mean square gradient of at most {LARGEST_GRADIENT}, but has {is} with \
-             heights from {low} to {high} µm{cause}"
+            "{} must have a root mean square gradient of at most {LARGEST_GRADIENT}, but has {is} with \
+             heights from {low} to {high} µm{cause}",
+            names.name(field)
         );
         Err(CaseError::new(field, message, Place::Default))
     }
 
     /// What to say of a measured piece that is too small to be one of many.
-    fn check_size(&self, surface: &HeightMap) -> Option<String> {
+    fn check_size(&self, surface: &HeightMap) -> Option<Message> {
         let is_measured = matches!(self.origin, SurfaceOrigin::Files { .. });
         let lattice = surface.lattice();
         let part = lattice.length_x().min(lattice.length_y()) / WAVES_ACROSS;
         let spectrum = RadialSpectrum::of(surface, Window::of(surface));
         let share = spectrum.share_of_longer(part);
         (is_measured && share > MOST_IN_LONG_WAVES).then(|| {
-            format!(
+            let text = format!(
                 "{:.0} % of the variance of the heights lies in waves longer than a fifth of the piece: its k_c \
                  is that of this piece, another one may differ by tens of per cent; measure a larger one, or \
                  take waviness off",
                 1e2 * share
-            )
+            );
+            of("small-piece", text)
         })
     }
 
-    fn self_affine(&self, spectrum: &SelfAffine) -> Result<HeightMap, CaseError> {
+    fn self_affine(
+        &self,
+        spectrum: &SelfAffine,
+        names: FieldNames,
+    ) -> Result<HeightMap, CaseError> {
+        let how = Reading { options: &SurfaceOptions::default(), names, field: FILE };
         let suitable = spectrum.suitable_lattice();
         let lattice = match self.cells {
             Some(cells) => Lattice::square(cells, suitable.length_x()),
             None => suitable,
         };
-        spectrum.surface(lattice, self.seed).map_err(|error| explained(&error))
+        spectrum.surface(lattice, self.seed).map_err(|error| how.explained(&error))
     }
 
     fn of_files(
         &self,
         files: &[PathBuf],
-        options: &SurfaceOptions,
+        how: Reading,
         taken_off: TakenOff,
         said: &mut Said,
     ) -> Result<HeightMap, CaseError> {
         let mut data = Vec::new();
-        for file in files {
-            data.push((file, self.one_file(file, options, taken_off, said)?));
+        for (file, field) in files.iter().zip([FILE, SECOND_FILE]) {
+            let how = Reading { field, ..how };
+            data.push((file, self.one_file(file, how, taken_off, said)?));
         }
         let measured = data.iter().find_map(|(_, data)| match data {
             SurfaceData::Map(map) => Some(*map.lattice()),
@@ -183,17 +206,18 @@ impl SurfaceSource {
                         profile.heights().len(),
                         readable(profile.root_mean_square_height() * 1e6)
                     ));
-                    self.extended(profile, measured, seed, said)?
+                    let map = self.extended(profile, measured, seed, said);
+                    map.map_err(|error| how.explained(&error))?
                 }
             };
             sum = Some(match sum {
                 None => map,
-                Some(sum) => sum.plus(&map).map_err(|error| of_file(file, &error))?,
+                Some(sum) => sum.plus(&map).map_err(|error| how.of_file(file, &error))?,
             });
         }
         sum.ok_or_else(|| {
             let place = Place::Default;
-            CaseError::new("surface.file", "surface.file must name a file", place)
+            CaseError::new(FILE, format!("{} must name a file", how.names.name(FILE)), place)
         })
     }
 
@@ -201,21 +225,21 @@ impl SurfaceSource {
     fn one_file(
         &self,
         file: &Path,
-        options: &SurfaceOptions,
+        how: Reading,
         taken_off: TakenOff,
         said: &mut Said,
     ) -> Result<SurfaceData, CaseError> {
-        let MeasuredSurface { data, filled } = read(file, options)?;
+        let MeasuredSurface { data, filled } = how.path(file)?;
         said.filling(file, filled, matches!(data, SurfaceData::Profile(_)));
         let data = match (data, taken_off.form) {
             (SurfaceData::Profile(profile), Some(Form::Cylinder | Form::Sphere)) => {
                 let removal = profile.without_circle();
-                let (profile, radius) = removal.map_err(|error| of_file(file, &error))?;
+                let (profile, radius) = removal.map_err(|error| how.of_file(file, &error))?;
                 said.form(file, radius);
                 SurfaceData::Profile(profile)
             }
             (SurfaceData::Map(map), Some(form)) => {
-                let removal = map.without_form(form).map_err(|error| of_file(file, &error))?;
+                let removal = map.without_form(form).map_err(|error| how.of_file(file, &error))?;
                 if form != Form::Plane {
                     said.form(file, removal.radius);
                 }
@@ -232,14 +256,14 @@ impl SurfaceSource {
             }
             (data, None) => Ok(data),
         };
-        let map = match data.map_err(|error| explained(&error))? {
+        let map = match data.map_err(|error| how.explained(&error))? {
             SurfaceData::Map(map) => map,
             SurfaceData::Profile(profile) => return Ok(SurfaceData::Profile(profile)),
         };
         let Some(cells) = self.cells else { return Ok(SurfaceData::Map(map)) };
         let lattice = map.lattice();
         let rows = (lattice.rows as f64 * cells as f64 / lattice.columns as f64).round() as usize;
-        let map = map.resampled(cells, rows).map_err(|error| of_file(file, &error))?;
+        let map = map.resampled(cells, rows).map_err(|error| how.of_file(file, &error))?;
         Ok(SurfaceData::Map(map))
     }
 
@@ -250,19 +274,20 @@ impl SurfaceSource {
         lattice: Option<Lattice>,
         seed: u64,
         said: &mut Said,
-    ) -> Result<HeightMap, CaseError> {
+    ) -> Result<HeightMap, Error> {
         let points = profile.heights().len();
         let length = points as f64 * profile.spacing();
         let cells = self.cells.unwrap_or(points.min(MOST_CELLS));
         let lattice = lattice.unwrap_or(Lattice::square(cells, length));
         if lattice.spacing_x > 1.01 * profile.spacing() {
-            said.notices.push(format!(
+            let text = format!(
                 "waves of the profile shorter than {:.3} µm, two cells, are left out; more cells would \
                  keep them",
                 2e6 * lattice.spacing_x
-            ));
+            );
+            said.notices.push(of("waves-left-out", text));
         }
-        profile.isotropic_surface(lattice, seed).map_err(|error| explained(&error))
+        profile.isotropic_surface(lattice, seed)
     }
 }
 
@@ -270,7 +295,7 @@ impl SurfaceSource {
 #[derive(Default)]
 struct Said {
     remarks: Vec<String>,
-    notices: Vec<String>,
+    notices: Vec<Message>,
 }
 
 impl Said {
@@ -293,35 +318,10 @@ impl Said {
         if filled <= DOUBTFUL_FILLING {
             self.remarks.push(text);
         } else {
-            self.notices.push(format!(
+            let text = format!(
                 "{text}: they are smooth, and Sa, Sq, Ssk, Sku, Sz, the gradients and k_c count them"
-            ));
+            );
+            self.notices.push(of("filled-points", text));
         }
-    }
-}
-
-fn of_file(file: &Path, error: &Error) -> CaseError {
-    refusal(&file.display().to_string(), format!("cannot be used: {error}"))
-}
-
-/// An error of the core, at no place yet.
-fn explained(error: &Error) -> CaseError {
-    let field = match error {
-        Error::Invalid { quantity, .. } | Error::Contradiction { quantity, .. } => quantity,
-        _ => "surface",
-    };
-    CaseError::new(field, error.to_string(), Place::Default)
-}
-
-/// The same error in terms of who asked: each name or advice of the first kind becomes that of the second.
-pub fn renamed(error: CaseError, names: &[(&str, &str)]) -> CaseError {
-    let translate = |text: &str| {
-        names.iter().fold(text.to_owned(), |text, (general, own)| text.replace(general, own))
-    };
-    CaseError {
-        field: translate(&error.field),
-        message: translate(&error.message),
-        help: error.help.as_deref().map(translate),
-        ..error
     }
 }

@@ -12,7 +12,7 @@ use roxmltree::{Document, Node};
 use schlupf::surface::Lattice;
 use zip::ZipArchive;
 
-use super::{MeasuredSurface, SurfaceOptions, finish, refusal};
+use super::{MeasuredSurface, Reading, finish};
 use crate::error::CaseError;
 
 /// What is wrong with a file, to follow its name in a sentence.
@@ -25,13 +25,9 @@ const LARGEST_HEADER: usize = 1 << 30;
 const MOST_POINTS: usize = 1 << 28;
 
 /// Reads a file.
-pub fn read(
-    name: &str,
-    bytes: Vec<u8>,
-    options: &SurfaceOptions,
-) -> Result<MeasuredSurface, CaseError> {
-    let (lattice, heights) = parse(bytes).map_err(|message| refusal(name, message))?;
-    finish(name, lattice, heights, options)
+pub fn read(name: &str, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
+    let (lattice, heights) = parse(bytes).map_err(|message| how.refusal(name, message))?;
+    finish(name, lattice, heights, how)
 }
 
 type Archive = ZipArchive<Cursor<Vec<u8>>>;

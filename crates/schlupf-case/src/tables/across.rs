@@ -3,6 +3,7 @@
 use super::columns::{Column, Columns};
 use crate::error::CaseError;
 use crate::fields::{self, Requirement, readable};
+use crate::names::FieldNames;
 use crate::units::Measure;
 
 const FILE: &str = "friction.variation_file";
@@ -24,7 +25,7 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<[Vec<f64>; 2], CaseError
         if let Some(row) = values.iter().position(|value| !requirement.holds(*value)) {
             let (name, value) = (column.name, readable(values[row]));
             let unit = column.measure.map_or("", |measure| measure.unit);
-            let requirement = requirement.text(unit);
+            let requirement = requirement.text(unit, &FieldNames::CASE);
             let message = format!("{name} must be {requirement}, but is {value} {unit}");
             return Err(columns.error(columns.lines[row], message.trim_end()));
         }

@@ -1,5 +1,7 @@
 //! Lattices that the points of a table lie on.
 
+use schlupf::grid::Axis;
+
 use super::columns::Columns;
 use crate::error::CaseError;
 
@@ -11,102 +13,72 @@ const LARGEST_ROUNDING: f64 = 0.25;
 /// Half of the last digit, and what the lattice is off itself because of it.
 const DIGIT: f64 = 0.75;
 
-/// Equidistant positions.
-#[derive(Debug, Clone, Copy)]
-pub struct Axis {
-    /// The lowest, in m.
-    pub first: f64,
-    /// In m.
-    pub spacing: f64,
-    /// How many there are.
-    pub count: usize,
+/// The lattice that positions of the column `name`, in any order, lie on: not every place of it needs
+/// to be taken.
+pub fn axis(name: &str, positions: &[f64], columns: &Columns) -> Result<Axis, CaseError> {
+    let mut sorted = positions.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let mut gaps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    gaps.sort_by(f64::total_cmp);
+    if sorted.is_empty() {
+        let file = columns.field();
+        let message = format!("{file} must have at least two values of {name}, but has no rows");
+        return Err(columns.error(columns.header_line, message));
+    }
+    let widest = gaps.last().copied().unwrap_or(0.0);
+    if widest <= 0.0 {
+        let message = format!("{name} must have at least two values, but is the same everywhere");
+        return Err(columns.error(columns.header_line, message));
+    }
+    let digit = columns.digit(name);
+    // Where no line is missing the widest gap is the spacing, else most of the gaps are.
+    let median = |least: f64| {
+        let wide = &gaps[gaps.partition_point(|gap| *gap <= least)..];
+        wide.get(wide.len() / 2).copied().unwrap_or(widest)
+    };
+    let median = median((ROUNDING * widest).min(DIGIT * digit));
+    let lattices = [widest, median].map(|gap| through(&sorted, gap));
+    let fits = |axis: &&Axis| sorted.iter().all(|x| holds(axis, *x, digit));
+    if let Some(axis) = lattices.iter().find(fits) {
+        return Ok(*axis);
+    }
+    let axis = &lattices[1];
+    let stray = positions.iter().position(|x| !holds(axis, *x, digit)).unwrap_or(0);
+    let message = format!(
+        "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
+        rounded(positions[stray] * 1e3),
+        rounded(axis.spacing * 1e3)
+    );
+    Err(columns.error(columns.lines[stray], message))
 }
 
-impl Axis {
-    /// The lattice that positions of the column `name`, in any order, lie on: not every place of it needs
-    /// to be taken.
-    pub fn of(name: &str, positions: &[f64], columns: &Columns) -> Result<Self, CaseError> {
-        let mut sorted = positions.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let mut gaps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        gaps.sort_by(f64::total_cmp);
-        if sorted.is_empty() {
-            let file = columns.field();
-            let message =
-                format!("{file} must have at least two values of {name}, but has no rows");
-            return Err(columns.error(columns.header_line, message));
-        }
-        let widest = gaps.last().copied().unwrap_or(0.0);
-        if widest <= 0.0 {
-            let message =
-                format!("{name} must have at least two values, but is the same everywhere");
-            return Err(columns.error(columns.header_line, message));
-        }
-        let digit = columns.digit(name);
-        // Where no line is missing the widest gap is the spacing, else most of the gaps are.
-        let median = |least: f64| {
-            let wide = &gaps[gaps.partition_point(|gap| *gap <= least)..];
-            wide.get(wide.len() / 2).copied().unwrap_or(widest)
-        };
-        let median = median((ROUNDING * widest).min(DIGIT * digit));
-        let lattices = [widest, median].map(|gap| Self::through(&sorted, gap));
-        let fits = |axis: &&Self| sorted.iter().all(|x| axis.holds(*x, digit));
-        if let Some(axis) = lattices.iter().find(fits) {
-            return Ok(*axis);
-        }
-        let axis = &lattices[1];
-        let stray = positions.iter().position(|x| !axis.holds(*x, digit)).unwrap_or(0);
-        let message = format!(
-            "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
-            rounded(positions[stray] * 1e3),
-            rounded(axis.spacing * 1e3)
-        );
-        Err(columns.error(columns.lines[stray], message))
-    }
+/// The lattice of about a spacing (in m) that is nearest to sorted positions, by least squares.
+fn through(sorted: &[f64], spacing: f64) -> Axis {
+    let gaps = || sorted.windows(2).map(|pair| pair[1] - pair[0]);
+    // Few digits make a gap longer and the next one shorter: their mean spans wide ones better.
+    let near = gaps().filter(|gap| (gap / spacing - 1.0).abs() < 0.5);
+    let (count, sum) = near.fold((0.0, 0.0), |(count, sum), gap| (count + 1.0, sum + gap));
+    let spacing = if count > 0.0 { sum / count } else { spacing };
+    let steps = gaps().map(|gap| (gap / spacing).round());
+    let indices: Vec<f64> = std::iter::once(0.0)
+        .chain(steps.scan(0.0, |index, step| {
+            *index += step;
+            Some(*index)
+        }))
+        .collect();
+    let count = sorted.len() as f64;
+    let means = [&indices[..], sorted].map(|values| values.iter().sum::<f64>() / count);
+    let pairs = || indices.iter().zip(sorted).map(|(k, x)| (k - means[0], x - means[1]));
+    let squares: f64 = pairs().map(|(k, _)| k * k).sum();
+    let spacing = pairs().map(|(k, x)| k * x).sum::<f64>() / squares;
+    let last = indices.last().copied().unwrap_or(0.0);
+    Axis { start: means[1] - means[0] * spacing, spacing, count: 1 + last as usize }
+}
 
-    /// The lattice of about a spacing (in m) that is nearest to sorted positions, by least squares.
-    fn through(sorted: &[f64], spacing: f64) -> Self {
-        let gaps = || sorted.windows(2).map(|pair| pair[1] - pair[0]);
-        // Few digits make a gap longer and the next one shorter: their mean spans wide ones better.
-        let near = gaps().filter(|gap| (gap / spacing - 1.0).abs() < 0.5);
-        let (count, sum) = near.fold((0.0, 0.0), |(count, sum), gap| (count + 1.0, sum + gap));
-        let spacing = if count > 0.0 { sum / count } else { spacing };
-        let steps = gaps().map(|gap| (gap / spacing).round());
-        let indices: Vec<f64> = std::iter::once(0.0)
-            .chain(steps.scan(0.0, |index, step| {
-                *index += step;
-                Some(*index)
-            }))
-            .collect();
-        let count = sorted.len() as f64;
-        let means = [&indices[..], sorted].map(|values| values.iter().sum::<f64>() / count);
-        let pairs = || indices.iter().zip(sorted).map(|(k, x)| (k - means[0], x - means[1]));
-        let squares: f64 = pairs().map(|(k, _)| k * k).sum();
-        let spacing = pairs().map(|(k, x)| k * x).sum::<f64>() / squares;
-        let last = indices.last().copied().unwrap_or(0.0);
-        Self { first: means[1] - means[0] * spacing, spacing, count: 1 + last as usize }
-    }
-
-    /// Which one a position is.
-    pub fn index(&self, position: f64) -> usize {
-        ((position - self.first) / self.spacing).round() as usize
-    }
-
-    /// Where one is, in m.
-    pub fn position(&self, index: usize) -> f64 {
-        self.first + self.spacing * index as f64
-    }
-
-    /// Where all are, in m.
-    pub fn positions(&self) -> Vec<f64> {
-        (0..self.count).map(|index| self.position(index)).collect()
-    }
-
-    /// Whether a position (in m) is one of the lattice, to the rounding of a digit (in m).
-    fn holds(&self, position: f64, digit: f64) -> bool {
-        let rounding = (DIGIT * digit / self.spacing).clamp(ROUNDING, LARGEST_ROUNDING);
-        (position - self.position(self.index(position))).abs() <= rounding * self.spacing
-    }
+/// Whether a position (in m) is one of the lattice, to the rounding of a digit (in m).
+fn holds(axis: &Axis, position: f64, digit: f64) -> bool {
+    let rounding = (DIGIT * digit / axis.spacing).clamp(ROUNDING, LARGEST_ROUNDING);
+    (position - axis.at(axis.nearest(position))).abs() <= rounding * axis.spacing
 }
 
 /// A length in mm without the digits that conversion adds.

@@ -133,12 +133,24 @@ impl Columns {
     fn fill(&mut self, wanted: &[Column]) -> Result<(), CaseError> {
         let source = Arc::clone(&self.source);
         let mut header: Option<Vec<Assigned>> = None;
-        for (line, text) in (1..).zip(source.text.lines()) {
-            if text.trim().is_empty() || text.starts_with('#') {
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .comment(Some(b'#'))
+            .from_reader(source.text.as_bytes());
+        let mut record = csv::StringRecord::new();
+        // It fails only on what is not UTF-8.
+        while reader.read_record(&mut record).is_ok_and(|is_record| is_record) {
+            let line = first_line(&source.text, &record);
+            // Quotation marks that stand behind a space are left.
+            let cells: Vec<&str> =
+                record.iter().map(|cell| cell.trim().trim_matches('"').trim()).collect();
+            if cells.iter().any(|cell| cell.contains('\n')) {
+                return Err(self.error(line, "a quotation mark must be closed in its line"));
+            }
+            if cells == [""] {
                 continue;
             }
-            let cells: Vec<&str> =
-                text.split(',').map(|cell| cell.trim().trim_matches('"').trim()).collect();
             match &header {
                 None => {
                     self.header_line = line;
@@ -262,6 +274,14 @@ impl Columns {
     }
 }
 
+/// Line on which a record of a text begins: its position is that of the empty lines and comments before it.
+fn first_line(text: &str, record: &csv::StringRecord) -> usize {
+    let Some(position) = record.position() else { return 1 };
+    let before = text[position.byte() as usize..].split('\n');
+    let is_passed = |line: &&str| line.trim_end_matches('\r').is_empty() || line.starts_with('#');
+    position.line() as usize + before.take_while(is_passed).count()
+}
+
 /// What the last digit of a number stands for: 0.01 in `1.25`.
 fn last_digit(text: &str) -> f64 {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -287,4 +307,41 @@ fn expected_header(wanted: &[Column]) -> String {
         })
         .collect();
     names.join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WANTED: [Column; 2] = [
+        Column { name: "time", measure: Some(&Measure::TIME), required: true, holes: false },
+        Column { name: "factor", measure: None, required: false, holes: false },
+    ];
+
+    fn read(text: &str) -> Result<Columns, String> {
+        Columns::read("f.csv".to_owned(), text.as_bytes().to_vec(), "field", &WANTED)
+            .map_err(|error| error.to_string())
+    }
+
+    /// Empty lines, comments, with quotation marks and without, ends of lines of both kinds, a byte order mark.
+    #[test]
+    fn rows_have_their_lines() {
+        let text = "\u{feff}# a, \"b\n\n \t\n\"time [s]\", \"factor\"\n# c\n\n1,2\n 3 ,\"4\"\n";
+        for text in [text.to_owned(), text.replace('\n', "\r\n"), text.trim_end().to_owned()] {
+            let columns = read(&text).unwrap();
+            assert_eq!((columns.header_line, &columns.lines[..]), (4, &[7, 8][..]), "{text:?}");
+            assert_eq!(columns.values, [[1.0, 3.0], [2.0, 4.0]]);
+        }
+    }
+
+    #[test]
+    fn commas_within_quotation_marks_separate_nothing() {
+        let message = |row: &str| read(&format!("time [s],factor\n0,1\n{row}\n2,3\n")).unwrap_err();
+        assert!(
+            message("1,\"2,5\"")
+                .contains("f.csv:3:1: factor must be a finite number, but is \"2,5\"")
+        );
+        assert!(message("1,2,5").contains("f.csv:3:1: a row must have 2 entries"));
+        assert!(message("1,\"2").contains("f.csv:3:1: a quotation mark must be closed"));
+    }
 }

@@ -6,6 +6,7 @@ use schlupf::kinematics::Kinematics;
 use super::columns::{Column, Columns};
 use crate::error::CaseError;
 use crate::fields::{self, NOT_PER_CENT, Requirement, creepage_in_per_cent, readable};
+use crate::names::FieldNames;
 use crate::units::Measure;
 
 /// A column, and what its numbers must be: as in a field of the case, or this.
@@ -103,7 +104,7 @@ fn check_numbers(columns: &Columns) -> Result<(), CaseError> {
         };
         let (name, value) = (column.name, readable(values[row]));
         let unit = column.measure.map_or("", |measure| measure.unit);
-        let text = requirement.text(unit);
+        let text = requirement.text(unit, &FieldNames::CASE);
         let message = format!("{name} must be {text}, but is {value} {unit}");
         let error = columns.error(columns.lines[row], message.trim_end());
         let help = if name.starts_with("force_ratio") {

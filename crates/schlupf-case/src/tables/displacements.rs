@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use schlupf::calibration::displacements::Sample;
-use schlupf::grid::{BORDER, Grid};
+use schlupf::grid::{Axis, BORDER, Grid};
 
-use super::axis::Axis;
 use super::columns::{Column, Columns};
 use super::lattice::Lattice;
 use crate::error::{CaseError, Cause};
@@ -126,8 +125,8 @@ fn grid(x: &Axis, y: &Axis) -> Grid {
         rows: y.count,
         spacing_x: x.spacing,
         spacing_y: y.spacing,
-        origin_x: x.first - (0.5 + BORDER as f64) * x.spacing,
-        origin_y: y.first - 0.5 * y.spacing,
+        origin_x: x.start - (0.5 + BORDER as f64) * x.spacing,
+        origin_y: y.start - 0.5 * y.spacing,
     }
 }
 

@@ -1,6 +1,8 @@
 //! Points of a table that fill a rectangle: in any order from a CSV file, or from an .npy file.
 
-use super::axis::{Axis, rounded};
+use schlupf::grid::Axis;
+
+use super::axis::{axis, rounded};
 use super::columns::Columns;
 use super::npy;
 use crate::error::CaseError;
@@ -26,28 +28,8 @@ pub struct Lattice {
 impl Lattice {
     /// The lattice of positions (in m), each given once; `advice` says what to give where there is nothing.
     pub fn of(xs: &[f64], ys: &[f64], columns: &Columns, advice: &str) -> Result<Self, CaseError> {
-        let x = Axis::of("x", xs, columns)?;
-        let y = Axis::of("y", ys, columns)?;
-        if x.count.saturating_mul(y.count) > MAX_SPARSE * columns.lines.len() {
-            let (nx, ny, rows) = (x.count, y.count, columns.lines.len());
-            let message = format!(
-                "the points must fill a rectangle of {nx} by {ny}, but there are only {rows}"
-            );
-            return Err(columns.error(columns.header_line, message));
-        }
-        let mut lines = vec![0; x.count * y.count];
-        let mut places = Vec::with_capacity(columns.lines.len());
-        for (row, &line) in columns.lines.iter().enumerate() {
-            let place = y.index(ys[row]) * x.count + x.index(xs[row]);
-            if lines[place] != 0 {
-                let (first, at) = (lines[place], point(xs[row], ys[row]));
-                let message =
-                    format!("every point must be given once, but {at} stands in line {first} too");
-                return Err(columns.error(line, message));
-            }
-            lines[place] = line;
-            places.push(place);
-        }
+        let (x, y) = (axis("x", xs, columns)?, axis("y", ys, columns)?);
+        let (places, lines) = places([("x", &x, xs), ("y", &y, ys)], MAX_SPARSE, columns)?;
         match lines.iter().position(|line| *line == 0) {
             Some(hole) => Err(hole_error(hole, &lines, (&x, &y), columns).help(advice.to_owned())),
             None => Ok(Self { x, y, places }),
@@ -62,6 +44,39 @@ impl Lattice {
         }
         arranged
     }
+}
+
+/// Where on the lattice of two columns with these names and axes each row of a file lies, and in which line
+/// of the file each place of the lattice is given, zero if nowhere. The lattice has at most `sparse` times as
+/// many points as the file.
+pub fn places(
+    [(name_x, x, xs), (name_y, y, ys)]: [(&str, &Axis, &[f64]); 2],
+    sparse: usize,
+    columns: &Columns,
+) -> Result<(Vec<usize>, Vec<usize>), CaseError> {
+    if x.count.saturating_mul(y.count) > sparse * columns.lines.len() {
+        let (nx, ny, rows) = (x.count, y.count, columns.lines.len());
+        let message =
+            format!("the points must fill a rectangle of {nx} by {ny}, but there are only {rows}");
+        return Err(columns.error(columns.header_line, message));
+    }
+    let mut lines = vec![0; x.count * y.count];
+    let mut places = Vec::with_capacity(columns.lines.len());
+    for (row, &line) in columns.lines.iter().enumerate() {
+        let place = y.nearest(ys[row]) * x.count + x.nearest(xs[row]);
+        if lines[place] != 0 {
+            let [at_x, at_y] = [xs, ys].map(|positions| millimetres(positions[row]));
+            let message = format!(
+                "every point must be given once, but {name_x} = {at_x} mm, {name_y} = {at_y} mm stands in \
+                 line {} too",
+                lines[place]
+            );
+            return Err(columns.error(line, message));
+        }
+        lines[place] = line;
+        places.push(place);
+    }
+    Ok((places, lines))
 }
 
 /// Values at the positions x × y, rows along x.
@@ -118,7 +133,7 @@ pub fn npy_error(name: &str, place: &Place, message: &str) -> CaseError {
 
 /// A point for messages.
 pub fn point(x: f64, y: f64) -> String {
-    format!("x = {} mm, y = {} mm", rounded(x * 1e3), rounded(y * 1e3))
+    format!("x = {} mm, y = {} mm", millimetres(x), millimetres(y))
 }
 
 /// A length (in m) in mm without the digits that conversion adds.
@@ -129,7 +144,7 @@ pub fn millimetres(length: f64) -> f64 {
 /// Points at the nearest line that was given in front of a hole, if any.
 fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Columns) -> CaseError {
     let (x, y) = axes;
-    let at = point(x.position(hole % x.count), y.position(hole / x.count));
+    let at = point(x.at(hole % x.count), y.at(hole / x.count));
     let holes = lines.iter().filter(|line| **line == 0).count();
     let message = format!(
         "the points must fill a rectangle of {} by {}, but {holes} of them are missing, the first at {at}",

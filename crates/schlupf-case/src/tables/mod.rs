@@ -7,7 +7,7 @@ pub(crate) mod columns;
 mod creep_data;
 mod displacements;
 mod distance;
-mod lattice;
+pub(crate) mod lattice;
 pub(crate) mod npy;
 mod pressure;
 mod time;

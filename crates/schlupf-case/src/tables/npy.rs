@@ -1,4 +1,4 @@
-//! Arrays of floating-point numbers in `NumPy`'s .npy format (versions 1 to 3).
+//! Arrays of numbers in `NumPy`'s .npy format (versions 1 to 3).
 
 /// An array with each row contiguous.
 #[derive(Debug, PartialEq)]
@@ -78,23 +78,42 @@ fn sizes(header: &str) -> Result<(Vec<usize>, &str), String> {
 
 fn numbers(header: &str, data: &[u8]) -> Result<Vec<f64>, String> {
     let kind = entry(header, "descr").unwrap_or_default().trim_matches(['\'', '"']);
-    let values = match kind {
-        "<f8" => each(data, f64::from_le_bytes),
-        ">f8" => each(data, f64::from_be_bytes),
-        "<f4" => each(data, |bytes| f64::from(f32::from_le_bytes(bytes))),
-        ">f4" => each(data, |bytes| f64::from(f32::from_be_bytes(bytes))),
+    let is_big = kind.starts_with('>');
+    let values = match kind.trim_start_matches(['<', '>', '|']) {
+        "f8" => each(data, is_big, f64::from_le_bytes),
+        "f4" => each(data, is_big, |bytes| f32::from_le_bytes(bytes).into()),
+        "i8" => each(data, is_big, |bytes| i64::from_le_bytes(bytes) as f64),
+        "i4" => each(data, is_big, |bytes| i32::from_le_bytes(bytes).into()),
+        "i2" => each(data, is_big, |bytes| i16::from_le_bytes(bytes).into()),
+        "i1" => each(data, is_big, |bytes| i8::from_le_bytes(bytes).into()),
+        "u8" => each(data, is_big, |bytes| u64::from_le_bytes(bytes) as f64),
+        "u4" => each(data, is_big, |bytes| u32::from_le_bytes(bytes).into()),
+        "u2" => each(data, is_big, |bytes| u16::from_le_bytes(bytes).into()),
+        "u1" => each(data, is_big, |bytes| u8::from_le_bytes(bytes).into()),
         _ => {
             return Err(format!(
-                "must hold 32- or 64-bit floating-point numbers, but holds {kind}"
+                "must hold integers or 32- or 64-bit floating-point numbers, but holds {kind}"
             ));
         }
     };
     values.ok_or_else(|| "ends in the middle of a number".to_owned())
 }
 
-fn each<const N: usize>(data: &[u8], convert: impl Fn([u8; N]) -> f64) -> Option<Vec<f64>> {
+/// Numbers of so many bytes, those of big-endian ones the other way round.
+fn each<const N: usize>(
+    data: &[u8],
+    is_big: bool,
+    convert: impl Fn([u8; N]) -> f64,
+) -> Option<Vec<f64>> {
     let (chunks, rest) = data.as_chunks::<N>();
-    rest.is_empty().then(|| chunks.iter().map(|chunk| convert(*chunk)).collect())
+    let number = |chunk: &[u8; N]| {
+        let mut bytes = *chunk;
+        if is_big {
+            bytes.reverse();
+        }
+        convert(bytes)
+    };
+    rest.is_empty().then(|| chunks.iter().map(number).collect())
 }
 
 /// Column after column to row after row.
@@ -132,6 +151,20 @@ mod tests {
         assert_eq!(fortran, c);
     }
 
+    /// Heights as instruments count them.
+    #[test]
+    fn integers_are_numbers() {
+        let read = |kind: &str, data: &[u8]| {
+            parse(&file(&header(kind, "False", "(1, 2)"), data)).unwrap().values
+        };
+        assert_eq!(read("|u1", &[7, 255]), [7.0, 255.0]);
+        assert_eq!(read("|i1", &[7, 255]), [7.0, -1.0]);
+        assert_eq!(read("<i2", &[1, 0, 254, 255]), [1.0, -2.0]);
+        assert_eq!(read(">u2", &[1, 0, 0, 3]), [256.0, 3.0]);
+        let of = |values: [i64; 2]| values.map(i64::to_be_bytes).concat();
+        assert_eq!(read(">i8", &of([-5, 1 << 40])), [-5.0, 2_f64.powi(40)]);
+    }
+
     #[test]
     fn one_dimension_is_a_row_where_that_is_legal() {
         let line = file(&header("<f8", "False", "(6,)"), &doubles(6));
@@ -145,7 +178,7 @@ mod tests {
     fn other_files_are_refused() {
         let cases = [
             (b"x,y\n".to_vec(), "must be an .npy file"),
-            (file(&header("<i8", "False", "(2, 3)"), &doubles(6)), "floating-point"),
+            (file(&header("<c8", "False", "(2, 3)"), &doubles(6)), "floating-point"),
             (file(&header("<f8", "False", "(6,)"), &doubles(6)), "two dimensions"),
             (file(&header("<f8", "False", "(2, 4)"), &doubles(6)), "must hold 2 by 4 numbers"),
             (file(&header("<f8", "False", "(2, 3)"), &doubles(6)[..47]), "in the middle"),

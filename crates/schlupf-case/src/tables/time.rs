@@ -5,6 +5,7 @@ use schlupf::history::History;
 use super::columns::{Column, Columns};
 use crate::error::CaseError;
 use crate::fields::{self, Requirement, readable};
+use crate::names::FieldNames;
 use crate::units::Measure;
 
 const FILE: &str = "history.file";
@@ -34,7 +35,7 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
         if let Some(row) = stray {
             let (name, value) = (column.name, readable(values[row]));
             let unit = column.measure.map_or("", |measure| measure.unit);
-            let requirement = requirement.text(unit);
+            let requirement = requirement.text(unit, &FieldNames::CASE);
             let message = format!("{name} must be {requirement}, but is {value} {unit}");
             let error = columns.error(columns.lines[row], message.trim_end());
             return Err(error.help(fields::creepage_in_per_cent(name, values[row])));

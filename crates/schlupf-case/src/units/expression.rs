@@ -9,7 +9,7 @@
 use std::iter::Peekable;
 use std::str::Chars;
 
-use super::quantity::QuantityError;
+use super::error::QuantityError;
 use super::symbol::{Unit, look_up};
 
 /// No unit of physics needs more; it bounds the depth of the recursion.

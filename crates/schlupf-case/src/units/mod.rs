@@ -1,11 +1,13 @@
 //! Quantities with units as text, such as `"50 W/(m K)"`.
 
 mod dimension;
+mod error;
 mod expression;
 mod measure;
 mod quantity;
 mod symbol;
 
 pub use dimension::Dimension;
+pub use error::QuantityError;
 pub use measure::{Measure, Scale};
-pub use quantity::{Conversion, QuantityError, parse_quantity, parse_unit};
+pub use quantity::{Conversion, parse_quantity, parse_unit};

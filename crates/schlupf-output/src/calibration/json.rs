@@ -1,18 +1,20 @@
 //! Calibrated stiffnesses as JSON.
 
+use schlupf::Status;
 use schlupf::calibration::Deviation;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
+use schlupf::message::Message;
 use serde::Serialize;
 
-use super::{FittedComponent, Layer, Report};
+use super::{CalibrationReport, FittedComponent, Layer};
 use crate::json::{self, PROGRAM};
 
 /// The stiffnesses as a JSON document, SI units.
-pub fn document(report: &Report) -> String {
+pub(super) fn document(report: &CalibrationReport) -> String {
     json::text(&Document {
         program: PROGRAM,
         title: &report.title,
-        status: json::status(report.status),
+        status: report.status,
         normal: Normal {
             load: report.normal.load,
             semi_axis_x: report.normal.semi_axis_x,
@@ -34,14 +36,14 @@ pub fn document(report: &Report) -> String {
 struct Document<'a> {
     program: &'static str,
     title: &'a str,
-    status: &'static str,
+    status: Status,
     normal: Normal,
     bodies: Bodies,
     table: Option<LayerEntry>,
     anew: Option<LayerEntry>,
     uncoupled: Option<LayerEntry>,
     fitted: Option<FittedEntries<'a>>,
-    warnings: &'a [String],
+    warnings: &'a [Message],
 }
 
 #[derive(Serialize)]
@@ -84,28 +86,13 @@ impl StiffnessEntry {
 struct LayerEntry {
     x: StiffnessEntry,
     y: StiffnessEntry,
-    deviation: Option<DeviationEntry>,
+    deviation: Option<Deviation>,
 }
 
 impl LayerEntry {
     fn new(layer: Layer) -> Self {
         let [x, y] = layer.stiffness.map(StiffnessEntry::new);
-        Self { x, y, deviation: layer.deviation.map(DeviationEntry::new) }
-    }
-}
-
-#[derive(Serialize)]
-struct DeviationEntry {
-    force: f64,
-    force_with_spin: f64,
-    field: f64,
-    field_with_spin: f64,
-}
-
-impl DeviationEntry {
-    fn new(deviation: Deviation) -> Self {
-        let Deviation { force, force_with_spin, field, field_with_spin } = deviation;
-        Self { force, force_with_spin, field, field_with_spin }
+        Self { x, y, deviation: layer.deviation }
     }
 }
 

@@ -1,18 +1,24 @@
 //! Calibrated stiffnesses of the elastic layer: a summary with a snippet for the case file, and JSON.
 
-pub mod json;
+mod json;
 mod snippet;
-pub mod summary;
+mod summary;
 
 use schlupf::calibration::Deviation;
 use schlupf::calibration::displacements::DisplacementFit;
+use schlupf::calibration::side_by_side::SideBySide;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
+use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::Status;
 
+use crate::figures::{self, Figure, FigureError};
+use crate::report::Report;
+use crate::table::{Table, entry};
+
 /// Stiffnesses for a patch, and what they were fitted to.
 #[derive(Debug, Clone)]
-pub struct Report {
+pub struct CalibrationReport {
     /// Title of the case.
     pub title: String,
     /// The patch.
@@ -28,7 +34,9 @@ pub struct Report {
     /// Fitted to displacements.
     pub fitted: Option<Fitted>,
     /// What the reader must know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
+    /// Forces and tractions of all models, to draw.
+    pub sides: Option<SideBySide>,
     /// Whether all that was computed converged.
     pub status: Status,
 }
@@ -90,7 +98,7 @@ struct Origin {
     deviation: Option<Deviation>,
 }
 
-impl Report {
+impl CalibrationReport {
     /// All stiffnesses, the last but the uncoupled ones being those that were asked for.
     fn origins(&self) -> Vec<Origin> {
         let layer = |name, layer: &Layer| Origin {
@@ -119,5 +127,45 @@ impl Report {
             (None, Some(layer)) => layer.stiffness.map(Some),
             (None, None) => [None; 2],
         }
+    }
+}
+
+impl Report for CalibrationReport {
+    fn status(&self) -> Status {
+        self.status
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        json::document(self)
+    }
+
+    fn summary(&self) -> String {
+        summary::text(self)
+    }
+
+    /// A row for each component of each origin of stiffnesses.
+    fn csv(&self) -> Option<String> {
+        let table = Table::default().with("origin", "name").with("component", "x or y");
+        let mut table = table.with("bedding", "N/m^3").with("coupling", "N/m");
+        table = table.with("coupling_across", "N/m");
+        for Origin { name, stiffness, .. } in self.origins() {
+            for (component, stiffness) in ["x", "y"].into_iter().zip(stiffness) {
+                let Some(stiffness) = stiffness else { continue };
+                let LayerStiffness { bedding, coupling_along_x, coupling_along_y } = stiffness;
+                let numbers = [bedding, coupling_along_x, coupling_along_y];
+                let numbers = numbers.map(|number| entry(number.into()));
+                table.push([name, component].map(str::to_owned).into_iter().chain(numbers));
+            }
+        }
+        Some(table.csv("couplings along and across rolling"))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        let sides = self.sides.iter();
+        sides.map(|sides| figures::calibration(&self.title, sides)).collect()
     }
 }

@@ -2,10 +2,10 @@
 
 use schlupf::elasticity::elastic_layer::LayerStiffness;
 
-use super::Report;
+use super::CalibrationReport;
 
 /// `[elasticity]` with the stiffnesses to take over; what has none is left to its default.
-pub(super) fn snippet(report: &Report) -> String {
+pub(super) fn snippet(report: &CalibrationReport) -> String {
     let mut lines = vec!["[elasticity]".to_owned(), "model = \"elastic-layer\"".to_owned()];
     if report.anew.is_none() && report.fitted.is_none() {
         lines.push("# for this patch what calibration = \"half-space\" is for any".to_owned());

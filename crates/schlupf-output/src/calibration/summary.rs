@@ -2,16 +2,16 @@
 
 use schlupf::calibration::Deviation;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
-use schlupf::solution::Status;
 
 use super::snippet::snippet;
-use super::{Fitted, Origin, Report};
+use super::{CalibrationReport, Fitted, Origin};
 use crate::number::significant as number;
+use crate::report::verdict;
 use crate::summary::{entry, line};
 
 /// The patch, the stiffnesses side by side, how far they are from what they were fitted to, and a section of a
 /// case file.
-pub fn text(report: &Report) -> String {
+pub(super) fn text(report: &CalibrationReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     patch(&mut text, report);
     let origins = report.origins();
@@ -22,18 +22,11 @@ pub fn text(report: &Report) -> String {
     }
     text.push_str(&snippet(report));
     text.push('\n');
-    let verdict = match report.status {
-        Status::Converged => "converged",
-        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
-    };
-    line(&mut text, verdict);
-    for warning in &report.warnings {
-        line(&mut text, &format!("warning: {warning}"));
-    }
+    line(&mut text, verdict(report.status));
     text
 }
 
-fn patch(text: &mut String, report: &Report) {
+fn patch(text: &mut String, report: &CalibrationReport) {
     let [a, b] = [report.normal.semi_axis_x, report.normal.semi_axis_y];
     let across = format!("along rolling, {} mm across, a/b = {}", number(b / 1e-3), number(a / b));
     entry(text, "semi-axes", a / 1e-3, "mm", &across);

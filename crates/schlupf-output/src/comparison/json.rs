@@ -1,23 +1,25 @@
 //! A comparison as JSON, for other programs.
 
+use schlupf::kinematics::Kinematics;
+use schlupf::message::Message;
+use schlupf::normal::NormalSummary;
+use schlupf::solution::Resultant;
 use serde::Serialize;
 
-use schlupf::solution::Resultant;
+use super::{Comparison, Entry};
+use crate::json::{PROGRAM, text};
 
-use super::{Answer, Comparison, Entry};
-use crate::json::{Kinematics, Normal, PROGRAM, Vector, text};
-
-/// All methods as a JSON document: SI units, forces on the wheel. What a method does not know is `null`, all
-/// numbers where it has no answer.
-pub fn document(comparison: &Comparison) -> String {
+/// All methods as a JSON document: SI units, forces on the wheel. What a method does not know is `null`,
+/// all numbers where it has no answer.
+pub(super) fn document(comparison: &Comparison) -> String {
     let first = comparison.answers().next();
     text(&Document {
         program: PROGRAM,
         title: &comparison.title,
-        normal: first.map(|answer| (&answer.solution.normal).into()),
-        kinematics: first.map(|answer| (&answer.solution.kinematics).into()),
+        normal: first.map(|answer| &answer.solution.normal),
+        kinematics: first.map(|answer| &answer.solution.kinematics),
         methods: comparison.entries.iter().map(Row::new).collect(),
-        warnings: comparison.entries.iter().flat_map(Entry::warnings).collect(),
+        warnings: &comparison.warnings,
     })
 }
 
@@ -25,10 +27,10 @@ pub fn document(comparison: &Comparison) -> String {
 struct Document<'a> {
     program: &'static str,
     title: &'a str,
-    normal: Option<Normal>,
-    kinematics: Option<Kinematics>,
+    normal: Option<&'a NormalSummary>,
+    kinematics: Option<&'a Kinematics>,
     methods: Vec<Row<'a>>,
-    warnings: Vec<String>,
+    warnings: &'a [Message],
 }
 
 #[derive(Serialize)]
@@ -40,32 +42,44 @@ struct Row<'a> {
     reason: Option<&'a str>,
     force: Vector,
     normalised: Vector,
-    traction_coefficient: f64,
-    creep_power: f64,
-    max_rise: f64,
-    time: f64,
-    time_again: f64,
+    traction_coefficient: Option<f64>,
+    creep_power: Option<f64>,
+    max_rise: Option<f64>,
+    time: Option<f64>,
+    time_again: Option<f64>,
 }
 
-const UNKNOWN: Resultant = Resultant { x: f64::NAN, y: f64::NAN, moment_z: f64::NAN };
+#[derive(Default, Serialize)]
+struct Vector {
+    x: Option<f64>,
+    y: Option<f64>,
+    moment_z: Option<f64>,
+}
+
+impl From<&Resultant> for Vector {
+    fn from(force: &Resultant) -> Self {
+        Self { x: Some(force.x), y: Some(force.y), moment_z: Some(force.moment_z) }
+    }
+}
 
 impl<'a> Row<'a> {
     fn new(entry: &'a Entry) -> Self {
-        let answer = entry.answer.as_ref();
-        let number = |value: fn(&Answer) -> f64| answer.map_or(f64::NAN, value);
+        let answer = entry.answer.as_ref().ok();
+        let solution = answer.map(|answer| &answer.solution);
+        let vector = |force: Option<&Resultant>| force.map(Vector::from).unwrap_or_default();
         Self {
             name: entry.name,
             method: entry.method,
             elasticity: entry.elasticity,
             status: entry.status(),
             reason: entry.reason(),
-            force: answer.map_or(UNKNOWN, |answer| answer.solution.force).into(),
-            normalised: answer.map_or(UNKNOWN, |answer| answer.solution.normalised).into(),
-            traction_coefficient: number(|answer| answer.solution.traction_coefficient),
-            creep_power: number(|answer| answer.solution.power.creep),
-            max_rise: number(|answer| answer.solution.temperature.max_rise),
-            time: number(|answer| answer.time),
-            time_again: number(|answer| answer.time_again),
+            force: vector(solution.map(|solution| &solution.force)),
+            normalised: vector(solution.map(|solution| &solution.normalised)),
+            traction_coefficient: solution.map(|solution| solution.traction_coefficient),
+            creep_power: solution.map(|solution| solution.power.creep),
+            max_rise: solution.map(|solution| solution.temperature.max_rise),
+            time: answer.map(|answer| answer.time),
+            time_again: answer.map(|answer| answer.time_again),
         }
     }
 }

@@ -1,12 +1,15 @@
 //! Several methods on the same case: JSON, CSV and a summary. The figure is among the figures.
 
-pub mod csv;
-pub mod json;
-pub mod summary;
+mod json;
+mod summary;
 
-use schlupf::{Solution, Status};
+use schlupf::columns::{Column, Record, Value};
+use schlupf::message::Message;
+use schlupf::{Solution, Status, columns};
 
-use crate::json::status;
+use crate::figures::{self, Figure, FigureError};
+use crate::report::Report;
+use crate::table::{Table, entries, quoted};
 
 /// What several methods make of one case.
 #[derive(Debug, Clone)]
@@ -15,6 +18,8 @@ pub struct Comparison {
     pub title: String,
     /// At least one, and at least one with an answer.
     pub entries: Vec<Entry>,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<Message>,
 }
 
 /// A method, and what it makes of the case.
@@ -42,12 +47,6 @@ pub struct Answer {
 }
 
 impl Entry {
-    /// What its number needs to be read, one entry a warning.
-    pub fn warnings(&self) -> impl Iterator<Item = String> + use<'_> {
-        let answer = self.answer.iter();
-        answer.flat_map(|a| &a.solution.warnings).map(|text| format!("{}: {text}", self.name))
-    }
-
     /// Whether it has an answer that did not converge.
     pub fn is_unconverged(&self) -> bool {
         self.answer.as_ref().is_ok_and(|answer| answer.solution.status != Status::Converged)
@@ -60,7 +59,7 @@ impl Entry {
 
     /// `converged`, `not-converged` or `not-available`.
     fn status(&self) -> &'static str {
-        self.answer.as_ref().map_or("not-available", |answer| status(answer.solution.status))
+        self.answer.as_ref().map_or("not-available", |answer| answer.solution.status.name())
     }
 }
 
@@ -70,8 +69,73 @@ impl Comparison {
         self.entries.iter().filter_map(|entry| entry.answer.as_ref().ok())
     }
 
-    /// Whether every answer converged.
-    pub fn is_converged(&self) -> bool {
-        !self.entries.iter().any(Entry::is_unconverged)
+    /// A number of the answer of an entry (in its unit, or dimensionless), if it has one.
+    fn of(&self, row: usize, number: fn(&Answer) -> f64) -> Value {
+        self.entries[row].answer.as_ref().map(number).ok().into()
+    }
+}
+
+/// What the methods found, forces on the wheel.
+impl Record for Comparison {
+    fn rows(&self) -> usize {
+        self.entries.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Comparison:
+            ForceX => |methods, k| methods.of(k, |answer| answer.solution.force.x),
+            ForceY => |methods, k| methods.of(k, |answer| answer.solution.force.y),
+            MomentZ => |methods, k| methods.of(k, |answer| answer.solution.force.moment_z),
+            NormalisedX => |methods, k| methods.of(k, |answer| answer.solution.normalised.x),
+            NormalisedY => |methods, k| methods.of(k, |answer| answer.solution.normalised.y),
+            NormalisedMomentZ => |methods, k| {
+                methods.of(k, |answer| answer.solution.normalised.moment_z)
+            },
+            TractionCoefficient => |methods, k| {
+                methods.of(k, |answer| answer.solution.traction_coefficient)
+            },
+            CreepPower => |methods, k| methods.of(k, |answer| answer.solution.power.creep),
+            MaxRise => |methods, k| methods.of(k, |answer| answer.solution.temperature.max_rise),
+            ComputingTime "time" => |methods, k| methods.of(k, |answer| answer.time),
+            ComputingTimeAgain "time_again" => |methods, k| methods.of(k, |answer| answer.time_again),
+        }
+    }
+}
+
+impl Report for Comparison {
+    fn status(&self) -> Status {
+        let is_converged = !self.entries.iter().any(Entry::is_unconverged);
+        if is_converged { Status::Converged } else { Status::NotConverged }
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        json::document(self)
+    }
+
+    fn summary(&self) -> String {
+        summary::text(self)
+    }
+
+    fn csv(&self) -> Option<String> {
+        let names = Table::default().with("method", "name").with("elasticity", "name");
+        let mut table = names
+            .with_columns::<Self>()
+            .with("status", "converged or not-converged or not-available")
+            .with("reason", "text");
+        for (row, entry) in self.entries.iter().enumerate() {
+            let names = [entry.method, entry.elasticity.unwrap_or_default()].map(str::to_owned);
+            let reason = entry.reason().map(quoted).unwrap_or_default();
+            let end = [entry.status().to_owned(), reason];
+            table.push(names.into_iter().chain(entries(self, row)).chain(end));
+        }
+        Some(table.csv("forces on the wheel"))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        figures::comparison(self).map(|figure| vec![figure])
     }
 }

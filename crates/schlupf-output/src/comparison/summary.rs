@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use schlupf::kinematics::ReferencePoint;
 
-use super::{Answer, Comparison, Entry};
+use super::{Answer, Comparison};
 use crate::number::significant as number;
 use crate::summary::without_noise;
 
@@ -24,8 +24,8 @@ const COLUMNS: [Column; 7] = [
 /// Width of the names, in characters.
 const NAMES: usize = 24;
 
-/// All methods on a terminal: forces on the wheel, the largest temperature rise, times, and warnings.
-pub fn text(comparison: &Comparison) -> String {
+/// All methods on a terminal: forces on the wheel, the largest temperature rise, and times.
+pub(super) fn text(comparison: &Comparison) -> String {
     let mut text = format!("{}\n\n", comparison.title);
     if let Some(answer) = comparison.answers().next() {
         conditions(&mut text, answer);
@@ -47,9 +47,6 @@ pub fn text(comparison: &Comparison) -> String {
     text.push_str(
         "time: from nothing, with set-up; again: forces once more, set-up there; –: not given\n",
     );
-    for warning in comparison.entries.iter().flat_map(Entry::warnings) {
-        line(&mut text, &format!("warning: {warning}"));
-    }
     text
 }
 

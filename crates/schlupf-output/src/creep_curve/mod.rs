@@ -1,10 +1,15 @@
 //! Creep curves, one or a family of them: JSON, CSV and a summary. The figure is among the figures.
 
-pub mod csv;
-pub mod json;
-pub mod summary;
+mod json;
+mod summary;
 
+use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, CreepCurve, Sampling};
+use schlupf::message::Message;
+
+use crate::figures::{self, Figure, FigureError};
+use crate::report::Report;
+use crate::table::{Table, entries, entry, quoted};
 
 /// Creep curves over the same creepages, of cases that differ in one field.
 #[derive(Debug, Clone)]
@@ -17,6 +22,8 @@ pub struct CurveFamily {
     pub sampling: Sampling,
     /// At least one curve.
     pub members: Vec<Member>,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<Message>,
 }
 
 /// One curve of a family.
@@ -24,21 +31,29 @@ pub struct CurveFamily {
 pub struct Member {
     /// The value of the field, as it was written; `None` for one curve.
     pub value: Option<String>,
-    /// What was given without effect.
-    pub notices: Vec<String>,
+    /// What its reader must know.
+    pub warnings: Vec<Message>,
     /// The curve.
     pub curve: CreepCurve,
 }
 
 impl CurveFamily {
+    /// Curves with their warnings: one that all of them have once, the others with the name of their
+    /// curve.
+    pub fn new(
+        title: String,
+        over: Option<String>,
+        sampling: Sampling,
+        members: Vec<Member>,
+    ) -> Self {
+        let mut family = Self { title, over, sampling, members, warnings: Vec::new() };
+        family.warnings = family.all_warnings();
+        family
+    }
+
     /// What all curves are drawn over.
     pub fn abscissa(&self) -> Option<Abscissa> {
         self.members.first().map(|member| member.curve.path.abscissa())
-    }
-
-    /// Whether every point of every curve converged.
-    pub fn is_converged(&self) -> bool {
-        self.members.iter().all(|member| member.curve.is_converged())
     }
 
     /// What a member is called, such as `normal.load = 60 kN`.
@@ -46,29 +61,64 @@ impl CurveFamily {
         Some(format!("{} = {}", self.over.as_ref()?, member.value.as_ref()?))
     }
 
-    /// The warnings of all curves: one that all of them have once, the others with the name of their
-    /// curve.
-    pub fn warnings(&self) -> Vec<String> {
-        let of = |member: &Member| -> Vec<String> {
-            member.notices.iter().chain(&member.curve.warnings).cloned().collect()
-        };
+    fn all_warnings(&self) -> Vec<Message> {
         let Some((first, others)) = self.members.split_first() else { return Vec::new() };
-        let is_common = |text: &String| others.iter().all(|member| of(member).contains(text));
-        let (mut warnings, own): (Vec<String>, Vec<String>) =
-            of(first).into_iter().partition(is_common);
-        let common = warnings.clone();
-        let mut add = |member: &Member, texts: Vec<String>| {
-            for text in texts.into_iter().filter(|text| !common.contains(text)) {
-                warnings.push(match self.name(member) {
-                    Some(name) => format!("{name}: {text}"),
-                    None => text,
-                });
-            }
-        };
-        add(first, own);
-        for member in others {
-            add(member, of(member));
+        let is_common =
+            |message: &&Message| others.iter().all(|member| member.warnings.contains(message));
+        let common: Vec<Message> = first.warnings.iter().filter(is_common).cloned().collect();
+        let own = self.members.iter().flat_map(|member| {
+            let own = member.warnings.iter().filter(|message| !common.contains(message)).cloned();
+            own.map(|message| match self.name(member) {
+                Some(name) => message.about(&name),
+                None => message,
+            })
+        });
+        let own: Vec<Message> = own.collect();
+        common.into_iter().chain(own).collect()
+    }
+}
+
+impl Report for CurveFamily {
+    fn status(&self) -> Status {
+        let is_converged = self.members.iter().all(|member| member.curve.is_converged());
+        if is_converged { Status::Converged } else { Status::NotConverged }
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        json::document(self)
+    }
+
+    fn summary(&self) -> String {
+        summary::text(self)
+    }
+
+    /// The first column is the field in which the curves differ, if there is one; then comes the
+    /// total creepage where the curves run in a fixed direction.
+    fn csv(&self) -> Option<String> {
+        let total = self.abscissa().filter(|a| matches!(a, Abscissa::Total { .. }));
+        let mut table = Table::default();
+        if let Some(over) = &self.over {
+            table = table.with(over, "as given");
         }
-        warnings
+        if let Some(total) = total {
+            table = table.with(total.quantity().name(), "1");
+        }
+        let mut table = table.with_columns::<CreepCurve>();
+        for Member { value, curve, .. } in &self.members {
+            for (row, point) in curve.points.iter().enumerate() {
+                let value = value.as_deref().map(quoted);
+                let total = total.map(|_| entry(point.abscissa.into()));
+                table.push(value.into_iter().chain(total).chain(entries(curve, row)));
+            }
+        }
+        Some(table.csv("forces on the wheel"))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        figures::creep_curve(self).map(|figure| vec![figure])
     }
 }

@@ -17,8 +17,8 @@ const FROM_THE_FILE: &str = "creepages and moment at the origin of the file";
 /// Most points of a curve in the table, apart from those that did not converge.
 const MOST_ROWS: usize = 21;
 
-/// The curves on a terminal: forces on the wheel, temperatures, slope, maximum and warnings.
-pub fn text(family: &CurveFamily) -> String {
+/// The curves on a terminal: forces on the wheel, temperatures, slope and maximum.
+pub(super) fn text(family: &CurveFamily) -> String {
     let mut text = format!("{}\n", family.title);
     for member in &family.members {
         text.push('\n');
@@ -26,13 +26,6 @@ pub fn text(family: &CurveFamily) -> String {
             line(&mut text, &name);
         }
         curve(&mut text, member);
-    }
-    let warnings = family.warnings();
-    if !warnings.is_empty() {
-        text.push('\n');
-    }
-    for warning in warnings {
-        line(&mut text, &format!("warning: {warning}"));
     }
     text
 }
@@ -90,7 +83,7 @@ fn table(text: &mut String, curve: &CreepCurve) {
     let points = &curve.points;
     let abscissa = match curve.path.abscissa() {
         Abscissa::Spin => "spin (1/m)".to_owned(),
-        other => other.name().to_owned(),
+        other => other.quantity().name().to_owned(),
     };
     let mut columns: Vec<Column> = vec![
         (abscissa, |point| point.abscissa),
@@ -182,7 +175,7 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
 
 fn top(text: &mut String, maximum: &Maximum, abscissa: Abscissa) {
     let value = number(maximum.traction_coefficient);
-    let place = abscissa.equation(significant(maximum.abscissa));
+    let place = abscissa.quantity().equation(significant(maximum.abscissa));
     let entry = if maximum.is_saturated {
         let level = number(100.0 * PLATEAU);
         format!("|F|/N = {value}, saturated: within {level} % from {place} on")
@@ -201,7 +194,7 @@ fn largest(text: &mut String, curve: &CreepCurve) {
         Some(point) if curve.is_converged() => format!(
             "none within the range: |F|/N is largest at an end of it, {} at {}",
             number(point.traction_coefficient),
-            curve.path.abscissa().equation(point.abscissa)
+            curve.path.abscissa().quantity().equation(point.abscissa)
         ),
         _ => "none found between the points that converged".to_owned(),
     };

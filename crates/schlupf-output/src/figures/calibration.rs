@@ -3,11 +3,12 @@
 
 use schlupf::calibration::side_by_side::{Answer, Course, Model, SideBySide};
 
+use super::color::{BLUE, GREEN, INK, VERMILION};
 use super::frame::Frame;
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{BLUE, Curve, GREEN, Panel, VERMILION, ZERO};
-use super::svg::{Drawing, INK};
+use super::panels::{Curve, Panel, ZERO};
+use super::svg::Drawing;
 
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 24.0;

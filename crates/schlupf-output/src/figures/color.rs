@@ -1,7 +1,19 @@
-//! Perceptually uniform colour maps.
+//! Colours of text and lines, and perceptually uniform colour maps.
 //!
-//! Equidistant samples of viridis and inferno (matplotlib, van der Walt and Smith 2015, CC0) and of
+//! The maps are equidistant samples of viridis and inferno (matplotlib, van der Walt and Smith 2015, CC0) and of
 //! vik (Crameri 2018, MIT), linear in between; at 33 samples the error is below what eight bits show.
+
+/// Colour of text and axes.
+pub(super) const INK: &str = "#222222";
+/// Colour of what stands back: titles of the case, units, grid labels.
+pub(super) const MUTED: &str = "#5f5f5f";
+
+/// Line colours that colour-blind readers tell apart (Okabe and Ito 2008).
+pub(super) const BLUE: &str = "#0072b2";
+/// Second line colour.
+pub(super) const VERMILION: &str = "#d55e00";
+/// Third line colour.
+pub(super) const GREEN: &str = "#009e73";
 
 /// A colour map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,7 +77,7 @@ pub(super) fn series(count: usize) -> Vec<String> {
     /// The light end of the palette is not seen on white.
     const LIGHTEST: f64 = 0.78;
     if count == 1 {
-        return vec![super::panels::BLUE.to_owned()];
+        return vec![BLUE.to_owned()];
     }
     let level = |k: usize| LIGHTEST * k as f64 / (count - 1) as f64 * (LEVELS - 1) as f64;
     (0..count).map(|k| paint(Palette::Mechanical, level(k).round() as usize)).collect()

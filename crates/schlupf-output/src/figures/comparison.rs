@@ -1,15 +1,17 @@
 //! What several methods make of one case: bars side by side.
 
-use schlupf::Method;
 use schlupf::method::FastMethod;
+use schlupf::{Method, Status};
 
+use super::color::{BLUE, GREEN, MUTED, VERMILION};
 use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, HEADING, short};
-use super::panels::{BLUE, GREEN, VERMILION, ZERO};
-use super::svg::{Drawing, GRID_LINE, MUTED};
+use super::panels::ZERO;
+use super::svg::{Drawing, GRID_LINE};
 use super::ticks::{powers_of_ten, round_ticks};
 use crate::comparison::{Answer, Comparison, Entry};
+use crate::report::Report;
 
 const NAMES: f64 = 190.0;
 const COLUMN: f64 = 200.0;
@@ -80,7 +82,7 @@ pub(super) fn draw(comparison: &Comparison) -> Option<String> {
     let top = HEADING + 44.0;
     let bottom = top + ROW * rows.len() as f64;
     let mut drawing = Drawing::new(width, bottom + TICKS + NOTE * notes.len() as f64 + 8.0);
-    let remark = if comparison.is_converged() { "" } else { "not all converged" };
+    let remark = if comparison.status() == Status::Converged { "" } else { "not all converged" };
     let lines = [comparison.title.as_str(), &conditions(first)];
     marks::title_block(&mut drawing, "Methods on the same case", lines, remark);
     for (k, (entry, _)) in rows.iter().enumerate() {

@@ -5,13 +5,15 @@ use schlupf::creep_curve::{Abscissa, CreepCurve, Point};
 use schlupf::solution::Resultant;
 
 use super::color;
+use super::color::{INK, MUTED};
 use super::frame::{Frame, TICK_SIZE};
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, ALARM, Entry, HEADING, Sample, short};
 use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
 use super::smooth::smooth;
-use super::svg::{Drawing, INK, MUTED};
+use super::svg::Drawing;
 use crate::creep_curve::{CurveFamily, Member};
+use crate::report::Report;
 
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(family: &CurveFamily) -> Option<String> {
@@ -117,7 +119,11 @@ impl<'a> Picture<'a> {
 
     fn heading(&self, drawing: &mut Drawing) {
         let title = if self.family.members.len() == 1 { "Creep curve" } else { "Creep curves" };
-        let remark = if self.family.is_converged() { "" } else { "not converged at some points" };
+        let remark = if self.family.status() == Status::Converged {
+            ""
+        } else {
+            "not converged at some points"
+        };
         marks::title_block(drawing, title, [&self.family.title, &self.conditions()], remark);
     }
 

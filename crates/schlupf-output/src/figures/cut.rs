@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
+use super::color::{BLUE, GREEN, VERMILION};
 use super::contour::{self, Sliding};
 use super::marks::{self, HEADING};
-use super::panels::{BLUE, Curve, GREEN, Panel, Stack, VERMILION};
+use super::panels::{Curve, Panel, Stack};
 use super::patch::Patch;
 use super::quantity::scaled;
 use super::sampler::Sampler;

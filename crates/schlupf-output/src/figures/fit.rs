@@ -4,12 +4,12 @@ use schlupf::Status;
 use schlupf::creep_curve::Abscissa;
 use schlupf::identification::{Component, Condition, Estimate, FittedPoint};
 
-use super::color::{LEVELS, Palette, paint};
+use super::color::{BLUE, INK, LEVELS, Palette, paint};
 use super::fit_panel::{Mark, MarkedPanel, Shape, curve_stroke};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{BLUE, Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
-use super::svg::{Drawing, INK};
+use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
+use super::svg::Drawing;
 use crate::identification::{FitReport, in_usual_unit, with_uncertainty};
 
 /// Height of the panel of forces where there is one, and of each where there are two.
@@ -309,7 +309,7 @@ fn result(estimate: &Estimate) -> String {
     let (half_width, _) = in_usual_unit(parameter, estimate.half_width);
     let [value, half_width] = with_uncertainty(value, half_width);
     let number = format!("{value} ± {half_width} {unit}").replace('-', "\u{2212}");
-    format!("{} = {}", symbol(parameter.symbol()), number.trim_end())
+    format!("{} = {}", symbol(parameter.quantity().symbol()), number.trim_end())
 }
 
 /// A symbol such as `T_E` or `μ0` in the markup of labels.

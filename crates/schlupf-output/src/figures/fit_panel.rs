@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
+use super::color::INK;
 use super::frame::Frame;
 use super::marks::{self, Sample};
 use super::panels::{Curve, Panel, ZERO};
-use super::svg::{Drawing, INK};
+use super::svg::Drawing;
 
 /// Shape of a mark.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,8 @@
 //! A rectangle with axes: ticks, grid, labels.
 
+use super::color::INK;
 use super::label::{Anchor, TextStyle};
-use super::svg::{Drawing, GRID_LINE, INK};
+use super::svg::{Drawing, GRID_LINE};
 use super::ticks::{Tick, round_ticks};
 
 /// Font size of tick labels.

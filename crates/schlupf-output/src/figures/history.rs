@@ -2,8 +2,9 @@
 
 use schlupf::solution::Instant;
 
+use super::color::{BLUE, GREEN, VERMILION};
 use super::marks::{self, HEADING};
-use super::panels::{BLUE, Curve, GREEN, Panel, Stack, VERMILION};
+use super::panels::{Curve, Panel, Stack};
 use super::patch::Patch;
 use super::units;
 

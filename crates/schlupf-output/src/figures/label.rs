@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use super::svg::INK;
+use super::color::INK;
 
 /// Where the given point lies in the text.
 #[derive(Debug, Clone, Copy)]

@@ -3,11 +3,11 @@
 use schlupf::Status;
 use schlupf::kinematics::ReferencePoint;
 
-use super::color::{ColorScale, LEVELS, paint};
+use super::color::{ColorScale, INK, LEVELS, MUTED, paint};
 use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use super::label::{self, Anchor, TextStyle};
 use super::patch::Patch;
-use super::svg::{Drawing, INK, MUTED, open_path};
+use super::svg::{Drawing, open_path};
 use super::ticks::round_ticks;
 use crate::number::significant;
 

@@ -44,6 +44,8 @@ use crate::identification::FitReport;
 use crate::roughness::RoughnessReport;
 use crate::temperature::Temperatures;
 
+pub use svg::MARK;
+
 use map::Arrows;
 use patch::Patch;
 

@@ -1,16 +1,10 @@
 //! Curves over a common horizontal axis, in panels one above the other.
 
+use super::color::INK;
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample};
-use super::svg::{Drawing, INK};
+use super::svg::Drawing;
 use super::ticks::round_axis;
-
-/// Line colours that colour-blind readers tell apart (Okabe and Ito 2008).
-pub(super) const BLUE: &str = "#0072b2";
-/// Second line colour.
-pub(super) const VERMILION: &str = "#d55e00";
-/// Third line colour.
-pub(super) const GREEN: &str = "#009e73";
 
 /// A curve.
 #[derive(Debug)]

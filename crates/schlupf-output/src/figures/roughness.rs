@@ -6,6 +6,7 @@ use super::color;
 use super::marks::{self, HEADING, short};
 use super::panels::{Curve, GAP, Panel, Stack, WIDTH};
 use super::svg::Drawing;
+use crate::report::Report;
 use crate::roughness::RoughnessReport;
 
 /// Height of each of the two panels.

@@ -1,9 +1,10 @@
 //! The power spectral density of a rough surface over the wave number, both on logarithmic axes.
 
+use super::color::{BLUE, VERMILION};
 use super::frame::{Frame, LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{BLUE, VERMILION, WIDTH};
+use super::panels::WIDTH;
 use super::roughness::remark;
 use super::svg::{Drawing, GRID_LINE};
 use super::ticks::power_of_ten;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::color::ColorScale;
+use super::color::{ColorScale, INK};
 use super::frame::{LABEL_SIZE, TICK_SIZE, tick_line};
 use super::label::{Anchor, TextStyle};
 use super::marks::{self, HEADING};
@@ -11,7 +11,7 @@ use super::patch::Patch;
 use super::projection::Projection;
 use super::quantity::{Quantity, colors};
 use super::sampler::Sampler;
-use super::svg::{Drawing, GRID_LINE, INK, open_path};
+use super::svg::{Drawing, GRID_LINE, open_path};
 use super::ticks::{Tick, round_axis, round_ticks};
 
 const SIZE: [f64; 2] = [900.0, 740.0];

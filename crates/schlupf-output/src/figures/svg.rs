@@ -2,13 +2,10 @@
 
 use std::fmt::Write;
 
+use super::color::INK;
 use super::font;
 use super::label::{self, TextStyle};
 
-/// Colour of text and axes.
-pub(super) const INK: &str = "#222222";
-/// Colour of what stands back: titles of the case, units, grid labels.
-pub(super) const MUTED: &str = "#5f5f5f";
 /// Stroke of grid lines.
 pub(super) const GRID_LINE: &str = r##"stroke="#dddddd" stroke-width="1""##;
 
@@ -22,6 +19,9 @@ pub(super) struct Drawing {
     body: String,
     clips: usize,
 }
+
+/// What a drawing of ours has within its first lines, by which it is known again.
+pub const MARK: &str = "<desc>drawn by schlupf</desc>";
 
 impl Drawing {
     /// An empty drawing.
@@ -99,6 +99,7 @@ impl Drawing {
         format!(
             r##"<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="{width:.0}" height="{height:.0}" viewBox="0 0 {width:.0} {height:.0}" font-family="{family}" fill="{INK}">
+{MARK}
 <style>{faces}</style>
 <rect width="100%" height="100%" fill="#ffffff"/>
 {body}</svg>

@@ -2,8 +2,9 @@
 
 use schlupf::Status;
 
+use super::color::{BLUE, VERMILION};
 use super::marks::{self, HEADING, short};
-use super::panels::{BLUE, Curve, GAP, Panel, Stack, VERMILION, WIDTH};
+use super::panels::{Curve, GAP, Panel, Stack, WIDTH};
 use super::svg::Drawing;
 use crate::temperature::{Line, Temperatures};
 

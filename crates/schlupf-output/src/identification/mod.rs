@@ -1,12 +1,17 @@
 //! A fit to measured creep curves: JSON, CSV and a summary. The figure is among the figures.
 
-pub mod csv;
-pub mod json;
-pub mod summary;
+mod json;
+mod summary;
 
+use schlupf::columns::{Column, Record, Value};
 use schlupf::identification::{Component, Fit, FittedCurves, FittedPoint, Parameter};
+use schlupf::message::Message;
+use schlupf::{Status, columns};
 
+use crate::figures::{self, Figure, FigureError};
 use crate::number::significant;
+use crate::report::Report;
+use crate::table;
 
 /// A fit with what it was made for.
 #[derive(Debug, Clone)]
@@ -23,6 +28,12 @@ pub struct FitReport {
     pub curves: FittedCurves,
     /// γ and the k_c (in 1/m) that follows, where the roughness was fitted.
     pub roughness: Option<FittedRoughness>,
+    /// What parameters are called, in the order of the estimates.
+    pub names: Vec<String>,
+    /// The case with the values found, where it was asked for.
+    pub case: Option<String>,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<Message>,
 }
 
 /// What a fitted height of the roughness gives.
@@ -34,7 +45,67 @@ pub struct FittedRoughness {
     pub contact_stiffness: f64,
 }
 
+/// Measured forces with those of the fit, on the rail.
+impl Record for FitReport {
+    fn rows(&self) -> usize {
+        self.fit.points.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { FitReport:
+            CreepageX => |report, k| report.point(k).data.condition.kinematics.creepage_x,
+            CreepageY => |report, k| report.point(k).data.condition.kinematics.creepage_y,
+            Spin => |report, k| report.point(k).data.condition.kinematics.spin,
+            Speed => |report, k| report.point(k).data.condition.kinematics.speed,
+            Load => |report, k| report.load_of(report.point(k)),
+            Component => |report, k| Value::Name(component(report.point(k).data.component)),
+            ForceRatio => |report, k| report.point(k).data.force_ratio,
+            FittedRatio "fitted" => |report, k| report.point(k).fitted,
+            RatioResidual "residual" => |report, k| report.point(k).residual(),
+            StandardDeviation => |report, k| report.point(k).data.standard_deviation,
+        }
+    }
+}
+
+impl Report for FitReport {
+    fn status(&self) -> Status {
+        self.fit.status
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        json::document(self)
+    }
+
+    fn summary(&self) -> String {
+        summary::text(self)
+    }
+
+    fn csv(&self) -> Option<String> {
+        let note = "forces on the rail over the load, residual = measured - fitted";
+        Some(table::csv(self, note))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        figures::fit(self).map(|figure| vec![figure])
+    }
+
+    fn own_file(&self, format: &str) -> Option<Vec<u8>> {
+        (format == Self::CASE).then(|| self.case.clone().map(String::into_bytes)).flatten()
+    }
+}
+
 impl FitReport {
+    /// Format of the case with the values found.
+    pub const CASE: &str = "case";
+
+    fn point(&self, k: usize) -> &FittedPoint {
+        &self.fit.points[k]
+    }
+
     /// Load of a point, in N.
     fn load_of(&self, point: &FittedPoint) -> f64 {
         point.data.condition.load.unwrap_or(self.load)
@@ -53,7 +124,7 @@ pub(crate) fn component(component: Component) -> &'static str {
 pub(crate) fn in_usual_unit(parameter: Parameter, number: f64) -> (f64, &'static str) {
     match parameter {
         Parameter::Roughness => (number / 1e-6, "µm"),
-        _ => (number, parameter.unit()),
+        _ => (number, parameter.quantity().unit()),
     }
 }
 

@@ -1,15 +1,15 @@
 //! A fit on a terminal.
 
 use schlupf::identification::Estimate;
-use schlupf::solution::Status;
 
 use super::{FitReport, in_usual_unit, with_uncertainty};
 use crate::number::significant as number;
-use crate::summary::{line, reason};
+use crate::report::{reasons, verdict};
+use crate::summary::line;
 
 /// The parameters with their intervals and correlations, how well the model follows the data, status and
 /// warnings.
-pub fn text(report: &FitReport) -> String {
+pub(super) fn text(report: &FitReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     let fit = &report.fit;
     line(&mut text, &format!("{} measured forces of {}", fit.points.len(), report.data));
@@ -21,8 +21,8 @@ pub fn text(report: &FitReport) -> String {
             "parameter", "", "value", "± 95 %", "", "start"
         ),
     );
-    for estimate in &fit.estimates {
-        parameter(&mut text, estimate);
+    for (estimate, name) in fit.estimates.iter().zip(&report.names) {
+        parameter(&mut text, estimate, name);
     }
     if let Some(roughness) = report.roughness {
         let gamma = number(roughness.gamma);
@@ -35,7 +35,7 @@ pub fn text(report: &FitReport) -> String {
     text
 }
 
-fn parameter(text: &mut String, estimate: &Estimate) {
+fn parameter(text: &mut String, estimate: &Estimate, name: &str) {
     let parameter = estimate.parameter;
     let usual = |value| in_usual_unit(parameter, value);
     let (value, unit) = usual(estimate.value);
@@ -44,9 +44,8 @@ fn parameter(text: &mut String, estimate: &Estimate) {
     line(
         text,
         &format!(
-            "{:<38}{:<6}{value:>12}{half_width:>12} {unit:<5}{:>10}",
-            parameter.name(),
-            parameter.symbol(),
+            "{name:<38}{:<6}{value:>12}{half_width:>12} {unit:<5}{:>10}",
+            parameter.quantity().symbol(),
             number(start)
         ),
     );
@@ -58,7 +57,7 @@ fn correlations(text: &mut String, report: &FitReport) {
         text.push('\n');
         return;
     }
-    let symbols = || estimates.iter().map(|estimate| estimate.parameter.symbol());
+    let symbols = || estimates.iter().map(|estimate| estimate.parameter.quantity().symbol());
     let header: Vec<String> = symbols().map(|symbol| format!("{symbol:>9}")).collect();
     line(text, &format!("\n{:<16}{}", "correlation", header.concat()));
     for (symbol, row) in symbols().zip(&report.fit.correlation) {
@@ -88,10 +87,6 @@ fn quality(text: &mut String, report: &FitReport) {
 
 fn status(text: &mut String, report: &FitReport) {
     let fit = &report.fit;
-    let verdict = match fit.status {
-        Status::Converged => "converged",
-        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
-    };
     let work = match fit.work.newton_iterations {
         0 => String::new(),
         newton => {
@@ -99,11 +94,8 @@ fn status(text: &mut String, report: &FitReport) {
             format!(", {newton} Newton iterations, {} products", number(products))
         }
     };
-    line(text, &format!("{verdict}, {} steps{work}", fit.iterations));
-    for reason in fit.warnings.iter().filter_map(|warning| reason(warning)) {
+    line(text, &format!("{}, {} steps{work}", verdict(fit.status), fit.iterations));
+    for reason in reasons(&report.warnings) {
         line(text, &format!("  {reason}"));
-    }
-    for warning in fit.warnings.iter().filter(|warning| reason(warning).is_none()) {
-        line(text, &format!("warning: {warning}"));
     }
 }

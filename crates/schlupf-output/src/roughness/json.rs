@@ -1,22 +1,30 @@
 //! A rough surface, its contact and its k_c as JSON, for other programs.
 
-use schlupf::interface::roughness::load_curve::LoadPoint;
+use schlupf::Status;
+use schlupf::columns::Record;
+use schlupf::interface::roughness::load_curve::LoadCurve;
 use schlupf::interface::roughness::stiffness::{ExponentialFit, TYPICAL_GAMMA};
-use schlupf::interface::roughness::tangential_curve::{TangentialCurve, TangentialPoint};
+use schlupf::interface::roughness::tangential_curve::TangentialCurve;
+use schlupf::message::Message;
+use schlupf::surface::Lattice;
+use schlupf::surface::statistics::Statistics;
 use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
 
 use super::RoughnessReport;
-use crate::json::{PROGRAM, status, text};
+use crate::json::{PROGRAM, text};
+use crate::report::Report;
+use crate::table::Arrays;
 
 /// The report as a JSON document, in SI units. A number that is not finite, such as the hardness of
 /// elastic bodies, becomes `null`.
-pub fn document(report: &RoughnessReport) -> String {
+pub(super) fn document(report: &RoughnessReport) -> String {
     let result = &report.result;
     text(&Document {
         program: PROGRAM,
         title: &report.title,
-        status: status(report.status()),
-        surface: Surface::new(report),
+        status: report.status(),
+        surface: Surface { lattice: report.surface.lattice(), statistics: &result.statistics },
         spectrum: Spectrum::new(report),
         bodies: Bodies {
             contact_modulus: report.contact_modulus,
@@ -24,7 +32,7 @@ pub fn document(report: &RoughnessReport) -> String {
             friction_coefficient: report.bodies.friction_coefficient,
             hardness: report.hardness,
         },
-        normal: Normal::new(result.normal.points()),
+        normal: Arrays(&result.normal),
         contact_law: ContactLaw {
             stiffness: result.stiffness.common.stiffness,
             spread: result.stiffness.spread,
@@ -48,55 +56,23 @@ pub fn document(report: &RoughnessReport) -> String {
 struct Document<'a> {
     program: &'static str,
     title: &'a str,
-    status: &'static str,
-    surface: Surface,
+    status: Status,
+    surface: Surface<'a>,
     spectrum: Spectrum<'a>,
     bodies: Bodies,
-    normal: Normal,
+    normal: Arrays<'a, LoadCurve>,
     contact_law: ContactLaw,
-    pressures: Vec<Curve>,
+    pressures: Vec<Curve<'a>>,
     remarks: &'a [String],
-    warnings: &'a [String],
+    warnings: &'a [Message],
 }
 
 #[derive(Serialize)]
-struct Surface {
-    columns: usize,
-    rows: usize,
-    spacing_x: f64,
-    spacing_y: f64,
-    arithmetic_mean_height: f64,
-    root_mean_square_height: f64,
-    skewness: f64,
-    kurtosis: f64,
-    peak_height: f64,
-    pit_depth: f64,
-    maximum_height: f64,
-    root_mean_square_gradient: f64,
-    developed_area_ratio: f64,
-    spectral_gradient: f64,
-}
-
-impl Surface {
-    fn new(report: &RoughnessReport) -> Self {
-        let (lattice, statistics) = (report.surface.lattice(), &report.result.statistics);
-        Self {
-            columns: lattice.columns,
-            rows: lattice.rows,
-            spacing_x: lattice.spacing_x,
-            spacing_y: lattice.spacing_y,
-            arithmetic_mean_height: statistics.arithmetic_mean_height,
-            root_mean_square_height: statistics.root_mean_square_height,
-            skewness: statistics.skewness,
-            kurtosis: statistics.kurtosis,
-            peak_height: statistics.peak_height,
-            pit_depth: statistics.pit_depth,
-            maximum_height: statistics.maximum_height,
-            root_mean_square_gradient: statistics.root_mean_square_gradient,
-            developed_area_ratio: statistics.developed_area_ratio,
-            spectral_gradient: statistics.spectral_gradient,
-        }
-    }
+struct Surface<'a> {
+    #[serde(flatten)]
+    lattice: &'a Lattice,
+    #[serde(flatten)]
+    statistics: &'a Statistics,
 }
 
 #[derive(Serialize)]
@@ -127,35 +103,6 @@ struct Bodies {
     hardness: f64,
 }
 
-/// One array per quantity, all of the same length.
-#[derive(Serialize)]
-struct Normal {
-    mean_pressure: Vec<f64>,
-    approach: Vec<f64>,
-    mean_gap: Vec<f64>,
-    contact_fraction: Vec<f64>,
-    corrected_contact_fraction: Vec<f64>,
-    spot_pressure: Vec<f64>,
-    plastic_fraction: Vec<f64>,
-    iterations: Vec<usize>,
-}
-
-impl Normal {
-    fn new(points: &[LoadPoint]) -> Self {
-        let column = |value: fn(&LoadPoint) -> f64| points.iter().map(value).collect();
-        Self {
-            mean_pressure: column(|point| point.mean_pressure),
-            approach: column(|point| point.approach),
-            mean_gap: column(|point| point.mean_gap),
-            contact_fraction: column(|point| point.contact_fraction),
-            corrected_contact_fraction: column(|point| point.corrected_contact_fraction),
-            spot_pressure: column(|point| point.spot_pressure),
-            plastic_fraction: column(|point| point.plastic_fraction),
-            iterations: points.iter().map(|point| point.iterations).collect(),
-        }
-    }
-}
-
 #[derive(Serialize)]
 struct ContactLaw {
     stiffness: f64,
@@ -173,7 +120,7 @@ struct Closed {
 }
 
 #[derive(Serialize)]
-struct Curve {
+struct Curve<'a> {
     mean_pressure: f64,
     corrected_contact_fraction: f64,
     stiffness: f64,
@@ -181,30 +128,37 @@ struct Curve {
     largest_error: f64,
     full_sliding_displacement: f64,
     initial_stiffness: f64,
-    displacement: Vec<f64>,
-    normalised_traction: Vec<f64>,
-    micro_slip: Vec<f64>,
-    sliding_fraction: Vec<f64>,
+    #[serde(flatten)]
+    points: CurvePoints<'a>,
 }
 
-impl Curve {
-    fn new(report: &RoughnessReport, curve: &TangentialCurve, fit: &ExponentialFit) -> Self {
-        let column = |value: fn(&TangentialPoint) -> f64| curve.points.iter().map(value).collect();
+/// All columns but the stiffness, whose name is that of k_c here.
+struct CurvePoints<'a>(&'a TangentialCurve);
+
+impl Serialize for CurvePoints<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let columns = TangentialCurve::columns().iter().filter(|c| c.name != "stiffness");
+        let mut map = serializer.serialize_map(None)?;
+        for column in columns {
+            let number = |row| (column.value)(self.0, row).number();
+            map.serialize_entry(column.name, &(0..self.0.rows()).map(number).collect::<Vec<_>>())?;
+        }
+        map.end()
+    }
+}
+
+impl<'a> Curve<'a> {
+    fn new(report: &RoughnessReport, curve: &'a TangentialCurve, fit: &ExponentialFit) -> Self {
+        let normal = &report.result.normal;
         Self {
             mean_pressure: curve.mean_pressure,
-            corrected_contact_fraction: report
-                .result
-                .normal
-                .corrected_contact_fraction(curve.mean_pressure),
+            corrected_contact_fraction: normal.corrected_contact_fraction(curve.mean_pressure),
             stiffness: fit.stiffness,
             root_mean_square_error: fit.root_mean_square_error,
             largest_error: fit.largest_error,
             full_sliding_displacement: curve.full_sliding_displacement,
             initial_stiffness: curve.initial_stiffness,
-            displacement: column(|point| point.displacement),
-            normalised_traction: column(|point| point.normalised_traction),
-            micro_slip: column(|point| point.micro_slip),
-            sliding_fraction: column(|point| point.sliding_fraction),
+            points: CurvePoints(curve),
         }
     }
 }

@@ -1,15 +1,20 @@
 //! A rough surface, its contact and its k_c: CSV, JSON, .npy and a summary. The figures are among the figures.
 
-pub mod csv;
-pub mod json;
-pub mod npy;
-pub mod summary;
+mod json;
+mod npy;
+mod summary;
 
 use schlupf::Status;
 use schlupf::interface::roughness::micro_model::MicroModelResult;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
+use schlupf::interface::roughness::tangential_curve::TangentialCurve;
+use schlupf::message::Message;
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::RadialSpectrum;
+
+use crate::figures::{self, Figure, FigureError};
+use crate::report::Report;
+use crate::table::{Table, entries, entry};
 
 /// A rough surface with what the micro model found.
 #[derive(Debug, Clone)]
@@ -33,7 +38,7 @@ pub struct RoughnessReport {
     /// How the surface was made of what was given.
     pub remarks: Vec<String>,
     /// Whatever the reader of the numbers must know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// Where a surface carries.
@@ -50,13 +55,64 @@ pub struct Spots {
 }
 
 impl RoughnessReport {
+    /// Format of the heights, of both surfaces together and without form, in m.
+    pub const HEIGHTS: &str = "heights";
+    /// Format of the pressures in all cells at one mean pressure, in Pa.
+    pub const PRESSURES: &str = "pressures";
+    /// Format of the gaps there, in m.
+    pub const GAPS: &str = "gaps";
+}
+
+impl Report for RoughnessReport {
     /// Whether the contact converged at all pressures.
-    pub fn status(&self) -> Status {
+    fn status(&self) -> Status {
         let spots = self.spots.as_ref().is_none_or(|spots| spots.is_converged);
         if self.result.normal.is_converged() && spots {
             Status::Converged
         } else {
             Status::NotConverged
+        }
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        json::document(self)
+    }
+
+    fn summary(&self) -> String {
+        summary::text(self)
+    }
+
+    /// Curve after curve; the last column is Eq. (8) with the k_c of its pressure.
+    fn csv(&self) -> Option<String> {
+        let table = Table::default().with("mean_pressure", "Pa").with_columns::<TangentialCurve>();
+        let mut table = table.with("exponential", "1");
+        let result = &self.result;
+        for (curve, fit) in result.tangential.iter().zip(&result.stiffness.fits) {
+            for (row, point) in curve.points.iter().enumerate() {
+                let exponential = -(-fit.stiffness * point.displacement).exp_m1();
+                let [first, last] =
+                    [curve.mean_pressure, exponential].map(|number| entry(number.into()));
+                table.push([first].into_iter().chain(entries(curve, row)).chain([last]));
+            }
+        }
+        Some(table.csv("the last column is Eq. (8) with the k_c of this pressure"))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        figures::roughness(self)
+    }
+
+    fn own_file(&self, format: &str) -> Option<Vec<u8>> {
+        let contact = |k: usize| npy::contact(self).map(|fields| fields[k].clone());
+        match format {
+            Self::HEIGHTS => Some(npy::heights(self)),
+            Self::PRESSURES => contact(0),
+            Self::GAPS => contact(1),
+            _ => None,
         }
     }
 }

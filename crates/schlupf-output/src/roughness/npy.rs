@@ -8,12 +8,12 @@ use super::RoughnessReport;
 const ALIGNMENT: usize = 64;
 
 /// Heights of both surfaces together, without form, in m, each row along x: float64, little-endian.
-pub fn heights(report: &RoughnessReport) -> Vec<u8> {
+pub(super) fn heights(report: &RoughnessReport) -> Vec<u8> {
     field(report.surface.lattice(), report.surface.heights())
 }
 
 /// Pressures in Pa and gaps in m at the largest mean pressure, in the same way.
-pub fn contact(report: &RoughnessReport) -> Option<[Vec<u8>; 2]> {
+pub(super) fn contact(report: &RoughnessReport) -> Option<[Vec<u8>; 2]> {
     let (spots, lattice) = (report.spots.as_ref()?, report.surface.lattice());
     Some([field(lattice, &spots.pressure), field(lattice, &spots.gap)])
 }

@@ -2,30 +2,24 @@
 
 use std::f64::consts::TAU;
 
-use schlupf::Status;
 use schlupf::interface::roughness::stiffness::TYPICAL_GAMMA;
 
 use super::RoughnessReport;
 use crate::number::significant as number;
+use crate::report::{Report, verdict};
 use crate::summary::{entry, line};
 
 /// Statistics, contact area and k_c on one screen of a terminal.
-pub fn text(report: &RoughnessReport) -> String {
+pub(super) fn text(report: &RoughnessReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     surface(&mut text, report);
     contact(&mut text, report);
     stiffness(&mut text, report);
-    let verdict = match report.status() {
-        Status::Converged => "converged",
-        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
-    };
+    let verdict = verdict(report.status());
     let points = report.result.normal.points();
     let iterations: usize = points.iter().map(|point| point.iterations).sum();
     let count = points.len();
     line(&mut text, &format!("{verdict}; {count} loads, {iterations} iterations"));
-    for warning in &report.warnings {
-        line(&mut text, &format!("warning: {warning}"));
-    }
     text
 }
 

@@ -1,17 +1,19 @@
 //! Temperatures along lines as JSON, for other programs.
 
+use schlupf::Status;
+use schlupf::message::Message;
 use serde::Serialize;
 
 use super::{Row, Temperatures};
-use crate::json::{PROGRAM, status, text};
+use crate::json::{PROGRAM, text};
 
 /// The temperatures as a JSON document: lengths in m, temperatures in degC.
-pub fn document(temperatures: &Temperatures) -> String {
+pub(super) fn document(temperatures: &Temperatures) -> String {
     let request = &temperatures.request;
     text(&Document {
         program: PROGRAM,
         title: &temperatures.title,
-        status: status(temperatures.status),
+        status: temperatures.status,
         point: Point { x: request.point[0], y: request.point[1] },
         contact: Contact { leading_edge: request.passage[0], trailing_edge: request.passage[1] },
         bulk: Bulk { wheel: temperatures.bulk[0], rail: temperatures.bulk[1] },
@@ -29,13 +31,13 @@ pub fn document(temperatures: &Temperatures) -> String {
 struct Document<'a> {
     program: &'static str,
     title: &'a str,
-    status: &'static str,
+    status: Status,
     point: Point,
     contact: Contact,
     bulk: Bulk,
     profile: Profile<'a>,
     rows: Vec<RowEntry<'a>>,
-    warnings: &'a [String],
+    warnings: &'a [Message],
 }
 
 #[derive(Serialize)]

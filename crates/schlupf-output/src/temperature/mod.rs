@@ -1,12 +1,18 @@
 //! Temperatures of wheel and rail below a point, and along its row with the wake: CSV, JSON and a summary. The
 //! figure is among the figures.
 
-pub mod csv;
-pub mod json;
-pub mod summary;
+mod json;
+mod summary;
 
+use schlupf::columns;
+use schlupf::columns::{Column, Record};
+use schlupf::message::Message;
 use schlupf::solution::Status;
 use schlupf::temperature_field::{Side, TemperatureField};
+
+use crate::figures::{self, Figure, FigureError};
+use crate::report::Report;
+use crate::table::{Table, entries, entry};
 
 /// Where to look at the temperatures.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +85,7 @@ pub struct Temperatures {
     /// Along the row: on the surface, and below it.
     pub rows: Vec<Row>,
     /// Whatever the reader of the numbers must know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// Part of the row ahead of the contact, where the bodies still have their bulk temperatures.
@@ -117,4 +123,59 @@ fn row_positions(range: [f64; 2], edges: [f64; 2], points: usize) -> Vec<f64> {
     }
     positions.sort_by(f64::total_cmp);
     positions
+}
+
+/// Temperatures along a line.
+impl Record for Line {
+    fn rows(&self) -> usize {
+        self.position.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Line:
+            WheelTemperature => |line, k| line.wheel[k],
+            RailTemperature => |line, k| line.rail[k],
+        }
+    }
+}
+
+impl Report for Temperatures {
+    fn status(&self) -> Status {
+        self.status
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        json::document(self)
+    }
+
+    fn summary(&self) -> String {
+        summary::text(self)
+    }
+
+    /// First the points of the profile below the point.
+    fn csv(&self) -> Option<String> {
+        let places = Table::default().with("line", "profile or row").with("x", "m").with("y", "m");
+        let mut table = places.with("depth", "m").with_columns::<Line>();
+        let [x, y] = self.request.point;
+        push(&mut table, "profile", &self.profile, |depth| [x, y, depth]);
+        for row in &self.rows {
+            push(&mut table, "row", &row.line, |x| [x, y, row.depth]);
+        }
+        Some(table.csv(""))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        figures::temperature(self).map(|figure| vec![figure])
+    }
+}
+
+fn push(table: &mut Table, name: &str, line: &Line, place: impl Fn(f64) -> [f64; 3]) {
+    for (k, position) in line.position.iter().enumerate() {
+        let place = place(*position).map(|number| entry(number.into()));
+        table.push([name.to_owned()].into_iter().chain(place).chain(entries(line, k)));
+    }
 }

@@ -1,16 +1,15 @@
 //! Temperatures along lines for people.
 
-use schlupf::Status;
-
 use super::{Line, Temperatures};
 use crate::number::significant as number;
-use crate::summary::{line, reason};
+use crate::report::{reasons, verdict};
+use crate::summary::line;
 
 /// Most points of a line in a table.
 const MOST_ROWS: usize = 11;
 
 /// The profile below the point, and the surface along its row, on a terminal.
-pub fn text(temperatures: &Temperatures) -> String {
+pub(super) fn text(temperatures: &Temperatures) -> String {
     let mut text = format!("{}\n\n", temperatures.title);
     let request = &temperatures.request;
     let millimetres = |value: f64| number(value / 1e-3);
@@ -32,16 +31,10 @@ pub fn text(temperatures: &Temperatures) -> String {
     }
     text.push('\n');
     let [wheel, rail] = temperatures.bulk.map(number);
-    let verdict = match temperatures.status {
-        Status::Converged => "converged",
-        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
-    };
+    let verdict = verdict(temperatures.status);
     line(&mut text, &format!("{verdict}; bulk temperatures: wheel {wheel} °C, rail {rail} °C"));
-    for warning in &temperatures.warnings {
-        match reason(warning) {
-            Some(reason) => line(&mut text, &format!("  {reason}")),
-            None => line(&mut text, &format!("warning: {warning}")),
-        }
+    for reason in reasons(&temperatures.warnings) {
+        line(&mut text, &format!("  {reason}"));
     }
     text
 }

@@ -6,9 +6,11 @@
 
 use crate::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use crate::elasticity::{Compliance, Elasticity};
-use crate::error::{Error, require};
+use crate::error::{Error, require_positive, require_several};
 use crate::grid::{Grid, VectorField};
 use crate::least_squares::{Limits, Residuals, minimise};
+use crate::numerics::vector::{dot, norm};
+use crate::quantity::Quantity;
 use crate::solution::Solution;
 
 /// Traction and displacement of one component on the cells of a grid.
@@ -29,24 +31,17 @@ impl Sample {
         traction: Vec<f64>,
         displacement: Vec<Option<f64>>,
     ) -> Result<Self, Error> {
-        for (quantity, length) in
-            [("traction", traction.len()), ("displacement", displacement.len())]
-        {
-            let reason = format!("{length} values on a grid of {} cells", grid.len());
-            if length != grid.len() {
-                return Err(Error::Contradiction { quantity, reason });
+        for (quantity, count) in [
+            (Quantity::SampleTraction, traction.len()),
+            (Quantity::SampleDisplacement, displacement.len()),
+        ] {
+            if count != grid.len() {
+                return Err(Error::WrongCount { quantity, expected: grid.len(), count });
             }
         }
         let largest = traction.iter().fold(0.0, |largest: f64, t| largest.max(t.abs()));
-        require(
-            largest > 0.0 && largest.is_finite(),
-            "traction",
-            "finite and not zero",
-            largest,
-            "Pa",
-        )?;
-        let known = displacement.iter().flatten().count();
-        require(known >= 4, "displacement", "known in at least four cells", known as f64, "cells")?;
+        require_positive(Quantity::SampleTraction, largest)?;
+        require_several(Quantity::SampleDisplacement, 4, displacement.iter().flatten().count())?;
         Ok(Self { grid, traction, displacement })
     }
 
@@ -111,7 +106,7 @@ const STARTS: usize = 14;
 /// # Errors
 /// No samples; displacements that run against their load; or a layer that cannot be set up.
 pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
-    require(!samples.is_empty(), "samples", "at least one", 0.0, "")?;
+    require_several(Quantity::Samples, 1, samples.len())?;
     let length = samples
         .iter()
         .map(|s| {
@@ -120,13 +115,13 @@ pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
         .fold(0.0, f64::max);
     let mut fit = Fit { samples, length };
     let start = fit.start()?;
-    let found = minimise(&mut fit, &start, &LIMITS)?.ok_or_else(no_layer)?;
+    let found = minimise(&mut fit, &start, &LIMITS)?.ok_or(Error::NoLayer {})?;
     let stiffness = fit.stiffness(&found.parameters);
     let mut deviation = Vec::with_capacity(samples.len());
     let mut rest = found.residuals.as_slice();
     for sample in samples {
         let (own, others) = rest.split_at(sample.displacement.iter().flatten().count());
-        deviation.push(own.iter().map(|r| r * r).sum::<f64>().sqrt());
+        deviation.push(norm(own));
         rest = others;
     }
     Ok(DisplacementFit {
@@ -137,13 +132,6 @@ pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
         is_open: [found.is_held[1], found.is_held[2]],
         converged: found.converged,
     })
-}
-
-fn no_layer() -> Error {
-    Error::Contradiction {
-        quantity: "displacement",
-        reason: "no layer could be set up on its grid".to_owned(),
-    }
 }
 
 struct Fit<'a> {
@@ -173,9 +161,9 @@ impl Fit<'_> {
             let [mut along, mut squares] = [0.0; 2];
             for sample in self.samples {
                 let [unit, given] =
-                    self.displacements(sample, &[0.0, reach, reach]).ok_or_else(no_layer)?;
-                along += unit.iter().zip(&given).map(|(u, v)| u * v).sum::<f64>();
-                squares += unit.iter().map(|u| u * u).sum::<f64>();
+                    self.displacements(sample, &[0.0, reach, reach]).ok_or(Error::NoLayer {})?;
+                along += dot(&unit, &given);
+                squares += dot(&unit, &unit);
             }
             // The sum of squares with the best bedding squares/along is this less than without a layer.
             let gain = along * along.abs() / squares;
@@ -183,12 +171,7 @@ impl Fit<'_> {
                 best = Some((gain, vec![(squares / along).ln(), reach, reach]));
             }
         }
-        best.map(|(_, start)| start).ok_or_else(|| Error::Contradiction {
-            quantity: "displacement",
-            reason: "the displacements run against their load: both are those of the wheel, the \
-                     displacement less that of the rail"
-                .to_owned(),
-        })
+        best.map(|(_, start)| start).ok_or(Error::AgainstLoad {})
     }
 
     /// Displacements of the layer and those known, each less its mean and over the size of the known ones;
@@ -231,6 +214,6 @@ fn compared(sample: &Sample, compliance: &mut dyn Compliance) -> [Vec<f64>; 2] {
         values.iter().map(|value| value - mean).collect()
     };
     let (found, given) = (less_mean(found), less_mean(given));
-    let size = given.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let size = norm(&given);
     [found, given].map(|values| values.into_iter().map(|value| value / size).collect())
 }

@@ -50,6 +50,7 @@ pub struct Calibration {
 
 /// Differences to the half-space over motions between and beside those that were fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Deviation {
     /// Largest difference of the forces over μN under longitudinal and lateral creepage, dimensionless.
     pub force: f64,
@@ -103,10 +104,7 @@ pub fn calibrate(
         &[motions.slope_bedding()[0].ln(), motions.slope_bedding()[1].ln()],
         &limits,
     )?;
-    let failed = || Error::Contradiction {
-        quantity: "calibration",
-        reason: format!("the motions of a/b = {axis_ratio} could not be solved"),
-    };
+    let failed = || Error::CalibrationNotConverged { axis_ratio };
     let (found, bed) = (found.ok_or_else(failed)?, bed.ok_or_else(failed)?);
     let others = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS, watch)?;
     let deviation = |elasticity: Option<Arc<dyn Elasticity>>| match elasticity {
@@ -138,10 +136,7 @@ pub fn deviation_of_table(
     let [x, y] = tabulated_stiffness(axis_ratio, poisson_ratio)?
         .map(|relative| relative.absolute(motions.shear_modulus(), SIZE));
     let layer: Arc<dyn Elasticity> = Arc::new(ElasticLayer::new(x, y, None)?);
-    motions.deviation(&layer)?.ok_or_else(|| Error::Contradiction {
-        quantity: "calibration",
-        reason: format!("the motions of a/b = {axis_ratio} could not be solved"),
-    })
+    motions.deviation(&layer)?.ok_or(Error::CalibrationNotConverged { axis_ratio })
 }
 
 /// Logarithms of the bedding and of the two reaches, for each component.

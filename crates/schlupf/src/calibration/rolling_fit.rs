@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use crate::elasticity::Elasticity;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::numerics::vector::norm;
 use crate::parallel;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, within};
@@ -105,10 +106,8 @@ impl<'a> Motions<'a> {
         let (exact, solved) = (Vec::new(), AtomicUsize::new(0));
         let mut this = Self { contact, ways, exact, options, watch, solved };
         let elasticity = Arc::clone(&this.contact.problem.elasticity);
-        this.exact = this.answers(&elasticity)?.ok_or_else(|| Error::Contradiction {
-            quantity: "calibration",
-            reason: format!("the half-space of a/b = {axis_ratio} could not be solved"),
-        })?;
+        this.exact =
+            this.answers(&elasticity)?.ok_or(Error::CalibrationNotConverged { axis_ratio })?;
         Ok(this)
     }
 
@@ -160,7 +159,7 @@ impl<'a> Motions<'a> {
             let solved = self.solved.fetch_add(1, Ordering::Relaxed);
             let watch = within(self.watch, Progress::count(Stage::Calibration, solved));
             let solution = match solver.solve(&problem, &watch) {
-                Err(Error::Stopped) => return Err(Error::Stopped),
+                Err(Error::Stopped {}) => return Err(Error::Stopped {}),
                 Ok(solution) if solution.work.steps == 0 => solution,
                 _ => return Ok(None),
             };
@@ -229,6 +228,5 @@ const REACHES: [f64; 2] = [0.05, 0.8];
 /// ‖t‖₂ over all cells, in Pa.
 fn size_of(solution: &Solution) -> f64 {
     let fields = &solution.fields;
-    let squares = fields.traction_x.iter().chain(&fields.traction_y).map(|t| t * t);
-    squares.sum::<f64>().sqrt()
+    norm(&fields.traction_x).hypot(norm(&fields.traction_y))
 }

@@ -5,12 +5,14 @@ use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::reference_point;
 use crate::solution::{Resultant, Sensitivity};
+use crate::warning::Warning;
 
 use super::{Abscissa, Creepages, Path, Points};
 
 /// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where everything
 /// that varies is zero; what does not vary keeps its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InitialSlope {
     /// d(Fx, Fy, Mz)/dν: in N and N m over a dimensionless creepage, in N m and N m² over spin.
     pub force: Resultant,
@@ -29,7 +31,7 @@ pub struct InitialSlope {
 #[derive(Debug, Default)]
 pub(super) struct Finding {
     pub value: Option<InitialSlope>,
-    pub warning: Option<String>,
+    pub warning: Option<Warning>,
 }
 
 /// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian of
@@ -54,10 +56,7 @@ pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Findin
     };
     let problem = &solver.problem;
     let Some(force) = force else {
-        let warning = format!(
-            "no initial slope: the derivatives at {} were not found",
-            path.abscissa().equation(0.0)
-        );
+        let warning = Warning::NoInitialSlope { abscissa: path.abscissa().quantity() };
         return Ok(Finding { value: None, warning: Some(warning) });
     };
     let normalised = scale.normalised(&force);

@@ -2,12 +2,14 @@
 
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::numerics::root::GOLDEN;
 use crate::solution::{Resultant, Status};
 
 use super::{Point, Points};
 
 /// Where the tangential force |F| is largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Maximum {
     /// Abscissa of the curve; dimensionless, or in 1/m for spin.
     pub abscissa: f64,
@@ -21,6 +23,7 @@ pub struct Maximum {
     pub traction_coefficient: f64,
     /// Whether |F| does not fall behind it: everything slides. The abscissa is the first of the curve
     /// from which on |F| stays within [`PLATEAU`] of its largest value; forces are those of that value.
+    #[cfg_attr(feature = "serde", serde(rename = "saturated"))]
     pub is_saturated: bool,
 }
 
@@ -201,11 +204,10 @@ impl Side<'_, '_> {
 /// Where to look next: on the side of the top of the parabola, at least half the precision away from the
 /// middle point, so that the range closes on both sides of it.
 fn next_abscissa(three: &[Point; 3], narrowed: bool, precision: f64) -> f64 {
-    const GOLDEN: f64 = 0.381_966_011_250_105;
     let [before, middle, after] = three.map(|point| point.abscissa);
     let larger = if (before - middle).abs() > (after - middle).abs() { before } else { after };
     if !narrowed {
-        return middle + GOLDEN * (larger - middle);
+        return middle + (1.0 - GOLDEN) * (larger - middle);
     }
     let top = top_of_parabola(&three.map(|point| [point.abscissa, force(&point)]));
     let least = 0.5 * precision;

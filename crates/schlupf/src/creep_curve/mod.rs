@@ -25,10 +25,12 @@ pub use maximum::{Maximum, PLATEAU};
 pub use path::{Abscissa, Creepages, Path};
 pub use sampling::{MAX_POINTS, Sampling, Spacing};
 
+pub use warnings::CurveWarning;
 use warnings::Warnings;
 
 /// Forces over creepage.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CreepCurve {
     /// What was solved.
     pub method: Method,
@@ -47,7 +49,7 @@ pub struct CreepCurve {
     /// rises at the outer end of that side, or is largest at its inner end.
     pub maxima: Vec<Maximum>,
     /// Whatever the reader of the numbers must know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<CurveWarning>,
     /// How much work all solutions were, those of slope and maximum included.
     pub work: Work,
 }
@@ -73,6 +75,7 @@ impl CreepCurve {
 
 /// A point of a creep curve: the results of one solution, without its fields. Forces act on the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Point {
     /// Abscissa of the curve; dimensionless, or in 1/m for spin.
     pub abscissa: f64,
@@ -176,7 +179,7 @@ pub fn trace(
         path: *path,
         normal,
         reference: solver.problem.reference,
-        warnings: warnings.texts(path.abscissa(), &points),
+        warnings: warnings.all(path.abscissa(), &points),
         points,
         initial_slope: slope.value,
         maxima,
@@ -191,13 +194,8 @@ pub fn trace(
 pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), Error> {
     sampling.check()?;
     if let Some(locked) = path.locks_at() {
-        return Err(Error::Contradiction {
-            quantity: path.abscissa().quantity(),
-            reason: format!(
-                "the wheel must roll throughout a creep curve, but at {} it does not",
-                path.abscissa().equation(locked)
-            ),
-        });
+        let quantity = path.abscissa().quantity();
+        return Err(Error::LocksOnCurve { quantity, value: locked });
     }
     let mut there = problem.clone();
     sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {

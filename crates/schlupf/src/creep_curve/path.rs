@@ -1,10 +1,14 @@
 //! Which creepages a curve runs through.
 
-use crate::error::{Error, require, require_finite};
+use crate::error::{Error, require_finite};
 use crate::kinematics::Kinematics;
+use crate::numerics::interpolation::mix;
+use crate::numerics::root::bisection;
+use crate::quantity::Quantity;
 
 /// Longitudinal, lateral and spin creepage.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Creepages {
     /// Longitudinal creepage ξ, dimensionless.
     pub x: f64,
@@ -32,6 +36,8 @@ impl Creepages {
 
 /// What a curve is drawn over.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Abscissa {
     /// The longitudinal creepage ξ.
     CreepageX,
@@ -47,44 +53,20 @@ pub enum Abscissa {
 }
 
 impl Abscissa {
-    /// Its name in results.
-    pub fn name(self) -> &'static str {
+    /// The quantity that it is.
+    pub fn quantity(self) -> Quantity {
         match self {
-            Self::CreepageX => "creepage_x",
-            Self::CreepageY => "creepage_y",
-            Self::Spin => "spin",
-            Self::Total { .. } => "creepage",
-        }
-    }
-
-    /// The field of a case that it stands for, or the first of them.
-    pub(super) fn quantity(self) -> &'static str {
-        match self {
-            Self::CreepageX | Self::Total { .. } => "kinematics.creepage_x",
-            Self::CreepageY => "kinematics.creepage_y",
-            Self::Spin => "kinematics.spin",
-        }
-    }
-
-    /// `creepage_x = 0.05`: its name and a value (dimensionless, or in 1/m) of six digits.
-    pub fn equation(self, value: f64) -> String {
-        format!("{} = {}", self.name(), self.value(value))
-    }
-
-    /// A value (dimensionless, or in 1/m) of six digits with its unit.
-    pub fn value(self, value: f64) -> String {
-        let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-        let unit = if self == Self::Spin { " 1/m" } else { "" };
-        if rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) {
-            format!("{rounded}{unit}")
-        } else {
-            format!("{rounded:e}{unit}")
+            Self::CreepageX => Quantity::CreepageX,
+            Self::CreepageY => Quantity::CreepageY,
+            Self::Spin => Quantity::Spin,
+            Self::Total { .. } => Quantity::Creepage,
         }
     }
 }
 
 /// A straight line in the space of creepages, in the direction in which it is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Path {
     start: Creepages,
     end: Creepages,
@@ -101,9 +83,9 @@ impl Path {
     /// ξ, η, φ that does.
     pub fn new(start: Creepages, end: Creepages) -> Result<Self, Error> {
         for creepages in [&start, &end] {
-            require_finite("kinematics.creepage_x", creepages.x, "")?;
-            require_finite("kinematics.creepage_y", creepages.y, "")?;
-            require_finite("kinematics.spin", creepages.spin, "1/m")?;
+            require_finite(Quantity::CreepageX, creepages.x)?;
+            require_finite(Quantity::CreepageY, creepages.y)?;
+            require_finite(Quantity::Spin, creepages.spin)?;
         }
         let abscissa = if start.x != end.x && start.y != end.y && is_fixed_direction(&start, &end) {
             let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
@@ -113,13 +95,9 @@ impl Path {
         } else if start.y != end.y {
             Abscissa::CreepageY
         } else {
-            require(
-                start.spin != end.spin,
-                "kinematics.spin",
-                "another at the end of a creep curve than at its start, as no other creepage varies",
-                end.spin,
-                "1/m",
-            )?;
+            if start.spin == end.spin {
+                return Err(Error::NoRange { quantity: Quantity::Spin, value: end.spin });
+            }
             Abscissa::Spin
         };
         let range = [start, end].map(|creepages| match abscissa {
@@ -136,14 +114,10 @@ impl Path {
     /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards y),
     /// with a spin creepage (in 1/m) that is constant or varies along.
     pub fn in_direction(range: [f64; 2], direction: f64, spin: [f64; 2]) -> Result<Self, Error> {
-        require_finite("direction", direction, "rad")?;
-        require(
-            range[0] != range[1],
-            "creepage",
-            "another at the end of a creep curve than at its start",
-            range[1],
-            "",
-        )?;
+        require_finite(Quantity::Direction, direction)?;
+        if range[0] == range[1] {
+            return Err(Error::NoRange { quantity: Quantity::Creepage, value: range[1] });
+        }
         let [start, end] = [0, 1].map(|end| {
             let [x, y] = components(range[end], direction);
             Creepages { x, y, spin: spin[end] }
@@ -180,7 +154,7 @@ impl Path {
         let [from, to] = self.range;
         let share = (abscissa - from) / (to - from);
         let along = |start: f64, end: f64| {
-            if start == end { start } else { (1.0 - share) * start + share * end }
+            if start == end { start } else { mix([start, end], share) }
         };
         let mut creepages = Creepages {
             x: along(self.start.x, self.end.x),
@@ -224,11 +198,7 @@ impl Path {
         if rolls(to) {
             return None;
         }
-        let (mut rolling, mut locked) = (from, to);
-        for _ in 0..f64::MANTISSA_DIGITS {
-            let middle = 0.5 * (rolling + locked);
-            *(if rolls(middle) { &mut rolling } else { &mut locked }) = middle;
-        }
+        let [_, locked] = bisection([from, to], f64::MANTISSA_DIGITS, rolls);
         Some(locked)
     }
 }

@@ -1,6 +1,8 @@
 //! At which creepages a curve is computed.
 
 use crate::error::{Error, require};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// How many points a curve has, and how they are spaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,9 +35,8 @@ impl Default for Sampling {
 impl Sampling {
     /// Checks that there is a curve to draw.
     pub fn check(&self) -> Result<(), Error> {
-        let requirement = format!("between 2 and {MAX_POINTS}");
-        let is_legal = (2..=MAX_POINTS).contains(&self.points);
-        require(is_legal, "points", &requirement, self.points as f64, "points")
+        let requirement = Requirement::Between(2.0, MAX_POINTS as f64);
+        require(Quantity::CurvePoints, requirement, self.points as f64)
     }
 
     /// Abscissae from `from` to `to`, monotone (each in the unit of the ends: dimensionless, or

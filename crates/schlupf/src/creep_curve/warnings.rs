@@ -1,27 +1,65 @@
 //! The warnings of all points, each kind once.
 
+use crate::message::{Message, Words};
+use crate::quantity::Quantity;
 use crate::solution::Status;
+use crate::warning::{Unconverged, Warning};
 
 use super::{Abscissa, Point};
+
+/// A warning of a creep curve.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CurveWarning {
+    /// The warning, that of the first point that has one of its kind.
+    pub warning: Warning,
+    /// Where it holds; `None` for all of the curve alike.
+    pub at: Option<Points>,
+}
+
+/// Points of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Points {
+    /// What the curve is drawn over.
+    pub abscissa: Quantity,
+    /// Abscissa of the first of them, in its unit or dimensionless.
+    pub first: f64,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl CurveWarning {
+    /// It in the words of a face.
+    pub fn message(&self, words: &dyn Words) -> Message {
+        let message = self.warning.message(words);
+        let Some(Points { abscissa, first, count }) = self.at else { return message };
+        let first = abscissa.equation(first);
+        message.about(&match count {
+            1 => first,
+            2 => format!("{first} and one further point"),
+            count => format!("{first} and {} further points", count - 1),
+        })
+    }
+}
 
 /// Warnings of a curve.
 #[derive(Debug, Default)]
 pub(super) struct Warnings {
     kinds: Vec<Kind>,
     /// Those of the curve as a whole.
-    others: Vec<String>,
+    others: Vec<Warning>,
 }
 
-/// Warnings that differ in their numbers only.
+/// Warnings that differ in their values only.
 #[derive(Debug)]
 struct Kind {
-    without_numbers: String,
     /// The warning of the first point that has one.
-    text: String,
+    warning: Warning,
     /// Abscissa of that point.
     first: f64,
     /// How many points have it.
-    points: usize,
+    count: usize,
     /// Whether it is the same at all of them.
     is_constant: bool,
 }
@@ -31,19 +69,21 @@ const MOST_NAMES: usize = 12;
 
 impl Warnings {
     /// Warnings of the solution at an abscissa.
-    pub(super) fn note(&mut self, abscissa: f64, texts: &[String]) {
-        for text in texts {
-            let without_numbers: String = text.chars().filter(|c| !is_of_number(*c)).collect();
-            match self.kinds.iter_mut().find(|kind| kind.without_numbers == without_numbers) {
+    pub(super) fn note(&mut self, abscissa: f64, warnings: &[Warning]) {
+        for warning in warnings {
+            let is_same = |kind: &&mut Kind| {
+                kind.warning.code() == warning.code()
+                    && kind.warning.quantity() == warning.quantity()
+            };
+            match self.kinds.iter_mut().find(is_same) {
                 Some(kind) => {
-                    kind.points += 1;
-                    kind.is_constant &= kind.text == *text;
+                    kind.count += 1;
+                    kind.is_constant &= kind.warning == *warning;
                 }
                 None => self.kinds.push(Kind {
-                    without_numbers,
-                    text: text.clone(),
+                    warning: warning.clone(),
                     first: abscissa,
-                    points: 1,
+                    count: 1,
                     is_constant: true,
                 }),
             }
@@ -51,70 +91,53 @@ impl Warnings {
     }
 
     /// A warning of the curve as a whole.
-    pub(super) fn extend(&mut self, text: Option<String>) {
-        self.others.extend(text);
+    pub(super) fn extend(&mut self, warning: Option<Warning>) {
+        self.others.extend(warning);
     }
 
     /// All of them, the points that did not converge first.
-    pub(super) fn texts(self, abscissa: Abscissa, points: &[Point]) -> Vec<String> {
-        let mut texts: Vec<String> = not_converged(abscissa, points).into_iter().collect();
-        texts.extend(self.others);
-        texts.extend(self.kinds.into_iter().map(|kind| {
-            if kind.is_constant && kind.points == points.len() {
-                return kind.text;
-            }
-            let first = abscissa.equation(kind.first);
-            match kind.points {
-                1 => format!("{first}: {}", kind.text),
-                2 => format!("{first} and one further point: {}", kind.text),
-                count => format!("{first} and {} further points: {}", count - 1, kind.text),
-            }
-        }));
-        texts
+    pub(super) fn all(self, abscissa: Abscissa, points: &[Point]) -> Vec<CurveWarning> {
+        let abscissa = abscissa.quantity();
+        let of_curve = not_converged(abscissa, points).into_iter().chain(self.others);
+        let of_curve = of_curve.map(|warning| CurveWarning { warning, at: None });
+        let of_points =
+            self.kinds.into_iter().map(|Kind { warning, first, count, is_constant }| {
+                let is_everywhere = is_constant && count == points.len();
+                let at = (!is_everywhere).then_some(Points { abscissa, first, count });
+                CurveWarning { warning, at }
+            });
+        of_curve.chain(of_points).collect()
     }
 }
 
-/// Part of a number, or of one with its exponent.
-fn is_of_number(c: char) -> bool {
-    c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e')
-}
-
-fn not_converged(abscissa: Abscissa, points: &[Point]) -> Option<String> {
-    let failed: Vec<&Point> = points.iter().filter(|p| p.status == Status::NotConverged).collect();
-    if failed.is_empty() {
-        return None;
-    }
-    let named: Vec<String> =
-        failed.iter().take(MOST_NAMES).map(|point| abscissa.value(point.abscissa)).collect();
-    let rest = match failed.len().saturating_sub(MOST_NAMES) {
-        0 => String::new(),
-        rest => format!(" and {rest} more"),
-    };
-    Some(format!(
-        "not converged: {} of {} points, at {} = {}{rest}",
-        failed.len(),
-        points.len(),
-        abscissa.name(),
-        named.join(", ")
-    ))
+fn not_converged(abscissa: Quantity, points: &[Point]) -> Option<Warning> {
+    let failed = points.iter().filter(|point| point.status == Status::NotConverged);
+    let failed: Vec<f64> = failed.map(|point| point.abscissa).collect();
+    let places = failed.iter().take(MOST_NAMES).copied().collect();
+    let (failed, count) = (failed.len(), points.len());
+    (failed > 0).then(|| Warning::of(Unconverged::Points { abscissa, places, failed, count }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::message::Names;
 
     #[test]
-    fn warnings_that_differ_in_numbers_are_one() {
+    fn warnings_that_differ_in_values_are_one() {
         let mut warnings = Warnings::default();
-        warnings.note(0.0, &["the margin: 1.3 %".to_owned(), "always".to_owned()]);
-        warnings.note(0.1, &["always".to_owned(), "once".to_owned()]);
-        warnings.note(0.2, &["the margin: 1e-5 %".to_owned(), "always".to_owned()]);
-        warnings.extend(Some("the curve".to_owned()));
-        let kinds: Vec<usize> = warnings.kinds.iter().map(|kind| kind.points).collect();
-        assert_eq!(kinds, [2, 3, 1]);
-        let texts = warnings.texts(Abscissa::Spin, &[]);
-        assert_eq!(texts[0], "the curve");
-        assert_eq!(texts[1], "spin = 0 1/m and one further point: the margin: 1.3 %");
-        assert_eq!(texts[3], "spin = 0.1 1/m: once");
+        let margin = |edge| Warning::SmallMargin { edge };
+        let (always, once) = (Warning::BranchLost {}, Warning::NoSensitivity {});
+        warnings.note(0.0, &[margin(0.013), always.clone()]);
+        warnings.note(0.1, &[always.clone(), once]);
+        warnings.note(0.2, &[margin(1e-7), always]);
+        warnings.extend(Some(Warning::NoInitialSlope { abscissa: Quantity::Spin }));
+        let counts: Vec<usize> = warnings.kinds.iter().map(|kind| kind.count).collect();
+        assert_eq!(counts, [2, 3, 1]);
+        let all = warnings.all(Abscissa::Spin, &[]);
+        let texts: Vec<String> = all.iter().map(|warning| warning.message(&Names).text).collect();
+        assert!(texts[0].starts_with("no initial slope"));
+        assert!(texts[1].starts_with("spin = 0 1/m and one further point: margin: "));
+        assert!(texts[3].starts_with("spin = 0.1 1/m: sensitivity: "));
     }
 }

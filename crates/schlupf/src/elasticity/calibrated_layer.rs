@@ -9,6 +9,10 @@ use super::{Compliance, Elasticity};
 use crate::error::{Error, require};
 use crate::grid::{BORDER, Grid};
 use crate::material::Material;
+use crate::numerics::interpolation::cubic;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
+use crate::warning::Warning;
 
 /// Stiffness of the layer for one displacement component, relative to the patch: s = √(ab) its size, G
 /// the combined shear modulus of the bodies.
@@ -48,14 +52,9 @@ pub fn tabulated_stiffness(
     // Half a percent for grids whose patch is not quite that of the axes.
     let is_known = (0.995 * least..=1.005 * largest).contains(&axis_ratio);
     if !is_known {
-        let reason = format!(
-            "the patch has a/b = {axis_ratio:.4}, but the layer is calibrated for ratios between \
-             {least} and {largest}; give its stiffnesses, or take the half-space"
-        );
-        return Err(Error::Contradiction { quantity: "elasticity.calibration", reason });
+        return Err(Error::BeyondCalibration { axis_ratio, range: AXIS_RATIO_RANGE });
     }
-    let is_known = (0.0..=0.5).contains(&poisson_ratio);
-    require(is_known, "poisson_ratio", "between 0 and 0.5", poisson_ratio, "")?;
+    require(Quantity::PoissonRatio, Requirement::Between(0.0, 0.5), poisson_ratio)?;
     let (first_row, across) = cubic(poisson_ratio / POISSON_RATIO_STEP, TABLE.len());
     let steps = (axis_ratio / LEAST_AXIS_RATIO).ln() / AXIS_RATIO_STEP.ln();
     let (first, along) = cubic(steps, TABLE[0].len());
@@ -71,17 +70,6 @@ pub fn tabulated_stiffness(
         reach_along_y: value(k + 2),
     };
     Ok([component(0), component(3)])
-}
-
-/// First of the four entries around a position, and their Lagrangian weights.
-fn cubic(position: f64, entries: usize) -> (usize, [f64; 4]) {
-    let first = (position.floor() as usize).saturating_sub(1).min(entries - 4);
-    let t = position - first as f64;
-    let weight = |n: usize| {
-        let others = (0..4).filter(|m| *m != n);
-        others.map(|m| (t - m as f64) / (n as f64 - m as f64)).product()
-    };
-    (first, std::array::from_fn(weight))
 }
 
 /// A layer that in steady rolling answers like the half-space of two bodies, whatever the patch.
@@ -128,18 +116,12 @@ impl Elasticity for CalibratedLayer {
         self.layer(semi_axes)?.growing(grid, GROWTH)
     }
 
-    fn caveat(&self) -> Option<String> {
+    fn caveat(&self) -> Option<Warning> {
         self.half_space.caveat()
     }
 
-    fn caveat_of_parts(&self, parts: usize) -> Option<String> {
-        (parts > 1).then(|| {
-            format!(
-                "elasticity.calibration: the layer is calibrated for one elliptic patch; for the {parts} separate \
-                 parts of this one it takes the ellipse of their common extent, which is too soft; \
-                 elasticity.model = \"half-space\" needs no calibration"
-            )
-        })
+    fn caveat_of_parts(&self, parts: usize) -> Option<Warning> {
+        (parts > 1).then_some(Warning::LayerOfParts { parts })
     }
 }
 

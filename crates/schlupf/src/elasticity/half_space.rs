@@ -8,9 +8,8 @@
 //! πG A_xx = (1 − ν) X asinh(Y/|X|) + Y asinh(X/|Y|),  πG A_xy = −ν r,
 //! πG A_yy = X asinh(Y/|X|) + (1 − ν) Y asinh(X/|Y|).
 //!
-//! (With logarithms of Y + r, as it is usually written, slender cells lose seven digits.) It depends
-//! on the distance of the two cells only, so the product is a convolution, and costs O(n log n) by
-//! the fast Fourier transform on a grid padded to twice its size.
+//! It depends on the distance of the two cells only, so the product is a convolution, and costs
+//! O(n log n) by the fast Fourier transform on a grid padded to twice its size.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -24,6 +23,9 @@ use crate::error::{Error, require_positive};
 use crate::fourier::{smooth_from, transpose, transpose_back};
 use crate::grid::{Grid, VectorField};
 use crate::material::Material;
+use crate::numerics::love;
+use crate::quantity::Quantity;
+use crate::warning::Warning;
 
 /// Two half-spaces in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +46,7 @@ impl HalfSpace {
     pub fn new(first: &Material, second: &Material) -> Result<Self, Error> {
         let compliance = [first, second].map(|m| 0.5 / m.shear_modulus());
         let shear_modulus = (compliance[0] + compliance[1]).recip();
-        require_positive("wheel.young_modulus", shear_modulus, "Pa")?;
+        require_positive(Quantity::WheelYoungModulus, shear_modulus)?;
         let poisson_ratio = shear_modulus
             * (first.poisson_ratio * compliance[0] + second.poisson_ratio * compliance[1]);
         let dilation = |m: &Material| (1.0 - 2.0 * m.poisson_ratio) / m.shear_modulus();
@@ -73,12 +75,14 @@ impl HalfSpace {
     pub fn influence_of(&self, size: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
         let corner =
             |side_x: f64, side_y: f64| self.corner([x + side_x * size[0], y + side_y * size[1]]);
-        difference([[corner(-0.5, -0.5), corner(0.5, -0.5)], [corner(-0.5, 0.5), corner(0.5, 0.5)]])
+        let [below, above] =
+            [-0.5, 0.5].map(|side_y| [-0.5, 0.5].map(|side_x| corner(side_x, side_y)));
+        love::rectangle([below, above])
     }
 
     /// Integrals of A_xx, A_yy and A_xy from the origin to a corner (x, y), in m³/N.
     fn corner(&self, [x, y]: [f64; 2]) -> [f64; 3] {
-        let (along, across) = (times_asinh(x, y), times_asinh(y, x));
+        let [along, across] = love::corner([x, y]);
         let nu = self.poisson_ratio;
         let over = (PI * self.shear_modulus).recip();
         [
@@ -87,11 +91,6 @@ impl HalfSpace {
             -over * nu * (x * x + y * y).sqrt(),
         ]
     }
-}
-
-/// Integral over a rectangle from those to its corners, in rows.
-fn difference([[a, b], [c, d]]: [[[f64; 3]; 2]; 2]) -> [f64; 3] {
-    std::array::from_fn(|k| d[k] - b[k] - c[k] + a[k])
 }
 
 /// The influences on a grid with the mean over the cell undone to second order: a cell's constant
@@ -131,20 +130,8 @@ impl Influences {
 
     /// The influences themselves.
     fn plain(bodies: &HalfSpace, grid: &Grid, [columns, rows]: [usize; 2]) -> Self {
-        let corner = |k: usize| {
-            let (i, j) = (k % (columns + 1), k / (columns + 1));
-            bodies.corner([(i as f64 - 0.5) * grid.spacing_x, (j as f64 - 0.5) * grid.spacing_y])
-        };
-        let corners: Vec<[f64; 3]> = (0..(columns + 1) * (rows + 1)).map(corner).collect();
-        let mut quadrant = Vec::with_capacity(columns * rows);
-        for pair in corners.windows(columns + 1 + columns + 1).step_by(columns + 1) {
-            let (below, above) = pair.split_at(columns + 1);
-            let cells = below.windows(2).zip(above.windows(2));
-            quadrant
-                .extend(cells.map(|(below, above)| {
-                    difference([[below[0], below[1]], [above[0], above[1]]])
-                }));
-        }
+        let spacing = [grid.spacing_x, grid.spacing_y];
+        let quadrant = love::cells(spacing, [columns, rows], |at| bodies.corner(at));
         Self { quadrant, columns }
     }
 
@@ -156,11 +143,6 @@ impl Influences {
     }
 }
 
-/// p asinh(q/|p|), zero for p = 0.
-fn times_asinh(p: f64, q: f64) -> f64 {
-    if p == 0.0 { 0.0 } else { p * (q / p.abs()).asinh() }
-}
-
 impl Elasticity for HalfSpace {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let influences = Influences::new(self, grid);
@@ -168,14 +150,9 @@ impl Elasticity for HalfSpace {
         Ok(Box::new(HalfSpaceCompliance { convolution }))
     }
 
-    fn caveat(&self) -> Option<String> {
-        (self.dissimilarity.abs() > NOTICEABLE).then(|| {
-            format!(
-                "elasticity: wheel and rail differ in their elastic constants (K = {:.3}); the \
-                 tangential displacement under the normal pressure is neglected",
-                self.dissimilarity
-            )
-        })
+    fn caveat(&self) -> Option<Warning> {
+        let constant = self.dissimilarity;
+        (constant.abs() > NOTICEABLE).then_some(Warning::DissimilarBodies { constant })
     }
 }
 
@@ -452,7 +429,7 @@ mod tests {
             2.0 * g1 * g2 / (g1 + g2),
             max_relative = 1e-14
         );
-        assert!(bodies.caveat().is_some_and(|text| text.contains("neglected")));
+        assert!(matches!(bodies.caveat(), Some(Warning::DissimilarBodies { .. })));
         assert_eq!(steel().caveat(), None);
         let nu = (0.28 / g1 + 0.33 / g2) / (1.0 / g1 + 1.0 / g2);
         assert_relative_eq!(bodies.poisson_ratio(), nu, max_relative = 1e-14);

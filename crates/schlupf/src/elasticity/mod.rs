@@ -5,13 +5,13 @@ mod calibration_table;
 pub mod elastic_layer;
 pub mod half_space;
 pub mod rigid;
-pub mod static_condensation;
 pub mod winkler;
 
 use std::fmt::Debug;
 
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
+use crate::warning::Warning;
 
 /// A model of elasticity. Extension point.
 pub trait Elasticity: Debug + Send + Sync {
@@ -19,12 +19,12 @@ pub trait Elasticity: Debug + Send + Sync {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error>;
 
     /// What the model leaves out for the bodies at hand, if the reader of results must know.
-    fn caveat(&self) -> Option<String> {
+    fn caveat(&self) -> Option<Warning> {
         None
     }
 
     /// The same for a patch of several separate parts, where the model is made for one.
-    fn caveat_of_parts(&self, _parts: usize) -> Option<String> {
+    fn caveat_of_parts(&self, _parts: usize) -> Option<Warning> {
         None
     }
 }

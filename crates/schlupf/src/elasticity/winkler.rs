@@ -4,6 +4,7 @@
 use super::{Compliance, Elasticity};
 use crate::error::{Error, require_positive};
 use crate::grid::{Grid, VectorField};
+use crate::quantity::Quantity;
 
 /// Springs from every point to the rigid wheel, none between the points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,8 +16,8 @@ pub struct Winkler {
 impl Winkler {
     /// Bedding stiffnesses c along and across rolling, in N/m³.
     pub fn new(bedding_x: f64, bedding_y: f64) -> Result<Self, Error> {
-        require_positive("elasticity.bedding_x", bedding_x, "N/m^3")?;
-        require_positive("elasticity.bedding_y", bedding_y, "N/m^3")?;
+        require_positive(Quantity::BeddingX, bedding_x)?;
+        require_positive(Quantity::BeddingY, bedding_y)?;
         Ok(Self { bedding: [bedding_x, bedding_y], growth: 0.0 })
     }
 

@@ -1,6 +1,7 @@
 //! Generalised minimal residuals (Saad and Schultz 1986), preconditioned from the right.
 
-use super::{Equilibrium, add_scaled, dot, norm};
+use super::Equilibrium;
+use crate::numerics::vector::{add_scaled, dot, norm};
 
 /// Workspace of the Krylov method: kept between solutions, so that only a larger Krylov space than
 /// ever before allocates.

@@ -86,29 +86,3 @@ pub(crate) fn measure(bound: f64, traction: f64) -> f64 {
 
 /// See [`measure`]: the geometric mean of the two parts.
 const RELATIVE: f64 = 0.01;
-
-pub(crate) fn norm(v: &[f64]) -> f64 {
-    dot(v, v).sqrt()
-}
-
-/// Sums that run side by side.
-const LANES: usize = 8;
-
-pub(crate) fn dot(v: &[f64], w: &[f64]) -> f64 {
-    let (v, w) = (v.chunks_exact(LANES), w.chunks_exact(LANES));
-    let rest: f64 = v.remainder().iter().zip(w.remainder()).map(|(v, w)| v * w).sum();
-    let mut sums = [0.0; LANES];
-    for (v, w) in v.zip(w) {
-        for lane in 0..LANES {
-            sums[lane] += v[lane] * w[lane];
-        }
-    }
-    sums.iter().sum::<f64>() + rest
-}
-
-/// v ← v + factor · w
-pub(crate) fn add_scaled(v: &mut [f64], factor: f64, w: &[f64]) {
-    for (v, w) in v.iter_mut().zip(w) {
-        *v += factor * w;
-    }
-}

@@ -2,10 +2,10 @@
 //! leaves only short steps a non-monotone one (Grippo, Lampariello and Lucidi 1986): near Coulomb's law F has
 //! kinks, and a norm that must fall in every step creeps along them.
 
+use super::{Equilibrium, Gmres, Limits, Outcome};
 use crate::error::Error;
+use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
-
-use super::{Equilibrium, Gmres, Limits, Outcome, add_scaled, norm};
 
 /// Largest linear residual asked of the Krylov method, relative to that of the Newton step.
 const LARGEST_FORCING: f64 = 0.3;

@@ -14,10 +14,10 @@ use std::fmt;
 
 use rustfft::num_complex::Complex;
 
-use crate::equilibrium::{add_scaled, dot, norm};
 use crate::fourier::{RealTransform, smooth_from};
 use crate::grid::{Grid, VectorField};
 use crate::material::Material;
+use crate::numerics::vector::{add_scaled, dot, norm};
 use crate::patch::{Interpolation, Patch};
 
 use super::moving_half_space::MovingHalfSpace;

@@ -17,13 +17,14 @@ pub(crate) mod strip_heat;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
 use crate::error::{Error, require};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 use partition::Partition;
 
 /// Heat received by a material point in one step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HeatStep {
     /// Heat per area and time, both bodies together, in W/m².
     pub flux: f64,
@@ -65,8 +66,7 @@ impl Heat {
         match self.partition {
             Partition::Velocity => Ok(()),
             Partition::Given(share) => {
-                let legal = (0.0..=1.0).contains(&share);
-                require(legal, "heat.partition", "between 0 and 1, or \"velocity\"", share, "")
+                require(Quantity::HeatPartition, Requirement::Between(0.0, 1.0), share)
             }
         }
     }

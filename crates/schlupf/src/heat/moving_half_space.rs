@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use crate::grid::Grid;
+use crate::numerics::vector::add_scaled;
 
 /// A half-space that moves against x under a grid of cells, each of which releases heat evenly.
 ///
@@ -65,7 +66,7 @@ impl MovingHalfSpace {
             let factor = 2.0 * weight / (self.effusivity * PI.sqrt());
             for (values, share) in influence.chunks_exact_mut(rows).zip(&along) {
                 if *share != 0.0 {
-                    crate::equilibrium::add_scaled(values, factor * share, &across);
+                    add_scaled(values, factor * share, &across);
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use crate::grid::{BORDER, Grid};
 use crate::normal::NormalSummary;
+use crate::warning::Warning;
 
 /// The Péclet number v a/κ below which, times (b/a)² on patches that are longer than wide, heat
 /// also flows along the surface. At this number a flux like Hertz's pressure gives 0.2 % less than
@@ -32,18 +33,11 @@ impl Peclet {
         self.numbers.iter().all(|number| number * narrow >= FAST)
     }
 
-    /// A warning about temperatures that rely on that, if it is not so. `what` is the subject of the
-    /// sentence.
-    pub fn caveat(&self, what: &str) -> Option<String> {
-        let [wheel, rail] = self.numbers;
-        let narrow = if self.aspect < 1.0 { " (less on a narrower patch)" } else { "" };
-        (!self.is_fast()).then(|| {
-            format!(
-                "heat.model: the Péclet numbers v a/κ are {wheel:.3e} (wheel) and {rail:.3e} (rail). {what} \
-                 assume conduction perpendicular to the surface only, which is too hot by about 1 % at a \
-                 Péclet number of 100, by 10 % at 10 and without bound below{narrow}"
-            )
-        })
+    /// A warning about temperatures that rely on that, if it is not so: those of the contact, or
+    /// those of the field below and behind it.
+    pub fn caveat(&self, is_field: bool) -> Option<Warning> {
+        let (peclet, is_narrow) = (self.numbers, self.aspect < 1.0);
+        (!self.is_fast()).then_some(Warning::SlowRolling { peclet, is_narrow, is_field })
     }
 }
 
@@ -70,8 +64,8 @@ mod tests {
         assert!(!of([1e-2, 1e-2], [1.0, 0.4]).is_fast());
         assert!(!of([1e-2, 5e-3], [1.0, 1.0]).is_fast());
         assert!(of([1e-2, 5e-2], [1.0, 1.0]).is_fast());
-        assert_eq!(of([1e-2, 5e-2], [1.0, 1.0]).caveat("Temperatures"), None);
-        let caveat = of([1e-2, 1e-2], [1.0, 1e-2]).caveat("Temperatures").unwrap();
-        assert!(caveat.contains("1.000e3 (wheel) and 1.000e1 (rail). Temperatures assume"));
+        assert_eq!(of([1e-2, 5e-2], [1.0, 1.0]).caveat(false), None);
+        let caveat = of([1e-2, 1e-2], [1.0, 1e-2]).caveat(false).unwrap().to_string();
+        assert!(caveat.contains("1.000e3 (wheel) and 1.000e1 (rail). Temperatures of all but"));
     }
 }

@@ -4,7 +4,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::equilibrium::dot;
+use crate::numerics::vector::dot;
 use crate::patch::{Patch, Strip};
 
 use super::{HeatModel, HeatStep};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::error::Error;
+use crate::error::{Error, FitError};
 use crate::interface::friction::Friction;
 use crate::interface::friction::constants::{AdjustableFriction, Changes, FrictionConstant};
 use crate::normal::PressureSource;
@@ -10,10 +10,6 @@ use crate::normal::at_load::AtLoad;
 use crate::problem::Problem;
 
 use super::parameter::Parameter;
-
-pub(super) fn refuse<T>(quantity: &'static str, reason: String) -> Result<T, Error> {
-    Err(Error::Contradiction { quantity, reason })
-}
 
 /// The value of a constant of a friction law, in its SI unit if it is not dimensionless.
 pub(super) fn friction_constant(
@@ -25,17 +21,15 @@ pub(super) fn friction_constant(
     if let Some((_, value)) = constants.iter().find(|(name, _)| *name == wanted) {
         return Ok(*value);
     }
-    let names: Vec<_> = constants.iter().map(|(name, _)| name.field()).collect();
-    let names = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
-    let reason = format!("it is no constant of the friction law in use, which has {names}");
-    refuse(wanted.field(), reason)
+    let constants = constants.iter().map(|(name, _)| name.quantity()).collect();
+    Err(FitError::NoSuchConstant { quantity: wanted.quantity(), constants }.into())
 }
 
 /// A constant that friction has only where the contact is hot cannot be found by a model that has no heat.
 pub(super) fn require_heat(
     has_heat: bool,
     parameters: &[Parameter],
-    why: &str,
+    method: Option<&'static str>,
 ) -> Result<(), Error> {
     let needs_heat = |parameter: &&Parameter| {
         matches!(
@@ -49,10 +43,9 @@ pub(super) fn require_heat(
         )
     };
     match parameters.iter().find(needs_heat).filter(|_| !has_heat) {
-        Some(parameter) => refuse(
-            parameter.name(),
-            format!("it shows where friction makes the contact hot, but {why}"),
-        ),
+        Some(parameter) => {
+            Err(FitError::NeedsHeat { quantity: parameter.quantity(), method }.into())
+        }
         None => Ok(()),
     }
 }

@@ -1,10 +1,13 @@
 //! Measured points of creep curves.
 
-use crate::error::Error;
+use crate::error::{Error, FitError, require_finite, require_positive};
 use crate::kinematics::Kinematics;
+use crate::quantity::Quantity;
 
 /// Which component of the force was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Component {
     /// Along rolling.
     Longitudinal,
@@ -24,6 +27,7 @@ impl Component {
 
 /// Under which condition a force was measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Condition {
     /// Speed and creepages.
     pub kinematics: Kinematics,
@@ -33,6 +37,7 @@ pub struct Condition {
 
 /// A measured point.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DataPoint {
     /// Under which condition.
     pub condition: Condition,
@@ -45,29 +50,38 @@ pub struct DataPoint {
     pub standard_deviation: Option<f64>,
 }
 
+/// A measured point and what the model says there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FittedPoint {
+    /// What was measured.
+    pub data: DataPoint,
+    /// Computed force on the rail over the load, dimensionless.
+    pub fitted: f64,
+}
+
+impl FittedPoint {
+    /// Measured less computed force over the load, dimensionless.
+    pub fn residual(&self) -> f64 {
+        self.data.force_ratio - self.fitted
+    }
+}
+
 /// Checks points by themselves.
 pub(super) fn check(data: &[DataPoint]) -> Result<(), Error> {
-    const RATIO: &str = "force_ratio";
-    const DEVIATION: &str = "standard_deviation";
     for point in data {
         point.condition.kinematics.check()?;
-        crate::error::require_finite(RATIO, point.force_ratio, "")?;
+        require_finite(Quantity::ForceRatio, point.force_ratio)?;
         if let Some(load) = point.condition.load {
-            crate::error::require_positive("normal.load", load, "N")?;
+            require_positive(Quantity::Load, load)?;
         }
         if let Some(deviation) = point.standard_deviation {
-            crate::error::require_positive(DEVIATION, deviation, "")?;
+            require_positive(Quantity::StandardDeviation, deviation)?;
         }
     }
     let known = data.iter().filter(|point| point.standard_deviation.is_some()).count();
     if known != 0 && known != data.len() {
-        return Err(Error::Contradiction {
-            quantity: DEVIATION,
-            reason: format!(
-                "all points or none must have a standard deviation, but {known} of {} have one",
-                data.len()
-            ),
-        });
+        return Err(FitError::SomeDeviations { known, count: data.len() }.into());
     }
     Ok(())
 }
@@ -127,23 +141,13 @@ pub(super) fn check_signs(data: &[DataPoint], computed: &[f64]) -> Result<(), Er
 
 fn wrong_sign(data: &[DataPoint], points: &[usize]) -> Error {
     let first = &data[points[0]];
-    let name = match first.component {
+    let component = match first.component {
         Component::Longitudinal => "longitudinal",
         Component::Lateral => "lateral",
     };
     let of = data.iter().filter(|point| point.component == first.component).count();
-    let place = if of == points.len() {
-        String::new()
-    } else {
-        let load = first.condition.load.map_or(String::new(), |load| format!(" under {load} N"));
-        format!(" at some {} m/s{load}", first.condition.kinematics.speed)
-    };
-    Error::Contradiction {
-        quantity: "force_ratio",
-        reason: format!(
-            "the {name} forces{place} have the opposite sign of those that creepages and spin give: they must \
-             be those on the rail, -Fx/N over creepage_x and -Fy/N over creepage_y, as creep curves \
-             show them"
-        ),
-    }
+    let is_part = of != points.len();
+    let speed = is_part.then_some(first.condition.kinematics.speed);
+    let load = first.condition.load.filter(|_| is_part);
+    FitError::WrongSign { component, speed, load }.into()
 }

@@ -2,11 +2,11 @@
 
 use faer::{Mat, Side};
 
-use crate::error::Error;
+use crate::error::{Error, FitError};
 use crate::interface::friction::constants::FrictionConstant;
-use crate::least_squares::Minimum;
+use crate::least_squares::{Minimum, column_norms};
 
-use super::fit::FittedPoint;
+use super::data::FittedPoint;
 use super::parameter::Parameter;
 
 /// Forces are never measured better than to this part of the largest one: of data without scatter this
@@ -34,53 +34,24 @@ pub(super) fn check_count(
     points: usize,
     knows_scatter: bool,
 ) -> Result<(), Error> {
-    let (count, needed) = (parameters.len(), parameters.len() + usize::from(!knows_scatter));
-    let Some(first) = parameters.first() else {
-        return Err(Error::Contradiction {
-            quantity: "parameters",
-            reason: "there is nothing to fit".to_owned(),
-        });
-    };
+    if parameters.is_empty() {
+        return Err(FitError::NothingToFit {}.into());
+    }
+    let needed = parameters.len() + usize::from(!knows_scatter);
     if points >= needed {
         return Ok(());
     }
-    let names: Vec<_> = parameters.iter().map(|parameter| parameter.name()).collect();
-    let why = if points == count {
-        ": with as many points as parameters nothing is left to tell the scatter from, unless the \
-         data have standard deviations"
-    } else {
-        ""
-    };
-    Err(Error::Contradiction {
-        quantity: first.name(),
-        reason: format!(
-            "{count} parameter{} ({}) cannot be determined from {points} measured force{}{why}",
-            plural(count),
-            names.join(", "),
-            plural(points)
-        ),
-    })
-}
-
-fn plural(count: usize) -> &'static str {
-    if count == 1 { "" } else { "s" }
+    let parameters = parameters.iter().map(|parameter| parameter.quantity()).collect();
+    Err(FitError::TooFewPoints { parameters, points }.into())
 }
 
 /// (JᵀJ)⁻¹ of a minimum, or which parameters no force tells apart.
 pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, Error> {
     let jacobian = &minimum.jacobian;
-    let norm = |column: usize| {
-        (0..jacobian.nrows()).map(|row| jacobian[(row, column)].powi(2)).sum::<f64>().sqrt()
-    };
-    let norms: Vec<f64> = (0..jacobian.ncols()).map(norm).collect();
+    let norms = column_norms(jacobian);
     if let Some(k) = norms.iter().position(|norm| *norm == 0.0 || !norm.is_finite()) {
         let (parameter, value) = values[k];
-        let reason = format!(
-            "the data do not determine it: near {} no measured force depends on it; {}",
-            shown(parameter, value),
-            parameter.advice()
-        );
-        return Err(Error::Contradiction { quantity: parameter.name(), reason });
+        return Err(FitError::NoInfluence { quantity: parameter.quantity(), value }.into());
     }
     minimum.covariance().ok_or_else(|| inseparable(&loosest(jacobian, &norms), values))
 }
@@ -98,20 +69,11 @@ fn loosest(jacobian: &Mat<f64>, norms: &[f64]) -> Vec<f64> {
 
 fn inseparable(combination: &[f64], values: Values) -> Error {
     let pairs = values.iter().zip(combination);
-    let named: Vec<&str> = pairs
+    let parameters = pairs
         .filter(|(_, part)| part.abs() > TAKES_PART)
-        .map(|((parameter, _), _)| parameter.name())
+        .map(|((parameter, _), _)| parameter.quantity())
         .collect();
-    let quantity = values.iter().map(|(parameter, _)| parameter.name());
-    let quantity = quantity.clone().find(|name| named.contains(name)).or(quantity.clone().next());
-    Error::Contradiction {
-        quantity: quantity.unwrap_or("parameters"),
-        reason: format!(
-            "the data do not tell {} apart: another choice of them gives the same forces; fit one of \
-             them less, or add points at other creepages or speeds",
-            named.join(" and ")
-        ),
-    }
+    FitError::Inseparable { parameters }.into()
 }
 
 /// Forces up to this part of μ0 N, and in proportion to the creepage within this factor, are in the linear
@@ -140,14 +102,7 @@ pub(super) fn check_range(values: Values, points: &[FittedPoint]) -> Result<(), 
     if !is_linear {
         return Ok(());
     }
-    Err(Error::Contradiction {
-        quantity: cold.name(),
-        reason: format!(
-            "the data do not determine it: all forces are in proportion to the creepage, the largest is \
-             {largest:.2} μ0 N; {}",
-            cold.advice()
-        ),
-    })
+    Err(FitError::LinearRange { largest }.into())
 }
 
 /// Checks intervals and correlations. `half_widths` are those of the parameters' 95 % intervals, in
@@ -179,36 +134,9 @@ fn open(values: Values, k: usize, relative: f64, correlation: &[Vec<f64>]) -> Er
     let others = (0..values.len()).filter(|other| *other != k);
     let related = others
         .filter(|other| correlation[k][*other].abs() > RELATED)
-        .map(|other| {
-            format!("{} (correlation {:.3})", values[other].0.name(), correlation[k][other])
-        })
-        .collect::<Vec<_>>();
-    let with = if related.is_empty() {
-        String::new()
-    } else {
-        format!(" together with {}", related.join(" and "))
-    };
-    let width = if relative < 1e3 {
-        format!("±{:.0} %", 100.0 * relative)
-    } else {
-        "more than ±100000 %".to_owned()
-    };
-    Error::Contradiction {
-        quantity: parameter.name(),
-        reason: format!(
-            "the data do not determine it{with}: at {} its 95 % interval is {width}; {}; add such \
-             points, or do not fit it",
-            shown(parameter, value),
-            parameter.advice()
-        ),
-    }
-}
-
-fn shown(parameter: Parameter, value: f64) -> String {
-    let value: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    let number =
-        if (1e-3..1e5).contains(&value) { value.to_string() } else { format!("{value:e}") };
-    format!("{number} {}", parameter.unit()).trim_end().to_owned()
+        .map(|other| (values[other].0.quantity(), correlation[k][other]))
+        .collect();
+    FitError::Undetermined { quantity: parameter.quantity(), value, relative, related }.into()
 }
 
 #[cfg(test)]
@@ -234,16 +162,16 @@ mod tests {
         let values = [(COLD, 0.4), (Parameter::ContactStiffness, 5e6)];
         let nothing = Mat::from_fn(3, 2, |i, j| if j == 0 { 0.0 } else { i as f64 });
         let message = covariance(&minimum(nothing), &values).unwrap_err().to_string();
-        assert!(message.starts_with("friction.coefficient: "), "{message}");
+        assert!(message.starts_with("friction_coefficient: "), "{message}");
         assert!(message.contains("near 0.4 no measured force depends on it"), "{message}");
         let alike = Mat::from_fn(3, 2, |i, _| 1.0 + i as f64);
         let message = covariance(&minimum(alike), &values).unwrap_err().to_string();
-        let both = "tell friction.coefficient and contact_law.stiffness apart";
+        let both = "tell friction_coefficient and contact_stiffness apart";
         assert!(message.contains(both), "{message}");
         let correlation = vec![vec![1.0, -0.97], vec![-0.97, 1.0]];
         let message = check(&values, &[0.1, 1e7], &correlation).unwrap_err().to_string();
-        assert!(message.starts_with("contact_law.stiffness: "), "{message}");
-        assert!(message.contains("friction.coefficient (correlation -0.970)"), "{message}");
+        assert!(message.starts_with("contact_stiffness: "), "{message}");
+        assert!(message.contains("friction_coefficient (correlation -0.970)"), "{message}");
         assert!(message.contains("at 5e6 1/m its 95 % interval is ±200 %;"), "{message}");
         check(&values, &[0.1, 1e6], &correlation).unwrap();
         let correlation = vec![vec![1.0, 0.9995], vec![0.9995, 1.0]];
@@ -255,7 +183,7 @@ mod tests {
     fn there_must_be_more_points_than_parameters() {
         let parameters = [COLD, Parameter::ContactStiffness];
         let message = |points, known| check_count(&parameters, points, known).unwrap_err();
-        assert!(message(1, true).to_string().contains("2 parameters (friction.coefficient, "));
+        assert!(message(1, true).to_string().contains("2 parameters (friction_coefficient, "));
         assert!(message(1, true).to_string().contains("from 1 measured force"));
         assert!(message(2, false).to_string().contains("unless the data have standard deviations"));
         check_count(&parameters, 2, true).unwrap();

@@ -2,18 +2,21 @@
 
 use faer::Mat;
 
-use crate::error::Error;
+use crate::error::{Error, FitCause, FitError, FitStop};
 use crate::least_squares::{self, Limits, Minimum, Residuals};
+use crate::numerics::vector::root_mean_square;
 use crate::progress::Watch;
+use crate::quantity::Quantity;
 use crate::solution::{Status, Work};
+use crate::warning::{Unconverged, Warning};
 
 use super::confidence::students_t;
-use super::data::{self, Condition, DataPoint};
+use super::data::{self, Condition, DataPoint, FittedPoint};
 use super::determinacy::{self, LEAST_SCATTER};
 use super::model::CreepForceModel;
 use super::parameter::Parameter;
 use super::residuals::{Failure, Weighted, order};
-use super::statistics::{autocorrelation, r_squared, rms};
+use super::statistics::{autocorrelation, r_squared};
 
 /// A fit ends where no parameter would move by more than this part of itself,
 const TOLERANCE: f64 = 1e-6;
@@ -26,6 +29,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// A parameter that was found.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Estimate {
     /// Which one.
     pub parameter: Parameter,
@@ -39,24 +43,9 @@ pub struct Estimate {
     pub half_width: f64,
 }
 
-/// A measured point and what the model says there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FittedPoint {
-    /// What was measured.
-    pub data: DataPoint,
-    /// Computed force on the rail over the load, dimensionless.
-    pub fitted: f64,
-}
-
-impl FittedPoint {
-    /// Measured less computed force over the load, dimensionless.
-    pub fn residual(&self) -> f64 {
-        self.data.force_ratio - self.fitted
-    }
-}
-
 /// A fit.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fit {
     /// Whether to trust it: `NotConverged` is no minimum.
     pub status: Status,
@@ -77,7 +66,7 @@ pub struct Fit {
     /// Steps of the fit.
     pub iterations: usize,
     /// Whatever the reader of the numbers must know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// How much work all solutions were.
     pub work: Work,
 }
@@ -92,13 +81,10 @@ pub fn check(model: &dyn CreepForceModel, data: &[DataPoint]) -> Result<(), Erro
     determinacy::check_count(model.parameters(), data.len(), knows_scatter(data))?;
     for (parameter, start) in model.parameters().iter().zip(model.start()) {
         let [low, high] = parameter.bounds();
-        crate::error::require(
-            (low..=high).contains(&start),
-            parameter.name(),
-            &format!("between {low} and {high} {} for a fit to start from", parameter.unit()),
-            start,
-            parameter.unit(),
-        )?;
+        if !(low..=high).contains(&start) {
+            let (quantity, bounds) = (parameter.quantity(), [low, high]);
+            return Err(FitError::StartOutOfRange { quantity, value: start, bounds }.into());
+        }
     }
     Ok(())
 }
@@ -162,7 +148,8 @@ pub fn fit(
     let converged = found.minimum.converged && found.ran_out().is_none();
     let mut warnings = found.warnings(&correlation);
     if !converged {
-        warnings.insert(0, format!("not converged: {}", found.why_not_converged(failure.as_ref())));
+        let stop = found.stop(failure.as_ref());
+        warnings.insert(0, Warning::of(Unconverged::Fit { stop }));
     }
     let estimates = (0..coordinates.len()).map(|k| Estimate {
         parameter: coordinates[k].parameter,
@@ -178,7 +165,7 @@ pub fn fit(
         status: if converged { Status::Converged } else { Status::NotConverged },
         estimates,
         correlation,
-        rms_residual: rms(&residuals),
+        rms_residual: root_mean_square(&residuals),
         r_squared: r_squared(&measured, &residuals),
         reduced_chi_squared: found.reduced_chi_squared(),
         degrees_of_freedom: found.degrees_of_freedom(),
@@ -212,30 +199,26 @@ fn computed(data: &[DataPoint], residuals: &[f64]) -> Vec<f64> {
 
 /// Why there is nothing to begin with.
 fn no_start(weighted: &Weighted) -> Error {
-    let quantity =
-        weighted.coordinates.first().map_or("parameters", |first| first.parameter.name());
+    let first = weighted.coordinates.first().map(|first| first.parameter.quantity());
+    let quantity = first.unwrap_or(Quantity::FitParameters);
     match &weighted.failure {
         Some(Failure::Refused(error)) => error.clone(),
-        Some(Failure::NotFound(condition)) => Error::Contradiction {
-            quantity,
-            reason: format!(
-                "with the values to start from no force was found {}: start from others",
-                place(condition)
-            ),
-        },
-        None => Error::Contradiction {
-            quantity,
-            reason: "the forces have no derivatives at the values to start from".to_owned(),
-        },
+        Some(Failure::NotFound(condition)) => {
+            FitError::NoStart { quantity, at: Some(motion(condition)) }.into()
+        }
+        None => FitError::NoStart { quantity, at: None }.into(),
     }
 }
 
-fn place(condition: &Condition) -> String {
+/// The motion of a condition, number by number.
+fn motion(condition: &Condition) -> Vec<(Quantity, f64)> {
     let motion = &condition.kinematics;
-    format!(
-        "at creepage_x = {}, creepage_y = {}, spin = {} 1/m, speed {} m/s",
-        motion.creepage_x, motion.creepage_y, motion.spin, motion.speed
-    )
+    vec![
+        (Quantity::CreepageX, motion.creepage_x),
+        (Quantity::CreepageY, motion.creepage_y),
+        (Quantity::Spin, motion.spin),
+        (Quantity::Speed, motion.speed),
+    ]
 }
 
 /// Correlations from a covariance.
@@ -360,7 +343,7 @@ impl Found<'_> {
         /// Residuals over the largest force, root mean square.
         const FAR: f64 = 0.05;
         let residuals: Vec<f64> = self.points().iter().map(FittedPoint::residual).collect();
-        rms(&residuals) > FAR * self.largest_force()
+        root_mean_square(&residuals) > FAR * self.largest_force()
     }
 
     /// Largest measured force over the load, dimensionless.
@@ -370,98 +353,64 @@ impl Found<'_> {
 
     /// There is nothing to be said of parameters where a fit got stuck.
     fn no_end(&self, failure: Option<&Failure>) -> Error {
-        Error::Contradiction {
-            quantity: self.parameters[0].0.name(),
-            reason: format!(
-                "{}, and where it stopped the forces do not depend enough on the parameters to go on",
-                self.why_not_converged(failure)
-            ),
-        }
+        let (quantity, stop) = (self.parameters[0].0.quantity(), self.stop(failure));
+        FitError::FitStuck { quantity, stop }.into()
     }
 
-    fn why_not_converged(&self, failure: Option<&Failure>) -> String {
-        let iterations = self.minimum.iterations;
+    fn stop(&self, failure: Option<&Failure>) -> FitStop {
         let cause = match (self.ran_out(), failure) {
             (Some((parameter, value)), _) => {
-                let unit = parameter.unit();
-                let end =
-                    format!("it ran to the end of the range that is looked at, {value:.4e} {unit}");
-                format!("{}: {}", parameter.name(), end.trim_end())
+                FitCause::RanOut { quantity: parameter.quantity(), value }
             }
-            (None, Some(Failure::NotFound(condition))) => {
-                format!("in its way was a force that was not found, {}", place(condition))
-            }
-            (None, Some(Failure::Refused(error))) => format!("in its way was: {error}"),
-            _ => "more steps or other values to start from may help".to_owned(),
+            (None, Some(Failure::NotFound(condition))) => FitCause::NotFound(motion(condition)),
+            (None, Some(Failure::Refused(error))) => FitCause::Refused(Box::new(error.clone())),
+            _ => FitCause::Steps,
         };
-        format!("after {iterations} steps the fit is at no minimum; {cause}")
+        FitStop { steps: self.minimum.iterations, cause }
     }
 
-    fn warnings(&self, correlation: &[Vec<f64>]) -> Vec<String> {
+    fn warnings(&self, correlation: &[Vec<f64>]) -> Vec<Warning> {
         /// Correlation from which on two parameters are hard to tell apart.
         const STRONG: f64 = 0.95;
         let mut warnings = Vec::new();
         for (i, row) in correlation.iter().enumerate() {
             for (j, r) in row.iter().enumerate().take(i).filter(|(_, r)| r.abs() > STRONG) {
-                let [one, other] = [j, i].map(|k| self.parameters[k].0.name());
-                warnings.push(format!(
-                    "{one} and {other} go together (correlation {r:.3}): each by itself is less certain \
-                     than both"
-                ));
+                let [one, other] = [j, i].map(|k| self.parameters[k].0.quantity());
+                warnings.push(Warning::Correlated { one, other, correlation: *r });
             }
         }
-        warnings.extend(self.held().filter(|(p, value)| p.may_end_at(*value)).map(|(p, value)| {
-            let name = p.name();
-            format!(
-                "{name} is at the end of its range, {value}: the data would have it beyond, and its interval \
-                 counts to one side only"
-            )
+        let ended = self.held().filter(|(parameter, value)| parameter.may_end_at(*value));
+        warnings.extend(ended.map(|(parameter, value)| {
+            let parameter = parameter.quantity();
+            Warning::AtEndOfRange { parameter, value }
         }));
         warnings.extend(self.no_reduction());
         warnings.extend(self.misfit());
         warnings.extend(self.unexplained());
-        warnings.extend(self.excess().map(|factor| {
-            format!(
-                "the residuals are {factor:.1} times what the standard deviations of the data allow: \
-                 the intervals are widened by that"
-            )
-        }));
+        warnings.extend(self.excess().map(|factor| Warning::ExcessScatter { factor }));
         warnings
     }
 
     /// Polach's reductions as no case can have them.
-    fn no_reduction(&self) -> Option<String> {
+    fn no_reduction(&self) -> Option<Warning> {
         let of = |wanted| self.parameters.iter().find(|(parameter, _)| *parameter == wanted);
-        let ((adhesion, most), (slip, value)) =
-            (of(Parameter::AreaAdhesion)?, of(Parameter::AreaSlip)?);
-        (value > most).then(|| {
-            format!(
-                "{} is {value:.4}, but must not exceed {} = {most:.4}: no case can have them; hold \
-                 one of them",
-                slip.name(),
-                adhesion.name()
-            )
-        })
+        let (adhesion, slip) = (of(Parameter::AreaAdhesion)?.1, of(Parameter::AreaSlip)?.1);
+        (slip > adhesion).then_some(Warning::ImpossibleReduction { slip, adhesion })
     }
 
     /// Data that have little to do with the model.
-    fn unexplained(&self) -> Option<String> {
+    fn unexplained(&self) -> Option<Warning> {
         /// R² below which that is said.
         const LITTLE: f64 = 0.8;
         let points = self.points();
         let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
         let measured: Vec<f64> = self.data.iter().map(|point| point.force_ratio).collect();
-        let explained = r_squared(&measured, &residuals);
-        (explained < LITTLE).then(|| {
-            format!(
-                "the model explains {:.0} % of the variance of the data only",
-                100.0 * explained.max(0.0)
-            )
-        })
+        let r_squared = r_squared(&measured, &residuals);
+        (r_squared < LITTLE).then_some(Warning::Unexplained { r_squared })
     }
 
     /// Residuals that are no scatter.
-    fn misfit(&self) -> Option<String> {
+    fn misfit(&self) -> Option<Warning> {
         /// Correlation of neighbours, and points it takes to see it.
         const SYSTEMATIC: f64 = 0.5;
         const ENOUGH: usize = 8;
@@ -476,12 +425,9 @@ impl Found<'_> {
             .collect();
         let residuals = series.concat();
         let limit = SMALL * self.largest_force();
-        let is_seen = self.degrees_of_freedom() >= ENOUGH && rms(&residuals) > limit;
-        (is_seen && autocorrelation(series.iter().map(Vec::as_slice)) > SYSTEMATIC).then(|| {
-            "the residuals are no scatter, neighbours have the same sign: the model does not follow \
-             the data, and the parameters are less certain than their intervals say"
-                .to_owned()
-        })
+        let is_seen = self.degrees_of_freedom() >= ENOUGH && root_mean_square(&residuals) > limit;
+        let is_systematic = || autocorrelation(series.iter().map(Vec::as_slice)) > SYSTEMATIC;
+        (is_seen && is_systematic()).then_some(Warning::SystematicResiduals {})
     }
 
     /// The residuals over the standard deviations of the data, where they are beyond chance.

@@ -21,8 +21,8 @@ pub mod roughness;
 
 pub use confidence::students_t;
 pub use curves::{FittedCurves, Series, sample_curves};
-pub use data::{Component, Condition, DataPoint};
-pub use fit::{Estimate, Fit, FittedPoint, check, fit};
+pub use data::{Component, Condition, DataPoint, FittedPoint};
+pub use fit::{Estimate, Fit, check, fit};
 pub use model::{CreepForceModel, ForceRatio};
 pub use parameter::Parameter;
 pub use polach_method::PolachModel;

@@ -1,6 +1,7 @@
 //! What can be fitted.
 
 use crate::interface::friction::constants::FrictionConstant;
+use crate::quantity::Quantity;
 
 /// A constant to find.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,53 +42,14 @@ impl Parameter {
         ])
     }
 
-    /// Its dotted name in a case file. That of the roughness has k_c in its place there.
-    pub fn name(self) -> &'static str {
+    /// The quantity that it is.
+    pub fn quantity(self) -> Quantity {
         match self {
-            Self::Friction(constant) => constant.field(),
-            Self::ContactStiffness => "contact_law.stiffness",
-            Self::Roughness => "contact_law.roughness",
-            Self::AreaAdhesion => "solver.polach_area_adhesion",
-            Self::AreaSlip => "solver.polach_area_slip",
-        }
-    }
-
-    /// Its symbol.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Friction(constant) => match constant {
-                FrictionConstant::ColdCoefficient => "μ0",
-                FrictionConstant::TemperatureAtZeroFriction => "T_E",
-                FrictionConstant::MinimumCoefficient => "μ_min",
-                FrictionConstant::HotCoefficient => "μ_hot",
-                FrictionConstant::TemperatureRange => "ΔT",
-                FrictionConstant::KineticCoefficient => "μ_kin",
-                FrictionConstant::HalfSpeed => "s1",
-                FrictionConstant::SecondCoefficient => "μ2",
-                FrictionConstant::SecondHalfSpeed => "s2",
-                FrictionConstant::LimitRatio => "A",
-                FrictionConstant::Decay => "B",
-            },
-            Self::ContactStiffness => "k_c",
-            Self::Roughness => "h_rms",
-            Self::AreaAdhesion => "k_A",
-            Self::AreaSlip => "k_S",
-        }
-    }
-
-    /// Its SI unit; empty where it is dimensionless.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Friction(constant) => match constant {
-                FrictionConstant::TemperatureAtZeroFriction
-                | FrictionConstant::TemperatureRange => "K",
-                FrictionConstant::HalfSpeed | FrictionConstant::SecondHalfSpeed => "m/s",
-                FrictionConstant::Decay => "s/m",
-                _ => "",
-            },
-            Self::ContactStiffness => "1/m",
-            Self::Roughness => "m",
-            Self::AreaAdhesion | Self::AreaSlip => "",
+            Self::Friction(constant) => constant.quantity(),
+            Self::ContactStiffness => Quantity::ContactStiffness,
+            Self::Roughness => Quantity::ContactRoughness,
+            Self::AreaAdhesion => Quantity::PolachAreaAdhesion,
+            Self::AreaSlip => Quantity::PolachAreaSlip,
         }
     }
 
@@ -129,28 +91,6 @@ impl Parameter {
         match self.scale() {
             Scale::Logarithmic => value,
             Scale::Linear => value.max(NEXT_TO_NOTHING),
-        }
-    }
-
-    /// Which points of a creep curve depend on it.
-    pub(super) fn advice(self) -> &'static str {
-        match self {
-            Self::Friction(constant) => match constant {
-                FrictionConstant::ColdCoefficient => {
-                    "it shows where the force bends over and at its maximum"
-                }
-                FrictionConstant::TemperatureAtZeroFriction
-                | FrictionConstant::MinimumCoefficient
-                | FrictionConstant::HotCoefficient
-                | FrictionConstant::TemperatureRange => {
-                    "it shows at creepages and speeds that make the contact hot"
-                }
-                _ => "it shows at slip speeds over which friction falls",
-            },
-            Self::ContactStiffness | Self::Roughness | Self::AreaAdhesion => {
-                "it shows at small creepages and where the force bends over"
-            }
-            Self::AreaSlip => "it shows at small creepages and on the way to the maximum",
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Creep forces of Polach's method, as a model to fit.
 
-use crate::error::Error;
+use crate::error::{Error, FitError};
 use crate::method::{AreaReduction, FastMethod};
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -9,7 +9,7 @@ use crate::simplified::polach::{Differentiated, differentiated_force};
 use crate::simplified::{EllipticContact, friction_state};
 use crate::solution::Work;
 
-use super::adjustment::{adjusted_friction, friction_constant, loaded, refuse, require_heat};
+use super::adjustment::{adjusted_friction, friction_constant, loaded, require_heat};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -39,17 +39,15 @@ impl PolachModel {
     ) -> Result<Self, Error> {
         problem.check()?;
         FastMethod::Polach(reduction).check()?;
-        require_heat(false, parameters, "solver.method = \"polach\" has no heat")?;
+        require_heat(false, parameters, Some("polach"))?;
         let start = parameters.iter().map(|parameter| match parameter {
             Parameter::Friction(constant) => friction_constant(&problem.friction, *constant),
             Parameter::AreaAdhesion => Ok(reduction.area_adhesion),
             Parameter::AreaSlip => Ok(reduction.area_slip),
-            Parameter::ContactStiffness | Parameter::Roughness => refuse(
-                parameter.name(),
-                "solver.method = \"polach\" has no contact law; its slope is reduced by \
-                 solver.polach_area_adhesion and solver.polach_area_slip"
-                    .to_owned(),
-            ),
+            Parameter::ContactStiffness | Parameter::Roughness => {
+                let quantity = parameter.quantity();
+                Err(FitError::NotOfMethod { quantity, method: "polach" }.into())
+            }
         });
         Ok(Self {
             start: start.collect::<Result<_, _>>()?,

@@ -143,7 +143,7 @@ impl Residuals for Weighted<'_> {
     fn residuals(&mut self, moved: &[f64]) -> Result<Option<Vec<f64>>, Error> {
         match self.evaluate(moved) {
             Ok(residuals) => Ok(Some(residuals)),
-            Err(Failure::Refused(Error::Stopped)) => Err(Error::Stopped),
+            Err(Failure::Refused(Error::Stopped {})) => Err(Error::Stopped {}),
             Err(failure) => {
                 self.failure = Some(failure);
                 Ok(None)

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::error::Error;
+use crate::error::{Error, FitError};
 use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
 use crate::interface::friction::constants::FrictionConstant;
@@ -14,7 +14,7 @@ use crate::rolling::steady::SteadySolver;
 use crate::solution::{Resultant, Work};
 use crate::solver::Solver;
 
-use super::adjustment::{adjusted_friction, friction_constant, loaded, refuse, require_heat};
+use super::adjustment::{adjusted_friction, friction_constant, loaded, require_heat};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -68,7 +68,7 @@ impl RollingContactModel {
         problem.check()?;
         options.check()?;
         let has_heat = problem.heat.model.is_some();
-        require_heat(has_heat, parameters, "heat.model is \"none\"")?;
+        require_heat(has_heat, parameters, None)?;
         let materials = [&problem.wheel.material, &problem.rail.material];
         let number = roughness::stiffness_number(materials[0], materials[1], gamma)?;
         let mut model = Self {
@@ -89,8 +89,7 @@ impl RollingContactModel {
             matches!(parameter, Parameter::ContactStiffness | Parameter::Roughness)
         };
         if parameters.iter().filter(of_both).count() > 1 {
-            let reason = "it cannot be fitted together with the roughness that determines it";
-            return refuse("contact_law.stiffness", reason.to_owned());
+            return Err(FitError::StiffnessAndRoughness {}.into());
         }
         model.constants = parameters.iter().filter_map(|parameter| constant(*parameter)).collect();
         Ok(model)
@@ -110,14 +109,11 @@ impl RollingContactModel {
     fn present(&self, parameter: Parameter) -> Result<f64, Error> {
         match parameter {
             Parameter::Friction(constant) => friction_constant(&self.problem.friction, constant),
-            Parameter::AreaAdhesion | Parameter::AreaSlip => refuse(
-                parameter.name(),
-                "it is a constant of solver.method = \"polach\", but the method is \"full\""
-                    .to_owned(),
-            ),
+            Parameter::AreaAdhesion | Parameter::AreaSlip => {
+                Err(FitError::NotOfMethod { quantity: parameter.quantity(), method: "full" }.into())
+            }
             _ if self.problem.contact_law.with_stiffness(self.stiffness)?.is_none() => {
-                let reason = "the contact law in use has no such constant".to_owned();
-                refuse("contact_law.stiffness", reason)
+                Err(FitError::NoStiffness {}.into())
             }
             Parameter::ContactStiffness => Ok(self.stiffness),
             Parameter::Roughness => Ok(self.roughness_number / (self.coefficient * self.stiffness)),

@@ -16,7 +16,7 @@ pub const DEFAULT_GAMMA: f64 = 0.45;
 /// tangential curve of similar elastic bodies follows from the normal one (Ciavarella 1998, Jäger
 /// 1998); P and d of rough surfaces: Persson 2007. Limits: elastic asperities, similar bodies.
 pub fn stiffness_number(wheel: &Material, rail: &Material, gamma: f64) -> Result<f64, Error> {
-    crate::error::require_positive("gamma", gamma, "")?;
+    crate::error::require_positive(crate::quantity::Quantity::SlopeFactor, gamma)?;
     let nu = HalfSpace::new(wheel, rail)?.poisson_ratio();
     Ok(2.0 * (1.0 - nu) / ((2.0 - nu) * gamma))
 }

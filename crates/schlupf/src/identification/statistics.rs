@@ -1,21 +1,14 @@
 //! What the residuals say of the fit as a whole.
 
+use crate::numerics::vector::dot;
+
 /// Sum of the squared residuals over that of the data about their mean, taken from one; dimensionless.
 /// NaN where all data are the same.
 pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> f64 {
     let mean = data.iter().sum::<f64>() / data.len() as f64;
     let total: f64 = data.iter().map(|value| (value - mean).powi(2)).sum();
-    let rounding = f64::EPSILON * sum_of_squares(data);
-    if total <= rounding { f64::NAN } else { 1.0 - sum_of_squares(residuals) / total }
-}
-
-pub(super) fn sum_of_squares(values: &[f64]) -> f64 {
-    values.iter().map(|value| value * value).sum()
-}
-
-/// Root of the mean square; dimensionless as the values are.
-pub(super) fn rms(values: &[f64]) -> f64 {
-    (sum_of_squares(values) / values.len() as f64).sqrt()
+    let rounding = f64::EPSILON * dot(data, data);
+    if total <= rounding { f64::NAN } else { 1.0 - dot(residuals, residuals) / total }
 }
 
 /// Correlation of each residual with the next one in its series, dimensionless: near zero where they are scatter.
@@ -23,7 +16,7 @@ pub(super) fn autocorrelation<'a>(series: impl Iterator<Item = &'a [f64]>) -> f6
     let (mut products, mut squares) = (0.0, 0.0);
     for residuals in series {
         products += residuals.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>();
-        squares += sum_of_squares(residuals);
+        squares += dot(residuals, residuals);
     }
     products / squares
 }
@@ -49,6 +42,5 @@ mod tests {
         assert!(
             r_squared(&[0.2; 6], &[0.01; 6]).is_nan() && r_squared(&[0.0; 3], &[0.1; 3]).is_nan()
         );
-        assert!((rms(&[3.0, 4.0]) - 12.5_f64.sqrt()).abs() < 1e-15);
     }
 }

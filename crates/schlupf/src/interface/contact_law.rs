@@ -7,6 +7,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use crate::error::{Error, require_positive};
+use crate::quantity::Quantity;
 
 /// A point that slides by an increment while it is carried over a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -63,7 +64,7 @@ pub struct TotalDisplacement {
 impl TotalDisplacement {
     /// The exponent k_c, in 1/m.
     pub fn new(stiffness: f64) -> Result<Self, Error> {
-        require_positive("contact_law.stiffness", stiffness, "1/m")?;
+        require_positive(Quantity::ContactStiffness, stiffness)?;
         Ok(Self { stiffness })
     }
 
@@ -107,7 +108,7 @@ pub struct Incremental {
 impl Incremental {
     /// The exponent k_c, in 1/m.
     pub fn new(stiffness: f64) -> Result<Self, Error> {
-        require_positive("contact_law.stiffness", stiffness, "1/m")?;
+        require_positive(Quantity::ContactStiffness, stiffness)?;
         Ok(Self { stiffness })
     }
 }

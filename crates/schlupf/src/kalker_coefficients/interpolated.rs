@@ -2,17 +2,12 @@
 
 use std::f64::consts::PI;
 
-use super::table::CHEBYSHEV;
+use super::table::{CHEBYSHEV, POISSON_RATIOS, RATIOS};
 use super::{CreepCoefficients, check};
 use crate::error::Error;
 
 /// Semi-axes' ratios that the table spans: from 1/10 to 10.
 const LARGEST_RATIO: f64 = 10.0;
-
-/// Number of Chebyshev polynomials in ln(a/b).
-pub(super) const RATIOS: usize = 12;
-/// Number of Chebyshev polynomials in ν.
-pub(super) const POISSON_RATIOS: usize = 5;
 
 /// The same as [`creep_coefficients`](super::creep_coefficients) within a microsecond and without memory
 /// of its own: from a table of it, made by the program, in Chebyshev polynomials of ln(a/b) and ν.

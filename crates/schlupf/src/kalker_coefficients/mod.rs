@@ -18,7 +18,9 @@ use faer::linalg::solvers::Solve;
 use crate::elasticity::half_space::HalfSpace;
 use crate::error::{Error, require, require_positive};
 use crate::material::Material;
+use crate::quantity::Quantity;
 use crate::reference::kalker_linear::CreepCoefficients;
+use crate::requirement::Requirement;
 
 pub use interpolated::interpolated_coefficients;
 
@@ -45,9 +47,8 @@ pub fn creep_coefficients(axis_ratio: f64, poisson_ratio: f64) -> Result<CreepCo
 }
 
 fn check(axis_ratio: f64, poisson_ratio: f64) -> Result<(), Error> {
-    require_positive("axis_ratio", axis_ratio, "")?;
-    let is_legal = (0.0..=0.5).contains(&poisson_ratio);
-    require(is_legal, "poisson_ratio", "between 0 and 0.5", poisson_ratio, "")
+    require_positive(Quantity::AxisRatio, axis_ratio)?;
+    require(Quantity::PoissonRatio, Requirement::Between(0.0, 0.5), poisson_ratio)
 }
 
 /// Cells along and strips across the patch, of the two grids that are solved on.

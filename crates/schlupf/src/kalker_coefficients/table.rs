@@ -1,6 +1,9 @@
 //! Made by the test `the_table_is_that_of_the_computation`: do not edit.
 
-use super::interpolated::{POISSON_RATIOS, RATIOS};
+/// Number of Chebyshev polynomials in ln(a/b).
+pub(super) const RATIOS: usize = 12;
+/// Number of Chebyshev polynomials in ν.
+pub(super) const POISSON_RATIOS: usize = 5;
 
 /// Chebyshev coefficients of ln C11, ln C22, ln C23, ln C33 (dimensionless) in log10(a/b) and 4ν − 1.
 #[rustfmt::skip]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{NormalContact, PressureSource};
 use crate::error::{Error, require_positive};
 use crate::progress::Watch;
+use crate::quantity::Quantity;
 
 /// A source of pressure whose own load is another one.
 #[derive(Debug, Clone)]
@@ -16,7 +17,7 @@ pub struct AtLoad {
 impl AtLoad {
     /// The source under a load N, in N; the patch grows as the source says.
     pub fn new(source: Arc<dyn PressureSource>, load: f64) -> Result<Self, Error> {
-        require_positive("normal.load", load, "N")?;
+        require_positive(Quantity::Load, load)?;
         Ok(Self { source, load })
     }
 }

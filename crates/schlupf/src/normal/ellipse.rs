@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require_positive};
+use crate::quantity::Quantity;
 
 /// Semi-ellipsoidal pressure on an ellipse of given semi-axes, N = (2/3) π a b p0.
 ///
@@ -19,9 +20,9 @@ pub struct Ellipse {
 impl Ellipse {
     /// From the semi-axes (in m) and the load (in N).
     pub fn from_load(semi_axis_x: f64, semi_axis_y: f64, load: f64) -> Result<Self, Error> {
-        require_positive("normal.semi_axis_x", semi_axis_x, "m")?;
-        require_positive("normal.semi_axis_y", semi_axis_y, "m")?;
-        require_positive("normal.load", load, "N")?;
+        require_positive(Quantity::SemiAxisX, semi_axis_x)?;
+        require_positive(Quantity::SemiAxisY, semi_axis_y)?;
+        require_positive(Quantity::Load, load)?;
         Ok(Self { semi_axis_x, semi_axis_y, load })
     }
 
@@ -31,10 +32,10 @@ impl Ellipse {
         semi_axis_y: f64,
         peak_pressure: f64,
     ) -> Result<Self, Error> {
-        require_positive("normal.peak_pressure", peak_pressure, "Pa")?;
+        require_positive(Quantity::PeakPressure, peak_pressure)?;
         let load = TAU / 3.0 * semi_axis_x * semi_axis_y * peak_pressure;
-        require_positive("normal.semi_axis_x", semi_axis_x, "m")?;
-        require_positive("normal.semi_axis_y", semi_axis_y, "m")?;
+        require_positive(Quantity::SemiAxisX, semi_axis_x)?;
+        require_positive(Quantity::SemiAxisY, semi_axis_y)?;
         Self::from_load(semi_axis_x, semi_axis_y, load)
     }
 }
@@ -42,7 +43,7 @@ impl Ellipse {
 impl PressureSource for Ellipse {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         let load = load.unwrap_or(self.load);
-        require_positive("normal.load", load, "N")?;
+        require_positive(Quantity::Load, load)?;
         let growth = (load / self.load).cbrt();
         let (a, b) = (growth * self.semi_axis_x, growth * self.semi_axis_y);
         let summary = NormalSummary {

@@ -15,6 +15,9 @@ use ellip::{elliprd, elliprf};
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require, require_positive};
+use crate::numerics::root::bisection;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Radii of curvature of a body at the contact: positive where convex, negative where concave,
 /// infinite where flat.
@@ -45,25 +48,15 @@ impl Hertz {
     /// A radius of zero, a curvature sum that is not positive (a flat contact, or a line), or one
     /// so much smaller than the other that the contact is practically a line.
     pub fn new(wheel: Radii, rail: Radii, contact_modulus: f64, load: f64) -> Result<Self, Error> {
-        require_positive("normal.load", load, "N")?;
-        let curvature_x = curvature_sum(
-            [("wheel.radius_x", wheel.x), ("rail.radius_x", rail.x)],
-            "along rolling (wheel.radius_x, rail.radius_x)",
-        )?;
-        let curvature_y = curvature_sum(
-            [("wheel.radius_y", wheel.y), ("rail.radius_y", rail.y)],
-            "across rolling (wheel.radius_y, rail.radius_y)",
-        )?;
+        require_positive(Quantity::Load, load)?;
+        let curvature_x =
+            curvature_sum([(Quantity::WheelRadiusX, wheel.x), (Quantity::RailRadiusX, rail.x)])?;
+        let curvature_y =
+            curvature_sum([(Quantity::WheelRadiusY, wheel.y), (Quantity::RailRadiusY, rail.y)])?;
         let ratio = curvature_x / curvature_y;
         if !(1.0 / LARGEST_CURVATURE_RATIO..=LARGEST_CURVATURE_RATIO).contains(&ratio) {
-            return Err(Error::Contradiction {
-                quantity: if ratio > 1.0 { "wheel.radius_y" } else { "wheel.radius_x" },
-                reason: format!(
-                    "the curvature sums along and across rolling are {curvature_x} and \
-                     {curvature_y} 1/m; a ratio beyond {LARGEST_CURVATURE_RATIO} is a line contact, \
-                     which has no elliptic patch"
-                ),
-            });
+            let curvatures = [curvature_x, curvature_y];
+            return Err(Error::LineContact { curvatures, most: LARGEST_CURVATURE_RATIO });
         }
         Ok(Self { curvature_x, curvature_y, contact_modulus, load })
     }
@@ -95,7 +88,7 @@ impl Hertz {
 impl PressureSource for Hertz {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         let load = load.unwrap_or(self.load);
-        require_positive("normal.load", load, "N")?;
+        require_positive(Quantity::Load, load)?;
         let [a, b] = self.semi_axes(load);
         let approach = 3.0 * load / (TAU * self.contact_modulus) * carlson_f(a * a, b * b);
         let summary = NormalSummary {
@@ -116,24 +109,15 @@ impl PressureSource for Hertz {
 }
 
 /// 1/R₁ + 1/R₂, in 1/m; positive.
-pub(super) fn curvature_sum(radii: [(&'static str, f64); 2], plane: &str) -> Result<f64, Error> {
+pub(super) fn curvature_sum(radii: [(Quantity, f64); 2]) -> Result<f64, Error> {
     for (quantity, radius) in radii {
-        let legal = !radius.is_nan() && radius != 0.0;
-        require(legal, quantity, "not zero and not NaN (inf where flat)", radius, "m")?;
+        require(quantity, Requirement::NotZero, radius)?;
     }
     let sum = radii[0].1.recip() + radii[1].1.recip();
     if sum > 0.0 && sum.is_finite() {
         return Ok(sum);
     }
-    let reason = if sum == 0.0 {
-        format!(
-            "the sum of curvatures {plane} is zero: a line contact, which has no elliptic patch; \
-             at least one radius must be finite"
-        )
-    } else {
-        format!("the sum of curvatures {plane} must be positive, but is {sum} 1/m")
-    };
-    Err(Error::Contradiction { quantity: radii[0].0, reason })
+    Err(Error::CurvatureSum { radii: radii.map(|(quantity, _)| quantity), sum })
 }
 
 /// a/b of the ellipse that belongs to the ratio of curvature sums A/B = R_D(0,b²,a²)/R_D(0,a²,b²).
@@ -144,16 +128,8 @@ fn axis_ratio(curvature_ratio: f64) -> f64 {
         let square = log_ratio.exp();
         carlson_d(square.recip(), square) / carlson_d(square, square.recip()) - curvature_ratio
     };
-    let (mut low, mut high) = (-10.0, 10.0);
     // 20 · 2⁻⁶⁰ is below the spacing of the numbers around 10.
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let [low, high] = bisection([-10.0, 10.0], 60, |log_ratio| excess(log_ratio) > 0.0);
     (0.5 * (low + high)).exp()
 }
 
@@ -247,6 +223,6 @@ mod tests {
         assert!(error.contains("line contact"), "{error}");
         let zero = Radii { x: 0.0, y: 1.0 };
         let error = Hertz::new(zero, FLAT, steel(), 8e4).unwrap_err().to_string();
-        assert!(error.contains("wheel.radius_x must be not zero"), "{error}");
+        assert!(error.contains("wheel_radius_x must be other than 0"), "{error}");
     }
 }

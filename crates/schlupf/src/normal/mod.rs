@@ -13,6 +13,7 @@ use std::sync::Arc;
 use crate::error::Error;
 use crate::grid::Extent;
 use crate::progress::Watch;
+use crate::warning::Warning;
 
 use tabulated::PressureTable;
 
@@ -38,7 +39,7 @@ pub trait PressureSource: Debug + Send + Sync {
     }
 
     /// What the reader of results must know about where the pressure comes from.
-    fn caveat(&self) -> Option<String> {
+    fn caveat(&self) -> Option<Warning> {
         None
     }
 }

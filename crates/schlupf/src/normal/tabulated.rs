@@ -3,8 +3,11 @@
 use std::sync::Arc;
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
-use crate::error::{Error, require, require_positive};
-use crate::grid::Extent;
+use crate::error::{Error, Place, require_at, require_positive};
+use crate::grid::{Axis, Extent};
+use crate::numerics::interpolation::mix;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Samples below this part of the largest one are taken for noise, and for zero.
 const NOISE: f64 = 1e-4;
@@ -24,50 +27,23 @@ pub struct PressureTable {
     origin: [f64; 2],
 }
 
-/// Equidistant positions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Axis {
-    /// First position, in m.
-    pub start: f64,
-    /// Distance of the positions, in m.
-    pub spacing: f64,
-    pub count: usize,
-}
-
-impl Axis {
-    /// Position number `k`, in m.
-    pub fn at(&self, k: usize) -> f64 {
-        self.start + k as f64 * self.spacing
-    }
-
-    fn from_positions(positions: &[f64]) -> Result<Self, Error> {
-        let invalid = |requirement: &str, value: String| Error::Invalid {
-            quantity: "normal.file",
-            requirement: format!("a table with {requirement}"),
-            value,
-        };
-        let count = positions.len();
-        if count < 2 {
-            return Err(invalid(
-                "at least two positions in each direction",
-                format!("one with {count} in one direction"),
-            ));
-        }
-        let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
-        let axis = Self { start: positions[0], spacing, count };
-        let fits = |k: &usize| (positions[*k] - axis.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
-        if let Some(k) = (0..count).find(|k| !fits(k)) {
-            return Err(invalid(
-                "ascending, equidistant positions",
-                format!("one with {} m where {} m was expected", positions[k], axis.at(k)),
-            ));
-        }
-        Ok(axis)
-    }
-}
-
 /// Positions may deviate from equidistance by this part of the spacing: printed numbers are rounded.
 const SPACING_TOLERANCE: f64 = 1e-2;
+
+fn axis(name: char, positions: &[f64]) -> Result<Axis, Error> {
+    let (quantity, fewest, count) = (Quantity::PressureTable, 2, positions.len());
+    if count < fewest {
+        return Err(Error::TooFewPositions { quantity, axis: name, fewest, count });
+    }
+    let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
+    let axis = Axis { start: positions[0], spacing, count };
+    let fits = |k: &usize| (positions[*k] - axis.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
+    if let Some(k) = (0..count).find(|k| !fits(k)) {
+        let (position, expected) = (positions[k], axis.at(k));
+        return Err(Error::NotEquidistant { axis: name, position, expected });
+    }
+    Ok(axis)
+}
 
 impl PressureTable {
     /// A table of `pressure` (in Pa) at the positions `x` × `y` (in m, ascending and equidistant),
@@ -84,32 +60,19 @@ impl PressureTable {
 
     /// The same with positions that count from where they were given, not from the middle of the patch.
     pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
-        let (x, y) = (Axis::from_positions(x)?, Axis::from_positions(y)?);
-        let invalid = |requirement: String, value: String| Error::Invalid {
-            quantity: "normal.file",
-            requirement,
-            value,
-        };
-        if pressure.len() != x.count * y.count {
-            return Err(invalid(
-                format!("a table of {} × {} values", x.count, y.count),
-                format!("one of {}", pressure.len()),
-            ));
+        let (x, y) = (axis('x', x)?, axis('y', y)?);
+        let (quantity, expected, count) =
+            (Quantity::PressureTable, x.count * y.count, pressure.len());
+        if count != expected {
+            return Err(Error::WrongCount { quantity, expected, count });
         }
-        if let Some(k) = pressure.iter().position(|p| !(*p >= 0.0 && p.is_finite())) {
-            let (at_x, at_y) = (x.at(k % x.count), y.at(k / x.count));
-            return Err(invalid(
-                "a table of finite pressures that are not negative".to_owned(),
-                format!("one with {} Pa at x = {at_x} m, y = {at_y} m", pressure[k]),
-            ));
+        for (k, value) in pressure.iter().enumerate() {
+            let place = Place::Position([x.at(k % x.count), y.at(k / x.count)]);
+            require_at(quantity, Requirement::NotNegative, *value, place)?;
         }
         let peak = pressure.iter().copied().fold(0.0, f64::max);
         if !(PEAK_RANGE[0]..=PEAK_RANGE[1]).contains(&peak) {
-            let [low, high] = PEAK_RANGE;
-            return Err(invalid(
-                format!("a table with a largest pressure between {low:e} and {high:e} Pa"),
-                format!("one with {peak:e} Pa"),
-            ));
+            return Err(Error::TablePeak { peak, range: PEAK_RANGE });
         }
         let is_noise = |p: f64| p < NOISE * peak;
         let pressure = pressure.into_iter().map(|p| if is_noise(p) { 0.0 } else { p }).collect();
@@ -211,7 +174,7 @@ impl PressureTable {
         (0..self.x.count)
             .map(|i| {
                 let square = [self.square(i, j, j + 1), self.square(i, j + 1, j)];
-                ((1.0 - share) * square[0] + share * square[1]).max(0.0).sqrt()
+                mix(square, share).max(0.0).sqrt()
             })
             .collect()
     }
@@ -295,7 +258,7 @@ impl Tabulated {
     /// The table as it is, or scaled to `load` (in N).
     pub fn new(table: PressureTable, load: Option<f64>) -> Result<Self, Error> {
         let load = load.unwrap_or_else(|| table.load());
-        require_positive("normal.load", load, "N")?;
+        require_positive(Quantity::Load, load)?;
         Ok(Self { table: Arc::new(table), load })
     }
 }
@@ -303,11 +266,13 @@ impl Tabulated {
 impl PressureSource for Tabulated {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         let load = load.unwrap_or(self.load);
-        require_positive("normal.load", load, "N")?;
+        require_positive(Quantity::Load, load)?;
         let factor = load / self.table.load();
         let extent = self.table.extent();
         let half = |range: [f64; 2]| 0.5 * (range[1] - range[0]);
-        require(half(extent.x) > 0.0, "normal.file", "a table with an area", 0.0, "m")?;
+        if half(extent.x) <= 0.0 {
+            return Err(Error::NoArea {});
+        }
         let summary = NormalSummary {
             load,
             semi_axis_x: half(extent.x),
@@ -375,9 +340,9 @@ mod tests {
             PressureTable::new(x, y, p).unwrap_err().to_string()
         };
         let axis = [0.0, 1.0, 2.0];
-        assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("3 × 2 values"));
+        assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("must have 6 values, but has 5"));
         assert!(refuse(&[0.0, 1.0, 3.0], &axis, vec![1.0; 9]).contains("equidistant"));
-        assert!(refuse(&axis, &[0.0], vec![1.0; 3]).contains("at least two"));
+        assert!(refuse(&axis, &[0.0], vec![1.0; 3]).contains("at least 2 values of y"));
         assert!(refuse(&axis, &axis, vec![0.0; 9]).contains("largest pressure between"));
         assert!(refuse(&axis, &axis, vec![1e300; 9]).contains("1e300 Pa"));
         let mut hole = vec![1.0; 9];

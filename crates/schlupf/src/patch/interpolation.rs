@@ -1,6 +1,7 @@
 //! Values at points of the patch from values at the centres of the grid's cells, and the transpose.
 
 use crate::grid::{Grid, VectorField};
+use crate::numerics::interpolation::{bilinear, cubic};
 
 use super::{Cell, Patch};
 
@@ -186,24 +187,17 @@ fn centroid(grid: &Grid, cell: &Cell) -> Option<Stencil<4>> {
     let (nj, wy) = beside(j, offset_y, grid.rows);
     Some(Stencil {
         index: [grid.index(i, j), grid.index(ni, j), grid.index(i, nj), grid.index(ni, nj)],
-        weight: [(1.0 - wx) * (1.0 - wy), wx * (1.0 - wy), (1.0 - wx) * wy, wx * wy],
+        weight: bilinear([wx, wy]),
     })
 }
 
 /// Cubic (Lagrange) along x, and linear; both linear along y.
 fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2]) -> [Stencil<8>; 2] {
     let position = (x - grid.x(0)) / grid.spacing_x;
-    let first = (position.floor() - 1.0).clamp(0.0, (grid.columns - 4) as f64);
-    let s = position - first;
-    let smooth = [
-        -(s - 1.0) * (s - 2.0) * (s - 3.0) / 6.0,
-        s * (s - 2.0) * (s - 3.0) / 2.0,
-        -s * (s - 1.0) * (s - 3.0) / 2.0,
-        s * (s - 1.0) * (s - 2.0) / 6.0,
-    ];
-    let straight: [f64; 4] = std::array::from_fn(|k| (1.0 - (s - k as f64).abs()).max(0.0));
+    let (first, smooth) = cubic(position, grid.columns);
+    let hat = |column: usize| (1.0 - (position - column as f64).abs()).max(0.0);
+    let straight: [f64; 4] = std::array::from_fn(|k| hat(first + k));
     let (other, weight) = beside(row, (y - grid.y(row)) / grid.spacing_y, grid.rows);
-    let first = first as usize;
     [smooth, straight].map(|along| Stencil {
         index: std::array::from_fn(|k| grid.index(first + k % 4, if k < 4 { row } else { other })),
         weight: std::array::from_fn(|k| along[k % 4] * if k < 4 { 1.0 - weight } else { weight }),
@@ -218,6 +212,7 @@ mod tests {
     use crate::grid::Extent;
     use crate::normal::PressureSource;
     use crate::normal::ellipse::Ellipse;
+    use crate::numerics::vector::dot;
 
     fn patch() -> Patch {
         let source = Ellipse::from_peak_pressure(6e-3, 4e-3, 1e9).unwrap();
@@ -254,8 +249,7 @@ mod tests {
         let p: Vec<f64> = (0..2 * patch.len()).map(|k| ((k * 7) % 11) as f64 - 4.0).collect();
         let mut spread = VectorField::zeros(grid.len());
         interpolation.spread(&p, &mut spread);
-        let inner = |v: &[f64], w: &[f64]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
-        let there = inner(&spread.x, &field.x) + inner(&spread.y, &field.y);
-        assert_relative_eq!(inner(&p, &values), there, max_relative = 1e-12);
+        let there = dot(&spread.x, &field.x) + dot(&spread.y, &field.y);
+        assert_relative_eq!(dot(&p, &values), there, max_relative = 1e-12);
     }
 }

@@ -6,6 +6,7 @@ use crate::method::FastMethod;
 use crate::normal::{NormalSummary, Pressure};
 use crate::problem::Problem;
 use crate::solution::{Power, Resultant};
+use crate::warning::Warning;
 
 /// A force above the friction limit by less than this part of it is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -17,84 +18,50 @@ pub(super) fn of(
     method: FastMethod,
     force: &Resultant,
     limit: f64,
-) -> Vec<String> {
+) -> Vec<Warning> {
     let name = method.name();
     let mut warnings = Vec::from_iter(of_slender_patch(normal, name));
     warnings.extend(of_shape(problem, name));
     if problem.friction_memory().is_some() {
-        warnings.push(format!(
-            "friction.memory_distance: {name:?} knows no memory; friction follows its law at once"
-        ));
+        warnings.push(Warning::NoMemory { method: name });
     }
     if method.has_fields() {
         return warnings;
     }
-    let what = if force.moment_z.is_nan() { "forces only" } else { "forces and moment only" };
-    warnings.push(format!("solver.method: {name:?} gives {what}, no fields and no temperatures"));
+    let has_moment = !force.moment_z.is_nan();
+    warnings.push(Warning::ForcesOnly { method: name, has_moment });
     if method != FastMethod::KalkerLinear && depends_on_temperature(problem) {
-        warnings.push(format!(
-            "friction.model: {name:?} knows no temperatures, so friction is that of material as warm \
-             as it enters"
-        ));
+        warnings.push(Warning::ColdFriction { method: name });
     }
     let total = force.x.hypot(force.y);
     if total > limit * (1.0 + ROUNDING) {
-        warnings.push(format!(
-            "solver.method: the force of {name:?} is {:.3} times the friction limit μN, and not to be \
-             trusted: the method does not cut it off",
-            total / limit
-        ));
+        warnings.push(Warning::BeyondFriction { method: name, ratio: total / limit });
     }
     warnings
 }
 
 /// Beyond the table of Kalker's coefficients their error is larger.
-fn of_slender_patch(normal: &NormalSummary, name: &str) -> Option<String> {
+fn of_slender_patch(normal: &NormalSummary, method: &'static str) -> Option<Warning> {
     let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
-    (!is_tabulated(axis_ratio)).then(|| {
-        format!(
-            "solver.method: {name:?} takes Kalker's coefficients beyond their table, a/b = \
-             {axis_ratio:.4} where it spans 1/10 to 10, from Kalker's limits: C11, C22 and C23 are off by \
-             up to 7 % at 1/30 and 30, C33 is a limit only"
-        )
-    })
+    (!is_tabulated(axis_ratio)).then_some(Warning::SlenderPatch { method, axis_ratio })
 }
 
 /// A patch that is no ellipse counts as one.
-fn of_shape(problem: &Problem, name: &str) -> Option<String> {
+fn of_shape(problem: &Problem, method: &'static str) -> Option<Warning> {
     let normal = problem.normal.normal_contact(None).ok()?;
     let is_table = matches!(normal.pressure, Pressure::Tabulated(..));
     let parts = normal.summary.parts;
-    let apart = if parts > 1 {
-        format!(
-            "; here that ellipse spans {parts} separate parts, and the gaps between them count as contact"
-        )
-    } else {
-        String::new()
-    };
-    is_table.then(|| {
-        format!(
-            "solver.method: {name:?} takes Kalker's coefficients of the ellipse with the length and \
-             width of the patch{apart}"
-        )
-    })
+    is_table.then_some(Warning::CountsAsEllipse { method, parts })
 }
 
 /// Part of the creep power by which the friction power may differ unmentioned.
 const LARGEST_GAP: f64 = 0.05;
 
 /// FASTSIM with three flexibilities cannot close the balance of power where spin takes part.
-pub(super) fn of_power(power: &Power) -> Option<String> {
+pub(super) fn of_power(power: &Power) -> Option<Warning> {
     let gap = (power.friction - power.creep).abs();
-    (gap > LARGEST_GAP * power.creep.abs()).then(|| {
-        format!(
-            "solver.method: the friction power of FASTSIM, {:.4e} W, differs from the creep power, \
-             {:.4e} W, by more than {} %: temperatures are uncertain by as much",
-            power.friction,
-            power.creep,
-            100.0 * LARGEST_GAP
-        )
-    })
+    let (friction, creep, part) = (power.friction, power.creep, LARGEST_GAP);
+    (gap > part * creep.abs()).then_some(Warning::PowerGap { friction, creep, part })
 }
 
 fn depends_on_temperature(problem: &Problem) -> bool {

@@ -5,6 +5,7 @@ use crate::material::Material;
 use crate::normal::NormalSummary;
 use crate::patch::Patch;
 use crate::problem::Problem;
+use crate::warning::{HeatLimit, Unconverged, Warning};
 
 use super::snapshot::Snapshot;
 
@@ -22,50 +23,38 @@ const STEEL_RANGE: f64 = 0.15;
 pub(crate) fn of_temperatures(
     problem: &Problem,
     (normal, patch, now): (&NormalSummary, &Patch, &Snapshot),
-) -> Vec<String> {
+) -> Vec<Warning> {
     let mut caveats = Vec::from_iter(of_slow_rolling(problem, normal, now));
     let temperature = super::temperature(patch, now);
     let wheel = ("wheel", temperature.max_wheel, &problem.wheel.material);
     let rail = ("rail", temperature.max_rail, &problem.rail.material);
     caveats.extend([wheel, rail].into_iter().filter_map(of_hot_body));
     if now.surfaces.as_ref().is_some_and(|surfaces| !surfaces.is_found) {
-        caveats.push(
-            "not converged: the exchange of heat between wheel and rail that makes their surfaces equally \
-             hot was not found; temperatures are wrong"
-                .to_owned(),
-        );
+        caveats.push(Warning::of(Unconverged::HeatExchange {}));
     }
     caveats
 }
 
 /// Temperatures with conduction perpendicular to the surface that is too slow for it.
-fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) -> Option<String> {
+fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) -> Option<Warning> {
     let [wheel, rail] = now.conduction.bulk_temperatures();
     let is_any = now.rise.iter().any(|rise| *rise != 0.0) || wheel != rail;
     let is_rolling = now.kinematics.speed > 0.0;
     if now.surfaces.is_some() || !is_any || !is_rolling {
         return None;
     }
-    problem.peclet(&now.kinematics, semi_axes(normal)).caveat(
-        "Temperatures of all but steady rolling with solver.method = \"full\", solver.driver = \"steady\" \
-         and heat.model = \"duhamel\"",
-    )
+    problem.peclet(&now.kinematics, semi_axes(normal)).caveat(false)
 }
 
-fn of_hot_body((name, temperature, material): (&str, f64, &Material)) -> Option<String> {
+fn of_hot_body((body, temperature, material): (&'static str, f64, &Material)) -> Option<Warning> {
     let known = &Material::STEEL;
     let is_near = |value: f64, of_steel: f64| (value / of_steel - 1.0).abs() < STEEL_RANGE;
     let is_steel = is_near(material.young_modulus, known.young_modulus)
         && is_near(material.density, known.density);
-    let what = match (is_steel, temperature > MOLTEN) {
-        (true, true) => "above the melting range of steel",
-        (true, false) => "above 727 degC, where steel starts to austenitise",
-        (false, _) => "more than most materials withstand",
+    let limit = match (is_steel, temperature > MOLTEN) {
+        (true, true) => HeatLimit::Melting,
+        (true, false) => HeatLimit::Austenite,
+        (false, _) => HeatLimit::AnyMaterial,
     };
-    (temperature > AUSTENITE).then(|| {
-        format!(
-            "heat: the surface of the {name} reaches {temperature:.0} degC, {what}: constants of material, \
-             elasticity and friction do not hold there"
-        )
-    })
+    (temperature > AUSTENITE).then_some(Warning::HotSurface { body, temperature, limit })
 }

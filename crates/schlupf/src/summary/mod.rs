@@ -14,6 +14,7 @@ use crate::solution::{
     Work,
 };
 use crate::state::State;
+use crate::warning::Warning;
 
 use snapshot::Snapshot;
 
@@ -24,7 +25,7 @@ pub(crate) struct Account {
     /// Relative residual, dimensionless.
     pub residual: f64,
     pub history: Vec<Instant>,
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     pub sensitivity: Option<Sensitivity>,
     pub work: Work,
     pub state: State,

@@ -9,6 +9,8 @@ use std::f64::consts::{LN_2, PI};
 use super::profile::Profile;
 use super::{HeightMap, Lattice};
 use crate::error::{Error, require};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Weights reach so many cut-off wavelengths: beyond, they are below 10⁻⁶.
 const REACH: f64 = 1.0;
@@ -45,10 +47,8 @@ impl Profile {
 }
 
 fn require_cutoff(cutoff: f64, spacing: f64, length: f64) -> Result<(), Error> {
-    let shortest = 2.0 * spacing;
-    let limit = format!("between two cells, {shortest} m, and the shorter side, {length} m");
-    let fits = (shortest..=length).contains(&cutoff);
-    require(fits, "surface.cutoff_wavelength", &limit, cutoff, "m")
+    let range = Requirement::Between(2.0 * spacing, length);
+    require(Quantity::CutoffWavelength, range, cutoff)
 }
 
 /// Weights of a cell and those after it, dimensionless.
@@ -118,6 +118,6 @@ mod tests {
         let filtered = profile.without_waviness(100e-6).unwrap();
         assert_relative_eq!(filtered.heights()[525], 0.5 * heights[525], epsilon = 2e-3);
         let long = profile.without_waviness(2e-3).unwrap_err().to_string();
-        assert!(long.contains("surface.cutoff_wavelength must be between two cells"), "{long}");
+        assert!(long.contains("cutoff_wavelength must be between 2e-6 and 1e-3 m"), "{long}");
     }
 }

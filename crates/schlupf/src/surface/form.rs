@@ -6,14 +6,14 @@
 //!
 //! with r = (x, y, z − c), the unit normal n in the middle of the surface, the curvature κ, and the
 //! direction t of the axis (t = 0 for a sphere). Their parameters are well defined for a flat piece
-//! too, where the centre is at infinity. They are found by Levenberg's and Marquardt's method, from
-//! the best paraboloid.
+//! too, where the centre is at infinity. They are found by least squares from the best paraboloid.
 
 use faer::Mat;
-use faer::linalg::solvers::Solve;
 
 use super::HeightMap;
-use crate::error::Error;
+use crate::error::{Error, SurfaceError};
+use crate::least_squares::{Limits, Minimum, Residuals, minimise};
+use crate::numerics::vector::norm;
 
 /// A nominal form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +24,17 @@ pub enum Form {
     Cylinder,
     /// A sphere.
     Sphere,
+}
+
+impl Form {
+    /// Its name in case files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plane => "plane",
+            Self::Cylinder => "cylinder",
+            Self::Sphere => "sphere",
+        }
+    }
 }
 
 /// A surface and the form that was taken off it.
@@ -44,26 +55,14 @@ impl HeightMap {
     pub fn without_form(&self, form: Form) -> Result<FormRemoval, Error> {
         let lattice = self.lattice();
         let scale = 0.5 * lattice.length_x().hypot(lattice.length_y());
-        let fit = Fit {
-            points: lattice.points().map(|[x, y]| [x / scale, y / scale]).collect(),
-            heights: self.heights().iter().map(|height| height / scale).collect(),
-        };
-        let parameters = match form {
-            Form::Plane => fit.polynomial(3).map(|p| vec![p[0], p[1], p[2], 0.0]),
-            Form::Cylinder | Form::Sphere => {
-                fit.polynomial(6).and_then(|p| fit.quadric(start(&p, form)))
-            }
-        };
-        let parameters = parameters.ok_or_else(|| Error::Contradiction {
-            quantity: "surface.form",
-            reason: format!("no {form:?} fits the surface").to_lowercase(),
-        })?;
-        let deviations = fit.points.iter().zip(&fit.heights);
-        let deviations = deviations.map(|(at, z)| scale * (z - height(&parameters, *at)));
+        let points = lattice.points().map(|[x, y]| [x / scale, y / scale]);
+        let found = Fit::new(points, self.heights(), scale).form(form);
+        let Minimum { parameters, residuals, .. } =
+            found?.ok_or(SurfaceError::NoForm { form: form.name() })?;
         Ok(FormRemoval {
-            surface: Self::new(*lattice, deviations.collect())?,
+            surface: Self::new(*lattice, over(scale, residuals))?,
             slope: [parameters[1], parameters[2]],
-            radius: -scale / parameters[3],
+            radius: parameters.get(3).map_or(f64::NEG_INFINITY, |curvature| -scale / curvature),
             axis: parameters.get(4).map_or(0.0, |angle| half_turn(*angle)),
         })
     }
@@ -76,16 +75,15 @@ pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<
     let scale = half * spacing;
     // A line across a sphere over y = 0: what is said of y stays zero.
     let points = (0..heights.len()).map(|i| [(i as f64 + 0.5) / half - 1.0, 0.0]);
-    let fit =
-        Fit { points: points.collect(), heights: heights.iter().map(|h| h / scale).collect() };
-    let parameters = fit.polynomial(6).and_then(|p| fit.quadric(start(&p, Form::Sphere)));
-    let parameters = parameters.ok_or_else(|| Error::Contradiction {
-        quantity: "surface.form",
-        reason: "no circle fits the profile".to_owned(),
-    })?;
-    let deviations = fit.points.iter().zip(&fit.heights);
-    let deviations = deviations.map(|(at, z)| scale * (z - height(&parameters, *at)));
-    Ok((deviations.collect(), -scale / parameters[3]))
+    let found = Fit::new(points, heights, scale).form(Form::Sphere);
+    let Minimum { parameters, residuals, .. } =
+        found?.ok_or(SurfaceError::NoForm { form: "circle" })?;
+    Ok((over(scale, residuals), -scale / parameters[3]))
+}
+
+/// How far heights lie over a form (in m), from the residuals of the fit.
+fn over(scale: f64, residuals: Vec<f64>) -> Vec<f64> {
+    residuals.into_iter().map(|residual| -scale * residual).collect()
 }
 
 /// The same direction of a line between −π/2 and π/2.
@@ -113,7 +111,7 @@ fn start(paraboloid: &[f64], form: Form) -> Vec<f64> {
 }
 
 /// Height of the quadric at a point; NaN where it does not reach so far.
-fn height(parameters: &[f64], [x, y]: [f64; 2]) -> f64 {
+fn quadric(parameters: &[f64], [x, y]: [f64; 2]) -> f64 {
     let [c, slope_x, slope_y, curvature] = [0, 1, 2, 3].map(|k| parameters[k]);
     let length = (1.0 + slope_x * slope_x + slope_y * slope_y).sqrt();
     let n = [-slope_x / length, -slope_y / length, length.recip()];
@@ -140,124 +138,83 @@ fn tangent(n: [f64; 3], angle: f64) -> [f64; 3] {
     [0, 1, 2].map(|k| cosine * first[k] + sine * second[k])
 }
 
-/// Points and heights over the scale.
+/// Points and heights over the scale, and what is to run through them.
 struct Fit {
     points: Vec<[f64; 2]>,
     heights: Vec<f64>,
+    shape: fn(&[f64], [f64; 2]) -> f64,
 }
-
-const STEPS: usize = 100;
 
 /// How often the curvature to start from may be made less.
 const FLATTENINGS: usize = 200;
 
-/// Change of the parameters at which they have settled; step for the derivatives.
-const SETTLED: f64 = 1e-12;
+/// Step for the derivatives.
 const DIFFERENCE: f64 = 1e-6;
 
-impl Fit {
-    /// Coefficients of the first terms of 1, x, y, x², xy, y².
-    fn polynomial(&self, terms: usize) -> Option<Vec<f64>> {
-        let mut equations = NormalEquations::new(terms);
-        for ([x, y], z) in self.points.iter().zip(&self.heights) {
-            equations.add(&[1.0, *x, *y, x * x, x * y, y * y][..terms], *z);
-        }
-        equations.solve(0.0)
-    }
+/// Fits end where rounding begins.
+const LIMITS: Limits =
+    Limits { tolerance: 1e-12, reducible: 1e-16, negligible: 0.0, max_iterations: 100 };
 
-    /// Sum of squared deviations from a quadric.
-    fn cost(&self, parameters: &[f64]) -> f64 {
+impl Residuals for Fit {
+    fn residuals(&mut self, parameters: &[f64]) -> Result<Option<Vec<f64>>, Error> {
         let pairs = self.points.iter().zip(&self.heights);
-        pairs.map(|(at, z)| (z - height(parameters, *at)).powi(2)).sum()
+        let deviations: Vec<f64> = pairs.map(|(at, z)| (self.shape)(parameters, *at) - z).collect();
+        Ok(norm(&deviations).is_finite().then_some(deviations))
     }
 
-    /// The best quadric.
-    fn quadric(&self, start: Vec<f64>) -> Option<Vec<f64>> {
-        let mut parameters = start;
-        let mut cost = self.cost(&parameters);
+    /// By central differences, which are zero for a parameter without influence.
+    fn jacobian(
+        &mut self,
+        parameters: &[f64],
+        residuals: &[f64],
+    ) -> Result<Option<Mat<f64>>, Error> {
+        let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
+        for (k, column) in jacobian.col_iter_mut().enumerate() {
+            let [above, below] = [DIFFERENCE, -DIFFERENCE].map(|step| {
+                let mut moved = parameters.to_vec();
+                moved[k] += step;
+                moved
+            });
+            for (slope, at) in column.iter_mut().zip(&self.points) {
+                let rise = (self.shape)(&above, *at) - (self.shape)(&below, *at);
+                *slope = rise / (2.0 * DIFFERENCE);
+            }
+        }
+        Ok(Some(jacobian))
+    }
+}
+
+impl Fit {
+    fn new(points: impl Iterator<Item = [f64; 2]>, heights: &[f64], scale: f64) -> Self {
+        let heights = heights.iter().map(|height| height / scale).collect();
+        Self { points: points.collect(), heights, shape: polynomial }
+    }
+
+    /// The best form: its parameters, and the deviations from it, over the scale.
+    fn form(&mut self, form: Form) -> Result<Option<Minimum>, Error> {
+        let terms = if form == Form::Plane { 3 } else { 6 };
+        self.shape = polynomial;
+        let found = minimise(self, &[0.0; 6][..terms], &LIMITS)?;
+        let found = match found {
+            Some(found) if form != Form::Plane => found,
+            found => return Ok(found),
+        };
+        self.shape = quadric;
+        let mut start = start(&found.parameters, form);
         for _ in 0..FLATTENINGS {
-            if cost.is_finite() {
+            if self.residuals(&start)?.is_some() {
                 break;
             }
             // The paraboloid was too curved for a sphere of its curvature to reach the corners.
-            parameters[3] *= 0.8;
-            cost = self.cost(&parameters);
+            start[3] *= 0.8;
         }
-        if !cost.is_finite() {
-            return None;
-        }
-        let mut damping = 1e-6;
-        for _ in 0..STEPS {
-            let equations = self.linearised(&parameters);
-            let step = equations.solve(damping)?;
-            let trial: Vec<f64> = parameters.iter().zip(&step).map(|(p, s)| p + s).collect();
-            let trial_cost = self.cost(&trial);
-            let is_settled = step.iter().all(|change| change.abs() <= SETTLED);
-            if trial_cost <= cost {
-                (parameters, cost) = (trial, trial_cost);
-                damping *= 0.1;
-            } else {
-                damping *= 10.0;
-            }
-            // Where no step is downhill any more the rest is rounding.
-            if is_settled || damping > 1e12 {
-                return Some(parameters);
-            }
-        }
-        Some(parameters)
-    }
-
-    fn linearised(&self, parameters: &[f64]) -> NormalEquations {
-        let mut equations = NormalEquations::new(parameters.len());
-        let mut gradient = vec![0.0; parameters.len()];
-        let mut shifted = parameters.to_vec();
-        for (at, z) in self.points.iter().zip(&self.heights) {
-            for (k, slope) in gradient.iter_mut().enumerate() {
-                shifted[k] = parameters[k] + DIFFERENCE;
-                let above = height(&shifted, *at);
-                shifted[k] = parameters[k] - DIFFERENCE;
-                *slope = (above - height(&shifted, *at)) / (2.0 * DIFFERENCE);
-                shifted[k] = parameters[k];
-            }
-            equations.add(&gradient, z - height(parameters, *at));
-        }
-        equations
+        minimise(self, &start, &LIMITS)
     }
 }
 
-/// JᵀJ x = Jᵀz, row by row of J.
-struct NormalEquations {
-    matrix: Mat<f64>,
-    right: Mat<f64>,
-}
-
-impl NormalEquations {
-    fn new(count: usize) -> Self {
-        Self { matrix: Mat::zeros(count, count), right: Mat::zeros(count, 1) }
-    }
-
-    fn add(&mut self, row: &[f64], value: f64) {
-        for (i, a) in row.iter().enumerate() {
-            for (j, b) in row.iter().enumerate() {
-                self.matrix[(i, j)] += a * b;
-            }
-            self.right[(i, 0)] += a * value;
-        }
-    }
-
-    /// With the diagonal enlarged by a part of itself.
-    fn solve(&self, damping: f64) -> Option<Vec<f64>> {
-        let count = self.right.nrows();
-        let mut matrix = self.matrix.clone();
-        let largest = (0..count).map(|k| matrix[(k, k)]).fold(0.0, f64::max);
-        for k in 0..count {
-            // A parameter without influence, such as the axis of a plane, stays where it is.
-            matrix[(k, k)] += damping * matrix[(k, k)] + 1e-15 * largest;
-        }
-        let solution = matrix.partial_piv_lu().solve(&self.right);
-        let values: Vec<f64> = (0..count).map(|k| solution[(k, 0)]).collect();
-        values.iter().all(|value| value.is_finite()).then_some(values)
-    }
+/// Σ of the parameters times 1, x, y, x², xy, y², as many as there are.
+fn polynomial(parameters: &[f64], [x, y]: [f64; 2]) -> f64 {
+    parameters.iter().zip([1.0, x, y, x * x, x * y, y * y]).map(|(p, term)| p * term).sum()
 }
 
 #[cfg(test)]

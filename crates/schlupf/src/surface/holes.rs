@@ -1,7 +1,9 @@
 //! Cells in which nothing was measured: NaN or infinite heights.
 
 use super::{HeightMap, Lattice, require_count};
-use crate::error::Error;
+use crate::error::{Error, SurfaceError};
+use crate::numerics::interpolation::bilinear;
+use crate::numerics::vector::{add_scaled, dot, norm};
 
 /// What becomes of holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -29,13 +31,8 @@ pub fn require_few(heights: &[f64]) -> Result<(), Error> {
     if missing as f64 <= LARGEST_SHARE * heights.len() as f64 {
         return Ok(());
     }
-    Err(Error::Contradiction {
-        quantity: "surface.heights",
-        reason: format!(
-            "at most half of the points may be holes, but {missing} of {} are",
-            heights.len()
-        ),
-    })
+    let count = heights.len();
+    Err(SurfaceError::TooManyHoles { holes: missing, count }.into())
 }
 
 impl HeightMap {
@@ -106,16 +103,16 @@ fn coarser(lattice: &Lattice, heights: &[f64], by: [usize; 2]) -> (Lattice, Vec<
 fn between(coarse: &Lattice, heights: &[f64], place: [usize; 2], by: [usize; 2]) -> f64 {
     let near = |at: usize, by: usize, count: usize| {
         if by == 1 {
-            return [(at, 1.0), (at, 0.0)];
+            return ([at; 2], 0.0);
         }
         let inner = at / 2;
         let outer = if at.is_multiple_of(2) { inner.saturating_sub(1) } else { inner + 1 };
-        [(inner, 0.75), (outer.min(count - 1), 0.25)]
+        ([inner, outer.min(count - 1)], 0.25)
     };
-    let x = near(place[0], by[0], coarse.columns);
-    let y = near(place[1], by[1], coarse.rows);
-    let row = |j: usize| x.iter().map(|(i, w)| w * heights[j * coarse.columns + i]).sum::<f64>();
-    y.iter().map(|(j, w)| w * row(*j)).sum()
+    let (columns, to_outer_x) = near(place[0], by[0], coarse.columns);
+    let (rows, to_outer_y) = near(place[1], by[1], coarse.rows);
+    let corners = rows.into_iter().flat_map(|j| columns.map(|i| heights[j * coarse.columns + i]));
+    bilinear([to_outer_x, to_outer_y]).iter().zip(corners).map(|(w, height)| w * height).sum()
 }
 
 /// Laplace's equation in some cells: Σ w (h − h of the neighbour) = 0, w the length of the common edge
@@ -175,7 +172,7 @@ impl<'a> Laplace<'a> {
         let mut direction = vec![0.0; found.len()];
         let mut last = f64::INFINITY;
         for _ in 0..ITERATIONS {
-            if product(&residual, &residual).sqrt() <= limit {
+            if norm(&residual) <= limit {
                 self.missing.iter().zip(&found).for_each(|(cell, height)| heights[*cell] = *height);
                 return Ok(());
             }
@@ -185,14 +182,11 @@ impl<'a> Laplace<'a> {
             direction.iter_mut().zip(scaled()).for_each(|(p, z)| *p = z + turn * *p);
             last = square;
             self.apply(&direction, &mut image);
-            let step = square / product(&direction, &image);
-            found.iter_mut().zip(&direction).for_each(|(x, p)| *x += step * p);
-            residual.iter_mut().zip(&image).for_each(|(r, a)| *r -= step * a);
+            let step = square / dot(&direction, &image);
+            add_scaled(&mut found, step, &direction);
+            add_scaled(&mut residual, -step, &image);
         }
-        Err(Error::Contradiction {
-            quantity: "surface.heights",
-            reason: format!("the holes are not filled after {ITERATIONS} iterations"),
-        })
+        Err(SurfaceError::HolesNotFilled { iterations: ITERATIONS }.into())
     }
 
     fn apply(&self, values: &[f64], image: &mut [f64]) {
@@ -211,10 +205,6 @@ fn spread(heights: &[f64]) -> f64 {
     let [low, high] = heights.iter().fold(start, |[low, high], h| [low.min(*h), high.max(*h)]);
     // The rounding of equal heights is settled, too.
     (high - low).max(1e-6 * high.abs().max(low.abs()))
-}
-
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Cells that share an edge with a cell, left, right, below and above.

@@ -13,10 +13,13 @@ pub mod spectrum;
 pub mod statistics;
 pub mod synthesis;
 
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, Place, SurfaceError, require, require_at, require_positive};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// A regular lattice of rectangular cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Lattice {
     /// Number of cells along x.
     pub columns: usize,
@@ -84,18 +87,17 @@ impl Lattice {
 
     /// Checks that there are at least two cells each way, of positive size.
     pub fn check(&self) -> Result<(), Error> {
-        let counts = [("surface.columns", self.columns), ("surface.rows", self.rows)];
+        let counts = [(Quantity::Columns, self.columns), (Quantity::Rows, self.rows)];
         for (quantity, count) in counts {
-            require((2..=LARGEST).contains(&count), quantity, REQUIRED_COUNT, count as f64, "")?;
+            require(quantity, Requirement::Between(2.0, LARGEST as f64), count as f64)?;
         }
-        require_positive("surface.spacing_x", self.spacing_x, "m")?;
-        require_positive("surface.spacing_y", self.spacing_y, "m")
+        require_positive(Quantity::SpacingX, self.spacing_x)?;
+        require_positive(Quantity::SpacingY, self.spacing_y)
     }
 }
 
 /// Cells each way that memory and transforms still take.
 const LARGEST: usize = 1 << 20;
-const REQUIRED_COUNT: &str = "between 2 and 1048576";
 
 /// Heights on a lattice, all finite.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,15 +116,11 @@ impl HeightMap {
     pub fn new(lattice: Lattice, heights: Vec<f64>) -> Result<Self, Error> {
         lattice.check()?;
         require_count(&lattice, heights.len())?;
-        match heights.iter().position(|height| !height.is_finite()) {
-            None => Ok(Self { lattice, heights, is_periodic: false }),
-            Some(cell) => {
-                let (row, column) = (cell / lattice.columns, cell % lattice.columns);
-                let requirement = "finite everywhere (holes must be filled)".to_owned();
-                let value = format!("{} m in row {row}, column {column}", heights[cell]);
-                Err(Error::Invalid { quantity: "surface.heights", requirement, value })
-            }
+        for (cell, height) in heights.iter().enumerate() {
+            let place = Place::Cell { row: cell / lattice.columns, column: cell % lattice.columns };
+            require_at(Quantity::Heights, Requirement::Finite, *height, place)?;
         }
+        Ok(Self { lattice, heights, is_periodic: false })
     }
 
     /// Heights given by a function of x and y (in m), counted from the middle of the lattice.
@@ -189,17 +187,10 @@ impl HeightMap {
     /// The sum of the heights of two surfaces: the roughness of both together.
     pub fn plus(&self, other: &Self) -> Result<Self, Error> {
         if self.lattice != other.lattice {
-            let size = |l: &Lattice| {
-                format!("{} x {} cells of {} m x {} m", l.columns, l.rows, l.spacing_x, l.spacing_y)
-            };
-            return Err(Error::Contradiction {
-                quantity: "surface.heights",
-                reason: format!(
-                    "two surfaces must have the same lattice, but have {} and {}",
-                    size(&self.lattice),
-                    size(&other.lattice)
-                ),
-            });
+            let both = [&self.lattice, &other.lattice];
+            let cells = both.map(|lattice| [lattice.columns, lattice.rows]);
+            let spacings = both.map(|lattice| [lattice.spacing_x, lattice.spacing_y]);
+            return Err(SurfaceError::LatticesDiffer { cells, spacings }.into());
         }
         let pairs = self.heights.iter().zip(&other.heights);
         let heights = pairs.map(|(a, b)| a + b).collect();
@@ -215,10 +206,7 @@ impl HeightMap {
         if high - low > rounding {
             return Ok(());
         }
-        Err(Error::Contradiction {
-            quantity: "surface.heights",
-            reason: format!("the surface is flat: its heights are {low} m everywhere"),
-        })
+        Err(SurfaceError::Flat { height: Some(low) }.into())
     }
 
     fn with_heights(&self, change: impl Fn(f64) -> f64) -> Self {
@@ -231,14 +219,7 @@ fn require_count(lattice: &Lattice, count: usize) -> Result<(), Error> {
     if count == lattice.len() {
         return Ok(());
     }
-    let Lattice { columns, rows, .. } = lattice;
-    Err(Error::Contradiction {
-        quantity: "surface.heights",
-        reason: format!(
-            "{columns} columns and {rows} rows need {} heights, but there are {count}",
-            lattice.len()
-        ),
-    })
+    Err(Error::WrongCount { quantity: Quantity::Heights, expected: lattice.len(), count })
 }
 
 #[cfg(test)]
@@ -255,9 +236,9 @@ mod tests {
         let mut holes = good.clone();
         holes[4] = f64::NAN;
         let cases = [
-            (Lattice { columns: 1, ..lattice() }, good.clone(), "surface.columns must be between"),
-            (Lattice { spacing_y: 0.0, ..lattice() }, good.clone(), "surface.spacing_y must be"),
-            (lattice(), good[..5].to_vec(), "3 columns and 2 rows need 6 heights, but there are 5"),
+            (Lattice { columns: 1, ..lattice() }, good.clone(), "columns must be between"),
+            (Lattice { spacing_y: 0.0, ..lattice() }, good.clone(), "spacing_y must be"),
+            (lattice(), good[..5].to_vec(), "heights must have 6 values, but has 5"),
             (lattice(), holes, "but is NaN m in row 1, column 1"),
         ];
         for (lattice, heights, expected) in cases {

@@ -9,7 +9,10 @@ use super::ring_spectrum::RingSpectrum;
 use super::spectrum::hann;
 use super::synthesis::isotropic;
 use super::{HeightMap, Lattice};
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, Place, SurfaceError, require_at, require_positive};
+use crate::numerics::vector::root_mean_square;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Heights along a line, equidistant.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,22 +27,18 @@ const FEWEST: usize = 64;
 impl Profile {
     /// From the spacing (in m) and the heights (in m). The straight line that fits best is taken off.
     pub fn new(spacing: f64, heights: &[f64]) -> Result<Self, Error> {
-        require_positive("surface.spacing_x", spacing, "m")?;
-        let count = heights.len();
-        let limit = format!("at least {FEWEST}");
-        require(count >= FEWEST, "surface.columns", &limit, count as f64, "")?;
-        if let Some(at) = heights.iter().position(|height| !height.is_finite()) {
-            let value = format!("{} m at point {at}", heights[at]);
-            let requirement = "finite everywhere".to_owned();
-            return Err(Error::Invalid { quantity: "surface.heights", requirement, value });
+        require_positive(Quantity::SpacingX, spacing)?;
+        let (quantity, fewest, count) = (Quantity::Heights, FEWEST, heights.len());
+        if count < fewest {
+            return Err(Error::TooFew { quantity, fewest, count });
+        }
+        for (k, height) in heights.iter().enumerate() {
+            require_at(quantity, Requirement::Finite, *height, Place::Index(k))?;
         }
         let profile = Self { spacing, heights: levelled(heights) };
         let tallest = heights.iter().fold(0.0_f64, |tallest, height| tallest.max(height.abs()));
         if profile.root_mean_square_height() <= 1e-13 * tallest || tallest == 0.0 {
-            return Err(Error::Contradiction {
-                quantity: "surface.heights",
-                reason: "the profile is flat: its heights lie on a straight line".to_owned(),
-            });
+            return Err(SurfaceError::Flat { height: None }.into());
         }
         Ok(profile)
     }
@@ -56,8 +55,7 @@ impl Profile {
 
     /// Root mean square height Rq, in m.
     pub fn root_mean_square_height(&self) -> f64 {
-        let squares: f64 = self.heights.iter().map(|height| height * height).sum();
-        (squares / self.heights.len() as f64).sqrt()
+        root_mean_square(&self.heights)
     }
 
     /// The profile without the circle that fits best, and its radius (in m), positive where convex. This
@@ -85,8 +83,7 @@ impl Profile {
         let longest = lattice.length_x().max(lattice.length_y());
         let shortest = 2.0 * lattice.spacing_x.max(lattice.spacing_y);
         let carried = spectrum.height_between([0.5 * TAU / longest, TAU / shortest]);
-        let squares: f64 = surface.heights().iter().map(|height| height * height).sum();
-        let found = (squares / lattice.len() as f64).sqrt();
+        let found = root_mean_square(surface.heights());
         surface.require_rough()?;
         Ok(surface.scaled(carried / found))
     }
@@ -238,9 +235,9 @@ mod tests {
         hole[3] = f64::NAN;
         let cases = [
             (1e-6, line.clone(), "the profile is flat"),
-            (1e-6, hole, "but is NaN m at point 3"),
-            (0.0, line.clone(), "surface.spacing_x must be positive"),
-            (1e-6, line[..10].to_vec(), "surface.columns must be at least 64, but is 10"),
+            (1e-6, hole, "but is NaN m in place 3"),
+            (0.0, line.clone(), "spacing_x must be positive"),
+            (1e-6, line[..10].to_vec(), "heights must have at least 64 entries, but has 10"),
         ];
         for (spacing, heights, expected) in cases {
             let message = Profile::new(spacing, &heights).unwrap_err().to_string();

@@ -2,6 +2,7 @@
 
 use super::{HeightMap, Lattice};
 use crate::error::Error;
+use crate::numerics::interpolation::catmull_rom;
 
 impl HeightMap {
     /// The surface in `columns` × `rows` cells on the same area. Along a side that gets coarser, cells
@@ -94,15 +95,8 @@ fn covered(cell: usize, ratio: f64, old: usize) -> Vec<(usize, f64)> {
 fn cubic(cell: usize, ratio: f64, old: usize) -> Vec<(usize, f64)> {
     let position = (cell as f64 + 0.5) * ratio - 0.5;
     let first = position.floor();
-    let t = position - first;
-    let near = [
-        0.5 * t * ((2.0 - t) * t - 1.0),
-        0.5 * (t * t * (3.0 * t - 5.0) + 2.0),
-        0.5 * t * ((4.0 - 3.0 * t) * t + 1.0),
-        0.5 * t * t * (t - 1.0),
-    ];
     let mut weights = Vec::with_capacity(8);
-    for (offset, weight) in near.into_iter().enumerate() {
+    for (offset, weight) in catmull_rom(position - first).into_iter().enumerate() {
         let index = first as i64 + offset as i64 - 1;
         let last = old as i64 - 1;
         // h(−n) = (1 + n) h(0) − n h(1), and likewise beyond the last one.

@@ -7,6 +7,7 @@ use crate::error::Error;
 /// What ISO 25178-2 calls height and hybrid parameters, about the mean height: form and tilt must be
 /// removed before (see [`super::form`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Statistics {
     /// Arithmetical mean height Sa, in m.
     pub arithmetic_mean_height: f64,

@@ -18,6 +18,9 @@ use super::spectrum::spectral_gradient;
 use super::{HeightMap, LARGEST, Lattice};
 use crate::error::{Error, require, require_positive};
 use crate::fourier::{RealTransform, smooth_from};
+use crate::numerics::vector::root_mean_square;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// How rough a surface is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +73,7 @@ impl SelfAffine {
         let surface = isotropic(lattice, |q| self.shape(q), seed)?;
         surface.require_rough()?;
         let (wanted, there) = match self.roughness {
-            Roughness::Height(height) => (height, root_mean_square(&surface)),
+            Roughness::Height(height) => (height, root_mean_square(surface.heights())),
             Roughness::Gradient(gradient) => (gradient, spectral_gradient(&surface)),
         };
         Ok(surface.scaled(wanted / there))
@@ -90,34 +93,25 @@ impl SelfAffine {
 
     fn check(&self, lattice: &Lattice) -> Result<(), Error> {
         match self.roughness {
-            Roughness::Height(height) => require_positive("surface.h_rms", height, "m")?,
-            Roughness::Gradient(gradient) => require_positive("surface.gradient", gradient, "")?,
+            Roughness::Height(height) => require_positive(Quantity::RmsHeight, height)?,
+            Roughness::Gradient(gradient) => require_positive(Quantity::RmsSlope, gradient)?,
         }
-        let hurst = self.hurst_exponent;
-        require((0.0..=1.0).contains(&hurst), "surface.hurst_exponent", "0 to 1", hurst, "")?;
+        let between = Requirement::Between;
+        require(Quantity::HurstExponent, between(0.0, 1.0), self.hurst_exponent)?;
         let (longest, shortest) = (self.longest_wavelength, self.shortest_wavelength);
         let side = lattice.length_x().min(lattice.length_y());
-        let limit = format!("positive and at most the shorter side, {side} m");
-        let fits = longest > 0.0 && longest <= side * (1.0 + ROUNDING);
-        require(fits, "surface.longest_wavelength", &limit, longest, "m")?;
-        let roll_off = self.roll_off_wavelength;
-        let limit = format!("between the shortest and the longest wavelength, {longest} m");
-        let fits = roll_off >= shortest && roll_off <= longest * (1.0 + ROUNDING);
-        require(fits, "surface.roll_off_wavelength", &limit, roll_off, "m")?;
+        let up_to_side = Requirement::AboveUpTo(0.0, side * (1.0 + ROUNDING));
+        require(Quantity::LongestWavelength, up_to_side, longest)?;
+        let roll_off = between(shortest, longest * (1.0 + ROUNDING));
+        require(Quantity::RollOffWavelength, roll_off, self.roll_off_wavelength)?;
         let two_cells = 2.0 * lattice.spacing_x.max(lattice.spacing_y);
-        let limit = format!("at least two cells, {two_cells} m, and at most the roll-off");
-        let fits = shortest >= two_cells * (1.0 - ROUNDING) && shortest.is_finite();
-        require(fits, "surface.shortest_wavelength", &limit, shortest, "m")
+        let at_least = Requirement::AtLeast(two_cells * (1.0 - ROUNDING));
+        require(Quantity::ShortestWavelength, at_least, shortest)
     }
 }
 
 /// Wavelengths that a whole number of waves makes exactly must not be lost to rounding.
 const ROUNDING: f64 = 1e-9;
-
-fn root_mean_square(surface: &HeightMap) -> f64 {
-    let squares: f64 = surface.heights().iter().map(|height| height * height).sum();
-    (squares / surface.heights().len() as f64).sqrt()
-}
 
 /// A surface whose spectral density is C(q) (in m⁴, of q in rad/m), alike in all directions, with
 /// mean height zero. Waves as short as two cells are left out.
@@ -254,11 +248,17 @@ mod tests {
     #[test]
     fn each_defect_is_named() {
         let cases = [
-            (SelfAffine { hurst_exponent: 1.2, ..SPECTRUM }, "surface.hurst_exponent must be"),
-            (SelfAffine { longest_wavelength: 2e-4, ..SPECTRUM }, "at most the shorter side"),
+            (SelfAffine { hurst_exponent: 1.2, ..SPECTRUM }, "hurst_exponent must be"),
+            (
+                SelfAffine { longest_wavelength: 2e-4, ..SPECTRUM },
+                "longest_wavelength must be above 0 and at most",
+            ),
             (SelfAffine { roll_off_wavelength: 2e-4, ..SPECTRUM }, "roll_off_wavelength"),
-            (SelfAffine { shortest_wavelength: 1e-6, ..SPECTRUM }, "at least two cells"),
-            (SelfAffine { roughness: Roughness::Height(0.0), ..SPECTRUM }, "surface.h_rms"),
+            (
+                SelfAffine { shortest_wavelength: 1e-6, ..SPECTRUM },
+                "shortest_wavelength must be at least 4e-6 m",
+            ),
+            (SelfAffine { roughness: Roughness::Height(0.0), ..SPECTRUM }, "rms_height"),
             (SelfAffine { shortest_wavelength: f64::NAN, ..SPECTRUM }, "wavelength"),
         ];
         for (spectrum, expected) in cases {

@@ -3,8 +3,8 @@
 use super::{choice, field, quantity, solver};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};
-use crate::fields::requirement::Requirement::{self, AboveUpTo, Between, Finite};
 use crate::units::Measure;
+use schlupf::requirement::Requirement::{self, AboveUpTo, Between, Finite};
 
 const CONTACT_STIFFNESS: Requirement = Between(1e-3, 1e12);
 const HEIGHT: Requirement = Between(1e-12, 1e-2);

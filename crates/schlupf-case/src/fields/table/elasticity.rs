@@ -4,8 +4,8 @@ use super::solver::{FULL, METHOD};
 use super::{choice, field, quantity};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};
-use crate::fields::requirement::Requirement::{self, Between, Finite};
 use crate::units::Measure;
+use schlupf::requirement::Requirement::{self, Between, Finite};
 
 const BEDDING: Requirement = Between(1.0, 1e20);
 const COUPLING: Requirement = Between(0.0, 1e18);

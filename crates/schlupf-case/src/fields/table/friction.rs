@@ -3,8 +3,8 @@
 use super::{TEMPERATURE, choice, field, quantity};
 use crate::fields::field::Default::{Nothing, Same, Text};
 use crate::fields::field::{Choice, Field, Kind};
-use crate::fields::requirement::Requirement::{self, Between, Finite, Magnitude};
 use crate::units::Measure;
+use schlupf::requirement::Requirement::{self, Between, Finite, Magnitude};
 
 const COEFFICIENT: Requirement = Between(1e-9, 1e2);
 const PART: Requirement = Between(0.0, 1e2);

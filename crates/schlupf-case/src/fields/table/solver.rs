@@ -3,8 +3,8 @@
 use super::{choice, field};
 use crate::fields::field::Default::{Computed, Text};
 use crate::fields::field::{Field, Kind};
-use crate::fields::requirement::Requirement::{self, AboveUpTo, AtLeast, Between, Finite};
 use schlupf::problem::MAX_CELLS;
+use schlupf::requirement::Requirement::{self, AboveUpTo, AtLeast, Between, Finite};
 
 /// The choice that most of these fields belong to.
 pub(super) const METHOD: &str = "solver.method";

@@ -16,9 +16,12 @@ use super::{Compliance, Elasticity};
 use crate::error::{Error, require, require_positive};
 use crate::fourier::smooth_from;
 use crate::grid::Grid;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Stiffnesses per area of the layer for one displacement component.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LayerStiffness {
     /// Bedding c: traction over displacement, in N/m³.
     pub bedding: f64,
@@ -68,12 +71,12 @@ impl ElasticLayer {
     /// least `margin` (in m) of surroundings on each side; eight decay lengths √(g/c) if none.
     pub fn new(x: LayerStiffness, y: LayerStiffness, margin: Option<f64>) -> Result<Self, Error> {
         for ([bedding, along, across], s) in [
-            (["elasticity.bedding_x", "elasticity.coupling_x", "elasticity.coupling_x_across"], x),
-            (["elasticity.bedding_y", "elasticity.coupling_y", "elasticity.coupling_y_across"], y),
+            ([Quantity::BeddingX, Quantity::CouplingX, Quantity::CouplingXAcross], x),
+            ([Quantity::BeddingY, Quantity::CouplingY, Quantity::CouplingYAcross], y),
         ] {
-            require_positive(bedding, s.bedding, "N/m^3")?;
-            require_coupling(along, s.coupling_along_x)?;
-            require_coupling(across, s.coupling_along_y)?;
+            require_positive(bedding, s.bedding)?;
+            require(along, Requirement::NotNegative, s.coupling_along_x)?;
+            require(across, Requirement::NotNegative, s.coupling_along_y)?;
         }
         Self::checked(Stiffness::PerArea([x, y]), margin)
     }
@@ -81,19 +84,18 @@ impl ElasticLayer {
     /// A layer with the paper's discrete springs. Refining the grid changes its physics.
     pub fn from_springs(x: Springs, y: Springs, margin: Option<f64>) -> Result<Self, Error> {
         for (names, s) in [
-            (["elasticity.spring_x", "elasticity.spring_coupling_x"], x),
-            (["elasticity.spring_y", "elasticity.spring_coupling_y"], y),
+            ([Quantity::SpringX, Quantity::SpringCouplingX], x),
+            ([Quantity::SpringY, Quantity::SpringCouplingY], y),
         ] {
-            require_positive(names[0], s.bedding, "N/m")?;
-            require_coupling(names[1], s.coupling)?;
+            require_positive(names[0], s.bedding)?;
+            require(names[1], Requirement::NotNegative, s.coupling)?;
         }
         Self::checked(Stiffness::Discrete([x, y]), margin)
     }
 
     fn checked(stiffness: Stiffness, margin: Option<f64>) -> Result<Self, Error> {
         if let Some(margin) = margin {
-            let legal = margin >= 0.0 && margin.is_finite();
-            require(legal, "elasticity.margin", "finite and not negative", margin, "m")?;
+            require(Quantity::Margin, Requirement::NotNegative, margin)?;
         }
         Ok(Self { stiffness, margin })
     }
@@ -123,14 +125,8 @@ impl ElasticLayer {
         let cells_y = (margin_y / grid.spacing_y).ceil();
         let largest = 2.0 * cells_x.max(cells_y) + grid.columns.max(grid.rows) as f64;
         if largest > MAX_LAYER_CELLS {
-            return Err(Error::Contradiction {
-                quantity: "elasticity.margin",
-                reason: format!(
-                    "a margin of {} m on this grid makes a layer of {largest} cells in one \
-                     direction, more than {MAX_LAYER_CELLS}",
-                    margin_x.max(margin_y)
-                ),
-            });
+            let (margin, most) = (margin_x.max(margin_y), MAX_LAYER_CELLS);
+            return Err(Error::LayerTooLarge { margin, cells: largest, most });
         }
         let columns = smooth_from(grid.columns + 2 * cells_x as usize);
         let ahead = (columns - grid.columns) / 2;
@@ -147,10 +143,6 @@ pub struct Surroundings {
     pub first_column: usize,
     /// Rows of the total area on each side of the grid.
     pub rows_beyond: usize,
-}
-
-fn require_coupling(quantity: &'static str, value: f64) -> Result<(), Error> {
-    require(value >= 0.0 && value.is_finite(), quantity, "finite and not negative", value, "N/m")
 }
 
 impl Elasticity for ElasticLayer {

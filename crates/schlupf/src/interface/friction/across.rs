@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
+use crate::error::{Error, Place, require_at};
+use crate::numerics::interpolation::piecewise_linear;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// The factor may differ from one at y = 0 by this much: tables have few digits.
 const ROUNDING: f64 = 1e-6;
-
-const POSITION: &str = "friction.variation_y";
-const FACTOR: &str = "friction.variation_factor";
 
 /// μ = f(y) μ(T, s): any law times a factor over y, linear between the points of a table and constant
 /// outside of it. The factor is 1 at y = 0, where friction is that of the law.
@@ -27,42 +27,29 @@ pub struct Across {
 impl Across {
     /// A law, positions y (in m, ascending) and the factors there (dimensionless).
     pub fn new(law: Arc<dyn FrictionLaw>, y: Vec<f64>, factor: Vec<f64>) -> Result<Self, Error> {
-        let contradiction = |quantity, reason| Err(Error::Contradiction { quantity, reason });
-        if y.len() < 2 || y.len() != factor.len() {
-            let reason = format!(
-                "at least two positions and as many factors are required, but there are {} and {}",
-                y.len(),
-                factor.len()
-            );
-            return contradiction(FACTOR, reason);
+        let (fewest, count) = (2, y.len());
+        if count < fewest {
+            return Err(Error::TooFew { quantity: Quantity::VariationY, fewest, count });
         }
-        if let Some(k) = y.iter().position(|y| !y.is_finite()) {
-            let reason = format!("position {} is {} m, not finite", k + 1, y[k]);
-            return contradiction(POSITION, reason);
+        if factor.len() != count {
+            let (quantity, expected) = (Quantity::VariationFactor, count);
+            return Err(Error::WrongCount { quantity, expected, count: factor.len() });
         }
-        if let Some(k) = y.windows(2).position(|pair| pair[1] <= pair[0]) {
-            let reason = format!(
-                "positions must ascend strictly, but {} m comes after {} m",
-                y[k + 1],
-                y[k]
-            );
-            return contradiction(POSITION, reason);
+        for (k, y) in y.iter().enumerate() {
+            require_at(Quantity::VariationY, Requirement::Finite, *y, Place::Index(k + 1))?;
         }
-        if let Some(k) = factor.iter().position(|f| !(*f >= 0.0 && f.is_finite())) {
-            let reason = format!(
-                "factors must be finite and not negative, but that at {} m is {}",
-                y[k], factor[k]
-            );
-            return contradiction(FACTOR, reason);
+        if let Some(pair) = y.windows(2).find(|pair| pair[1] <= pair[0]) {
+            let (quantity, before, after) = (Quantity::VariationY, pair[0], pair[1]);
+            return Err(Error::NotAscending { quantity, axis: "", before, after });
+        }
+        for (y, factor) in y.iter().zip(&factor) {
+            let place = Place::Across(*y);
+            require_at(Quantity::VariationFactor, Requirement::NotNegative, *factor, place)?;
         }
         let mut across = Self { law, y, factor };
         let [centre, _] = across.factor_at(0.0);
         if (centre - 1.0).abs() > ROUNDING {
-            let reason = format!(
-                "the factor must be 1 at y = 0, where friction is friction.coefficient, but is \
-                 {centre} there: divide all factors by it, and multiply friction.coefficient"
-            );
-            return contradiction(FACTOR, reason);
+            return Err(Error::OffCentreFactor { factor: centre });
         }
         for factor in &mut across.factor {
             *factor /= centre;
@@ -72,17 +59,7 @@ impl Across {
 
     /// The factor at a position (in m), and its derivative (in 1/m).
     fn factor_at(&self, y: f64) -> [f64; 2] {
-        let last = self.y.len() - 1;
-        let after = self.y.partition_point(|position| *position <= y);
-        if after == 0 {
-            return [self.factor[0], 0.0];
-        }
-        if after > last {
-            return [self.factor[last], 0.0];
-        }
-        let (left, right) = (self.factor[after - 1], self.factor[after]);
-        let slope = (right - left) / (self.y[after] - self.y[after - 1]);
-        [left + slope * (y - self.y[after - 1]), slope]
+        piecewise_linear(&self.y, &self.factor, y)
     }
 }
 
@@ -174,11 +151,13 @@ mod tests {
     #[test]
     fn impossible_tables_are_named() {
         let message = |y: &[f64], factor: &[f64]| across(y, factor).unwrap_err().to_string();
-        assert!(message(&[0.0], &[1.0]).starts_with("friction.variation_factor: at least two"));
-        assert!(message(&[0.0, 1.0], &[1.0]).contains("there are 2 and 1"));
-        assert!(message(&[0.0, f64::NAN], &[1.0; 2]).contains("position 2 is NaN m"));
+        assert!(message(&[0.0], &[1.0]).starts_with("variation_y must have at least 2"));
+        assert!(
+            message(&[0.0, 1.0], &[1.0]).contains("variation_factor must have 2 values, but has 1")
+        );
+        assert!(message(&[0.0, f64::NAN], &[1.0; 2]).contains("but is NaN m in place 2"));
         assert!(message(&[0.0, 1e-3, 1e-3], &[1.0; 3]).contains("0.001 m comes after 0.001 m"));
-        assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("that at 0.001 m is -0.1"));
+        assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("but is -0.1 at y = 0.001 m"));
         assert!(message(&[0.0, 1e-3], &[1.0, f64::INFINITY]).contains("is inf"));
         let centre = message(&[-1e-3, 1e-3], &[0.5, 1.0]);
         assert!(centre.contains("must be 1 at y = 0") && centre.contains("is 0.75 there"));

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{FrictionLaw, FrictionState};
 use crate::error::Error;
+use crate::quantity::Quantity;
 
 /// A constant of a friction law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,20 +49,20 @@ impl FrictionConstant {
         Self::Decay,
     ];
 
-    /// Its dotted name in a case file.
-    pub fn field(self) -> &'static str {
+    /// The quantity that it is.
+    pub fn quantity(self) -> Quantity {
         match self {
-            Self::ColdCoefficient => "friction.coefficient",
-            Self::TemperatureAtZeroFriction => "friction.temperature_at_zero_friction",
-            Self::MinimumCoefficient => "friction.minimum_coefficient",
-            Self::HotCoefficient => "friction.hot_coefficient",
-            Self::TemperatureRange => "friction.temperature_range",
-            Self::KineticCoefficient => "friction.kinetic_coefficient",
-            Self::HalfSpeed => "friction.half_speed",
-            Self::SecondCoefficient => "friction.second_coefficient",
-            Self::SecondHalfSpeed => "friction.second_half_speed",
-            Self::LimitRatio => "friction.limit_ratio",
-            Self::Decay => "friction.decay",
+            Self::ColdCoefficient => Quantity::FrictionCoefficient,
+            Self::TemperatureAtZeroFriction => Quantity::TemperatureAtZeroFriction,
+            Self::MinimumCoefficient => Quantity::MinimumCoefficient,
+            Self::HotCoefficient => Quantity::HotCoefficient,
+            Self::TemperatureRange => Quantity::TemperatureRange,
+            Self::KineticCoefficient => Quantity::KineticCoefficient,
+            Self::HalfSpeed => Quantity::HalfSpeed,
+            Self::SecondCoefficient => Quantity::SecondCoefficient,
+            Self::SecondHalfSpeed => Quantity::SecondHalfSpeed,
+            Self::LimitRatio => Quantity::LimitRatio,
+            Self::Decay => Quantity::Decay,
         }
     }
 }

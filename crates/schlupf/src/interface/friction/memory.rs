@@ -8,6 +8,8 @@
 //! "friction memory".) Without it μ jumps where sliding begins, if the law falls with the slip speed.
 
 use crate::error::{Error, require, require_positive};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// How friction lags behind.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,9 +33,8 @@ impl FrictionMemory {
     /// Relaxation over a sliding distance d_c (in m), at slip speeds below s_0 (in m/s) as fast as at
     /// that speed; s_0 = 0 never forgets while the surfaces stick.
     pub fn new(distance: f64, least_speed: f64) -> Result<Self, Error> {
-        require_positive("friction.memory_distance", distance, "m")?;
-        let legal = least_speed >= 0.0 && least_speed.is_finite();
-        require(legal, "friction.memory_speed", "finite and not negative", least_speed, "m/s")?;
+        require_positive(Quantity::MemoryDistance, distance)?;
+        require(Quantity::MemorySpeed, Requirement::NotNegative, least_speed)?;
         Ok(Self { distance, least_speed })
     }
 

@@ -6,7 +6,6 @@
 //! [`across`] the patch. Any law may lag behind, [`memory`].
 
 pub mod across;
-pub(crate) mod common_coefficient;
 pub mod constant;
 pub mod constants;
 pub mod exponential;
@@ -22,7 +21,9 @@ pub mod temperature_piecewise_linear;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::error::{Error, require, require_finite};
+use crate::error::{Error, require, require_finite, require_positive};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 use self::constants::AdjustableFriction;
 use self::memory::FrictionMemory;
@@ -101,37 +102,25 @@ impl Friction {
 
     /// Checks the law for material that enters at `entry_temperature`, in degC.
     pub fn check(&self, entry_temperature: f64) -> Result<(), Error> {
-        require_finite("friction.reference_temperature", self.reference_temperature, "degC")?;
+        require_finite(Quantity::ReferenceTemperature, self.reference_temperature)?;
         let limit = self.law.temperature_limit();
         if entry_temperature - self.reference_temperature < limit {
             return Ok(());
         }
-        Err(Error::Contradiction {
-            quantity: "friction.reference_temperature",
-            reason: format!(
-                "the material enters the contact at {entry_temperature} degC, but friction \
-                 vanishes {limit} K above the reference temperature, at {} + {limit} = {} degC",
-                self.reference_temperature,
-                self.reference_temperature + limit
-            ),
-        })
+        let reference = self.reference_temperature;
+        Err(Error::FrictionVanishes { entry: entry_temperature, reference, limit })
     }
 }
 
 /// A cold coefficient of friction must be positive and finite.
 fn require_coefficient(value: f64) -> Result<(), Error> {
-    crate::error::require_positive("friction.coefficient", value, "")
+    require_positive(Quantity::FrictionCoefficient, value)
 }
 
 /// A coefficient that friction falls to must neither be negative nor above μ0.
-fn require_below(quantity: &'static str, value: f64, coefficient: f64) -> Result<(), Error> {
-    require(
-        (0.0..=coefficient).contains(&value),
-        quantity,
-        &format!("between 0 and friction.coefficient = {coefficient}"),
-        value,
-        "",
-    )
+fn require_below(quantity: Quantity, value: f64, coefficient: f64) -> Result<(), Error> {
+    let at_most = Requirement::UpTo(Quantity::FrictionCoefficient, coefficient);
+    require(quantity, at_most, value)
 }
 
 #[cfg(test)]

@@ -5,6 +5,8 @@ use std::sync::Arc;
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::{Error, require, require_positive};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// μ = μ0 ((1 − A) e^(−B s) + A), s the slip speed.
 ///
@@ -24,14 +26,8 @@ impl Polach {
     /// μ0 (dimensionless), A = μ(∞)/μ0 (dimensionless), B (in s/m).
     pub fn new(coefficient: f64, limit_ratio: f64, decay: f64) -> Result<Self, Error> {
         require_coefficient(coefficient)?;
-        require(
-            (0.0..=1.0).contains(&limit_ratio),
-            "friction.limit_ratio",
-            "between 0 and 1",
-            limit_ratio,
-            "",
-        )?;
-        require_positive("friction.decay", decay, "s/m")?;
+        require(Quantity::LimitRatio, Requirement::Between(0.0, 1.0), limit_ratio)?;
+        require_positive(Quantity::Decay, decay)?;
         Ok(Self { coefficient, limit_ratio, decay })
     }
 }
@@ -120,10 +116,10 @@ mod tests {
     #[test]
     fn impossible_constants_are_named() {
         let message = |m0, ratio, decay| Polach::new(m0, ratio, decay).unwrap_err().to_string();
-        assert!(message(-0.1, 0.4, 0.6).starts_with("friction.coefficient"));
-        assert!(message(0.55, -0.1, 0.6).starts_with("friction.limit_ratio"));
+        assert!(message(-0.1, 0.4, 0.6).starts_with("friction_coefficient"));
+        assert!(message(0.55, -0.1, 0.6).starts_with("limit_ratio"));
         assert!(message(0.55, 1.1, 0.6).contains("between 0 and 1, but is 1.1"));
-        assert!(message(0.55, 0.4, 0.0).starts_with("friction.decay"));
+        assert!(message(0.55, 0.4, 0.0).starts_with("decay"));
         assert!(message(0.55, 0.4, f64::INFINITY).contains("inf s/m"));
     }
 }

@@ -32,13 +32,7 @@ impl Product {
         if (coefficient - other).abs() <= ROUNDING * coefficient {
             return Ok(Self { coefficient, temperature, slip_speed });
         }
-        Err(Error::Contradiction {
-            quantity: "friction.coefficient",
-            reason: format!(
-                "both laws of a product must have the same μ0, but it is {coefficient} of one and \
-                 {other} of the other"
-            ),
-        })
+        Err(Error::UnequalFriction { one: coefficient, other })
     }
 }
 

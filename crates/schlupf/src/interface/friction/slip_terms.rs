@@ -2,7 +2,8 @@
 
 use super::constants::{Changes, FrictionConstant};
 use super::{FrictionResponse, require_below, require_coefficient};
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, require_positive};
+use crate::quantity::Quantity;
 
 /// Sums of coefficients may exceed μ0 by this part of it: decimal numbers add up to rounding only.
 const ROUNDING: f64 = 1e-12;
@@ -38,21 +39,15 @@ impl SlipTerms {
         second: Option<SecondTerm>,
     ) -> Result<Self, Error> {
         require_coefficient(coefficient)?;
-        require_below("friction.kinetic_coefficient", kinetic_coefficient, coefficient)?;
-        require_positive("friction.half_speed", half_speed, "m/s")?;
+        require_below(Quantity::KineticCoefficient, kinetic_coefficient, coefficient)?;
+        require_positive(Quantity::HalfSpeed, half_speed)?;
         let second = second.unwrap_or(SecondTerm { coefficient: 0.0, half_speed });
-        let left = coefficient - kinetic_coefficient;
-        require(
-            (0.0..=left + ROUNDING * coefficient).contains(&second.coefficient),
-            "friction.second_coefficient",
-            &format!(
-                "between 0 and friction.coefficient - friction.kinetic_coefficient = \
-                 {coefficient} - {kinetic_coefficient}"
-            ),
-            second.coefficient,
-            "",
-        )?;
-        require_positive("friction.second_half_speed", second.half_speed, "m/s")?;
+        let left = coefficient - kinetic_coefficient + ROUNDING * coefficient;
+        if !(0.0..=left).contains(&second.coefficient) {
+            let (second, kinetic) = (second.coefficient, kinetic_coefficient);
+            return Err(Error::SecondTerm { second, coefficient, kinetic });
+        }
+        require_positive(Quantity::SecondHalfSpeed, second.half_speed)?;
         Ok(Self { coefficient, kinetic_coefficient, half_speed, second })
     }
 
@@ -144,15 +139,15 @@ mod tests {
                 second.map(|[coefficient, half_speed]| SecondTerm { coefficient, half_speed });
             SlipTerms::new(m0, kinetic, speed, second).unwrap_err().to_string()
         };
-        assert!(message(0.0, 0.0, 1.0, None).starts_with("friction.coefficient"));
-        assert!(message(0.4, -0.1, 1.0, None).contains("between 0 and friction.coefficient = 0.4"));
-        assert!(message(0.4, 0.5, 1.0, None).starts_with("friction.kinetic_coefficient"));
-        assert!(message(0.4, 0.2, 0.0, None).starts_with("friction.half_speed"));
+        assert!(message(0.0, 0.0, 1.0, None).starts_with("friction_coefficient"));
+        assert!(message(0.4, -0.1, 1.0, None).contains("between 0 and friction_coefficient = 0.4"));
+        assert!(message(0.4, 0.5, 1.0, None).starts_with("kinetic_coefficient"));
+        assert!(message(0.4, 0.2, 0.0, None).starts_with("half_speed"));
         assert!(message(0.4, 0.2, f64::NAN, None).contains("NaN m/s"));
         let second = message(0.4, 0.3, 1.0, Some([0.2, 1.0]));
-        assert!(second.starts_with("friction.second_coefficient") && second.contains("0.4 - 0.3"));
+        assert!(second.starts_with("second_coefficient") && second.contains("0.4 - 0.3"));
         assert!(message(0.4, 0.3, 1.0, Some([-0.1, 1.0])).contains("but is -0.1"));
         let message = message(0.4, 0.3, 1.0, Some([0.1, -1.0]));
-        assert!(message.starts_with("friction.second_half_speed"));
+        assert!(message.starts_with("second_half_speed"));
     }
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_below, require_coefficient};
 use crate::error::{Error, require_positive};
+use crate::quantity::Quantity;
 
 /// μ = μ0 (1 − T/T_E), at least a floor (Neuhaus and Sextro 2014, Eq. 23; the floor is zero there).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,9 +23,8 @@ impl TemperatureLinear {
         minimum_coefficient: f64,
     ) -> Result<Self, Error> {
         require_coefficient(coefficient)?;
-        let quantity = "friction.temperature_at_zero_friction";
-        require_positive(quantity, temperature_at_zero_friction, "K")?;
-        require_below("friction.minimum_coefficient", minimum_coefficient, coefficient)?;
+        require_positive(Quantity::TemperatureAtZeroFriction, temperature_at_zero_friction)?;
+        require_below(Quantity::MinimumCoefficient, minimum_coefficient, coefficient)?;
         Ok(Self { coefficient, temperature_at_zero_friction, minimum_coefficient })
     }
 }
@@ -110,9 +110,9 @@ mod tests {
     fn impossible_constants_are_named() {
         let message =
             |m0, te, floor| TemperatureLinear::new(m0, te, floor).unwrap_err().to_string();
-        assert!(message(0.4, 0.0, 0.0).starts_with("friction.temperature_at_zero_friction"));
+        assert!(message(0.4, 0.0, 0.0).starts_with("temperature_at_zero_friction"));
         assert!(message(0.4, -5.0, 0.0).contains("-5 K"));
-        assert!(message(0.4, 700.0, 0.5).starts_with("friction.minimum_coefficient"));
-        assert!(message(f64::NAN, 700.0, 0.0).starts_with("friction.coefficient"));
+        assert!(message(0.4, 700.0, 0.5).starts_with("minimum_coefficient"));
+        assert!(message(f64::NAN, 700.0, 0.0).starts_with("friction_coefficient"));
     }
 }

@@ -5,6 +5,8 @@ use std::sync::Arc;
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::{Error, require, require_positive};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// μ = μ0 up to the reference temperature, linear from there to μ_hot at ΔT above it, and μ_hot beyond.
 ///
@@ -25,9 +27,8 @@ impl TemperaturePiecewiseLinear {
         temperature_range: f64,
     ) -> Result<Self, Error> {
         require_coefficient(coefficient)?;
-        let legal = hot_coefficient >= 0.0 && hot_coefficient.is_finite();
-        require(legal, "friction.hot_coefficient", "not negative", hot_coefficient, "")?;
-        require_positive("friction.temperature_range", temperature_range, "K")?;
+        require(Quantity::HotCoefficient, Requirement::NotNegative, hot_coefficient)?;
+        require_positive(Quantity::TemperatureRange, temperature_range)?;
         Ok(Self { coefficient, hot_coefficient, temperature_range })
     }
 }
@@ -113,9 +114,9 @@ mod tests {
         let message = |m0, hot, range| {
             TemperaturePiecewiseLinear::new(m0, hot, range).unwrap_err().to_string()
         };
-        assert!(message(0.0, 0.0, 800.0).starts_with("friction.coefficient"));
-        assert!(message(0.3, -0.1, 800.0).starts_with("friction.hot_coefficient"));
-        assert!(message(0.3, 0.2, -5.0).starts_with("friction.temperature_range"));
+        assert!(message(0.0, 0.0, 800.0).starts_with("friction_coefficient"));
+        assert!(message(0.3, -0.1, 800.0).starts_with("hot_coefficient"));
+        assert!(message(0.3, 0.2, -5.0).starts_with("temperature_range"));
         assert!(message(0.3, 0.2, 0.0).contains("0 K"));
     }
 }

@@ -1,11 +1,15 @@
 //! Approach of two rough bodies over their load, d(P).
 
-use crate::error::{Error, require_positive};
+use crate::error::{Error, SurfaceError, require_positive};
 use crate::normal::rough_contact::{RoughContact, RoughContactOptions, RoughContactSolution};
+use crate::numerics::interpolation::{hermite, hermite_slope};
+use crate::numerics::vector::dot;
 use crate::progress::{Progress, Stage, Watch, within};
+use crate::quantity::Quantity;
 
 /// A rough contact at one load. Everything is per nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LoadPoint {
     /// Mean pressure over the nominal area, in Pa.
     pub mean_pressure: f64,
@@ -89,7 +93,7 @@ impl LoadCurve {
         options: &LoadCurveOptions,
         watch: Watch,
     ) -> Result<Self, Error> {
-        require_positive("normal.pressure", largest, "Pa")?;
+        require_positive(Quantity::MeanPressure, largest)?;
         let steps = options.steps();
         let area = contact.distance().lattice().area();
         let hardness = contact.hardness();
@@ -134,14 +138,7 @@ impl LoadCurve {
         };
         let is_positive = points.first().is_some_and(|p| p.mean_pressure > 0.0 && p.approach > 0.0);
         if points.len() < 3 || !is_positive || !points.windows(2).all(grows) {
-            return Err(Error::Contradiction {
-                quantity: "surface.heights",
-                reason: format!(
-                    "approach and mean pressure must be positive and grow over at least three \
-                     points, but do not over {} points",
-                    points.len()
-                ),
-            });
+            return Err(SurfaceError::LoadCurve { points: points.len() }.into());
         }
         let slopes = slopes(&points);
         Ok(Self { points, slopes })
@@ -174,42 +171,39 @@ impl LoadCurve {
 
     /// Approach (in m) under a mean pressure (in Pa), and its derivative dd/d ln p (in m).
     pub fn approach(&self, mean_pressure: f64) -> [f64; 2] {
-        let above = self.points.partition_point(|point| point.mean_pressure < mean_pressure);
-        let above = above.min(self.points.len() - 1);
-        let Some(below) = above.checked_sub(1) else {
+        let Some((below, width, t)) = self.interval(mean_pressure) else {
             let first = &self.points[0];
             let approach =
                 first.approach * (mean_pressure / first.mean_pressure).powf(HERTZ_EXPONENT);
             return [approach, HERTZ_EXPONENT * approach];
         };
-        let [low, high] = [self.points[below], self.points[above]];
-        let width = (high.mean_pressure / low.mean_pressure).ln();
-        let t = (mean_pressure / low.mean_pressure).ln() / width;
-        let [from, to] = [self.slopes[below] * width, self.slopes[above] * width];
-        let rise = high.approach - low.approach;
-        // Hermite's cubic
-        let bend = from + to - 2.0 * rise;
-        let square = 3.0 * rise - 2.0 * from - to;
-        [
-            low.approach + t * (from + t * (square + t * bend)),
-            (from + t * (2.0 * square + t * 3.0 * bend)) / width,
-        ]
+        let [low, high] = [below, below + 1].map(|k| self.points[k].approach);
+        let [from, to] = [below, below + 1].map(|k| self.slopes[k] * width);
+        let cubic = |weights: [f64; 4]| dot(&weights, &[low, high, from, to]);
+        [cubic(hermite(t)), cubic(hermite_slope(t)) / width]
+    }
+
+    /// Between which points a mean pressure (in Pa) lies: the lower one, their distance in ln p, and the part
+    /// of it from there, both dimensionless. Beyond the last point the last ones go on; `None` before the
+    /// first.
+    fn interval(&self, mean_pressure: f64) -> Option<(usize, f64, f64)> {
+        let above = self.points.partition_point(|point| point.mean_pressure < mean_pressure);
+        let above = above.min(self.points.len() - 1);
+        let low = self.points[above.checked_sub(1)?].mean_pressure;
+        let width = (self.points[above].mean_pressure / low).ln();
+        Some((above - 1, width, (mean_pressure / low).ln() / width))
     }
 
     /// Real over nominal area of contact (dimensionless) under a mean pressure (in Pa), by powers of
     /// the pressure between the points.
     pub fn contact_fraction(&self, mean_pressure: f64) -> f64 {
         let fraction = |point: &LoadPoint| point.contact_fraction;
-        let above = self.points.partition_point(|point| point.mean_pressure < mean_pressure);
-        let above = above.min(self.points.len() - 1);
-        let Some(below) = above.checked_sub(1) else {
+        let Some((below, _, t)) = self.interval(mean_pressure) else {
             let first = &self.points[0];
             return fraction(first) * (mean_pressure / first.mean_pressure).powf(HERTZ_EXPONENT);
         };
-        let [low, high] = [&self.points[below], &self.points[above]];
-        let t = (mean_pressure / low.mean_pressure).ln()
-            / (high.mean_pressure / low.mean_pressure).ln();
-        fraction(low) * (fraction(high) / fraction(low)).powf(t)
+        let [low, high] = [below, below + 1].map(|k| fraction(&self.points[k]));
+        low * (high / low).powf(t)
     }
 
     /// The same with the perimeter corrected for, dimensionless: the correction changes slowly, so that of the next point
@@ -258,20 +252,7 @@ fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
     let is_closed = |point: &&LoadPoint| point.contact_fraction > CLOSED;
     let first = points.iter().find(is_closed).map_or(0.0, |point| point.mean_pressure);
     let largest = points.last().map_or(0.0, |point| point.mean_pressure);
-    let cause = if hardness.is_finite() {
-        format!(
-            "{:.4} MPa flatten it with a hardness of {:.4} MPa, or its heights are in another unit",
-            1e-6 * largest,
-            1e-6 * hardness
-        )
-    } else {
-        "it is too smooth for that, the pressures are too large, or its heights are in another unit"
-            .to_owned()
-    };
-    Error::Contradiction {
-        quantity: "surface.heights",
-        reason: format!("all of the surface is in contact under {:.4} MPa: {cause}", 1e-6 * first),
-    }
+    SurfaceError::FullContact { pressure: first, largest, hardness }.into()
 }
 
 /// d ∝ p^(2/3) and A ∝ p^(2/3) (Hertz 1882).

@@ -6,6 +6,7 @@ use super::tangential_curve::{SimilarBodies, TangentialCurve};
 use crate::error::{Error, require_positive};
 use crate::normal::rough_contact::{Boundary, RoughContact};
 use crate::progress::Watch;
+use crate::quantity::Quantity;
 use crate::surface::HeightMap;
 use crate::surface::statistics::Statistics;
 
@@ -56,7 +57,7 @@ impl MicroModel {
         self.bodies.check()?;
         let statistics = Statistics::of(&self.surface)?;
         for pressure in &self.mean_pressures {
-            require_positive("normal.pressure", *pressure, "Pa")?;
+            require_positive(Quantity::MeanPressure, *pressure)?;
         }
         let options = &self.reaching(options);
         let largest = self.largest_pressure();
@@ -97,9 +98,10 @@ impl MicroModelResult {
         let curve = |pressure: &f64| TangentialCurve::new(&normal, *pressure, bodies);
         let tangential: Vec<TangentialCurve> =
             mean_pressures.iter().map(curve).collect::<Result<_, _>>()?;
-        let stiffness = ContactStiffness::fit(&tangential).ok_or(Error::Contradiction {
-            quantity: "normal.pressure",
-            reason: "at least one mean pressure is needed".to_owned(),
+        let stiffness = ContactStiffness::fit(&tangential).ok_or(Error::TooFew {
+            quantity: Quantity::MeanPressure,
+            fewest: 1,
+            count: 0,
         })?;
         let height = statistics.root_mean_square_height;
         let exponential = normal.exponential_range();

@@ -1,9 +1,11 @@
 //! The stiffness k_c of Eq. (8), fitted to the tangential curves of a rough contact.
 
 use super::tangential_curve::{SimilarBodies, TangentialCurve};
+use crate::numerics::root::golden_section;
 
 /// 1 − exp(−k_c u) fitted to curves Q/(μP) over u.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ExponentialFit {
     /// Exponent k_c, in 1/m.
     pub stiffness: f64,
@@ -65,25 +67,15 @@ impl ContactStiffness {
     }
 }
 
-/// Halvings of the bracket by the golden section: to rounding.
-const STEPS: usize = 60;
+/// Steps of the golden section: to rounding.
+const STEPS: u32 = 60;
 
 /// The k_c with the least sum of squares.
 fn fit(curves: &[TangentialCurve]) -> ExponentialFit {
     let guess = curves.iter().map(initial_guess).sum::<f64>() / curves.len() as f64;
     let cost = |log: f64| squares(curves, log.exp());
-    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut low, mut high) = ((guess / 30.0).ln(), (guess * 30.0).ln());
-    let inner = |low: f64, high: f64| [high - golden * (high - low), low + golden * (high - low)];
-    for _ in 0..STEPS {
-        let [left, right] = inner(low, high);
-        if cost(left) < cost(right) {
-            high = right;
-        } else {
-            low = left;
-        }
-    }
-    let stiffness = (0.5 * (low + high)).exp();
+    let range = [(guess / 30.0).ln(), (guess * 30.0).ln()];
+    let stiffness = golden_section(range, STEPS, cost).exp();
     let points = curves.iter().flat_map(|curve| &curve.points);
     let largest = points.map(|p| miss(stiffness, p.displacement, p.normalised_traction).abs());
     ExponentialFit {

@@ -15,9 +15,13 @@
 
 use super::load_curve::LoadCurve;
 use crate::error::{Error, require, require_positive};
+use crate::numerics::interpolation::piecewise_linear;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Friction and elasticity of the two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SimilarBodies {
     /// Coefficient of friction μ, dimensionless.
     pub friction_coefficient: f64,
@@ -33,15 +37,15 @@ impl SimilarBodies {
 
     /// Checks that both are possible.
     pub fn check(&self) -> Result<(), Error> {
-        require_positive("friction.coefficient", self.friction_coefficient, "")?;
-        let ratio = self.poisson_ratio;
-        let is_legal = (0.0..=0.5).contains(&ratio);
-        require(is_legal, "wheel.poisson_ratio", "between 0 and 0.5", ratio, "")
+        require_positive(Quantity::FrictionCoefficient, self.friction_coefficient)?;
+        let legal = Requirement::Between(0.0, 0.5);
+        require(Quantity::PoissonRatio, legal, self.poisson_ratio)
     }
 }
 
 /// A point of the curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TangentialPoint {
     /// Tangential displacement of the two bodies against each other, in m.
     pub displacement: f64,
@@ -61,6 +65,7 @@ pub struct TangentialPoint {
 
 /// The curve at one mean pressure.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TangentialCurve {
     /// Mean pressure over the nominal area, in Pa.
     pub mean_pressure: f64,
@@ -87,10 +92,8 @@ impl TangentialCurve {
     ) -> Result<Self, Error> {
         bodies.check()?;
         let (least, largest) = (normal.smallest_pressure(), normal.largest_pressure());
-        let limit = format!("between {least} and {largest} Pa, which were computed");
-        let is_within =
-            mean_pressure >= least * (1.0 - 1e-12) && mean_pressure <= largest * (1.0 + 1e-12);
-        require(is_within, "normal.pressure", &limit, mean_pressure, "Pa")?;
+        let computed = Requirement::Between(least * (1.0 - 1e-12), largest * (1.0 + 1e-12));
+        require(Quantity::MeanPressure, computed, mean_pressure)?;
         let factor = bodies.friction_coefficient * bodies.compliance_ratio();
         let limit = bodies.friction_coefficient * mean_pressure;
         let [approach, slope] = normal.approach(mean_pressure);
@@ -131,10 +134,9 @@ impl TangentialCurve {
 
     /// Q/(μP) (dimensionless) at a displacement (in m), between the points in straight lines.
     pub fn normalised_traction(&self, displacement: f64) -> f64 {
-        let above = self.points.partition_point(|point| point.displacement < displacement);
-        let Some(high) = self.points.get(above) else { return 1.0 };
-        let Some(low) = above.checked_sub(1).map(|below| &self.points[below]) else { return 0.0 };
-        let t = (displacement - low.displacement) / (high.displacement - low.displacement);
-        low.normalised_traction + t * (high.normalised_traction - low.normalised_traction)
+        let points =
+            self.points.iter().map(|point| (point.displacement, point.normalised_traction));
+        let (displacements, tractions): (Vec<f64>, Vec<f64>) = points.unzip();
+        piecewise_linear(&displacements, &tractions, displacement)[0]
     }
 }

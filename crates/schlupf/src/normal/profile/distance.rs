@@ -6,8 +6,10 @@
 //! Catmull and Rom (1974).
 
 use super::interpolation::{Weights, weights_at};
-use crate::error::{Error, require_positive};
+use crate::error::{Error, Place, require_at, require_positive};
 use crate::grid::Extent;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
 
 /// Undeformed distance of two bodies (profile of the wheel less that of the rail) around their contact.
 /// Only differences count, so it may be measured from anywhere.
@@ -28,9 +30,6 @@ pub(super) enum Shape {
 /// Points in each direction: fewer make no shape.
 const FEWEST: usize = 4;
 
-/// What a line along which the distance is given must have.
-const ASCENDING: &str = "ascending positions";
-
 impl UndeformedDistance {
     /// How many of its points lie within a rectangle, in each direction along which it is given by points.
     pub(super) fn points_within(&self, extent: &Extent) -> Vec<usize> {
@@ -46,8 +45,8 @@ impl UndeformedDistance {
     /// From the distance across at x = 0, `distance` (in m) at the positions `y` (in m, ascending), and the
     /// relative radius of rolling R (in m), 1/R = 1/R_wheel + 1/R_rail: d(y) + x²/(2R).
     pub fn across(y: Vec<f64>, distance: Vec<f64>, relative_radius: f64) -> Result<Self, Error> {
-        require_positive("wheel.radius_x", relative_radius, "m")?;
-        check_positions("y", &y)?;
+        require_positive(Quantity::WheelRadiusX, relative_radius)?;
+        check_positions('y', &y)?;
         check_values(&distance, y.len())?;
         Ok(Self { shape: Shape::Across { y, distance, radius: relative_radius } })
     }
@@ -55,8 +54,8 @@ impl UndeformedDistance {
     /// From the distance (in m) at the positions `x` × `y` (in m, ascending), rows along x: the value at
     /// (i, j) is `distance[j * x.len() + i]`.
     pub fn on_lattice(x: Vec<f64>, y: Vec<f64>, distance: Vec<f64>) -> Result<Self, Error> {
-        check_positions("x", &x)?;
-        check_positions("y", &y)?;
+        check_positions('x', &x)?;
+        check_positions('y', &y)?;
         check_values(&distance, x.len() * y.len())?;
         Ok(Self { shape: Shape::Lattice { x, y, distance } })
     }
@@ -100,39 +99,33 @@ impl UndeformedDistance {
     }
 }
 
-fn invalid(requirement: String, value: String) -> Error {
-    Error::Invalid { quantity: "normal.file", requirement, value }
-}
+const QUANTITY: Quantity = Quantity::UndeformedDistance;
 
-fn check_positions(name: &str, positions: &[f64]) -> Result<(), Error> {
-    if positions.len() < FEWEST {
-        return Err(invalid(
-            format!("a file with at least {FEWEST} values of {name}"),
-            format!("one with {}", positions.len()),
-        ));
+fn check_positions(axis: char, positions: &[f64]) -> Result<(), Error> {
+    let (quantity, fewest, count) = (QUANTITY, FEWEST, positions.len());
+    if count < fewest {
+        return Err(Error::TooFewPositions { quantity, axis, fewest, count });
     }
     let is_ascending = |pair: &[f64]| pair[0] < pair[1] && (pair[1] - pair[0]).is_finite();
+    let axis = if axis == 'x' { "x" } else { "y" };
     match positions.windows(2).find(|pair| !is_ascending(pair)) {
         None => Ok(()),
-        Some(pair) => Err(invalid(
-            format!("a file with {ASCENDING} {name}"),
-            format!("one with {} m after {} m", pair[1], pair[0]),
-        )),
+        Some(pair) => {
+            let (before, after) = (pair[0], pair[1]);
+            Err(Error::NotAscending { quantity, axis, before, after })
+        }
     }
 }
 
-fn check_values(distance: &[f64], count: usize) -> Result<(), Error> {
-    if distance.len() != count {
-        let found = distance.len();
-        return Err(invalid(format!("a file of {count} distances"), format!("one of {found}")));
+fn check_values(distance: &[f64], expected: usize) -> Result<(), Error> {
+    let count = distance.len();
+    if count != expected {
+        return Err(Error::WrongCount { quantity: QUANTITY, expected, count });
     }
-    match distance.iter().position(|d| !d.is_finite()) {
-        None => Ok(()),
-        Some(k) => Err(invalid(
-            "a file of finite distances".to_owned(),
-            format!("one with {} m in place {k}", distance[k]),
-        )),
-    }
+    distance
+        .iter()
+        .enumerate()
+        .try_for_each(|(k, d)| require_at(QUANTITY, Requirement::Finite, *d, Place::Index(k + 1)))
 }
 
 #[cfg(test)]
@@ -169,11 +162,14 @@ mod tests {
         let across =
             |y: &[f64], d: &[f64], r: f64| UndeformedDistance::across(y.to_vec(), d.to_vec(), r);
         let cases = [
-            (across(&y[..3], &y[..3], 1.0), "at least 4 values of y, but is one with 3"),
-            (across(&[0.0, 2.0, 1.0, 3.0], &y, 1.0), "ascending positions y, but is one with 1 m"),
-            (across(&y, &y[..3], 1.0), "4 distances, but is one of 3"),
-            (across(&y, &[0.0, 1.0, f64::NAN, 0.0], 1.0), "NaN m in place 2"),
-            (across(&y, &y, -1.0), "wheel.radius_x must be positive"),
+            (across(&y[..3], &y[..3], 1.0), "at least 4 values of y, but has 3"),
+            (
+                across(&[0.0, 2.0, 1.0, 3.0], &y, 1.0),
+                "ascend strictly in y, but 1 m comes after 2 m",
+            ),
+            (across(&y, &y[..3], 1.0), "must have 4 values, but has 3"),
+            (across(&y, &[0.0, 1.0, f64::NAN, 0.0], 1.0), "NaN m in place 3"),
+            (across(&y, &y, -1.0), "wheel_radius_x must be positive"),
         ];
         for (result, expected) in cases {
             let message = result.unwrap_err().to_string();

@@ -1,5 +1,7 @@
 //! Cubic interpolation between points of any spacing.
 
+use crate::numerics::interpolation::hermite;
+
 /// What a value in between takes of the points around it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Weights {
@@ -26,11 +28,10 @@ pub(super) fn weights_at(points: &[f64], at: f64) -> Weights {
     let width = points[i + 1] - points[i];
     let t = (at - points[i]) / width;
     let mut weights = [0.0; 4];
-    // Hermite: values at both ends, and slopes times the width.
-    weights[i - first] += (1.0 + 2.0 * t) * (1.0 - t).powi(2);
-    weights[i + 1 - first] += t * t * (3.0 - 2.0 * t);
-    let slopes = [(i, t * (1.0 - t).powi(2)), (i + 1, t * t * (t - 1.0))];
-    for (point, share) in slopes {
+    let [from, to, out, into] = hermite(t);
+    weights[i - first] += from;
+    weights[i + 1 - first] += to;
+    for (point, share) in [(i, out), (i + 1, into)] {
         let start = point.saturating_sub(1).min(last - 2);
         let by = slope(&points[start..start + 3], points[point]);
         for (k, by) in by.into_iter().enumerate() {

@@ -29,6 +29,9 @@ use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require, require_positive};
 use crate::grid::Extent;
 use crate::progress::{Watch, unwatched};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
+use crate::warning::Warning;
 
 pub use distance::UndeformedDistance;
 
@@ -74,11 +77,11 @@ impl Profile {
         load: f64,
         cells: usize,
     ) -> Result<Self, Error> {
-        require_positive("normal.load", load, "N")?;
-        require_positive("wheel.young_modulus", contact_modulus, "Pa")?;
+        require_positive(Quantity::Load, load)?;
+        require_positive(Quantity::WheelYoungModulus, contact_modulus)?;
         let [least, most] = CELLS_RANGE;
-        let range = format!("between {least} and {most}");
-        require((least..=most).contains(&cells), "normal.cells", &range, cells as f64, "cells")?;
+        let range = Requirement::Between(least as f64, most as f64);
+        require(Quantity::NormalCells, range, cells as f64)?;
         Ok(Self { distance, contact_modulus, load, cells, solved: Mutex::default() })
     }
 
@@ -112,8 +115,8 @@ impl Profile {
 /// 1/R = 1/R_wheel + 1/R_rail (in m) from the radii along rolling of wheel and rail (in m): positive where convex,
 /// negative where concave, infinite where flat.
 pub fn relative_radius(radii: [f64; 2]) -> Result<f64, Error> {
-    let radii = [("wheel.radius_x", radii[0]), ("rail.radius_x", radii[1])];
-    let curvature = curvature_sum(radii, "along rolling (wheel.radius_x, rail.radius_x)")?;
+    let radii = [(Quantity::WheelRadiusX, radii[0]), (Quantity::RailRadiusX, radii[1])];
+    let curvature = curvature_sum(radii)?;
     Ok(curvature.recip())
 }
 
@@ -126,7 +129,7 @@ fn placed(solved: Solved) -> Result<Placed, Error> {
 impl PressureSource for Profile {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         let load = load.unwrap_or(self.load);
-        require_positive("normal.load", load, "N")?;
+        require_positive(Quantity::Load, load)?;
         let own = self.contact(self.load, &unwatched)?.extent;
         let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
         let origin = [middle(own.x), middle(own.y)];
@@ -156,17 +159,13 @@ impl PressureSource for Profile {
         None
     }
 
-    fn caveat(&self) -> Option<String> {
+    fn caveat(&self) -> Option<Warning> {
         let own = self.contact(self.load, &unwatched).ok()?;
         let parts = own.table.parts();
         let across = self.distance.points_within(&own.extent);
         let fewest = across.into_iter().min()?;
-        (fewest < FEWEST_POINTS * parts).then(|| {
-            format!(
-                "normal.file: number of points of the distance across the patch: {fewest}. Its shape between them \
-                 is a guess; give {FEWEST_POINTS} or more for each part (there {})",
-                if parts == 1 { "is 1".to_owned() } else { format!("are {parts}") }
-            )
-        })
+        let is_coarse = fewest < FEWEST_POINTS * parts;
+        let (points, fewest) = (fewest, FEWEST_POINTS);
+        is_coarse.then_some(Warning::CoarseDistance { points, parts, fewest })
     }
 }

@@ -253,21 +253,12 @@ impl Search<'_> {
     /// Refuses a contact that reaches to where the distance is not known any more.
     fn refuse_edge(&self, pressed: &Pressed, touched: Rectangle) -> Result<(), Error> {
         let bounds = self.distance.bounds();
-        for (k, name) in ["x", "y"].into_iter().enumerate() {
+        for (k, axis) in ['x', 'y'].into_iter().enumerate() {
             for end in 0..2 {
                 let edge = bounds[k][end];
                 let is_there = pressed.rectangle[k][end] == edge && touched[k][end] == edge;
                 if is_there {
-                    return Err(Error::Contradiction {
-                        quantity: "normal.file",
-                        reason: format!(
-                            "under {} N the contact reaches the edge of the distance that is given, at {name} = \
-                             {:.6} mm: it must go on until the bodies are clear of each other (or its sign is \
-                             wrong: it is wheel minus rail, largest where they are farthest apart)",
-                            self.load,
-                            1e3 * edge
-                        ),
-                    });
+                    return Err(Error::ContactAtEdge { load: self.load, axis, edge });
                 }
             }
         }
@@ -347,12 +338,10 @@ impl Pressed {
         if self.solution.is_converged {
             return Ok(());
         }
-        Err(Error::NotConverged {
-            quantity: "normal.file",
-            reason: format!(
-                "the normal contact does not converge: after {} iterations its residual is {:.1e}, above {:.1e}",
-                self.solution.iterations, self.solution.residual, SOLVING.tolerance
-            ),
+        Err(Error::NormalNotConverged {
+            iterations: self.solution.iterations,
+            residual: self.solution.residual,
+            tolerance: SOLVING.tolerance,
         })
     }
 
@@ -410,12 +399,5 @@ fn spanned(points: &[f64], counts: impl Fn(usize) -> bool) -> Side {
 
 fn lost(rectangle: Rectangle) -> Error {
     let [x, y] = rectangle.map(|side| side.map(|at| 1e3 * at));
-    Error::NotConverged {
-        quantity: "normal.file",
-        reason: format!(
-            "the contact was not found in {MOST_ROUNDS} rounds; the last one looked at x = {:.6} to {:.6} mm, y = \
-             {:.6} to {:.6} mm",
-            x[0], x[1], y[0], y[1]
-        ),
-    }
+    Error::ContactNotFound { rounds: MOST_ROUNDS, x, y }
 }

@@ -16,6 +16,7 @@ use std::f64::consts::PI;
 
 use super::Boundary;
 use crate::fourier::{RealTransform, smooth_from};
+use crate::numerics::love;
 use crate::surface::Lattice;
 
 /// S and its approximate inverse on one lattice.
@@ -74,17 +75,14 @@ impl NormalCompliance {
 fn kernel(size: [usize; 2], spacing: [f64; 2], contact_modulus: f64) -> Vec<f64> {
     let over = (PI * contact_modulus).recip();
     let reach = size.map(|count| count / 2 + 1);
-    let corner = |i: usize, j: usize| {
-        let (x, y) = ((i as f64 - 0.5) * spacing[0], (j as f64 - 0.5) * spacing[1]);
-        x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh()
-    };
-    let corners: Vec<f64> =
-        (0..=reach[1]).flat_map(|j| (0..=reach[0]).map(move |i| corner(i, j))).collect();
-    let at = |i: usize, j: usize| corners[j * (reach[0] + 1) + i];
-    let cell = |i: usize, j: usize| at(i + 1, j + 1) - at(i, j + 1) - at(i + 1, j) + at(i, j);
+    let quadrant = love::cells(spacing, reach, |at| {
+        let [x, y] = love::corner(at);
+        [x + y]
+    });
     let distance = |k: usize, count: usize| k.min(count - k);
     let cells = (0..size[1]).flat_map(|j| (0..size[0]).map(move |i| [i, j]));
-    cells.map(|[i, j]| over * cell(distance(i, size[0]), distance(j, size[1]))).collect()
+    let influence = |i: usize, j: usize| over * quadrant[j * reach[0] + i][0];
+    cells.map(|[i, j]| influence(distance(i, size[0]), distance(j, size[1]))).collect()
 }
 
 #[cfg(test)]

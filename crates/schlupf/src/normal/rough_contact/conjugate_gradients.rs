@@ -23,6 +23,7 @@ use crate::progress::{Progress, Stage, Watch, tell};
 
 use super::RoughContactOptions;
 use super::compliance::NormalCompliance;
+use crate::numerics::vector::dot;
 
 /// The problem: Σ p and the bounds of p are given.
 pub(super) struct Equilibrium<'a> {
@@ -327,8 +328,4 @@ impl State {
             products: 0,
         }
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

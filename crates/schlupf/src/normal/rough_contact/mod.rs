@@ -16,8 +16,9 @@ mod area;
 mod compliance;
 mod conjugate_gradients;
 
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, SurfaceError, require_positive};
 use crate::progress::Watch;
+use crate::quantity::Quantity;
 use crate::surface::{HeightMap, Lattice};
 
 use compliance::NormalCompliance;
@@ -99,7 +100,7 @@ impl RoughContact {
         contact_modulus: f64,
         boundary: Boundary,
     ) -> Result<Self, Error> {
-        require_positive("wheel.young_modulus", contact_modulus, "Pa")?;
+        require_positive(Quantity::WheelYoungModulus, contact_modulus)?;
         if boundary == Boundary::Periodic {
             // Nothing else would decide where such a contact carries.
             distance.require_rough()?;
@@ -111,8 +112,9 @@ impl RoughContact {
 
     /// The same with a largest pressure: the hardness H of the softer body, in Pa.
     pub fn with_hardness(self, hardness: f64) -> Result<Self, Error> {
-        let legal = hardness > 0.0;
-        require(legal, "surface.hardness", "positive", hardness, "Pa")?;
+        if !hardness.is_infinite() || hardness < 0.0 {
+            require_positive(Quantity::Hardness, hardness)?;
+        }
         Ok(Self { hardness, ..self })
     }
 
@@ -157,7 +159,7 @@ impl RoughContact {
         options: &RoughContactOptions,
         watch: Watch,
     ) -> Result<RoughContactSolution, Error> {
-        require_positive("normal.pressure", mean_pressure, "Pa")?;
+        require_positive(Quantity::MeanPressure, mean_pressure)?;
         self.solve(mean_pressure * self.distance.lattice().area(), options, watch)
     }
 
@@ -168,11 +170,12 @@ impl RoughContact {
         options: &RoughContactOptions,
         watch: Watch,
     ) -> Result<RoughContactSolution, Error> {
-        require_positive("normal.load", load, "N")?;
-        require_positive("solver.tolerance", options.tolerance, "")?;
+        require_positive(Quantity::Load, load)?;
+        require_positive(Quantity::Tolerance, options.tolerance)?;
         let largest = self.hardness * self.distance.lattice().area();
-        let limit = format!("positive and below what the hardness can carry, {largest} N");
-        require(load < largest, "normal.load", &limit, load, "N")?;
+        if load >= largest {
+            return Err(SurfaceError::BeyondHardness { load, largest }.into());
+        }
         let mean_pressure = load / self.distance.lattice().area();
         let mut equilibrium = Equilibrium {
             distance: self.distance.heights(),

@@ -2,6 +2,7 @@
 //! the way through a cell, evenly.
 
 use crate::heat::{Heat, HeatStep};
+use crate::numerics::root::fixed_point;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 use crate::rolling::shared::passage::{self, flux_over_heat, ways_through};
@@ -64,7 +65,7 @@ impl Rubbing {
         let mut record = Vec::with_capacity(arrived.heat.len() + 1);
         record.push(HeatStep { flux: 0.0, duration: before / now.over_step.speed });
         record.extend_from_slice(&arrived.heat);
-        common_coefficient(self.friction, |tried| {
+        fixed_point(self.friction, |tried| {
             record[0].flux = passage::heat(tried * per_friction) * per_power;
             at(problem.heat.rise_times_effusivity(&record))
         })
@@ -85,35 +86,6 @@ pub(super) fn lagging(
     let Some(memory) = problem.friction_memory() else { return law };
     let arrived = arrived.unwrap_or_else(|| problem.entry_friction(&now.conduction, y).coefficient);
     law + (arrived - law) * memory.kept(slip_speed, way / now.over_step.speed).part
-}
-
-/// Most steps, each less than a third of the one before: enough for rounding.
-const FIXED_POINT_STEPS: usize = 60;
-
-/// Halvings of the interval around a root.
-const HALVINGS: usize = 60;
-
-/// The coefficient of friction μ with answer(μ) = μ: by fixed-point steps as long as they contract
-/// well, else by bisection between it and what it asks for.
-fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
-    let (mut tried, mut last) = (start, f64::INFINITY);
-    for _ in 0..FIXED_POINT_STEPS {
-        let asked = answer(tried);
-        let distance = (asked - tried).abs();
-        if distance <= 1e-15 * start.max(asked) {
-            return asked;
-        }
-        if distance > 0.3 * last {
-            let (mut low, mut high) = (tried.min(asked), tried.max(asked));
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if answer(middle) > middle { low = middle } else { high = middle }
-            }
-            return 0.5 * (low + high);
-        }
-        (tried, last) = (asked, distance);
-    }
-    tried
 }
 
 /// The temperature of an element in a cell, and its record when it leaves.

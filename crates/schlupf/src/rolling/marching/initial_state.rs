@@ -37,12 +37,7 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
                 .all(|v| v.is_finite())
     };
     if !state.elements.iter().all(is_sound) {
-        return Err(Error::Contradiction {
-            quantity: "solver.initial_state",
-            reason: "the state has an element outside the grid, two in one cell, one with more traction \
-                     than friction allows, or one whose slip speed, friction or heat cannot be"
-                .to_owned(),
-        });
+        return Err(Error::ImpossibleState {});
     }
     let fits = (state.grid.columns, state.grid.rows) == (grid.columns, grid.rows)
         && close(state.grid.spacing_x, grid.spacing_x)
@@ -52,20 +47,10 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     if fits {
         return Ok(state.clone());
     }
-    Err(Error::Contradiction {
-        quantity: "solver.initial_state",
-        reason: format!(
-            "the state was left on a grid of {} × {} cells of {:e} × {:e} m, but this problem has \
-             {} × {} cells of {:e} × {:e} m",
-            state.grid.columns,
-            state.grid.rows,
-            state.grid.spacing_x,
-            state.grid.spacing_y,
-            grid.columns,
-            grid.rows,
-            grid.spacing_x,
-            grid.spacing_y
-        ),
+    let both = [&state.grid, grid];
+    Err(Error::StateOfAnotherGrid {
+        cells: both.map(|grid| [grid.columns, grid.rows]),
+        spacings: both.map(|grid| [grid.spacing_x, grid.spacing_y]),
     })
 }
 

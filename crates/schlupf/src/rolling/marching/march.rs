@@ -1,15 +1,17 @@
 //! The march: all that changes from step to step.
 
-use crate::equilibrium::{Limits, Newton, Outcome, measure, norm};
+use crate::equilibrium::{Limits, Newton, Outcome, measure};
 use crate::error::{Error, require_finite};
 use crate::grid::{Grid, VectorField};
 use crate::history::History;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::normal::NormalContact;
+use crate::numerics::vector::norm;
 use crate::patch::Cell;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell, within};
+use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
 use crate::rolling::shared::passage::{speed_of, ways_through};
@@ -19,6 +21,7 @@ use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{self, snapshot::Snapshot};
 use crate::transient::Transient;
+use crate::warning::{Unconverged, Warning};
 
 use super::arrival::{Arrival, carry_over, positions};
 use super::friction_heat::{Rubbing, lagging, set_temperatures};
@@ -72,9 +75,8 @@ pub fn shift(
     options: &Options,
     watch: Watch,
 ) -> Result<Solution, Error> {
-    for component in shift {
-        require_finite("shift", component, "m")?;
-    }
+    require_finite(Quantity::ShiftX, shift[0])?;
+    require_finite(Quantity::ShiftY, shift[1])?;
     let history = History { shift: Some(shift), ..History::default() };
     let transient = Transient { history, ..Transient::to_steady_state(problem) };
     march(&transient, options, watch)
@@ -175,13 +177,7 @@ impl<'a> March<'a> {
         if steps <= MAX_HISTORY_STEPS && is_resolved {
             return Ok(());
         }
-        Err(Error::Contradiction {
-            quantity: "history.time",
-            reason: format!(
-                "from {start:e} s to {end:e} s the wheel rolls over up to {steps:.3e} cells, one a \
-                 time step; at most {MAX_HISTORY_STEPS:e} are allowed, and time must resolve them"
-            ),
-        })
+        Err(Error::HistoryTooLong { span: [start, end], steps, most: MAX_HISTORY_STEPS })
     }
 
     fn is_finished(&self) -> bool {
@@ -465,7 +461,7 @@ impl<'a> March<'a> {
         };
         let mut warnings = warnings(self.problem, self.options, &mut self.contact, &self.now);
         if status == Status::NotConverged {
-            warnings.insert(0, self.why_not_converged());
+            warnings.insert(0, Warning::of(self.why_not_converged()));
         }
         let state =
             State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
@@ -483,33 +479,19 @@ impl<'a> March<'a> {
         summary::solution(self.problem, self.options, (normal, patch, &self.now), account)
     }
 
-    fn why_not_converged(&self) -> String {
-        let tolerance = self.options.tolerance;
+    fn why_not_converged(&self) -> Unconverged {
+        let (tolerance, residual) = (self.options.tolerance, self.worst_residual);
+        let (steps, change) = (self.work.steps, self.passage_change);
         let rolls = !self.history.is_shift_only();
-        if self.worst_residual > tolerance && !rolls {
-            format!(
-                "not converged: after {} Newton steps the equilibrium has a residual of {:.1e}, above \
-                 the tolerance {tolerance:.1e}",
-                self.outcome.iterations, self.worst_residual
-            )
-        } else if self.worst_residual > tolerance {
-            format!(
-                "not converged: the worst equilibrium of a time step has a residual of {:.1e}, \
-                 above the tolerance {tolerance:.1e}",
-                self.worst_residual
-            )
-        } else if self.passage_change.is_infinite() && self.history.is_endless() {
-            format!(
-                "not converged: the march ends after {} time steps, before the material has \
-                 passed the patch twice",
-                self.work.steps
-            )
+        if residual > tolerance && !rolls {
+            let newton_steps = self.outcome.iterations;
+            Unconverged::Equilibrium { newton_steps, residual, tolerance }
+        } else if residual > tolerance {
+            Unconverged::TimeStep { residual, tolerance }
+        } else if change.is_infinite() && self.history.is_endless() {
+            Unconverged::ShortMarch { steps }
         } else {
-            format!(
-                "not converged: after {} time steps traction or temperature still change by {:.1e} \
-                 within a passage of the patch, above the tolerance {tolerance:.1e}",
-                self.work.steps, self.passage_change
-            )
+            Unconverged::UnsteadyMarch { steps, change, tolerance }
         }
     }
 }

@@ -12,6 +12,7 @@
 use crate::equilibrium::{self, Equilibrium, Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
+use crate::numerics::vector::norm;
 use crate::progress::Watch;
 use crate::rolling::shared::cell::{CellSolver, inverse_2x2, solve_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
@@ -107,7 +108,7 @@ impl Equilibrium for TimeStep<'_> {
     }
 
     fn scale(&self, p: &[f64]) -> f64 {
-        equilibrium::measure(equilibrium::norm(self.bound), equilibrium::norm(p).max(self.largest))
+        equilibrium::measure(norm(self.bound), norm(p).max(self.largest))
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {

@@ -1,11 +1,11 @@
 //! The discretised contact: a patch and the compliance of its cells.
 
 use crate::elasticity::Compliance;
-use crate::equilibrium::{dot, norm};
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
 use crate::interface::contact_law::Slide;
 use crate::normal::{NormalContact, NormalSummary};
+use crate::numerics::vector::{dot, norm};
 use crate::patch::{Interpolation, Patch};
 use crate::problem::Problem;
 
@@ -332,14 +332,8 @@ fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
     if !patch.is_empty() && load > 0.0 && load.is_finite() {
         return Ok(patch);
     }
-    Err(Error::Contradiction {
-        quantity: "normal.load",
-        reason: format!(
-            "a load of {:e} N on semi-axes of {:e} m and {:e} m leaves no pressure that a computer \
-             can hold",
-            normal.summary.load, normal.summary.semi_axis_x, normal.summary.semi_axis_y
-        ),
-    })
+    let NormalSummary { load, semi_axis_x, semi_axis_y, .. } = normal.summary;
+    Err(Error::NoPressure { load, semi_axes: [semi_axis_x, semi_axis_y] })
 }
 
 /// Cold coefficient of friction times the slope of the contact law at rest, in 1/m.

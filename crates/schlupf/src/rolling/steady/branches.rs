@@ -32,10 +32,6 @@ const ROLLING: f64 = 0.95;
 /// Difference of the forces over μ0 N from which on two states are two, in tolerances.
 pub(super) const DISTINCT: f64 = 30.0;
 
-/// What is said where a branch could not be followed.
-pub(super) const LOST: &str = "friction falls so fast that there may be several steady states; they \
-    could not be followed along the creepage, so it is open which one this is";
-
 /// Whether friction feeds back on the slip so strongly that there may be several steady states;
 /// `has_state` says that the slip is that of one.
 pub(super) fn may_be_several(problem: &Problem, level: &Level, has_state: bool) -> bool {

@@ -6,11 +6,12 @@
 //! by the lengths. A load that makes the patch grow scales all lengths. Only what conduction along
 //! the surface changes with speeds and lengths is a difference of two kernels.
 
-use crate::equilibrium::{Equilibrium, Gmres, add_scaled, norm};
+use crate::equilibrium::{Equilibrium, Gmres};
 use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
 use crate::interface::friction::constants::FrictionConstant;
 use crate::kinematics::Kinematics;
+use crate::numerics::vector::{add_scaled, norm};
 use crate::patch::Cell;
 use crate::problem::Problem;
 use crate::solution::{Resultant, Sensitivity};

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
+use crate::numerics::vector::dot;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::shared::passage::speed_of;
@@ -14,6 +15,7 @@ use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Resultant, Solution, Status, Work};
 use crate::state::State;
 use crate::summary::{self, snapshot::Snapshot};
+use crate::warning::Warning;
 
 use super::branches;
 use super::level::{self, Descent, Level};
@@ -139,7 +141,7 @@ impl Setup {
         &mut self,
         problem: &Problem,
         search: &mut Search,
-    ) -> Result<(Outcome, Option<String>), Error> {
+    ) -> Result<(Outcome, Option<Warning>), Error> {
         let options = search.options;
         let (other, [here, there]) = match options.branch {
             Branch::LowSlip => (Branch::HighSlip, ["low", "high"]),
@@ -149,7 +151,7 @@ impl Setup {
         let here_found = self.follow(problem, options.branch, search)?;
         let (Some((outcome, force)), Some((_, other))) = (here_found, elsewhere) else {
             self.earlier.clear();
-            return Ok((self.find(problem, search)?, Some(branches::LOST.to_owned())));
+            return Ok((self.find(problem, search)?, Some(Warning::BranchLost {})));
         };
         let normal = &self.levels[0].contact.normal;
         let limit = problem.friction.cold_coefficient() * normal.load;
@@ -157,12 +159,13 @@ impl Setup {
         let turned = (force.moment_z - other.moment_z) / lever;
         let apart = (force.x - other.x).hypot(force.y - other.y).hypot(turned);
         let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
-            format!(
-                "friction falls so fast that there are several steady states: this one is reached \
-                 from {here} slip, with Fx = {:.6e} N and Fy = {:.6e} N; from {there} slip they \
-                 are {:.6e} N and {:.6e} N",
-                force.x, force.y, other.x, other.y
-            )
+            let tangential = |force: Resultant| [force.x, force.y];
+            Warning::SeveralStates {
+                branch: here,
+                force: tangential(force),
+                other_branch: there,
+                other_force: tangential(other),
+            }
         });
         Ok((outcome, warning))
     }
@@ -241,7 +244,6 @@ impl Setup {
             ]
         };
         let (made, next) = (difference(last, before), difference(&problem.kinematics, last));
-        let dot = |v: &[f64; 3], w: &[f64; 3]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
         let squared = dot(&made, &made);
         if squared == 0.0 {
             return 0.0;

@@ -11,6 +11,7 @@ use crate::rolling::marching::march;
 use crate::solution::{Resultant, Solution, Work};
 use crate::solver::Solver;
 use crate::transient::Transient;
+use crate::warning::Warning;
 
 use super::branches;
 use super::sensitivity::{by_constants, sensitivity};
@@ -39,7 +40,7 @@ pub struct SteadySolver {
 enum Attempt {
     Found(Box<Solution>),
     /// How far Newton's method got from a cold start, and what is to be said beside.
-    Failed(Outcome, Option<String>),
+    Failed(Outcome, Option<Warning>),
 }
 
 impl Attempt {
@@ -68,11 +69,8 @@ impl Solver for SteadySolver {
             Attempt::Failed(outcome, warning) => (outcome, warning),
         };
         let mut marched = march(&Transient::to_steady_state(problem), &self.options, watch)?;
-        marched.warnings.push(format!(
-            "the steady equilibrium was not found at once (residual {:.1e} after {} Newton steps); \
-             this is the end of a march, without derivatives",
-            outcome.residual, outcome.iterations
-        ));
+        let (residual, newton_steps) = (outcome.residual, outcome.iterations);
+        marched.warnings.push(Warning::Marched { residual, newton_steps });
         marched.warnings.extend(warning);
         Ok(marched)
     }
@@ -177,11 +175,7 @@ impl SteadySolver {
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {
-            solution.warnings.push(
-                "sensitivity: a linear system at the solution was not solved; the derivatives are \
-                 left out"
-                    .to_owned(),
-            );
+            solution.warnings.push(Warning::NoSensitivity {});
         }
     }
 }

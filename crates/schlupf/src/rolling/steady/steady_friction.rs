@@ -13,9 +13,10 @@ use crate::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
 use crate::heat::partition::Conduction;
 use crate::heat::peclet::semi_axes_of_grid;
 use crate::heat::strip_heat::StripHeat;
-use crate::interface::friction::common_coefficient::common_coefficient;
 use crate::interface::friction::{FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
+use crate::numerics::root::fixed_point;
+use crate::numerics::vector::add_scaled;
 use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::rolling::shared::passage::{
@@ -174,11 +175,11 @@ impl SteadyFriction {
             let mut conduction = ContactConduction::new(patch, conductors);
             let mut rise = vec![0.0; heat.len()];
             conduction.contact_rise(&heat, &mut rise);
-            crate::equilibrium::add_scaled(&mut rise, 1.0, &conduction.unheated);
+            add_scaled(&mut rise, 1.0, &conduction.unheated);
             rise
         };
         let (mut change, less) = (at(DIFFERENCE), at(-DIFFERENCE));
-        crate::equilibrium::add_scaled(&mut change, -1.0, &less);
+        add_scaled(&mut change, -1.0, &less);
         for change in &mut change {
             *change /= 2.0 * DIFFERENCE;
         }
@@ -241,7 +242,7 @@ impl SteadyFriction {
             let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
             let heat = passage::heat(passage::power(*along, self.rigid[k]));
             let flux = self.pressure[k] * heat * self.flux_over_power[k];
-            let coefficient = common_coefficient(start, |coefficient| {
+            let coefficient = fixed_point(start, |coefficient| {
                 self.heat.flux[k] = coefficient * flux;
                 self.warm(k);
                 self.respond(problem, patch, k);

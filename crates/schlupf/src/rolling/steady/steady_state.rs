@@ -2,6 +2,7 @@
 //! so is its heat. Traction, temperature and friction are one equilibrium.
 
 use crate::equilibrium::{self, Equilibrium};
+use crate::numerics::vector::norm;
 use crate::problem::Problem;
 use crate::rolling::shared::contact::Displaced;
 
@@ -54,7 +55,7 @@ impl Equilibrium for SteadyState<'_> {
     }
 
     fn scale(&self, p: &[f64]) -> f64 {
-        equilibrium::measure(self.level().strips.scale(), equilibrium::norm(p))
+        equilibrium::measure(self.level().strips.scale(), norm(p))
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {

@@ -7,9 +7,9 @@
 
 use std::sync::Arc;
 
-use crate::equilibrium;
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
 use crate::kinematics::Kinematics;
+use crate::numerics::vector::norm;
 use crate::patch::{Cell, Patch};
 use crate::problem::Problem;
 use crate::rolling::shared::cell::{CellSolver, inverse_2x2, times};
@@ -382,7 +382,7 @@ impl StripLaw {
 
     /// ‖μ pₙ‖₂, in Pa.
     pub fn scale(&self) -> f64 {
-        equilibrium::norm(&self.bound)
+        norm(&self.bound)
     }
 }
 

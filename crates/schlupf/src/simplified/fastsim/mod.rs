@@ -24,10 +24,10 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::heat::strip_heat::StripHeat;
 use crate::heat::{HeatModel, HeatStep};
-use crate::interface::friction::common_coefficient::common_coefficient;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
 use crate::normal::{NormalContact, NormalSummary, Pressure};
+use crate::numerics::root::fixed_point;
 use crate::patch::{Cell, Patch};
 use crate::problem::{Options, Problem};
 use crate::solution::Resultant;
@@ -70,12 +70,7 @@ impl Fastsim {
         let mut patch = Patch::new(normal, grid);
         if brush.bound == TractionBound::Parabolic {
             if matches!(normal.pressure, Pressure::Tabulated(..)) {
-                let reason = "the pressure of a table or a profile has no paraboloid: it needs \
-                              fastsim.bound = \"elliptic\", with which it bounds the traction itself";
-                return Err(Error::Contradiction {
-                    quantity: "fastsim.bound",
-                    reason: reason.to_owned(),
-                });
+                return Err(Error::NoParaboloid {});
             }
             make_parabolic(&mut patch, &normal.summary);
         }
@@ -176,7 +171,7 @@ impl Fastsim {
                     let ends = [cut(carried.traction, mu * pressure_before), next.traction];
                     (next, Passage::new(flexibility, motion, &cell.way_in, ends))
                 };
-                let mu = common_coefficient(start, |mu| {
+                let mu = fixed_point(start, |mu| {
                     let (_, passage) = arrive(mu);
                     let rise = heat.rise(k, inherited, passage.heat());
                     let slip_speed = passage.slip[0].hypot(passage.slip[1]);

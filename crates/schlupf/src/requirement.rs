@@ -1,10 +1,18 @@
 //! What a number must be.
 
+use crate::message::Words;
+use crate::quantity::Quantity;
+
 /// A condition on a number in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Requirement {
     /// Any finite number.
     Finite,
+    /// Above zero and finite.
+    Positive,
+    /// Zero or above, and finite.
+    NotNegative,
     /// Finite and of no larger magnitude.
     Magnitude(f64),
     /// Within bounds that belong to it.
@@ -18,6 +26,10 @@ pub enum Requirement {
     /// A radius of curvature of at least and at most these magnitudes: positive where convex,
     /// negative where concave, infinite where straight.
     Radius(f64, f64),
+    /// Not zero; infinite where flat.
+    NotZero,
+    /// Not negative, and at most the value of another quantity.
+    UpTo(Quantity, f64),
 }
 
 impl Requirement {
@@ -27,21 +39,30 @@ impl Requirement {
             Self::Radius(low, high) => {
                 value == f64::INFINITY || (low..=high).contains(&value.abs())
             }
+            Self::NotZero => !value.is_nan() && value != 0.0,
             _ if !value.is_finite() => false,
             Self::Finite => true,
+            Self::Positive => value > 0.0,
+            Self::NotNegative => value >= 0.0,
             Self::Magnitude(high) => value.abs() <= high,
             Self::Between(low, high) => (low..=high).contains(&value),
             Self::Inside(low, high) => low < value && value < high,
             Self::AboveUpTo(low, high) => low < value && value <= high,
             Self::AtLeast(low) => value >= low,
+            Self::UpTo(_, high) => (0.0..=high).contains(&value),
         }
     }
 
     /// It in words, to follow "must be"; `unit` is the unit of the bounds.
-    pub fn text(self, unit: &str) -> String {
-        let words = match self {
+    pub fn text(self, unit: &str, words: &dyn Words) -> String {
+        let bounds = match self {
             Self::Finite => return "finite".to_owned(),
-            Self::Magnitude(high) => format!("finite and at most ±{}", readable(high)),
+            Self::Positive => return "positive and finite".to_owned(),
+            Self::NotNegative => return "finite and not negative".to_owned(),
+            Self::NotZero => return "other than 0 (inf where flat)".to_owned(),
+            Self::UpTo(other, high) => {
+                return format!("between 0 and {} = {high}", words.word(other));
+            }
             Self::Radius(low, high) => {
                 let (low, high) = (readable(low), readable(high));
                 return format!(
@@ -49,6 +70,7 @@ impl Requirement {
                      concave, \"inf\" where straight"
                 );
             }
+            Self::Magnitude(high) => format!("finite and at most ±{}", readable(high)),
             Self::Between(low, high) => {
                 format!("between {} and {}", readable(low), readable(high))
             }
@@ -60,18 +82,21 @@ impl Requirement {
             }
             Self::AtLeast(low) => format!("at least {}", readable(low)),
         };
-        format!("{words} {unit}").trim_end().to_owned()
+        format!("{bounds} {unit}").trim_end().to_owned()
     }
 
-    /// Bounds for a JSON schema: its keyword and the number.
-    pub fn bounds(self) -> Vec<(&'static str, f64)> {
+    /// The bounds that do not depend on other quantities, the least and the largest number; what is
+    /// `true` belongs to the range.
+    pub fn bounds(self) -> [Option<(f64, bool)>; 2] {
         match self {
-            Self::Finite | Self::Radius(..) => Vec::new(),
-            Self::Magnitude(high) => vec![("minimum", -high), ("maximum", high)],
-            Self::Between(low, high) => vec![("minimum", low), ("maximum", high)],
-            Self::Inside(low, high) => vec![("exclusiveMinimum", low), ("exclusiveMaximum", high)],
-            Self::AboveUpTo(low, high) => vec![("exclusiveMinimum", low), ("maximum", high)],
-            Self::AtLeast(low) => vec![("minimum", low)],
+            Self::Finite | Self::NotZero | Self::Radius(..) => [None; 2],
+            Self::Positive => [Some((0.0, false)), None],
+            Self::NotNegative | Self::UpTo(..) => [Some((0.0, true)), None],
+            Self::Magnitude(high) => [Some((-high, true)), Some((high, true))],
+            Self::Between(low, high) => [Some((low, true)), Some((high, true))],
+            Self::Inside(low, high) => [Some((low, false)), Some((high, false))],
+            Self::AboveUpTo(low, high) => [Some((low, false)), Some((high, true))],
+            Self::AtLeast(low) => [Some((low, true)), None],
         }
     }
 }
@@ -89,21 +114,25 @@ pub fn readable(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::message::Names;
 
     #[test]
     fn only_a_radius_may_be_infinite_and_nothing_is_nan() {
         let all = [
             Requirement::Finite,
+            Requirement::Positive,
+            Requirement::NotNegative,
             Requirement::Magnitude(1.0),
             Requirement::Between(0.0, 1.0),
             Requirement::Inside(0.0, 1.0),
             Requirement::AboveUpTo(0.0, 1.0),
             Requirement::AtLeast(1.0),
             Requirement::Radius(0.1, 10.0),
+            Requirement::NotZero,
         ];
         for requirement in all {
             assert!(!requirement.holds(f64::NAN));
-            let is_radius = matches!(requirement, Requirement::Radius(..));
+            let is_radius = matches!(requirement, Requirement::Radius(..) | Requirement::NotZero);
             assert_eq!(requirement.holds(f64::INFINITY), is_radius);
             assert!(requirement.holds(1.0) || requirement == Requirement::Inside(0.0, 1.0));
         }
@@ -114,8 +143,9 @@ mod tests {
 
     #[test]
     fn bounds_are_no_runs_of_zeros() {
-        assert_eq!(Requirement::Between(1e3, 1e14).text("Pa"), "between 1000 and 1e14 Pa");
-        assert_eq!(Requirement::Magnitude(1e6).text("1/m"), "finite and at most ±1e6 1/m");
+        let text = |requirement: Requirement, unit| requirement.text(unit, &Names);
+        assert_eq!(text(Requirement::Between(1e3, 1e14), "Pa"), "between 1000 and 1e14 Pa");
+        assert_eq!(text(Requirement::Magnitude(1e6), "1/m"), "finite and at most ±1e6 1/m");
         let texts = ["0", "-273.15", "1.5708", "0.999", "1e-6", "-2.5e5"];
         let numbers = [0.0, -273.15, std::f64::consts::FRAC_PI_2, 0.999, 1e-6, -2.5e5];
         assert_eq!(numbers.map(readable), texts);

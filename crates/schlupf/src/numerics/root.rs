@@ -1,15 +1,49 @@
-//! The coefficient of friction that agrees with the heat and the slip it makes.
+//! Roots, minima and fixed points.
+
+/// What is left of an interval that was halved so many times about the place where `is_below`, which holds
+/// at its first end, stops holding.
+pub(crate) fn bisection(
+    [mut low, mut high]: [f64; 2],
+    halvings: u32,
+    is_below: impl Fn(f64) -> bool,
+) -> [f64; 2] {
+    for _ in 0..halvings {
+        let middle = 0.5 * (low + high);
+        *(if is_below(middle) { &mut low } else { &mut high }) = middle;
+    }
+    [low, high]
+}
+
+/// The golden section, ½ (√5 − 1).
+pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Where a function is least in an interval with one minimum, by the golden section in so many steps.
+pub(crate) fn golden_section(
+    [mut low, mut high]: [f64; 2],
+    steps: u32,
+    value: impl Fn(f64) -> f64,
+) -> f64 {
+    for _ in 0..steps {
+        let [left, right] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        if value(left) < value(right) {
+            high = right;
+        } else {
+            low = left;
+        }
+    }
+    0.5 * (low + high)
+}
 
 /// Most evaluations; a root to rounding takes some five.
 const EVALUATIONS: usize = 60;
 
-/// Relative accuracy of the coefficient.
+/// Relative accuracy of a fixed point.
 const ACCURACY: f64 = 1e-12;
 
-/// The coefficient μ ≥ 0 (dimensionless) with answer(μ) = μ: by the secant through the last two, and by
+/// The x ≥ 0 with answer(x) = x: by the secant through the last two, and by
 /// bisection where that leaves what is known to hold the root. `answer` is never negative. Where
 /// there are several roots, one of them.
-pub(crate) fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn fixed_point(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut tried = start;
     let mut last: Option<[f64; 2]> = None;
@@ -46,15 +80,25 @@ pub(crate) fn common_coefficient(start: f64, mut answer: impl FnMut(f64) -> f64)
 
 #[cfg(test)]
 mod tests {
-    use super::common_coefficient;
     use approx::assert_relative_eq;
+
+    use super::*;
+
+    #[test]
+    fn roots_and_minima_are_found() {
+        let [below, above] = bisection([0.0, 4.0], 60, |x| x * x < 2.0);
+        assert!(below * below < 2.0 && above * above >= 2.0 && above - below < 3e-16);
+        // A minimum is as sharp as its value is rounded.
+        let least = golden_section([-1.0, 3.0], 60, |x| (x - 0.3).powi(2));
+        assert!((least - 0.3).abs() < 1e-8, "{least}");
+    }
 
     /// Mild and steep falls, a rise, a jump, and a root near zero; in few evaluations where it is smooth.
     #[test]
     fn roots_are_found() {
         let count = |answer: &dyn Fn(f64) -> f64, root: f64| {
             let mut evaluations = 0;
-            let found = common_coefficient(0.4, |mu| {
+            let found = fixed_point(0.4, |mu| {
                 evaluations += 1;
                 answer(mu)
             });

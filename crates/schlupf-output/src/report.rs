@@ -1,0 +1,51 @@
+//! What every command has in common: a result that is written in several forms.
+
+use schlupf::Status;
+use schlupf::message::Message;
+
+use crate::figures::{Figure, FigureError};
+
+/// A result with all forms in which it can be written.
+pub trait Report {
+    /// Whether to trust it.
+    fn status(&self) -> Status;
+
+    /// Whatever the reader of the numbers must know.
+    fn warnings(&self) -> &[Message];
+
+    /// For other programs; a number that is not known is `null`.
+    fn json(&self) -> String;
+
+    /// For people, on a terminal.
+    fn summary(&self) -> String;
+
+    /// As a table: a comment line (`#`) with the units, a header line, then one row per record. Every
+    /// number has the digits that give back the same number when read; what is not known is empty.
+    fn csv(&self) -> Option<String> {
+        None
+    }
+
+    /// What there is to draw.
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        Ok(Vec::new())
+    }
+
+    /// The bytes of a file that only this kind of result has, by the name of its format.
+    fn own_file(&self, _format: &str) -> Option<Vec<u8>> {
+        None
+    }
+}
+
+/// Why results did not converge, one reason a line, to stand beside their status.
+pub(crate) fn reasons(warnings: &[Message]) -> impl Iterator<Item = &str> {
+    let reasons = warnings.iter().filter(|message| message.is_of_convergence());
+    reasons.map(|message| message.text.as_str())
+}
+
+/// A status for people.
+pub(crate) fn verdict(status: Status) -> &'static str {
+    match status {
+        Status::Converged => "converged",
+        Status::NotConverged => "NOT CONVERGED: do not trust these numbers",
+    }
+}

@@ -1,0 +1,69 @@
+//! The solution of a case: JSON, CSV, VTK, a summary and figures.
+
+use schlupf::message::Message;
+use schlupf::{Solution, Status};
+
+use crate::contact_law::ContactLaw;
+use crate::figures::{self, Figure, FigureError};
+use crate::json::{self, Document};
+use crate::report::Report;
+use crate::{summary, table, vtk};
+
+/// A solution with what it was found for.
+#[derive(Debug, Clone)]
+pub struct SolutionReport {
+    /// Title of the case.
+    pub title: String,
+    /// k_c and where it comes from; none for a fast method, which has no contact law.
+    pub contact_law: Option<ContactLaw>,
+    /// The solution.
+    pub solution: Solution,
+    /// Whatever the reader of the numbers must know.
+    pub warnings: Vec<Message>,
+}
+
+impl SolutionReport {
+    /// Format of the fields for `ParaView`.
+    pub const VTK: &str = "vtk";
+    /// Format of the state at the end.
+    pub const STATE: &str = "state";
+}
+
+impl Report for SolutionReport {
+    fn status(&self) -> Status {
+        self.solution.status
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        let document = Document::new(&self.title, &self.solution, &self.warnings);
+        json::text(&document.with_law(self.contact_law.as_ref()))
+    }
+
+    fn summary(&self) -> String {
+        summary::text(self)
+    }
+
+    fn csv(&self) -> Option<String> {
+        let note = "tractions on the wheel, positions are centroids of the covered part of a cell";
+        Some(table::csv(&self.solution.fields, note))
+    }
+
+    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+        if self.solution.fields.is_empty() {
+            return Ok(Vec::new());
+        }
+        figures::all(&self.title, &self.solution)
+    }
+
+    fn own_file(&self, format: &str) -> Option<Vec<u8>> {
+        match format {
+            Self::VTK => Some(vtk::structured_points(&self.title, &self.solution)),
+            Self::STATE => serde_json::to_vec(&self.solution.state).ok(),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Records as tables: CSV, and the arrays of a JSON document.
+
+use schlupf::Quantity;
+use schlupf::columns::{Record, Value};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
+use crate::number::without_sign_of_zero;
+
+/// A table of text.
+#[derive(Debug, Default)]
+pub(crate) struct Table {
+    names: Vec<String>,
+    units: Vec<String>,
+    rows: Vec<String>,
+}
+
+impl Table {
+    /// A table with a column of text before those of records.
+    pub fn with(mut self, name: &str, unit: &str) -> Self {
+        self.names.push(name.to_owned());
+        self.units.push(unit.to_owned());
+        self
+    }
+
+    /// The same with the columns of a record.
+    pub fn with_columns<R: Record + ?Sized>(mut self) -> Self {
+        for column in R::columns() {
+            self = self.with(column.name, unit(column.quantity));
+        }
+        self
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, entries: impl IntoIterator<Item = String>) {
+        self.rows.push(entries.into_iter().collect::<Vec<_>>().join(","));
+    }
+
+    /// It as CSV; `note` says what else there is to know, and stands behind the units.
+    pub fn csv(&self, note: &str) -> String {
+        let note = if note.is_empty() { String::new() } else { format!("; {note}") };
+        let head = format!("# units: {}{note}\n{}\n", self.units.join(", "), self.names.join(","));
+        self.rows.iter().fold(head, |text, row| text + row + "\n")
+    }
+}
+
+/// A record as CSV.
+pub(crate) fn csv<R: Record + ?Sized>(record: &R, note: &str) -> String {
+    let mut table = Table::default().with_columns::<R>();
+    for row in 0..record.rows() {
+        table.push(entries(record, row));
+    }
+    table.csv(note)
+}
+
+/// The entries of a row.
+pub(crate) fn entries<R: Record + ?Sized>(record: &R, row: usize) -> impl Iterator<Item = String> {
+    R::columns().iter().map(move |column| entry((column.value)(record, row)))
+}
+
+/// An entry: the shortest text that reads back as the same number.
+pub(crate) fn entry(value: Value) -> String {
+    match value {
+        Value::Number(number) if number.is_finite() => {
+            format!("{:e}", without_sign_of_zero(number))
+        }
+        Value::Count(count) => count.to_string(),
+        Value::Flag(flag) => u8::from(flag).to_string(),
+        Value::Name(name) => name.to_owned(),
+        Value::Number(_) | Value::Unknown => String::new(),
+    }
+}
+
+/// What the entries of a column are.
+fn unit(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Sliding => "0 or 1",
+        Quantity::Convergence => "converged or not-converged",
+        Quantity::Component => "x or y",
+        Quantity::Method | Quantity::Elasticity => "name",
+        other if other.unit().is_empty() => "1",
+        other => other.unit(),
+    }
+}
+
+/// A text in quotes where it would not be one entry without (RFC 4180).
+pub(crate) fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r', '#']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+/// A record as arrays of the same length, one for each column.
+pub(crate) struct Arrays<'a, R: ?Sized>(pub &'a R);
+
+impl<R: Record + ?Sized> Serialize for Arrays<'_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(R::columns().len()))?;
+        for column in R::columns() {
+            let values = (0..self.0.rows()).map(|row| Entry((column.value)(self.0, row)));
+            map.serialize_entry(column.name, &values.collect::<Vec<_>>())?;
+        }
+        map.end()
+    }
+}
+
+/// A value as JSON has it.
+struct Entry(Value);
+
+impl Serialize for Entry {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Value::Number(number) => serializer.serialize_f64(number),
+            Value::Count(count) => serializer.serialize_u64(count as u64),
+            Value::Flag(flag) => serializer.serialize_bool(flag),
+            Value::Name(name) => serializer.serialize_str(name),
+            Value::Unknown => serializer.serialize_none(),
+        }
+    }
+}

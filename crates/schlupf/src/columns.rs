@@ -1,0 +1,262 @@
+//! Results as columns: for every record what each of its numbers is, and how to get it.
+//!
+//! CSV, JSON, VTK and whatever else shows results reads these tables, so a new number stands in all of
+//! them as soon as it stands here.
+
+use crate::creep_curve::CreepCurve;
+use crate::interface::roughness::load_curve::LoadCurve;
+use crate::interface::roughness::tangential_curve::TangentialCurve;
+use crate::quantity::Quantity;
+use crate::solution::{Fields, Instant, Status};
+
+/// An entry of a column.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// A number, in the unit of the quantity or dimensionless.
+    Number(f64),
+    /// A whole number.
+    Count(usize),
+    /// Whether or not.
+    Flag(bool),
+    /// One of several names.
+    Name(&'static str),
+    /// What is not known.
+    Unknown,
+}
+
+impl Value {
+    /// It as a number (in the unit of the quantity, or dimensionless), where it is one; a flag is 0 or 1.
+    pub fn number(self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(number),
+            Self::Count(count) => Some(count as f64),
+            Self::Flag(flag) => Some(f64::from(u8::from(flag))),
+            Self::Name(_) | Self::Unknown => None,
+        }
+    }
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<Option<f64>> for Value {
+    fn from(number: Option<f64>) -> Self {
+        number.map_or(Self::Unknown, Self::Number)
+    }
+}
+
+impl From<usize> for Value {
+    fn from(count: usize) -> Self {
+        Self::Count(count)
+    }
+}
+
+impl From<bool> for Value {
+    fn from(flag: bool) -> Self {
+        Self::Flag(flag)
+    }
+}
+
+impl From<Status> for Value {
+    fn from(status: Status) -> Self {
+        Self::Name(status.name())
+    }
+}
+
+/// A column of a record.
+#[derive(Debug, Clone, Copy)]
+pub struct Column<R: ?Sized> {
+    /// Its name in results.
+    pub name: &'static str,
+    /// The quantity that it holds: symbol, unit, description.
+    pub quantity: Quantity,
+    /// The entry of a row.
+    pub value: fn(&R, usize) -> Value,
+}
+
+impl<R: ?Sized> Column<R> {
+    /// A column that is called like its quantity.
+    pub const fn new(quantity: Quantity, value: fn(&R, usize) -> Value) -> Self {
+        Self { name: quantity.name(), quantity, value }
+    }
+
+    /// The same with another name.
+    #[must_use]
+    pub const fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+}
+
+/// A result of rows with the same columns.
+pub trait Record: 'static {
+    /// How many rows there are.
+    fn rows(&self) -> usize;
+
+    /// The columns.
+    fn columns() -> &'static [Column<Self>];
+}
+
+/// The columns of a record: `quantity => |record, row| entry`, with another name in quotes where the
+/// quantity has one that says too much.
+#[macro_export]
+macro_rules! columns {
+    ($record:ty: $($quantity:ident $($name:literal)? => |$r:pat_param, $k:pat_param| $value:expr),* $(,)?) => {{
+        const COLUMNS: &[$crate::columns::Column<$record>] = &[$(
+            $crate::columns::Column::new(
+                $crate::Quantity::$quantity,
+                |$r: &$record, $k: usize| $crate::columns::Value::from($value),
+            )$(.named($name))?
+        ),*];
+        COLUMNS
+    }};
+}
+
+/// Contact cells, strip by strip from the leading to the trailing edge; tractions on the wheel.
+impl Record for Fields {
+    fn rows(&self) -> usize {
+        self.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Fields:
+            X => |fields, k| fields.x[k],
+            Y => |fields, k| fields.y[k],
+            Pressure => |fields, k| fields.pressure[k],
+            TractionX => |fields, k| fields.traction_x[k],
+            TractionY => |fields, k| fields.traction_y[k],
+            SlipX => |fields, k| fields.slip_x[k],
+            SlipY => |fields, k| fields.slip_y[k],
+            DisplacementX => |fields, k| fields.displacement_x[k],
+            DisplacementY => |fields, k| fields.displacement_y[k],
+            Friction "friction_coefficient" => |fields, k| fields.friction_coefficient[k],
+            FrictionPowerDensity "friction_power" => |fields, k| fields.friction_power[k],
+            RiseWheel => |fields, k| fields.temperature_rise_wheel[k],
+            RiseRail => |fields, k| fields.temperature_rise_rail[k],
+            Covered => |fields, k| fields.covered[k],
+            Sliding => |fields, k| fields.sliding[k],
+        }
+    }
+}
+
+/// Time steps; forces on the wheel.
+impl Record for [Instant] {
+    fn rows(&self) -> usize {
+        self.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { [Instant]:
+            Time => |steps, k| steps[k].time,
+            Distance => |steps, k| steps[k].distance,
+            Speed => |steps, k| steps[k].kinematics.speed,
+            CreepageX => |steps, k| steps[k].kinematics.creepage_x,
+            CreepageY => |steps, k| steps[k].kinematics.creepage_y,
+            Spin => |steps, k| steps[k].kinematics.spin,
+            Load => |steps, k| steps[k].load,
+            ForceX => |steps, k| steps[k].force.x,
+            ForceY => |steps, k| steps[k].force.y,
+            MomentZ => |steps, k| steps[k].force.moment_z,
+            FrictionPower => |steps, k| steps[k].friction_power,
+            CreepPower => |steps, k| steps[k].creep_power,
+            StoredEnergy => |steps, k| steps[k].stored_energy,
+            MaxRise => |steps, k| steps[k].max_rise,
+        }
+    }
+}
+
+/// Points in the order of the path; forces on the wheel.
+impl Record for CreepCurve {
+    fn rows(&self) -> usize {
+        self.points.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { CreepCurve:
+            Speed => |curve, k| curve.points[k].kinematics.speed,
+            CreepageX => |curve, k| curve.points[k].kinematics.creepage_x,
+            CreepageY => |curve, k| curve.points[k].kinematics.creepage_y,
+            Spin => |curve, k| curve.points[k].kinematics.spin,
+            ForceX => |curve, k| curve.points[k].force.x,
+            ForceY => |curve, k| curve.points[k].force.y,
+            MomentZ => |curve, k| curve.points[k].force.moment_z,
+            NormalisedX => |curve, k| curve.points[k].normalised.x,
+            NormalisedY => |curve, k| curve.points[k].normalised.y,
+            NormalisedMomentZ => |curve, k| curve.points[k].normalised.moment_z,
+            TractionCoefficient => |curve, k| curve.points[k].traction_coefficient,
+            FrictionPower => |curve, k| curve.points[k].power.friction,
+            CreepPower => |curve, k| curve.points[k].power.creep,
+            MaxRise => |curve, k| curve.points[k].max_rise,
+            ContactArea => |curve, k| curve.points[k].area.contact,
+            StickArea => |curve, k| curve.points[k].area.stick,
+            SlipArea => |curve, k| curve.points[k].area.slip,
+            Residual => |curve, k| curve.points[k].residual,
+            NewtonIterations => |curve, k| curve.points[k].work.newton_iterations,
+            OperatorProducts => |curve, k| curve.points[k].work.operator_products,
+            Convergence "status" => |curve, k| curve.points[k].status,
+        }
+    }
+}
+
+/// Loads on a rough surface.
+impl Record for LoadCurve {
+    fn rows(&self) -> usize {
+        self.points().len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { LoadCurve:
+            MeanPressure => |curve, k| curve.points()[k].mean_pressure,
+            Approach => |curve, k| curve.points()[k].approach,
+            MeanGap => |curve, k| curve.points()[k].mean_gap,
+            ContactFraction => |curve, k| curve.points()[k].contact_fraction,
+            CorrectedContactFraction => |curve, k| curve.points()[k].corrected_contact_fraction,
+            SpotPressure => |curve, k| curve.points()[k].spot_pressure,
+            PlasticFraction => |curve, k| curve.points()[k].plastic_fraction,
+            Iterations => |curve, k| curve.points()[k].iterations,
+        }
+    }
+}
+
+/// Displacements of a rough surface at one mean pressure.
+impl Record for TangentialCurve {
+    fn rows(&self) -> usize {
+        self.points.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { TangentialCurve:
+            SurfaceDisplacement "displacement" => |curve, k| curve.points[k].displacement,
+            SurfaceTraction "traction" => |curve, k| curve.points[k].traction,
+            NormalisedTraction => |curve, k| curve.points[k].normalised_traction,
+            NormalisedDisplacement => |curve, k| curve.points[k].normalised_displacement,
+            TangentialStiffness "stiffness" => |curve, k| curve.points[k].stiffness,
+            MicroSlip => |curve, k| curve.points[k].micro_slip,
+            SlidingFraction => |curve, k| curve.points[k].sliding_fraction,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check<R: Record + ?Sized>() {
+        let mut names: Vec<&str> = R::columns().iter().map(|column| column.name).collect();
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count, "{names:?}");
+    }
+
+    #[test]
+    fn no_record_has_two_columns_of_one_name() {
+        check::<Fields>();
+        check::<[Instant]>();
+        check::<CreepCurve>();
+        check::<LoadCurve>();
+        check::<TangentialCurve>();
+    }
+}

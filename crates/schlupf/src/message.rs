@@ -1,0 +1,122 @@
+//! What is said to the reader of numbers: errors and warnings, each kind declared once with its code,
+//! its values and its sentence.
+
+use std::borrow::Cow;
+
+use crate::quantity::Quantity;
+
+/// What a face calls quantities: paths in a case file, options of a command, keywords of a function.
+pub trait Words {
+    /// Its word for a quantity.
+    fn word(&self, quantity: Quantity) -> Cow<'static, str>;
+
+    /// How it says that a quantity has a name as its value.
+    fn choice(&self, quantity: Quantity, name: &str) -> String {
+        format!("{} = {name:?}", self.word(quantity))
+    }
+}
+
+/// The names of the registry itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Names;
+
+impl Words for Names {
+    fn word(&self, quantity: Quantity) -> Cow<'static, str> {
+        quantity.name().into()
+    }
+}
+
+/// An error or a warning in the words of a face.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Message {
+    /// Which kind; a word that stays the same in every version.
+    pub code: &'static str,
+    /// The quantity that it is about, in the words of the face.
+    pub quantity: String,
+    /// A sentence.
+    pub text: String,
+}
+
+impl Message {
+    /// Code of whatever says why results did not converge.
+    pub const NOT_CONVERGED: &'static str = "not-converged";
+
+    /// A message.
+    pub fn new(code: &'static str, quantity: impl Into<String>, text: impl Into<String>) -> Self {
+        Self { code, quantity: quantity.into(), text: text.into() }
+    }
+
+    /// Whether it says why results did not converge.
+    pub fn is_of_convergence(&self) -> bool {
+        self.code == Self::NOT_CONVERGED
+    }
+
+    /// The same with something in front of its sentence.
+    #[must_use]
+    pub fn about(self, subject: &str) -> Self {
+        Self { text: format!("{subject}: {}", self.text), ..self }
+    }
+}
+
+/// A number with its unit, if it has one.
+pub(crate) fn with_unit(value: f64, unit: &str) -> String {
+    format!("{value} {unit}").trim_end().to_owned()
+}
+
+/// Declares an enum of messages: for each kind its code, its values, the quantity that it is about and
+/// its sentence in given [`Words`].
+macro_rules! messages {
+    (
+        $(#[$about:meta])*
+        $name:ident: $(
+            $(#[$doc:meta])*
+            $code:literal $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
+            $quantity:expr, |$words:ident| $text:expr;
+        )*
+    ) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, PartialEq)]
+        #[non_exhaustive]
+        pub enum $name {
+            $($(#[$doc])* $kind { $($(#[$field_doc])* $field: $type),* }),*
+        }
+
+        #[allow(unused_variables, clippy::use_self)]
+        impl $name {
+            /// The codes of all kinds, in the order of their declaration.
+            pub const CODES: &[&str] = &[$($code),*];
+
+            /// Which kind it is, as a word that stays the same in every version.
+            pub fn code(&self) -> &'static str {
+                match self { $(Self::$kind { .. } => $code),* }
+            }
+
+            /// The quantity that it is about.
+            pub fn quantity(&self) -> $crate::quantity::Quantity {
+                match self { $(Self::$kind { $($field),* } => $quantity),* }
+            }
+
+            /// It as a sentence in the words of a face.
+            pub fn text(&self, words: &dyn $crate::message::Words) -> String {
+                match self {
+                    $(Self::$kind { $($field),* } => { let $words = words; $text })*
+                }
+            }
+
+            /// It in the words of a face.
+            pub fn message(&self, words: &dyn $crate::message::Words) -> $crate::message::Message {
+                let quantity = words.word(self.quantity());
+                $crate::message::Message::new(self.code(), quantity, self.text(words))
+            }
+        }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(&self.text(&$crate::message::Names))
+            }
+        }
+    };
+}
+
+pub(crate) use messages;

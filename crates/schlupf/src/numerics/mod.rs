@@ -1,0 +1,7 @@
+//! What several modules compute alike: sums over vectors, interpolation, roots and minima, sums over the
+//! corners of rectangles.
+
+pub(crate) mod interpolation;
+pub(crate) mod love;
+pub(crate) mod root;
+pub(crate) mod vector;

@@ -1,0 +1,255 @@
+//! The quantities of a rolling contact: inputs and results, each once.
+//!
+//! Errors, warnings and columns of results name a quantity by this type. What a face calls it, a
+//! path in a case file, an option or a keyword, is a matter of that face: see
+//! [`Words`](crate::message::Words).
+
+macro_rules! quantities {
+    ($($variant:ident $name:literal $symbol:literal $unit:literal $description:literal)*) => {
+        /// A quantity.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum Quantity {
+            $(#[doc = concat!($description, ", `", $name, "`.")] $variant),*
+        }
+
+        impl Quantity {
+            /// All of them: inputs, then what only results have.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// Its name: a word in lower case with underscores, the same in every version.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name),* }
+            }
+
+            /// Its symbol; empty where it has none.
+            pub fn symbol(self) -> &'static str {
+                match self { $(Self::$variant => $symbol),* }
+            }
+
+            /// Its SI unit, temperatures in degC; empty where it is dimensionless.
+            pub const fn unit(self) -> &'static str {
+                match self { $(Self::$variant => $unit),* }
+            }
+
+            /// What it is, in a few words.
+            pub fn description(self) -> &'static str {
+                match self { $(Self::$variant => $description),* }
+            }
+        }
+    };
+}
+
+quantities! {
+    Speed "speed" "v0" "m/s" "speed of the vehicle and of the contact frame"
+    CreepageX "creepage_x" "ξ" "" "longitudinal creepage"
+    CreepageY "creepage_y" "η" "" "lateral creepage"
+    Spin "spin" "φ" "1/m" "spin creepage"
+    Creepage "creepage" "ν" "" "total creepage"
+    Direction "direction" "θ" "rad" "direction of the total creepage, from x towards y"
+    Reference "reference" "" "" "point at which creepages hold and about which moments are taken"
+    WheelYoungModulus "wheel_young_modulus" "E" "Pa" "Young's modulus of the wheel"
+    WheelPoissonRatio "wheel_poisson_ratio" "ν" "" "Poisson's ratio of the wheel"
+    WheelConductivity "wheel_conductivity" "λ" "W/(m K)" "thermal conductivity of the wheel"
+    WheelDensity "wheel_density" "ρ" "kg/m^3" "density of the wheel"
+    WheelSpecificHeat "wheel_specific_heat" "c" "J/(kg K)" "specific heat of the wheel"
+    WheelBulkTemperature "wheel_bulk_temperature" "T_w" "degC" "temperature of the wheel far away"
+    WheelRadiusX "wheel_radius_x" "R_x" "m" "radius of curvature of the wheel along rolling"
+    WheelRadiusY "wheel_radius_y" "R_y" "m" "radius of curvature of the wheel across rolling"
+    RailYoungModulus "rail_young_modulus" "E" "Pa" "Young's modulus of the rail"
+    RailPoissonRatio "rail_poisson_ratio" "ν" "" "Poisson's ratio of the rail"
+    RailConductivity "rail_conductivity" "λ" "W/(m K)" "thermal conductivity of the rail"
+    RailDensity "rail_density" "ρ" "kg/m^3" "density of the rail"
+    RailSpecificHeat "rail_specific_heat" "c" "J/(kg K)" "specific heat of the rail"
+    RailBulkTemperature "rail_bulk_temperature" "T_r" "degC" "temperature of the rail far away"
+    RailRadiusX "rail_radius_x" "R_x" "m" "radius of curvature of the rail along rolling"
+    RailRadiusY "rail_radius_y" "R_y" "m" "radius of curvature of the rail across rolling"
+    PoissonRatio "poisson_ratio" "ν" "" "combined Poisson's ratio of both bodies"
+    Load "load" "N" "N" "normal load"
+    PeakPressure "peak_pressure" "p0" "Pa" "largest pressure"
+    SemiAxisX "semi_axis_x" "a" "m" "half the length of the patch along rolling"
+    SemiAxisY "semi_axis_y" "b" "m" "half the width of the patch across rolling"
+    AxisRatio "axis_ratio" "a/b" "" "length of the patch over its width"
+    PressureTable "pressure_table" "p" "Pa" "table of the normal pressure"
+    UndeformedDistance "undeformed_distance" "h" "m" "distance of the undeformed bodies"
+    NormalCells "normal_cells" "" "" "cells across the patch of the normal contact"
+    BeddingX "bedding_x" "c_x" "N/m^3" "bedding of the layer along rolling"
+    BeddingY "bedding_y" "c_y" "N/m^3" "bedding of the layer across rolling"
+    CouplingX "coupling_x" "g_x" "N/m" "coupling of displacements along rolling, in that direction"
+    CouplingXAcross "coupling_x_across" "g_x" "N/m" "coupling of displacements along rolling, across it"
+    CouplingY "coupling_y" "g_y" "N/m" "coupling of displacements across rolling, along it"
+    CouplingYAcross "coupling_y_across" "g_y" "N/m" "coupling of displacements across rolling, across it"
+    SpringX "spring_x" "Δc_x" "N/m" "spring of an element along rolling"
+    SpringY "spring_y" "Δc_y" "N/m" "spring of an element across rolling"
+    SpringCouplingX "spring_coupling_x" "Δc_kx" "N/m" "spring between elements along rolling"
+    SpringCouplingY "spring_coupling_y" "Δc_ky" "N/m" "spring between elements across rolling"
+    Margin "margin" "" "m" "margin of the layer around the patch"
+    Elasticity "elasticity" "" "" "how the bodies deform"
+    Calibration "calibration" "" "" "what the stiffnesses of the layer follow from"
+    ContactStiffness "contact_stiffness" "k_c" "1/m" "stiffness of the contact law"
+    ContactRoughness "contact_roughness" "h_rms" "m" "r.m.s. height of both surfaces, from which k_c follows"
+    FrictionModel "friction_model" "" "" "law of friction"
+    FrictionCoefficient "friction_coefficient" "μ0" "" "coefficient of friction, cold and without slip"
+    TemperatureAtZeroFriction "temperature_at_zero_friction" "T_E" "K" "rise at which friction vanishes"
+    MinimumCoefficient "minimum_coefficient" "μ_min" "" "least coefficient of friction"
+    HotCoefficient "hot_coefficient" "μ_hot" "" "coefficient of friction of the hot contact"
+    TemperatureRange "temperature_range" "ΔT" "K" "rise over which friction falls"
+    KineticCoefficient "kinetic_coefficient" "μ_kin" "" "coefficient of friction at large slip speed"
+    HalfSpeed "half_speed" "s1" "m/s" "slip speed at which the first term has halved"
+    SecondCoefficient "second_coefficient" "μ2" "" "size of the second term of friction"
+    SecondHalfSpeed "second_half_speed" "s2" "m/s" "slip speed at which the second term has halved"
+    LimitRatio "limit_ratio" "A" "" "friction at large slip speed over that without slip"
+    Decay "decay" "B" "s/m" "decay of friction with the slip speed"
+    ReferenceTemperature "reference_temperature" "T_0" "degC" "temperature from which friction counts"
+    MemoryDistance "memory_distance" "" "m" "sliding distance over which friction follows its law"
+    MemorySpeed "memory_speed" "" "m/s" "least slip speed of the memory of friction"
+    VariationY "variation_y" "y" "m" "positions across rolling at which friction varies"
+    VariationFactor "variation_factor" "" "" "factors of friction across rolling"
+    HeatModel "heat_model" "" "" "how heat flows into the bodies"
+    HeatPartition "heat_partition" "" "" "part of the heat that the wheel takes"
+    Time "time" "t" "s" "time"
+    HistorySpeed "speed_history" "v0" "m/s" "speed over time"
+    HistoryCreepageX "creepage_x_history" "ξ" "" "longitudinal creepage over time"
+    HistoryCreepageY "creepage_y_history" "η" "" "lateral creepage over time"
+    HistorySpin "spin_history" "φ" "1/m" "spin creepage over time"
+    HistoryLoad "load_history" "N" "N" "normal load over time"
+    ShiftX "shift_x" "" "m" "shift along rolling before the wheel rolls"
+    ShiftY "shift_y" "" "m" "shift across rolling before the wheel rolls"
+    CellsX "cells_x" "" "" "cells along rolling"
+    CellsY "cells_y" "" "" "cells across rolling"
+    Method "method" "" "" "which equations are solved"
+    Driver "driver" "" "" "how the steady state is found"
+    Branch "branch" "" "" "which of several steady states is looked for"
+    Tolerance "tolerance" "" "" "relative tolerance"
+    MaxIterations "max_iterations" "" "" "most Newton steps"
+    MaxSteps "max_steps" "" "" "most time steps"
+    SlipThreshold "slip_threshold" "" "" "part of the bound from which on a cell counts as sliding"
+    Sensitivities "sensitivity" "" "" "derivatives of the forces"
+    InitialState "initial_state" "" "" "state from which rolling goes on"
+    PolachAreaAdhesion "polach_area_adhesion" "k_A" "" "Polach's reduction in the area of adhesion"
+    PolachAreaSlip "polach_area_slip" "k_S" "" "Polach's reduction in the area of slip"
+    InitialReduction "initial_reduction" "k0" "" "reduction of FASTSIM's slope at small creepages"
+    ReductionLimitRatio "reduction_limit_ratio" "α" "" "part of that reduction left at large creepages"
+    ReductionDecay "reduction_decay" "β" "" "how fast that reduction falls"
+    TractionBound "traction_bound" "" "" "pressure that bounds the traction of FASTSIM"
+    FilmCoefficient "film_coefficient" "h" "W/(m^2 K)" "film coefficient of the wheel's surface"
+    CooledArea "cooled_area" "A" "m^2" "area of the wheel that the air cools"
+    AirTemperature "air_temperature" "T_a" "degC" "temperature of the air"
+    Heights "heights" "z" "m" "heights of a surface"
+    HeightUnit "height_unit" "" "" "unit of the heights in a file"
+    SpacingX "spacing_x" "" "m" "distance of the points of a surface along x"
+    SpacingY "spacing_y" "" "m" "distance of the points of a surface along y"
+    Columns "columns" "" "" "columns of a surface"
+    Rows "rows" "" "" "rows of a surface"
+    RmsHeight "rms_height" "h_rms" "m" "root mean square height"
+    RmsSlope "rms_slope" "h'_rms" "" "root mean square gradient"
+    HurstExponent "hurst_exponent" "H" "" "Hurst exponent"
+    LongestWavelength "longest_wavelength" "λ_l" "m" "longest wavelength"
+    RollOffWavelength "roll_off_wavelength" "λ_r" "m" "wavelength of the roll-off"
+    ShortestWavelength "shortest_wavelength" "λ_s" "m" "shortest wavelength"
+    CutoffWavelength "cutoff_wavelength" "λ_c" "m" "cut-off wavelength of the filter"
+    Form "form" "" "" "form that is taken off a surface"
+    MeanPressure "mean_pressure" "p" "Pa" "mean pressure on a rough surface"
+    Hardness "hardness" "H" "Pa" "hardness of the softer body"
+    CurvePoints "points" "" "" "points of a creep curve"
+    FitParameters "parameters" "" "" "what is to be fitted"
+    ForceRatio "force_ratio" "F/N" "" "tangential force on the rail over the load"
+    StandardDeviation "standard_deviation" "σ" "" "standard deviation of a force ratio"
+    SlopeFactor "slope_factor" "γ" "" "approach of rough surfaces over their height as pressure grows e-fold"
+    Samples "samples" "" "" "known displacements"
+    SampleTraction "traction" "t" "Pa" "traction of known displacements"
+    SampleDisplacement "displacement" "u" "m" "known displacements"
+
+    X "x" "x" "m" "position along rolling"
+    Y "y" "y" "m" "position across rolling"
+    Covered "covered" "" "" "part of the cell in contact"
+    Pressure "pressure" "p" "Pa" "normal pressure"
+    TractionX "traction_x" "t_x" "Pa" "traction along rolling"
+    TractionY "traction_y" "t_y" "Pa" "traction across rolling"
+    SlipX "slip_x" "s_x" "m/s" "slip of the wheel over the rail along rolling"
+    SlipY "slip_y" "s_y" "m/s" "slip of the wheel over the rail across rolling"
+    DisplacementX "displacement_x" "u_x" "m" "displacement of wheel less rail along rolling"
+    DisplacementY "displacement_y" "u_y" "m" "displacement of wheel less rail across rolling"
+    Friction "friction" "μ" "" "coefficient of friction in effect"
+    FrictionPowerDensity "friction_power_density" "q" "W/m^2" "friction power per area"
+    RiseWheel "temperature_rise_wheel" "ΔT_w" "K" "temperature rise of the wheel's surface"
+    RiseRail "temperature_rise_rail" "ΔT_r" "K" "temperature rise of the rail's surface"
+    Sliding "sliding" "" "" "whether the cell slides"
+    ForceX "force_x" "F_x" "N" "longitudinal force"
+    ForceY "force_y" "F_y" "N" "lateral force"
+    MomentZ "moment_z" "M_z" "N m" "spin moment"
+    NormalisedX "normalised_x" "F_x/(μ0 N)" "" "longitudinal force over the friction limit"
+    NormalisedY "normalised_y" "F_y/(μ0 N)" "" "lateral force over the friction limit"
+    NormalisedMomentZ "normalised_moment_z" "M_z/(μ0 N √(ab))" "" "moment over friction limit and size"
+    TractionCoefficient "traction_coefficient" "|F|/N" "" "tangential force over the load"
+    FrictionPower "friction_power" "P" "W" "friction power"
+    CreepPower "creep_power" "P_c" "W" "power of the creep forces"
+    StoredEnergy "stored_energy" "E" "J" "elastic energy of the tangential deformation"
+    Distance "distance" "s" "m" "distance rolled"
+    MaxRise "max_rise" "ΔT" "K" "largest temperature rise"
+    WheelTemperature "temperature_wheel" "T_w" "degC" "temperature of the wheel"
+    RailTemperature "temperature_rail" "T_r" "degC" "temperature of the rail"
+    Depth "depth" "z" "m" "depth below the surface"
+    ContactArea "contact_area" "A" "m^2" "area of contact"
+    StickArea "stick_area" "" "m^2" "area that sticks"
+    SlipArea "slip_area" "" "m^2" "area that slides"
+    Residual "residual" "" "" "relative residual"
+    NewtonIterations "newton_iterations" "" "" "Newton steps"
+    OperatorProducts "operator_products" "" "" "products with the compliance"
+    ComputingTime "computing_time" "" "s" "time from nothing, with set-up"
+    ComputingTimeAgain "computing_time_again" "" "s" "time with the set-up there"
+    FittedRatio "fitted" "F/N" "" "fitted force over the load"
+    RatioResidual "ratio_residual" "" "" "measured less fitted force over the load"
+    Approach "approach" "d" "m" "approach of the bodies"
+    ContactFraction "contact_fraction" "A/A0" "" "real over nominal area of contact"
+    CorrectedContactFraction "corrected_contact_fraction" "" "" "the same, corrected for the perimeter"
+    SpotPressure "spot_pressure" "" "Pa" "largest pressure in a spot"
+    PlasticFraction "plastic_fraction" "" "" "part of the nominal area that has yielded"
+    Iterations "iterations" "" "" "iterations of a solution"
+    Component "component" "" "" "direction of a measured force"
+    Convergence "convergence" "" "" "whether the equations hold to the tolerance"
+    MeanGap "mean_gap" "" "m" "mean distance of the surfaces"
+    SurfaceDisplacement "surface_displacement" "u" "m" "tangential displacement of rough surfaces"
+    SurfaceTraction "surface_traction" "t" "Pa" "mean traction on rough surfaces"
+    NormalisedTraction "normalised_traction" "t/(μp)" "" "traction over the friction limit"
+    NormalisedDisplacement "normalised_displacement" "" "" "displacement over that of full sliding"
+    TangentialStiffness "tangential_stiffness" "" "Pa/m" "tangential stiffness per area"
+    MicroSlip "micro_slip" "" "m" "slip of the spots"
+    SlidingFraction "sliding_fraction" "" "" "part of the real contact that slides"
+    ExponentialTraction "exponential" "" "" "traction of the contact law over the friction limit"
+}
+
+impl Quantity {
+    /// A value (in its unit, or dimensionless) of six digits with its unit.
+    pub fn six_digits(self, value: f64) -> String {
+        let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+        let is_usual = rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs());
+        let number = if is_usual { rounded.to_string() } else { format!("{rounded:e}") };
+        format!("{number} {}", self.unit()).trim_end().to_owned()
+    }
+
+    /// Itself, or the longitudinal creepage of a total one.
+    pub(crate) fn own_component(self) -> Self {
+        if self == Self::Creepage { Self::CreepageX } else { self }
+    }
+
+    /// `creepage_x = 0.05`: its name and a value (in its unit, or dimensionless) of six digits.
+    pub fn equation(self, value: f64) -> String {
+        format!("{} = {}", self.name(), self.six_digits(value))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_words_and_unique() {
+        let mut names: Vec<_> = Quantity::ALL.iter().map(|quantity| quantity.name()).collect();
+        let is_word = |name: &&str| name.chars().all(|c| c.is_ascii_lowercase() || c == '_');
+        assert!(names.iter().all(is_word));
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), Quantity::ALL.len());
+    }
+}
