@@ -8,12 +8,13 @@ use approx::assert_relative_eq;
 use schlupf::surface::HeightMap;
 use schlupf::surface::holes::Holes;
 use schlupf_case::surface::{self, Cells, MeasuredSurface, SurfaceData, SurfaceOptions};
-use schlupf_case::{CaseError, FieldNames};
+use schlupf_case::{CaseError, FieldNames, Folder, InputFile};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 fn read(path: &Path, options: &SurfaceOptions) -> Result<MeasuredSurface, CaseError> {
-    surface::read(path, options, FieldNames::CASE)
+    let file = InputFile::new(path.display().to_string(), Folder::new(""));
+    surface::read(&file, options, FieldNames::CASE)
 }
 
 fn from_bytes(

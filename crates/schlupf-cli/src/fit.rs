@@ -9,9 +9,9 @@ use schlupf::identification::{
 };
 use schlupf::message::Message;
 use schlupf::method::FastMethod;
-use schlupf::{Error, Method, Quantity};
+use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
-use schlupf_case::{Case, CaseErrors, FieldNames};
+use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, Folder};
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -90,7 +90,7 @@ impl Task for Fit {
         case.into_iter().collect()
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         let parameters = parameters(FIT, &self.fit).map_err(CaseErrors::from)?;
         let data = read_data(DATA, &self.data, &case.problem.kinematics);
         let data = data.map_err(CaseErrors::from)?;
@@ -254,6 +254,6 @@ fn fitted_case(
     }
     let text = case.edited(&values, folder).map_err(CaseErrors::from)?;
     // What is written can be read again.
-    Case::from_str(&text, &path.display().to_string(), folder, &[])?;
+    CaseFile::from_str(&text, &path.display().to_string(), Folder::new(folder), &[])?;
     Ok(text)
 }

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::Status;
+use schlupf::{Status, Watch};
 use schlupf::message::Message;
 use schlupf_case::Case;
 use schlupf_output::Report;
@@ -36,7 +36,7 @@ pub trait Task {
     }
 
     /// Checks whatever can be checked before the work.
-    fn plan(&self, case: Case) -> Result<Self::Plan, Failure>;
+    fn plan(&self, case: Case, watch: Watch) -> Result<Self::Plan, Failure>;
 
     /// The files that it reads.
     fn inputs(&self, plan: &Self::Plan) -> Vec<Input>;
@@ -82,9 +82,9 @@ impl<R> From<R> for Found<R> {
 
 /// Runs a command.
 pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
-    let plan = task.plan(read_case(&task.case())?)?;
-    check_outputs(task, &plan)?;
     let progress = Progress::start();
+    let plan = task.plan(read_case(&task.case(), &progress)?, &progress.watch())?;
+    check_outputs(task, &plan)?;
     let Found { report, failure } = task.find(plan, &progress)?;
     let files = files(task, &report, &progress)?;
     drop(progress);
