@@ -31,7 +31,9 @@ fn codes_of(text: &str) -> impl Iterator<Item = String> {
 }
 
 fn is_code(text: &str) -> bool {
-    text.contains('-') && text.chars().all(|c| c.is_ascii_lowercase() || c == '-')
+    text.starts_with(|c: char| c.is_ascii_lowercase())
+        && text.contains('-')
+        && text.chars().all(|c| c.is_ascii_lowercase() || c == '-')
 }
 
 #[test]
