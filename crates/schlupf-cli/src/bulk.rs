@@ -5,7 +5,6 @@ use schlupf::Error;
 use schlupf::bulk_temperature::{self, Cooling};
 use schlupf_case::{Case, CaseErrors};
 use schlupf_output::bulk_temperature::BulkReport;
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -40,10 +39,6 @@ impl Task for Bulk {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        figures::names()
     }
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {

@@ -19,7 +19,6 @@ use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
 use schlupf_case::{Case, CaseErrors, Displacements, FieldNames, read_displacements};
 use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -75,10 +74,6 @@ impl Task for Calibrate {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::CALIBRATION.to_owned()]
     }
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {

@@ -10,7 +10,6 @@ use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, Effective, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -47,10 +46,6 @@ impl Task for Compare {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::COMPARISON.to_owned()]
     }
 
     fn plan(&self, case: Case) -> Result<Case, Failure> {

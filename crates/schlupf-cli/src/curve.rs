@@ -8,7 +8,6 @@ use schlupf::{Watch, parallel};
 use schlupf_case::{Case, CaseErrors, Family, FieldNames, direction, quantity_field, range};
 use schlupf_output::creep_curve as output;
 use schlupf_output::creep_curve::CurveFamily;
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -99,10 +98,6 @@ impl Task for Curve {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::CREEP_CURVE.to_owned()]
     }
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {

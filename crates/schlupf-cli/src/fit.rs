@@ -12,7 +12,6 @@ use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity};
 use schlupf_case::identification::{field, parameters, read_data};
 use schlupf_case::{Case, CaseErrors, FieldNames};
-use schlupf_output::figures;
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -84,10 +83,6 @@ impl Task for Fit {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::FIT.to_owned()]
     }
 
     fn own_files(&self) -> Vec<OwnFile<'_>> {

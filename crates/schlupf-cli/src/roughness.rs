@@ -13,7 +13,6 @@ use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
     Case, CaseErrors, FieldNames, GivenByOption, RoughnessRequest, caveats, pressures,
 };
-use schlupf_output::figures;
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -106,10 +105,6 @@ impl Task for Roughness {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        figures::ROUGHNESS.map(str::to_owned).to_vec()
     }
 
     fn own_files(&self) -> Vec<OwnFile<'_>> {

@@ -9,7 +9,6 @@ use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution};
 use schlupf_case::{Case, CaseErrors, Task as Rolling};
-use schlupf_output::figures;
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -58,10 +57,6 @@ impl Task for Solve {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        figures::names()
     }
 
     fn own_files(&self) -> Vec<OwnFile<'_>> {

@@ -4,7 +4,6 @@ use clap::Args;
 use schlupf::temperature_field::{Side, TemperatureField};
 use schlupf::{Error, Problem, Solution};
 use schlupf_case::{Case, CaseError, CaseErrors, depths, length, position};
-use schlupf_output::figures;
 use schlupf_output::temperature::{Request, Temperatures};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -56,10 +55,6 @@ impl Task for Temperature {
 
     fn outputs(&self) -> &OutputArguments {
         &self.outputs
-    }
-
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::TEMPERATURE.to_owned()]
     }
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
