@@ -8,7 +8,7 @@ use schlupf::history::History;
 use schlupf::message::Message;
 use schlupf::rolling::MarchingSolver;
 use schlupf::state::State;
-use schlupf::{Error, Method, Options, Problem, Quantity, Solver, Transient};
+use schlupf::{Method, Options, Problem, Solver, Transient};
 
 use crate::document::{self, Entry};
 use crate::edited;
@@ -19,6 +19,9 @@ use crate::place::{Place, Source};
 use crate::read;
 use crate::settings::Settings;
 use crate::template::template;
+
+/// What makes a history, each by itself.
+const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
 
 /// A case that was read and checked.
 #[derive(Debug, Clone)]
@@ -59,7 +62,7 @@ pub enum Driver {
 }
 
 /// What a case asks for.
-pub enum Target {
+pub enum Task {
     /// Steady rolling, and what finds it.
     Steady(Box<dyn Solver>),
     /// Rolling over time.
@@ -184,37 +187,41 @@ impl Case {
     ///
     /// # Errors
     /// A history or a state where the method or the way that was asked for cannot follow it.
-    pub fn target(&self, initial_state: Option<State>) -> Result<Target, CaseError> {
+    pub fn task(&self, initial_state: Option<State>) -> Result<Task, CaseError> {
         if self.history.is_none() && initial_state.is_none() {
-            return Ok(Target::Steady(self.any_solver(&self.options)));
+            return Ok(Task::Steady(self.any_solver(&self.options)));
         }
-        let is_history = self.history.is_some();
+        let what = if self.history.is_some() { "a history" } else { "an initial state" };
         match (self.method, self.driver) {
-            (Method::Fast(_), _) => {
-                let quantity = if is_history { Quantity::Time } else { Quantity::InitialState };
-                Err(self.explain(&Error::NotSteady { quantity, what: "a fast method is for" }))
+            (Method::Fast(method), _) => {
+                let name = method.name();
+                let reason = format!("{name:?} is of steady rolling, but there is {what}");
+                Err(self.contradiction("solver.method", &reason))
             }
             (Method::Full, Some(Driver::Steady)) => {
-                let quantity = if is_history { Quantity::Driver } else { Quantity::InitialState };
-                Err(self.explain(&Error::NotSteady { quantity, what: "the steady driver is for" }))
+                let reason =
+                    format!("{what} needs solver.driver = \"marching\", but it is \"steady\"");
+                Err(self.contradiction("solver.driver", &reason))
             }
             (Method::Full, Some(Driver::Marching) | None) => {
                 let history = self.history.clone().unwrap_or_default();
                 let problem = self.problem.clone();
-                Ok(Target::Transient(Box::new(Transient { problem, history, initial_state })))
+                Ok(Task::Transient(Box::new(Transient { problem, history, initial_state })))
             }
         }
     }
 
-    /// Checks that the case is one of steady rolling. `what` says for what, such as "a creep curve is of".
+    /// Checks that the case is one of steady rolling. `what` says for what, such as "a creep curve is".
     ///
     /// # Errors
     /// A history.
-    pub fn require_steady(&self, what: &'static str) -> Result<(), CaseError> {
-        match self.history {
-            None => Ok(()),
-            Some(_) => Err(self.explain(&Error::NotSteady { quantity: Quantity::Time, what })),
+    pub fn require_steady(&self, what: &str) -> Result<(), CaseError> {
+        if self.history.is_none() {
+            return Ok(());
         }
+        let field = HISTORY.into_iter().find(|field| self.settings.is_given(field));
+        let reason = format!("{what} of steady rolling, but there is a history");
+        Err(self.contradiction(field.unwrap_or("history.time"), &reason))
     }
 
     /// What finds steady states of the case, without derivatives; see [`Self::require_steady`].
@@ -229,8 +236,12 @@ impl Case {
         }
     }
 
+    fn contradiction(&self, field: &str, reason: &str) -> CaseError {
+        self.settings.error(field, format!("{field}: {reason}"))
+    }
+
     /// An error of the core, at the place of the field that it names.
-    pub fn explain(&self, error: &Error) -> CaseError {
+    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
         self.settings.explain(error)
     }
 

@@ -27,7 +27,7 @@ mod tables;
 mod template;
 pub mod units;
 
-pub use case::{Case, Driver, Effective, Target};
+pub use case::{Case, Driver, Effective, Task};
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
 pub use law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin, caveats};

@@ -2,10 +2,9 @@
 
 use clap::Args;
 use schlupf::Error;
-use schlupf::bulk_temperature::{self, Cooling, bulk_temperature};
+use schlupf::bulk_temperature::{self, Cooling};
 use schlupf_case::{Case, CaseErrors};
 use schlupf_output::bulk_temperature::BulkReport;
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -42,13 +41,9 @@ impl Task for Bulk {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        figures::names()
-    }
-
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
+        case.require_steady("the bulk temperature is that").map_err(CaseErrors::from)?;
         let cooling = case.require_cooling().map_err(CaseErrors::from)?;
-        case.require_steady("the bulk temperature is that of").map_err(CaseErrors::from)?;
         bulk_temperature::check(&case.problem, &cooling).map_err(|error| explain(&case, &error))?;
         Ok(Plan { case, cooling })
     }
@@ -60,7 +55,9 @@ impl Task for Bulk {
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<BulkReport>, Failure> {
         let Plan { case, cooling } = plan;
         let mut solver = case.solver();
-        let balance = bulk_temperature(&case.problem, &mut *solver, &cooling, &progress.watch());
+        let watch = progress.watch();
+        let balance =
+            bulk_temperature::bulk_temperature(&case.problem, &mut *solver, &cooling, &watch);
         let balance = balance.map_err(|error| explain(&case, &error))?;
         let warnings = messages(&balance.solution.warnings);
         let report = BulkReport {

@@ -19,7 +19,6 @@ use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
 use schlupf_case::{Case, CaseErrors, Displacements, FieldNames, read_displacements};
 use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -77,10 +76,6 @@ impl Task for Calibrate {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::CALIBRATION.to_owned()]
-    }
-
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
         let read = |path: &PathBuf| read_displacements(DISPLACEMENTS, path);
         let displacements = self.displacements.iter().map(read).collect::<Result<Vec<_>, _>>();
@@ -100,9 +95,8 @@ impl Task for Calibrate {
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CalibrationReport>, Failure> {
         progress.stage("calibrating");
         let Plan { case, displacements } = plan;
-        let watch = progress.watch();
-        let report =
-            Patch::of(&case).and_then(|patch| patch.report(self, &displacements, &case, &watch));
+        let report = Patch::of(&case)
+            .and_then(|patch| patch.report(self, &displacements, &case, &progress.watch()));
         let report = report.map_err(|error| Failure::Case(case.explain(&error).into()))?;
         Ok(report.into())
     }

@@ -5,13 +5,11 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use schlupf::message::Message;
 use schlupf::normal::Pressure;
-use schlupf::parallel;
 use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch};
+use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, Effective, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -50,12 +48,8 @@ impl Task for Compare {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::COMPARISON.to_owned()]
-    }
-
     fn plan(&self, case: Case) -> Result<Case, Failure> {
-        case.require_steady("a comparison is of").map_err(CaseErrors::from)?;
+        case.require_steady("a comparison is").map_err(CaseErrors::from)?;
         Ok(case)
     }
 

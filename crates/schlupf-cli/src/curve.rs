@@ -8,7 +8,6 @@ use schlupf::{Watch, parallel};
 use schlupf_case::{Case, CaseErrors, Family, FieldNames, direction, quantity_field, range};
 use schlupf_output::creep_curve as output;
 use schlupf_output::creep_curve::CurveFamily;
-use schlupf_output::figures;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -101,10 +100,6 @@ impl Task for Curve {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::CREEP_CURVE.to_owned()]
-    }
-
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
         let varied = Varied::read(self)?;
         let family = self.over.as_deref().map(|text| Family::parse(OVER, text)).transpose();
@@ -122,18 +117,29 @@ impl Task for Curve {
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CurveFamily>, Failure> {
         let Plan { title, family, sampling, members } = plan;
-        let found = trace(&members, &sampling, &progress.watch())?;
+        let found = found(&members, &sampling, progress)?;
         let over = family.map(|family| family.field.to_owned());
         Ok(CurveFamily::new(title, over, sampling, found).into())
     }
 }
 
+impl Curve {
+    fn sampling(&self) -> Sampling {
+        let spacing = match self.spacing {
+            SpacingArgument::Refined => Spacing::Refined,
+            SpacingArgument::Even => Spacing::Even,
+        };
+        Sampling { points: self.points, spacing }
+    }
+}
+
 /// All curves, on several threads.
-fn trace(
+fn found(
     members: &[Member],
     sampling: &Sampling,
-    watch: Watch,
+    progress: &Progress,
 ) -> Result<Vec<output::Member>, Failure> {
+    let watch = progress.watch();
     let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
     let total = Some(members.len() * sampling.points);
     let each = members.iter().zip(&done).collect();
@@ -147,16 +153,6 @@ fn trace(
         let warnings = member.case.notices.iter().cloned().chain(of_curve).collect();
         Ok(output::Member { value: member.value.clone(), warnings, curve })
     })
-}
-
-impl Curve {
-    fn sampling(&self) -> Sampling {
-        let spacing = match self.spacing {
-            SpacingArgument::Refined => Spacing::Refined,
-            SpacingArgument::Even => Spacing::Even,
-        };
-        Sampling { points: self.points, spacing }
-    }
 }
 
 /// Which creepages vary, and from where to where.
@@ -272,7 +268,7 @@ impl Varied {
 
 impl Member {
     fn check(&self, sampling: &Sampling, varied: &Varied) -> Result<(), Failure> {
-        self.case.require_steady("a creep curve is of").map_err(CaseErrors::from)?;
+        self.case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
         creep_curve::check(&self.case.problem, &self.path, sampling)
             .map_err(|error| varied.failure(&self.case, &error))
     }

@@ -12,7 +12,6 @@ use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity};
 use schlupf_case::identification::{field, parameters, read_data};
 use schlupf_case::{Case, CaseErrors, FieldNames};
-use schlupf_output::figures;
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -86,22 +85,19 @@ impl Task for Fit {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::FIT.to_owned()]
-    }
-
     fn own_files(&self) -> Vec<OwnFile<'_>> {
         let case = OwnFile::given("--write-case", FitReport::CASE, self.write_case.as_ref());
         case.into_iter().collect()
     }
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
-        case.require_steady("a creep curve is of").map_err(CaseErrors::from)?;
         let parameters = parameters(FIT, &self.fit).map_err(CaseErrors::from)?;
         let data = read_data(DATA, &self.data, &case.problem.kinematics);
         let data = data.map_err(CaseErrors::from)?;
         let explain = |error: Error| self.explain(&case, &error);
-        let mut model = Model::new(&case, &parameters, self.gamma).map_err(explain)?;
+        case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
+        let model = Model::new(&case, &parameters, self.gamma).map_err(explain)?;
+        let Some(mut model) = model else { return Err(no_model(case.method)) };
         identification::check(model.creep_forces(), &data).map_err(explain)?;
         let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
         Ok(Plan { case, parameters, data, model, load })
@@ -117,11 +113,11 @@ impl Task for Fit {
         let Plan { case, parameters, data, mut model, load } = plan;
         progress.stage("fitting");
         let explain = |error: Error| self.explain(&case, &error);
-        let (steps, watch) = (self.max_steps as usize, progress.watch());
-        let fit = identification::fit(model.creep_forces(), &data, steps, &watch);
+        let steps = self.max_steps as usize;
+        let fit = identification::fit(model.creep_forces(), &data, steps, &progress.watch());
         let fit = fit.map_err(explain)?;
         let points = if self.outputs.figures.is_some() { CURVE_POINTS } else { 0 };
-        let curves = sample_curves(model.creep_forces(), &data, points, &watch);
+        let curves = sample_curves(model.creep_forces(), &data, points, &progress.watch());
         let curves = curves.map_err(explain)?;
         let stiffness = model.contact_stiffness();
         let fitted = self.write_case.as_ref();
@@ -191,20 +187,20 @@ pub enum Model {
 }
 
 impl Model {
-    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Self, Error> {
+    /// `None` where the method cannot be fitted.
+    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Option<Self>, Error> {
         let Case { problem, options, .. } = case;
-        match case.method {
-            Method::Full => RollingContactModel::new(problem, options, parameters, gamma)
-                .map(|model| Self::Full(Box::new(model))),
+        Ok(match case.method {
+            Method::Full => {
+                let model = RollingContactModel::new(problem, options, parameters, gamma)?;
+                Some(Self::Full(Box::new(model)))
+            }
             Method::Fast(FastMethod::Polach(reduction)) => {
-                PolachModel::new(problem, reduction, parameters)
-                    .map(|model| Self::Polach(Box::new(model)))
+                let model = PolachModel::new(problem, reduction, parameters)?;
+                Some(Self::Polach(Box::new(model)))
             }
-            Method::Fast(method) => {
-                let reason = "what can be fitted is \"full\" and \"polach\"";
-                Err(Error::OtherMethod { reason, method: method.name() })
-            }
-        }
+            Method::Fast(_) => None,
+        })
     }
 
     fn creep_forces(&mut self) -> &mut dyn CreepForceModel {
@@ -221,6 +217,14 @@ impl Model {
             Self::Polach(_) => None,
         }
     }
+}
+
+/// Only some methods can be fitted.
+fn no_model(method: Method) -> Failure {
+    Failure::Arguments(format!(
+        "solver.method: what can be fitted is \"full\" and \"polach\", but the method is {:?}",
+        method.name()
+    ))
 }
 
 /// The text of the case with the values found.

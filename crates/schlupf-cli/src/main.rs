@@ -5,12 +5,14 @@
 mod arguments;
 mod bulk;
 mod calibrate;
+mod command_line;
 mod commands;
 mod compare;
 mod contact_law;
 mod curve;
 mod failure;
 mod fit;
+mod interrupt;
 mod outputs;
 mod progress;
 mod report;
@@ -25,17 +27,19 @@ use std::process::ExitCode;
 use clap::Parser;
 use rayon::ThreadPoolBuilder;
 
-use arguments::{Arguments, Command};
+use command_line::{Arguments, Command, completions};
 use failure::Failure;
 
 fn main() -> ExitCode {
-    run(Arguments::parse()).unwrap_or_else(|failure| {
+    let arguments = Arguments::parse();
+    run(arguments).unwrap_or_else(|failure| {
         report::print(&failure);
         ExitCode::from(failure.exit_code())
     })
 }
 
 fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
+    interrupt::listen();
     // Zero is one for each core.
     let threads = ThreadPoolBuilder::new().num_threads(arguments.threads.unwrap_or(0));
     let no_threads = |error| Failure::Arguments(format!("--threads: {error}"));
@@ -52,6 +56,6 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),
-        Command::Completions { shell } => commands::completions(shell),
+        Command::Completions { shell } => completions(shell),
     }
 }

@@ -9,6 +9,7 @@ use tempfile::NamedTempFile;
 
 use crate::arguments::CaseArguments;
 use crate::failure::Failure;
+use crate::interrupt;
 
 /// A file that is read and must not be overwritten.
 #[derive(Debug)]
@@ -211,6 +212,7 @@ impl Created {
         for (path, bytes) in special {
             fs::write(path, bytes).map_err(|cause| Failure::file(path, cause))?;
         }
+        let mut unfinished = interrupt::unfinished();
         for (path, file) in pending {
             let is_new = fs::symlink_metadata(path).is_err();
             file.persist(path).map_err(|error| Failure::file(path, error.error))?;
@@ -218,6 +220,7 @@ impl Created {
                 self.files.push(path.clone());
             }
         }
+        unfinished.finish();
         Ok(())
     }
 
@@ -225,8 +228,12 @@ impl Created {
         let is_missing = |part: &&Path| *part != Path::new("") && !part.exists();
         let missing: Vec<&Path> = path.ancestors().take_while(is_missing).collect();
         for part in missing.into_iter().rev() {
+            let mut unfinished = interrupt::unfinished();
             match fs::create_dir(part) {
-                Ok(()) => self.directories.push(part.to_owned()),
+                Ok(()) => {
+                    unfinished.directory(part);
+                    self.directories.push(part.to_owned());
+                }
                 Err(_) if part.is_dir() => {}
                 Err(cause) => return Err(Failure::file(part, cause)),
             }
@@ -261,7 +268,10 @@ fn temporary(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
+    let mut unfinished = interrupt::unfinished();
     let mut file = builder.tempfile_in(directory(path))?;
+    unfinished.file(file.path());
+    drop(unfinished);
     file.write_all(bytes)?;
     file.flush()?;
     Ok(file)

@@ -40,7 +40,7 @@ impl Progress {
     pub fn watch(&self) -> impl Fn(schlupf::Progress) -> ControlFlow<()> + Sync {
         |progress| {
             self.send(Message::Got(progress));
-            whether_to_go_on()
+            ControlFlow::Continue(())
         }
     }
 
@@ -122,9 +122,4 @@ fn name(stage: Stage) -> &'static str {
 fn style_of_known_length() -> ProgressStyle {
     ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}")
         .unwrap_or_else(|_| ProgressStyle::default_bar())
-}
-
-/// Nothing stops a computation.
-fn whether_to_go_on() -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }

@@ -3,17 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
+use schlupf::Error;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
-use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
     Case, CaseErrors, FieldNames, GivenByOption, RoughnessRequest, caveats, pressures,
 };
-use schlupf_output::figures;
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -108,10 +107,6 @@ impl Task for Roughness {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        figures::ROUGHNESS.map(str::to_owned).to_vec()
-    }
-
     fn own_files(&self) -> Vec<OwnFile<'_>> {
         let heights = OwnFile::given("--heights", RoughnessReport::HEIGHTS, self.heights.as_ref());
         let pressures =
@@ -142,8 +137,7 @@ impl Task for Roughness {
         let result = solve(&case, &request, &rough, progress).map_err(explain)?;
         let is_wanted = [&self.outputs.figures, &self.pressures, &self.gaps];
         let is_wanted = is_wanted.into_iter().any(Option::is_some);
-        let spots =
-            is_wanted.then(|| spots(&request, &rough.surface, &progress.watch())).transpose();
+        let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
         let spots = spots.map_err(explain)?;
         Ok(describe(self, &case, (request, rough), (result, spots)).into())
     }
@@ -304,12 +298,17 @@ fn solve(
 }
 
 /// The contact at the largest mean pressure.
-fn spots(request: &RoughnessRequest, surface: &HeightMap, watch: Watch) -> Result<Spots, Error> {
+fn spots(
+    request: &RoughnessRequest,
+    surface: &HeightMap,
+    progress: &Progress,
+) -> Result<Spots, Error> {
     let key = request.key();
     let distance = surface.distance_to_plane();
     let contact = RoughContact::new(distance, key.contact_modulus, Boundary::Periodic)?;
     let mut contact = contact.with_hardness(key.hardness)?;
-    let solution = contact.press(key.largest_pressure, &RoughContactOptions::default(), watch)?;
+    let solution =
+        contact.press(key.largest_pressure, &RoughContactOptions::default(), &progress.watch())?;
     Ok(Spots {
         mean_pressure: key.largest_pressure,
         is_converged: solution.is_converged,

@@ -8,8 +8,7 @@ use schlupf::message::Message;
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution};
-use schlupf_case::{Case, CaseErrors, Target};
-use schlupf_output::figures;
+use schlupf_case::{Case, CaseErrors, Task as Rolling};
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -42,10 +41,10 @@ pub struct Solve {
     pub outputs: OutputArguments,
 }
 
-/// A case with what is to be solved.
+/// A case with what of it is solved.
 pub struct Plan {
     case: Case,
-    target: Target,
+    rolling: Rolling,
 }
 
 impl Task for Solve {
@@ -60,10 +59,6 @@ impl Task for Solve {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        figures::names()
-    }
-
     fn own_files(&self) -> Vec<OwnFile<'_>> {
         let vtk = OwnFile::given("--vtk", SolutionReport::VTK, self.vtk.as_ref());
         let state = OwnFile::given(FINAL_STATE, SolutionReport::STATE, self.final_state.as_ref());
@@ -72,9 +67,9 @@ impl Task for Solve {
 
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
         self.refuse_state(case.method)?;
-        let state = self.initial_state.as_deref().map(read_state).transpose()?;
-        let target = case.target(state).map_err(CaseErrors::from)?;
-        Ok(Plan { case, target })
+        let initial_state = self.initial_state.as_deref().map(read_state).transpose()?;
+        let rolling = case.task(initial_state).map_err(CaseErrors::from)?;
+        Ok(Plan { case, rolling })
     }
 
     fn inputs(&self, plan: &Plan) -> Vec<Input> {
@@ -90,10 +85,10 @@ impl Task for Solve {
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<SolutionReport>, Failure> {
-        let Plan { case, target } = plan;
-        let solution = match target {
-            Target::Steady(mut solver) => solver.solve(&case.problem, &progress.watch()),
-            Target::Transient(transient) => march(&transient, &case.options, &progress.watch()),
+        let Plan { case, rolling } = plan;
+        let solution = match rolling {
+            Rolling::Steady(mut solver) => solver.solve(&case.problem, &progress.watch()),
+            Rolling::Transient(transient) => march(&transient, &case.options, &progress.watch()),
         };
         let solution = solution.map_err(|error| self.explain(&case, &error))?;
         let contact_law = (solution.method == Method::Full).then(|| contact_law::of(&case));

@@ -30,9 +30,6 @@ pub trait Task {
     /// Where to write the results.
     fn outputs(&self) -> &OutputArguments;
 
-    /// Names of all figures that it may draw, without an ending.
-    fn figure_names(&self) -> Vec<String>;
-
     /// Files of its own that it writes.
     fn own_files(&self) -> Vec<OwnFile<'_>> {
         Vec::new()
@@ -94,7 +91,7 @@ pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
     let figures = task.outputs().figures.as_deref();
     outputs::write(&files, figures)?;
     if let Some(directory) = figures {
-        outputs::remove(&stale(task, directory, &files));
+        outputs::remove(&stale::<T>(directory, &files));
     }
     print(task.outputs(), &report)?;
     report.warnings().iter().for_each(report::warn);
@@ -130,9 +127,10 @@ fn check_outputs<T: Task>(task: &T, plan: &T::Plan) -> Result<(), Failure> {
         common.chain(own.iter().map(|file| (file.option, file.path))).collect();
     let inputs = task.inputs(plan);
     let Some(directory) = &outputs.figures else { return outputs::check(&files, &inputs) };
-    let names: Vec<String> = task.figure_names().iter().flat_map(|n| figure_files(n)).collect();
+    let names: Vec<String> =
+        T::Report::figure_names().iter().flat_map(|n| figure_files(n)).collect();
     outputs::check_with_directory(&files, &inputs, ("--figures", directory), &names)?;
-    task.figure_names().iter().try_for_each(|name| refuse_foreign(directory, name))
+    T::Report::figure_names().iter().try_for_each(|name| refuse_foreign(directory, name))
 }
 
 /// Refuses to write over, or to remove later, a figure that is not ours.
@@ -156,8 +154,8 @@ fn is_ours(drawing: &Path) -> bool {
 }
 
 /// Figures of an earlier run of this command that this one has not drawn.
-fn stale<T: Task>(task: &T, directory: &Path, written: &[(PathBuf, Vec<u8>)]) -> Vec<PathBuf> {
-    let names = task.figure_names().into_iter();
+fn stale<T: Task>(directory: &Path, written: &[(PathBuf, Vec<u8>)]) -> Vec<PathBuf> {
+    let names = T::Report::figure_names().into_iter();
     let files = names.map(|name| figure_files(&name).map(|file| directory.join(file)));
     let is_written = |path: &PathBuf| written.iter().any(|(written, _)| written == path);
     let old = files.filter(|[drawing, _]| !is_written(drawing) && is_ours(drawing));

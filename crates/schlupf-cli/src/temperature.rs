@@ -4,7 +4,6 @@ use clap::Args;
 use schlupf::temperature_field::{Side, TemperatureField};
 use schlupf::{Error, Problem, Solution};
 use schlupf_case::{Case, CaseError, CaseErrors, depths, length, position};
-use schlupf_output::figures;
 use schlupf_output::temperature::{Request, Temperatures};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -58,13 +57,9 @@ impl Task for Temperature {
         &self.outputs
     }
 
-    fn figure_names(&self) -> Vec<String> {
-        vec![figures::TEMPERATURE.to_owned()]
-    }
-
     fn plan(&self, case: Case) -> Result<Plan, Failure> {
         let wanted = Wanted::read(self)?;
-        let what = "temperatures below the surface and in the wake are those of";
+        let what = "temperatures below the surface and in the wake are those";
         case.require_steady(what).map_err(CaseErrors::from)?;
         Ok(Plan { case, wanted })
     }

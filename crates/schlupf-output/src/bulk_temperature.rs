@@ -9,7 +9,7 @@ use schlupf::kinematics::ReferencePoint;
 use schlupf::message::Message;
 use schlupf::solution::Status;
 
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{self, Drawing, FigureError};
 use crate::json::{self, PROGRAM};
 use crate::number::significant as number;
 use crate::report::{Report, reasons, verdict};
@@ -211,7 +211,11 @@ impl Report for BulkReport {
         Some(table::csv(&self.balance.solution.fields, "contact of the warm wheel"))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        figures::all(&self.title, &self.balance.solution)
+    fn figure_names() -> Vec<String> {
+        figures::names()
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        figures::drawings(&self.title, &self.balance.solution)
     }
 }

@@ -3,7 +3,7 @@
 use schlupf::Status;
 use schlupf::message::Message;
 
-use crate::figures::{Figure, FigureError};
+use crate::figures::{self, Drawing, Figure, FigureError};
 
 /// A result with all forms in which it can be written.
 pub trait Report {
@@ -25,9 +25,17 @@ pub trait Report {
         None
     }
 
+    /// Names of all figures that there may be.
+    fn figure_names() -> Vec<String>
+    where
+        Self: Sized;
+
     /// What there is to draw.
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError>;
+
+    /// The same with pictures.
     fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        Ok(Vec::new())
+        figures::render(self.drawings()?)
     }
 
     /// The bytes of a file that only this kind of result has, by the name of its format.

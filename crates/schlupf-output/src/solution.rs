@@ -4,7 +4,7 @@ use schlupf::message::Message;
 use schlupf::{Solution, Status};
 
 use crate::contact_law::ContactLaw;
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{self, Drawing, FigureError};
 use crate::json::{self, Document};
 use crate::report::Report;
 use crate::{summary, table, vtk};
@@ -52,11 +52,15 @@ impl Report for SolutionReport {
         Some(table::csv(&self.solution.fields, note))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
+    fn figure_names() -> Vec<String> {
+        figures::names()
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
         if self.solution.fields.is_empty() {
             return Ok(Vec::new());
         }
-        figures::all(&self.title, &self.solution)
+        figures::drawings(&self.title, &self.solution)
     }
 
     fn own_file(&self, format: &str) -> Option<Vec<u8>> {

@@ -9,7 +9,7 @@ use schlupf::solution::Temperature;
 use schlupf::{Method, Solution, Status};
 use schlupf_output::Report;
 use schlupf_output::comparison::{Answer, Comparison, Entry};
-use schlupf_output::figures::{self, FigureError};
+use schlupf_output::figures::{Figure, FigureError};
 
 /// The full method and Polach's, which gives neither moment nor temperature.
 fn comparison() -> Comparison {
@@ -46,6 +46,10 @@ fn with_a_gap() -> Comparison {
     };
     comparison.entries.insert(1, gap);
     comparison
+}
+
+fn figure(comparison: &Comparison) -> Figure {
+    comparison.figures().unwrap().remove(0)
 }
 
 /// All texts of a figure.
@@ -101,7 +105,7 @@ fn the_table_marks_what_is_not_given_or_not_converged() {
 
 #[test]
 fn the_figure_has_a_bar_or_a_word_for_every_number() {
-    let figure = figures::comparison(&comparison()).unwrap();
+    let figure = figure(&comparison());
     assert_eq!(figure.name, "comparison");
     let texts = texts(&figure.svg);
     assert!(texts.iter().any(|text| text == "Polach"), "{texts:?}");
@@ -110,7 +114,7 @@ fn the_figure_has_a_bar_or_a_word_for_every_number() {
     assert!(texts.iter().any(|text| text == "time (ms)"), "{texts:?}");
     assert_eq!(texts.iter().filter(|text| *text == "2.5").count(), 2, "{texts:?}");
     let nothing = Comparison { title: String::new(), entries: Vec::new(), warnings: Vec::new() };
-    assert_eq!(figures::comparison(&nothing).unwrap_err(), FigureError::NothingToCompare);
+    assert_eq!(nothing.figures().unwrap_err(), FigureError::NothingToCompare);
 }
 
 #[test]
@@ -139,13 +143,13 @@ fn a_method_without_an_answer_says_why() {
 /// The figure has no row for it, but a note.
 #[test]
 fn the_figure_leaves_out_what_has_no_answer() {
-    let texts = texts(&figures::comparison(&with_a_gap()).unwrap().svg);
+    let texts = texts(&figure(&with_a_gap()).svg);
     assert!(!texts.iter().any(|text| text == "full, elastic layer"), "{texts:?}");
     let note = "full, elastic layer: not available: no \"stiffness\", anywhere";
     assert!(texts.iter().any(|text| text == note), "{texts:?}");
     let mut nothing = with_a_gap();
     nothing.entries.retain(|entry| entry.answer.is_err());
-    assert_eq!(figures::comparison(&nothing).unwrap_err(), FigureError::NothingToCompare);
+    assert_eq!(nothing.figures().unwrap_err(), FigureError::NothingToCompare);
 }
 
 /// Whatever the signs and sizes, the numbers end within the frames of their columns.
@@ -157,7 +161,7 @@ fn numbers_stay_within_their_frame() {
             let solution = &mut entry.answer.as_mut().unwrap().solution;
             solution.force.x = -value * solution.normal.load;
         }
-        let svg = figures::comparison(&comparison).unwrap().svg;
+        let svg = figure(&comparison).svg;
         let document = roxmltree::Document::parse(&svg).unwrap();
         let number = |node: roxmltree::Node, name: &str| -> f64 {
             node.attribute(name).unwrap().parse().unwrap()

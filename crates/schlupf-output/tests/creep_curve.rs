@@ -15,7 +15,7 @@ use schlupf::solution::{Area, Power, Resultant, Work};
 use schlupf::{Method, Status};
 use schlupf_output::Report;
 use schlupf_output::creep_curve::{CurveFamily, Member};
-use schlupf_output::figures::{FigureError, creep_curve, creep_curve_drawing};
+use schlupf_output::figures::FigureError;
 
 const LOAD: f64 = 80e3;
 
@@ -116,6 +116,11 @@ fn text_of(svg: &str) -> Vec<String> {
         node.descendants().filter(roxmltree::Node::is_text).filter_map(|n| n.text()).collect()
     };
     texts.map(text).collect()
+}
+
+/// The only drawing.
+fn drawing(report: &impl Report) -> String {
+    report.drawings().unwrap().remove(0).1
 }
 
 #[test]
@@ -259,7 +264,7 @@ fn warnings_name_their_curve_unless_they_are_common() {
 fn the_figure_names_axes_members_and_marks() {
     let mut family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s", "40 m/s"]);
     family.members[2].curve.points[9].status = Status::NotConverged;
-    let figure = creep_curve(&family).unwrap();
+    let figure = family.figures().unwrap().remove(0);
     assert_eq!(figure.name, "creep_curve");
     assert_eq!(figure.png[..8], *b"\x89PNG\r\n\x1a\n");
     let text = text_of(&figure.svg);
@@ -290,7 +295,7 @@ fn every_abscissa_has_its_axis_and_panels() {
         Path::new(Creepages::default(), end).unwrap()
     });
     let total = Path::in_direction([-0.05, 0.05], 30_f64.to_radians(), [0.0; 2]).unwrap();
-    let of = |path: Path| text_of(&creep_curve_drawing(&family_of(path, &[])).unwrap());
+    let of = |path: Path| text_of(&drawing(&family_of(path, &[])));
     let text = of(spin);
     for part in ["spin creepage φ (1/m)", "force on the rail −Fy/N", "moment −Mz (N m)"] {
         assert!(text.contains(&part.to_owned()), "{part:?} is not in {text:?}");
@@ -306,11 +311,11 @@ fn one_and_many_members_have_colours_of_their_own() {
     let values: Vec<String> = (0..8).map(|k| format!("{k} m/s")).collect();
     let names: Vec<&str> = values.iter().map(String::as_str).collect();
     let family = family_of(over_x(0.0, 0.05), &names);
-    let svg = creep_curve_drawing(&family).unwrap();
+    let svg = drawing(&family);
     let strokes = svg.split("stroke=\"#").skip(1).map(|rest| rest[..6].to_owned());
     assert!(strokes.collect::<BTreeSet<String>>().len() >= 8);
     assert_eq!(text_of(&svg).iter().filter(|line| line.ends_with("m/s")).count(), 8);
-    let alone = creep_curve_drawing(&family_of(over_x(0.0, 0.05), &[])).unwrap();
+    let alone = drawing(&family_of(over_x(0.0, 0.05), &[]));
     assert!(alone.contains("#0072b2") && text_of(&alone).contains(&"Creep curve".to_owned()));
 }
 
@@ -324,11 +329,11 @@ fn numbers_that_are_none_do_not_spoil_the_rest() {
     curve.points[6].force.y = f64::NAN;
     curve.initial_slope.as_mut().unwrap().force.x = f64::NAN;
     curve.maxima[0].force.x = f64::NAN;
-    assert!(text_of(&creep_curve_drawing(&family).unwrap()).contains(&"<&>".to_owned()));
+    assert!(text_of(&drawing(&family)).contains(&"<&>".to_owned()));
     for point in family.members.iter_mut().flat_map(|member| &mut member.curve.points) {
         point.force = Resultant { x: f64::NAN, y: f64::NAN, moment_z: f64::NAN };
     }
-    assert_eq!(creep_curve_drawing(&family).unwrap_err(), FigureError::NoCurve);
+    assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
     family.members.clear();
-    assert_eq!(creep_curve_drawing(&family).unwrap_err(), FigureError::NoCurve);
+    assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
 }

@@ -4,7 +4,7 @@ mod common;
 
 use common::{RECIPE, Recipe, solution};
 use schlupf::Solution;
-use schlupf_output::figures::{Figure, FigureError, all, drawings, names};
+use schlupf_output::figures::{Figure, FigureError, drawings, names, render};
 
 fn text_of(svg: &str) -> String {
     let document = roxmltree::Document::parse(svg).unwrap();
@@ -44,7 +44,9 @@ fn assert_sound(figure: &Figure) {
 
 #[test]
 fn combined_slip_has_all_figures_of_the_paper_with_units() {
-    let figures = all("combined slip", &solution(Recipe { direction: 0.8, ..RECIPE })).unwrap();
+    let figures =
+        render(drawings("combined slip", &solution(Recipe { direction: 0.8, ..RECIPE })).unwrap())
+            .unwrap();
     let expected = [
         ("surface_pressure", "p*"),
         ("surface_force_x", "ΔFTx*"),
@@ -139,7 +141,7 @@ fn numbers_that_are_none_do_not_spoil_the_rest() {
 fn nothing_to_draw_is_an_error() {
     let mut solution = solution(RECIPE);
     solution.normal.semi_axis_x = f64::NAN;
-    assert_eq!(all("", &solution).unwrap_err(), FigureError::NoPatch);
+    assert_eq!(drawings("", &solution).unwrap_err(), FigureError::NoPatch);
 }
 
 #[test]

@@ -10,7 +10,7 @@ use schlupf::kinematics::Kinematics;
 use schlupf::message::Message;
 use schlupf::solution::Work;
 use schlupf_output::Report;
-use schlupf_output::figures::{FigureError, fit, fit_drawing};
+use schlupf_output::figures::FigureError;
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 const SPEEDS: [f64; 2] = [10.0, 30.0];
@@ -83,6 +83,11 @@ fn report(status: Status) -> FitReport {
     }
 }
 
+/// The only drawing.
+fn drawing(report: &impl Report) -> String {
+    report.drawings().unwrap().remove(0).1
+}
+
 #[test]
 fn json_has_parameters_intervals_and_points() {
     let value: serde_json::Value = serde_json::from_str(&report(Status::Converged).json()).unwrap();
@@ -121,7 +126,7 @@ fn the_summary_shows_values_with_their_digits() {
 
 #[test]
 fn the_figure_shows_all_points_in_both_panels() {
-    let svg = fit_drawing(&report(Status::NotConverged)).unwrap();
+    let svg = drawing(&report(Status::NotConverged));
     let document = roxmltree::Document::parse(&svg).unwrap();
     let dots = document.descendants().filter(|node| node.has_tag_name("circle")).count();
     // And one in the legend.
@@ -131,7 +136,7 @@ fn the_figure_shows_all_points_in_both_panels() {
         assert!(text.contains(part), "{part:?} is not in {text}");
     }
     assert!(!svg.contains("NaN"), "{svg}");
-    assert!(fit(&report(Status::Converged)).unwrap().png.starts_with(b"\x89PNG"));
+    assert!(report(Status::Converged).figures().unwrap()[0].png.starts_with(b"\x89PNG"));
 }
 
 /// Both components of a measurement in one direction, at two speeds.
@@ -167,7 +172,7 @@ fn two_components() -> FitReport {
 /// A panel for each component and one of residuals, marks of their own, the legend with both and the speeds.
 #[test]
 fn two_components_have_panels_and_marks_of_their_own() {
-    let svg = fit_drawing(&two_components()).unwrap();
+    let svg = drawing(&two_components());
     let document = roxmltree::Document::parse(&svg).unwrap();
     let count = |is: &dyn Fn(roxmltree::Node) -> bool| {
         document.descendants().filter(|node| is(*node)).count()
@@ -193,7 +198,7 @@ fn many_conditions_are_coloured_by_their_speed() {
     let one = report.fit.points[2];
     report.fit.points.clear();
     report.curves.series.clear();
-    for k in 0..14 {
+    for k in 0..14_u8 {
         let mut point = one;
         let motion = &mut point.data.condition.kinematics;
         motion.speed = 10.0 + 2.5 * f64::from(k);
@@ -203,11 +208,11 @@ fn many_conditions_are_coloured_by_their_speed() {
         report.curves.series.push(Series {
             component: Component::Longitudinal,
             condition,
-            members: vec![k as usize],
+            members: vec![usize::from(k)],
             curve: Vec::new(),
         });
     }
-    let svg = fit_drawing(&report).unwrap();
+    let svg = drawing(&report);
     let document = roxmltree::Document::parse(&svg).unwrap();
     let dots = document.descendants().filter(|node| node.has_tag_name("circle"));
     let mut colors: Vec<_> = dots.filter_map(|node| node.attribute("fill")).collect();
@@ -227,5 +232,5 @@ fn without_a_range_of_creepages_there_is_no_figure() {
     for point in &mut flat.fit.points {
         point.data.condition.kinematics.creepage_x = 0.0;
     }
-    assert_eq!(fit_drawing(&flat).unwrap_err(), FigureError::NoPoints);
+    assert_eq!(flat.drawings().unwrap_err(), FigureError::NoPoints);
 }

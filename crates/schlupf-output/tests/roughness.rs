@@ -10,7 +10,7 @@ use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::unwatched;
 use schlupf_output::Report;
 use schlupf_output::contact_law::{ContactLaw, Fit};
-use schlupf_output::figures::{FigureError, ROUGHNESS, roughness, roughness_drawings};
+use schlupf_output::figures::FigureError;
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
 /// Steel, 64² cells, two pressures.
@@ -153,8 +153,11 @@ fn texts(svg: &str) -> String {
 #[test]
 fn the_figures_name_what_they_show() {
     let report = report();
-    let drawings = roughness_drawings(&report).unwrap();
-    assert_eq!(drawings.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ROUGHNESS);
+    let drawings = report.drawings().unwrap();
+    assert_eq!(
+        drawings.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>(),
+        RoughnessReport::figure_names()
+    );
     let parts: [&[&str]; 4] = [
         &["a <rough> surface", "400 MPa", "1000 MPa", "Eq. (8) with ", "displacement"],
         &["The surface", "height (µm)", " (µm)"],
@@ -168,7 +171,7 @@ fn the_figures_name_what_they_show() {
         }
         assert!(!svg.contains("NaN") && !svg.contains("inf "), "{name}");
     }
-    for figure in roughness(&report).unwrap() {
+    for figure in report.figures().unwrap() {
         assert!(figure.png.starts_with(b"\x89PNG"), "{}", figure.name);
     }
 }
@@ -178,10 +181,10 @@ fn what_is_not_there_is_not_drawn() {
     let mut report = report();
     report.spots = None;
     report.spectrum = RadialSpectrum::default();
-    let names: Vec<_> = roughness_drawings(&report).unwrap().into_iter().map(|d| d.0).collect();
-    assert_eq!(names, ROUGHNESS[..2]);
+    let names: Vec<_> = report.drawings().unwrap().into_iter().map(|d| d.0).collect();
+    assert_eq!(names, RoughnessReport::figure_names()[..2]);
     report.result.tangential.clear();
-    assert_eq!(roughness_drawings(&report), Err(FigureError::NoTangentialCurve));
+    assert_eq!(report.drawings(), Err(FigureError::NoTangentialCurve));
 }
 
 /// Where k_c comes from stands in the result.

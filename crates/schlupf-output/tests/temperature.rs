@@ -3,7 +3,7 @@
 use schlupf::Status;
 use schlupf::message::Message;
 use schlupf_output::Report;
-use schlupf_output::figures::{FigureError, temperature, temperature_drawing};
+use schlupf_output::figures::FigureError;
 use schlupf_output::temperature::{Line, Request, Row, Temperatures};
 
 /// A hot wheel (100 °C) on a cold rail, which mix in the contact from x = 6 to −6 mm.
@@ -37,6 +37,11 @@ fn made_up(points: u32) -> Temperatures {
             Message::new(Message::NOT_CONVERGED, "heat", "a reason"),
         ],
     }
+}
+
+/// The only drawing.
+fn drawing(report: &impl Report) -> String {
+    report.drawings().unwrap().remove(0).1
 }
 
 #[test]
@@ -87,7 +92,7 @@ fn the_summary_shows_some_points_and_all_warnings() {
 fn the_figure_names_wheel_rail_and_depths() {
     let mut temperatures = made_up(40);
     temperatures.status = Status::NotConverged;
-    let svg = temperature_drawing(&temperatures).unwrap();
+    let svg = drawing(&temperatures);
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
     let document = roxmltree::Document::parse(&svg).unwrap();
     let texts: String = document
@@ -99,11 +104,11 @@ fn the_figure_names_wheel_rail_and_depths() {
     for part in ["a <hot> wheel", "40 µm deep", "wheel", "rail", "contact", "not converged"] {
         assert!(texts.contains(part), "{part:?}");
     }
-    assert!(temperature(&temperatures).unwrap().png.starts_with(b"\x89PNG"));
+    assert!(temperatures.figures().unwrap()[0].png.starts_with(b"\x89PNG"));
     let mut nothing = made_up(5);
     nothing.profile = Line::default();
-    assert_eq!(temperature_drawing(&nothing), Err(FigureError::NoTemperature));
+    assert_eq!(nothing.drawings(), Err(FigureError::NoTemperature));
     let mut broken = made_up(5);
     broken.rows[0].line.wheel[2] = f64::NAN;
-    assert!(!temperature_drawing(&broken).unwrap().contains("NaN"));
+    assert!(!drawing(&broken).contains("NaN"));
 }

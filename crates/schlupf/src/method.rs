@@ -156,8 +156,7 @@ impl SlopeReduction {
     fn check(self) -> Result<(), Error> {
         let Self { initial, limit_ratio, decay } = self;
         part(Quantity::InitialReduction, initial)?;
-        let is_part = Requirement::Between(0.0, 1.0);
-        require(Quantity::ReductionLimitRatio, is_part, limit_ratio)?;
+        require(Quantity::ReductionLimitRatio, Requirement::Between(0.0, 1.0), limit_ratio)?;
         require(Quantity::ReductionDecay, Requirement::NotNegative, decay)
     }
 }
@@ -178,7 +177,7 @@ mod tests {
         };
         assert!(message(polach(1.1, 0.4)).starts_with("polach_area_adhesion"));
         assert!(message(polach(0.5, 0.0)).starts_with("polach_area_slip"));
-        assert!(message(polach(0.3, 0.4)).contains("at most polach_area_adhesion = 0.3"));
+        assert!(message(polach(0.3, 0.4)).contains("between 0 and polach_area_adhesion = 0.3"));
         let modified = |initial, limit_ratio, decay| {
             let reduction = SlopeReduction { initial, limit_ratio, decay };
             FastMethod::ModifiedFastsim(Brush::KALKER, reduction)

@@ -2,10 +2,9 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
+use schlupf::Quantity;
 use schlupf::bulk_temperature::{BulkTemperature, Cooling, bulk_temperature};
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
@@ -14,7 +13,8 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::material::Material;
 use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Problem, Quantity, Status, unwatched};
+use schlupf::{Problem, Status, unwatched};
+use std::sync::Arc;
 
 const COOLING: Cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 10.0 };
 

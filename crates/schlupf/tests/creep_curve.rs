@@ -2,8 +2,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
 use schlupf::Quantity;
@@ -26,6 +24,7 @@ use schlupf::rolling::MarchingSolver;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::{Error, Options, Problem, Solver, Status, unwatched};
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 const BEDDING: f64 = 1e13;

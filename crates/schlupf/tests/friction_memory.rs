@@ -2,8 +2,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::rigid::Rigid;
@@ -20,6 +18,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::rolling::marching::march;
 use schlupf::state::Element;
 use schlupf::{Options, Problem, Solution, Status, rolling, unwatched};
+use std::sync::Arc;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
     let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();

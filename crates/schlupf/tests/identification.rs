@@ -2,9 +2,6 @@
 
 mod common;
 
-use std::path::Path;
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{half_space, problem, rolling};
 use schlupf::heat::duhamel::Duhamel;
@@ -23,6 +20,8 @@ use schlupf::kinematics::Kinematics;
 use schlupf::method::AreaReduction;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::{Error, Options, Problem, Status, unwatched};
+use std::path::Path;
+use std::sync::Arc;
 
 const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
 const VANISHES: Parameter = Parameter::Friction(FrictionConstant::TemperatureAtZeroFriction);

@@ -2,10 +2,9 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, follow, from_state, problem, rolling, solve, solve_over};
+use schlupf::Quantity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
@@ -17,7 +16,8 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::reference::winkler_strip;
 use schlupf::rolling::marching::march;
-use schlupf::{Options, Quantity, Status, Transient, unwatched};
+use schlupf::{Options, Status, Transient, unwatched};
+use std::sync::Arc;
 
 /// Kalker 1982 in the limit of an exact integration: Winkler bedding, Coulomb friction, elliptic
 /// bound.

@@ -2,9 +2,6 @@
 
 mod common;
 
-use std::f64::consts::PI;
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::Quantity;
@@ -17,6 +14,8 @@ use schlupf::normal::{NormalSummary, PressureSource};
 use schlupf::patch::Patch;
 use schlupf::simplified::FastContact;
 use schlupf::{Options, Solution, unwatched};
+use std::f64::consts::PI;
+use std::sync::Arc;
 
 const MODULUS: f64 = 115e9;
 const CELLS: usize = Profile::DEFAULT_CELLS;

@@ -3,8 +3,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling, solve_over};
 use schlupf::bulk_temperature::{Cooling, bulk_temperature};
@@ -23,6 +21,7 @@ use schlupf::rolling::steady::SteadySolver;
 use schlupf::simplified::FastContact;
 use schlupf::solution::Resultant;
 use schlupf::{Method, Options, Problem, Solution, Status, rolling, unwatched};
+use std::sync::Arc;
 
 /// Where the middle of the patch lies in the file, in m.
 const ORIGIN: [f64; 2] = [2.5e-3, -11e-3];

@@ -1,7 +1,5 @@
 //! Normal contact of bodies of any shape, against closed forms and published numbers.
 
-use std::f64::consts::{PI, TAU};
-
 use approx::assert_relative_eq;
 use schlupf::normal::PressureSource;
 use schlupf::normal::hertz::Hertz;
@@ -12,6 +10,7 @@ use schlupf::reference::westergaard::Westergaard;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 use schlupf::unwatched;
+use std::f64::consts::{PI, TAU};
 
 const MODULUS: f64 = 115e9;
 

@@ -2,9 +2,6 @@
 
 mod common;
 
-use std::f64::consts::PI;
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, follow, from_state, problem, rolling};
 use schlupf::elasticity::half_space::HalfSpace;
@@ -23,6 +20,8 @@ use schlupf::rolling::marching::shift;
 use schlupf::rolling::steady;
 use schlupf::solution::{Power, TGamma};
 use schlupf::{Options, Problem, Solution, Status, unwatched};
+use std::f64::consts::PI;
+use std::sync::Arc;
 
 const RADIUS: f64 = 5e-3;
 

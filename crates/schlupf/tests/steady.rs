@@ -2,8 +2,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::Elasticity;
@@ -18,6 +16,7 @@ use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, rolling, unwatched};
+use std::sync::Arc;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
     let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();

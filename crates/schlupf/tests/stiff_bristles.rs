@@ -3,8 +3,6 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use common::{cells, half_space, layer, problem, rolling};
 use schlupf::elasticity::Elasticity;
 use schlupf::heat::Heat;
@@ -20,6 +18,7 @@ use schlupf::kinematics::Kinematics;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::solution::Work;
 use schlupf::{Options, Problem, Solution, Status, unwatched};
+use std::sync::Arc;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
     let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();

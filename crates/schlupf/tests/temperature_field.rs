@@ -2,9 +2,6 @@
 
 mod common;
 
-use std::f64::consts::FRAC_2_PI;
-use std::sync::Arc;
-
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::heat::Heat;
@@ -14,6 +11,8 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::material::{Body, Material};
 use schlupf::temperature_field::{Side, TemperatureField};
 use schlupf::{Problem, Solution, Status, unwatched};
+use std::f64::consts::FRAC_2_PI;
+use std::sync::Arc;
 
 /// Sliding on the half-space with friction that falls with the temperature.
 fn hot(partition: Partition) -> Problem {

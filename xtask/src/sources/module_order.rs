@@ -30,20 +30,24 @@ fn check(sources: &[Source]) -> Vec<Finding> {
 
 fn check_folder(sources: &[Source], folder: &str, root: &str) -> Vec<Finding> {
     let root = format!("{CORE}{folder}{root}");
-    let Some(root) = sources.iter().find(|source| source.path == root) else { return Vec::new() };
-    let root = Root::read(root);
-    let modules = sources.iter().filter(|source| !source.for_tests);
+    let Some(named) = sources.iter().find(|source| source.path == root) else {
+        return Vec::new();
+    };
+    let root = Root::read(named, folder);
+    // The root itself stands for all modules: it only names them and re-exports.
+    let modules = sources.iter().filter(|source| !source.for_tests && source.path != named.path);
     modules.flat_map(|source| check_file(source, &root)).collect()
 }
 
 fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
     let Some(module) = source.path.strip_prefix(CORE).map(module_of) else { return Vec::new() };
     // The root itself stands for all modules: it only names them and re-exports.
-    let Some(top) = root.name_in(&module) else { return Vec::new() };
+    let below = module.strip_prefix(root.path.as_slice());
+    let Some(top) = below.and_then(|below| below.first()) else { return Vec::new() };
     let Some(position) = root.position(top) else { return Vec::new() };
     let wrong = named_paths(&source.file.items, &module).into_iter().filter_map(
         |Path { names, line, .. }| {
-            let name = root.name_in(&names)?;
+            let name = names.strip_prefix(root.path.as_slice())?.first()?;
             let module = root.module_of(name);
             match root.position(module) {
                 Some(used) if used <= position => None,
@@ -69,34 +73,30 @@ struct Root {
 }
 
 impl Root {
-    fn read(source: &Source) -> Self {
-        let path = source.path.strip_prefix(CORE).map(module_of).unwrap_or_default();
+    fn read(source: &Source, folder: &str) -> Self {
+        let path = folder.split_terminator('/').map(str::to_owned).collect();
         let mut root = Self { path, modules: Vec::new(), exports: Vec::new() };
         for item in source.file.items.iter().filter(|item| !is_test_item(item)) {
             if let Item::Mod(module) = item {
                 root.modules.push(module.ident.to_string());
             }
         }
-        let exports = named_paths(&source.file.items, &root.path).into_iter();
-        let exports = exports.filter_map(|path| {
-            let module = root.name_in(&path.names)?.clone();
-            Some((path.export?, module))
-        });
-        root.exports = exports.collect();
+        let exports = named_paths(&source.file.items, &[]).into_iter();
+        let exports = exports.filter(|path| path.export.is_some());
+        root.exports =
+            exports.filter_map(|path| Some((path.export?, path.names[0].clone()))).collect();
         root
-    }
-
-    /// What follows after it in a path.
-    fn name_in<'a>(&self, path: &'a [String]) -> Option<&'a String> {
-        path.strip_prefix(self.path.as_slice())?.first()
     }
 
     fn position(&self, module: &str) -> Option<usize> {
         self.modules.iter().position(|other| other == module)
     }
 
-    /// The module behind a name at the root.
+    /// The module behind a name at the root; an item may have the name of a module, too.
     fn module_of<'a>(&'a self, name: &'a str) -> &'a str {
+        if self.position(name).is_some() {
+            return name;
+        }
         self.exports.iter().find(|(export, _)| export == name).map_or(name, |(_, module)| module)
     }
 }
@@ -148,12 +148,12 @@ mod tests {
     #[test]
     fn a_folder_has_its_own_order() {
         let root = ("crates/schlupf/src/rolling/mod.rs", "mod shared;\nmod steady;");
-        let of = |text| {
-            let file = ("crates/schlupf/src/rolling/shared/a.rs", text);
-            found(&RULE, &[ROOT, root, file])
-        };
-        let above = "use super::b::B;\nuse crate::heat::Heat;\nuse crate::rolling::shared::b;";
-        assert_eq!(of(above), []);
+        let of =
+            |text| found(&RULE, &[ROOT, root, ("crates/schlupf/src/rolling/shared/a.rs", text)]);
+        assert_eq!(
+            of("use super::b::B;\nuse crate::heat::Heat;\nuse crate::rolling::shared::b;"),
+            []
+        );
         for text in ["use super::super::steady::A;", "use crate::rolling::steady::A;"] {
             let message = "`shared` uses `steady`, which stands below it".to_owned();
             assert_eq!(of(text), [(1, message)], "{text}");

@@ -1,5 +1,6 @@
 //! Calibrated stiffnesses of the elastic layer: a summary with a snippet for the case file, and JSON.
 
+mod figure;
 mod json;
 mod snippet;
 mod summary;
@@ -12,9 +13,12 @@ use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::Status;
 
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
 use crate::table::{Table, entry};
+
+/// Name of the figure.
+const FIGURE: &str = "calibration";
 
 /// Stiffnesses for a patch, and what they were fitted to.
 #[derive(Debug, Clone)]
@@ -164,8 +168,13 @@ impl Report for CalibrationReport {
         Some(table.csv("couplings along and across rolling"))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        let sides = self.sides.iter();
-        sides.map(|sides| figures::calibration(&self.title, sides)).collect()
+    fn figure_names() -> Vec<String> {
+        vec![FIGURE.to_owned()]
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        let Some(sides) = &self.sides else { return Ok(Vec::new()) };
+        let svg = figure::draw(&self.title, sides).ok_or(FigureError::NoSides)?;
+        Ok(vec![(FIGURE.to_owned(), svg)])
     }
 }

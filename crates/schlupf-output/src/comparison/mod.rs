@@ -1,5 +1,6 @@
 //! Several methods on the same case: JSON, CSV and a summary. The figure is among the figures.
 
+mod figure;
 mod json;
 mod summary;
 
@@ -7,9 +8,12 @@ use schlupf::columns::{Column, Record, Value};
 use schlupf::message::Message;
 use schlupf::{Solution, Status, columns};
 
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
 use crate::table::{Table, entries, quoted};
+
+/// Name of the figure.
+const FIGURE: &str = "comparison";
 
 /// What several methods make of one case.
 #[derive(Debug, Clone)]
@@ -135,7 +139,12 @@ impl Report for Comparison {
         Some(table.csv("forces on the wheel"))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        figures::comparison(self).map(|figure| vec![figure])
+    fn figure_names() -> Vec<String> {
+        vec![FIGURE.to_owned()]
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        let svg = figure::draw(self).ok_or(FigureError::NothingToCompare)?;
+        Ok(vec![(FIGURE.to_owned(), svg)])
     }
 }

@@ -1,5 +1,6 @@
 //! Creep curves, one or a family of them: JSON, CSV and a summary. The figure is among the figures.
 
+mod figure;
 mod json;
 mod summary;
 
@@ -7,9 +8,12 @@ use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, CreepCurve, Sampling};
 use schlupf::message::Message;
 
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
 use crate::table::{Table, entries, entry, quoted};
+
+/// Name of the figure.
+const FIGURE: &str = "creep_curve";
 
 /// Creep curves over the same creepages, of cases that differ in one field.
 #[derive(Debug, Clone)]
@@ -118,7 +122,12 @@ impl Report for CurveFamily {
         Some(table.csv("forces on the wheel"))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        figures::creep_curve(self).map(|figure| vec![figure])
+    fn figure_names() -> Vec<String> {
+        vec![FIGURE.to_owned()]
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        let svg = figure::draw(self).ok_or(FigureError::NoCurve)?;
+        Ok(vec![(FIGURE.to_owned(), svg)])
     }
 }

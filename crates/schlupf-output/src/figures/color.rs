@@ -1,23 +1,24 @@
 //! Colours of text and lines, and perceptually uniform colour maps.
 //!
-//! The maps are equidistant samples of viridis and inferno (matplotlib, van der Walt and Smith 2015, CC0) and of
-//! vik (Crameri 2018, MIT), linear in between; at 33 samples the error is below what eight bits show.
+//! The maps are equidistant samples of viridis and inferno (matplotlib, van der Walt and Smith
+//! 2015, CC0) and of vik (Crameri 2018, MIT), linear in between; at 33 samples the error is below
+//! what eight bits show.
 
 /// Colour of text and axes.
-pub(super) const INK: &str = "#222222";
+pub(crate) const INK: &str = "#222222";
 /// Colour of what stands back: titles of the case, units, grid labels.
-pub(super) const MUTED: &str = "#5f5f5f";
+pub(crate) const MUTED: &str = "#5f5f5f";
 
 /// Line colours that colour-blind readers tell apart (Okabe and Ito 2008).
-pub(super) const BLUE: &str = "#0072b2";
+pub(crate) const BLUE: &str = "#0072b2";
 /// Second line colour.
-pub(super) const VERMILION: &str = "#d55e00";
+pub(crate) const VERMILION: &str = "#d55e00";
 /// Third line colour.
-pub(super) const GREEN: &str = "#009e73";
+pub(crate) const GREEN: &str = "#009e73";
 
 /// A colour map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Palette {
+pub(crate) enum Palette {
     /// viridis: for mechanical quantities of one sign.
     Mechanical,
     /// inferno: for heat and temperature.
@@ -27,11 +28,11 @@ pub(super) enum Palette {
 }
 
 /// Colours told apart in a figure.
-pub(super) const LEVELS: usize = 256;
+pub(crate) const LEVELS: usize = 256;
 
 /// Colours over a range of values.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ColorScale {
+pub(crate) struct ColorScale {
     /// The map.
     pub palette: Palette,
     /// Value of the first colour.
@@ -42,19 +43,19 @@ pub(super) struct ColorScale {
 
 impl ColorScale {
     /// The colour level of a value, clamped to the range.
-    pub(super) fn level(&self, value: f64) -> usize {
+    pub(crate) fn level(&self, value: f64) -> usize {
         let fraction = (value - self.low) / (self.high - self.low);
         (fraction.clamp(0.0, 1.0) * (LEVELS - 1) as f64).round() as usize
     }
 
     /// The colour of a value as an SVG paint.
-    pub(super) fn paint(&self, value: f64) -> String {
+    pub(crate) fn paint(&self, value: f64) -> String {
         paint(self.palette, self.level(value))
     }
 }
 
 /// The colour of a level as an SVG paint.
-pub(super) fn paint(palette: Palette, level: usize) -> String {
+pub(crate) fn paint(palette: Palette, level: usize) -> String {
     let samples = match palette {
         Palette::Mechanical => &VIRIDIS,
         Palette::Thermal => &INFERNO,
@@ -73,7 +74,7 @@ pub(super) fn paint(palette: Palette, level: usize) -> String {
 }
 
 /// Colours of a series of curves, from dark to light, so that they differ in grey, too.
-pub(super) fn series(count: usize) -> Vec<String> {
+pub(crate) fn series(count: usize) -> Vec<String> {
     /// The light end of the palette is not seen on white.
     const LIGHTEST: f64 = 0.78;
     if count == 1 {

@@ -5,12 +5,12 @@ use schlupf::grid::Grid;
 use super::patch::Patch;
 
 /// A piece of a border, in m.
-pub(super) type Segment = [[f64; 2]; 2];
+pub(crate) type Segment = [[f64; 2]; 2];
 
 /// What tells sliding from sticking: a value for each contact cell that exceeds a level where the cell
 /// slides.
 #[derive(Debug)]
-pub(super) struct Sliding {
+pub(crate) struct Sliding {
     /// The values.
     pub values: Vec<f64>,
     /// The level.
@@ -19,7 +19,7 @@ pub(super) struct Sliding {
 
 /// The share of the friction bound in use where it tells sliding cells from sticking ones, as it does
 /// by definition: its contour is smooth. Else the marks of the cells.
-pub(super) fn sliding(patch: &Patch) -> Sliding {
+pub(crate) fn sliding(patch: &Patch) -> Sliding {
     let used = used_friction(patch);
     let sliding = &patch.fields().sliding;
     let of =
@@ -34,7 +34,7 @@ pub(super) fn sliding(patch: &Patch) -> Sliding {
 }
 
 /// The border between sticking and sliding.
-pub(super) fn stick_border(patch: &Patch) -> Vec<Segment> {
+pub(crate) fn stick_border(patch: &Patch) -> Vec<Segment> {
     let Sliding { values, level } = sliding(patch);
     contour(patch, &values, level)
 }
@@ -52,7 +52,7 @@ fn used_friction(patch: &Patch) -> Vec<f64> {
 }
 
 /// The edges between contact cells and others.
-pub(super) fn outline(patch: &Patch) -> Vec<Segment> {
+pub(crate) fn outline(patch: &Patch) -> Vec<Segment> {
     let grid = &patch.fields().grid;
     let mut segments = Vec::new();
     for &[i, j] in &patch.fields().cell {

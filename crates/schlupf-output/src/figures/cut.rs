@@ -12,7 +12,7 @@ use super::sampler::Sampler;
 use super::units;
 
 /// Traction on the rail with its bound, slip velocity, and temperature rise along y = 0.
-pub(super) fn draw(patch: &Patch) -> String {
+pub(crate) fn draw(patch: &Patch) -> String {
     let cut = Cut::new(patch);
     let mut panels = vec![tractions(&cut), slip(&cut)];
     panels.extend(temperature(&cut));

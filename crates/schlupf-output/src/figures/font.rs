@@ -9,7 +9,7 @@ use std::sync::Arc;
 use resvg::usvg::fontdb::Database;
 
 /// Font families of the text, best first.
-pub(super) const FAMILIES: &str = "'DejaVu Sans', Verdana, sans-serif";
+pub(crate) const FAMILIES: &str = "'DejaVu Sans', Verdana, sans-serif";
 
 const UPRIGHT: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
 const OBLIQUE: &[u8] = include_bytes!("../../fonts/DejaVuSans-Oblique.ttf");
@@ -17,7 +17,7 @@ const UPRIGHT_WEB: &[u8] = include_bytes!("../../fonts/DejaVuSans.woff2");
 const OBLIQUE_WEB: &[u8] = include_bytes!("../../fonts/DejaVuSans-Oblique.woff2");
 
 /// The fonts for the renderer.
-pub(super) fn database() -> Arc<Database> {
+pub(crate) fn database() -> Arc<Database> {
     let mut database = Database::new();
     database.load_font_data(UPRIGHT.to_vec());
     database.load_font_data(OBLIQUE.to_vec());
@@ -26,7 +26,7 @@ pub(super) fn database() -> Arc<Database> {
 }
 
 /// The fonts as a style sheet.
-pub(super) fn faces() -> String {
+pub(crate) fn faces() -> String {
     let face = |style, data| {
         format!(
             "@font-face{{font-family:'DejaVu Sans';font-style:{style};\

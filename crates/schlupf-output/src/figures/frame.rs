@@ -6,13 +6,13 @@ use super::svg::{Drawing, GRID_LINE};
 use super::ticks::{Tick, round_ticks};
 
 /// Font size of tick labels.
-pub(super) const TICK_SIZE: f64 = 13.0;
+pub(crate) const TICK_SIZE: f64 = 13.0;
 /// Font size of axis labels.
-pub(super) const LABEL_SIZE: f64 = 15.0;
+pub(crate) const LABEL_SIZE: f64 = 15.0;
 
 /// A plot area and the ranges it shows.
 #[derive(Debug, Clone)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// Upper left corner in the drawing.
     pub corner: [f64; 2],
     /// Width and height in the drawing.
@@ -25,29 +25,29 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Where a point lies in the drawing.
-    pub(super) fn at(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn at(&self, point: [f64; 2]) -> [f64; 2] {
         let u = (point[0] - self.x[0]) / (self.x[1] - self.x[0]);
         let v = (point[1] - self.y[0]) / (self.y[1] - self.y[0]);
         [self.corner[0] + u * self.size[0], self.corner[1] + (1.0 - v) * self.size[1]]
     }
 
     /// Drawing units per unit of x and of y.
-    pub(super) fn scale(&self) -> [f64; 2] {
+    pub(crate) fn scale(&self) -> [f64; 2] {
         [self.size[0] / (self.x[1] - self.x[0]), self.size[1] / (self.y[1] - self.y[0])]
     }
 
     /// Lower edge in the drawing.
-    pub(super) fn bottom(&self) -> f64 {
+    pub(crate) fn bottom(&self) -> f64 {
         self.corner[1] + self.size[1]
     }
 
     /// Right edge in the drawing.
-    pub(super) fn right(&self) -> f64 {
+    pub(crate) fn right(&self) -> f64 {
         self.corner[0] + self.size[0]
     }
 
     /// Grid lines at the ticks, for what is drawn over them.
-    pub(super) fn draw_grid(&self, drawing: &mut Drawing) {
+    pub(crate) fn draw_grid(&self, drawing: &mut Drawing) {
         for tick in self.x_ticks() {
             let x = self.at([tick.value, self.y[0]])[0];
             drawing.line([x, self.corner[1]], [x, self.bottom()], GRID_LINE);
@@ -59,7 +59,7 @@ impl Frame {
     }
 
     /// The outline, and ticks and label of the vertical axis.
-    pub(super) fn draw_vertical(&self, drawing: &mut Drawing, label: &str) {
+    pub(crate) fn draw_vertical(&self, drawing: &mut Drawing, label: &str) {
         let left = self.corner[0];
         drawing.rectangle(self.corner, self.size, &outline());
         let mut widest: f64 = 0.0;
@@ -76,7 +76,7 @@ impl Frame {
     }
 
     /// Ticks and label of the horizontal axis.
-    pub(super) fn draw_horizontal(&self, drawing: &mut Drawing, label: &str) {
+    pub(crate) fn draw_horizontal(&self, drawing: &mut Drawing, label: &str) {
         let bottom = self.bottom();
         for tick in self.x_ticks() {
             let x = self.at([tick.value, self.y[0]])[0];
@@ -105,12 +105,12 @@ fn enough_ticks([low, high]: [f64; 2], about: usize) -> Vec<Tick> {
 }
 
 /// Stroke of the outline of a plot area.
-pub(super) fn outline() -> String {
+pub(crate) fn outline() -> String {
     format!(r#"fill="none" stroke="{INK}" stroke-width="1""#)
 }
 
 /// Stroke of a tick.
-pub(super) fn tick_line() -> String {
+pub(crate) fn tick_line() -> String {
     format!(r#"stroke="{INK}" stroke-width="1""#)
 }
 

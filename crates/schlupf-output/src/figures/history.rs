@@ -10,7 +10,7 @@ use super::units;
 
 /// Forces on the rail, creepages that change, and the largest temperature rise over the distance
 /// rolled.
-pub(super) fn draw(patch: &Patch) -> String {
+pub(crate) fn draw(patch: &Patch) -> String {
     let history = &patch.solution.history;
     let distance: Vec<f64> = history.iter().map(|instant| instant.distance).collect();
     let total = distance.last().copied().unwrap_or(0.0);

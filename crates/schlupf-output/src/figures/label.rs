@@ -9,7 +9,7 @@ use super::color::INK;
 
 /// Where the given point lies in the text.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Anchor {
+pub(crate) enum Anchor {
     /// At its start.
     Start,
     /// In its middle.
@@ -20,7 +20,7 @@ pub(super) enum Anchor {
 
 /// How text is set.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct TextStyle {
+pub(crate) struct TextStyle {
     /// Font size in user units.
     pub size: f64,
     /// Where the given point lies along the text.
@@ -33,13 +33,13 @@ pub(super) struct TextStyle {
 
 impl TextStyle {
     /// Upright dark text.
-    pub(super) const fn new(size: f64, anchor: Anchor) -> Self {
+    pub(crate) const fn new(size: f64, anchor: Anchor) -> Self {
         Self { size, anchor, color: INK, rotation: 0.0 }
     }
 }
 
 /// The SVG element of a text whose inner part is given as SVG.
-pub(super) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
+pub(crate) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
     let [x, y] = at;
     let anchor = match style.anchor {
         Anchor::Start => "start",
@@ -59,7 +59,7 @@ pub(super) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
 }
 
 /// Markup as SVG text spans for a font size.
-pub(super) fn spans(markup: &str, size: f64) -> String {
+pub(crate) fn spans(markup: &str, size: f64) -> String {
     let mut inner = String::new();
     let mut baseline = 0.0;
     for run in runs(markup) {
@@ -130,7 +130,7 @@ fn script(characters: &mut std::str::Chars) -> String {
 }
 
 /// Text with the characters of XML escaped and control characters left out.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
@@ -146,7 +146,7 @@ pub(super) fn escape(text: &str) -> String {
 }
 
 /// About how wide a text is, in font sizes; enough to keep labels apart.
-pub(super) fn width(text: &str) -> f64 {
+pub(crate) fn width(text: &str) -> f64 {
     0.57 * text.chars().filter(|c| !"$_^{}".contains(*c)).count() as f64
 }
 

@@ -14,7 +14,7 @@ use super::svg::{Drawing, open_path};
 
 /// Vectors drawn as arrows.
 #[derive(Debug)]
-pub(super) struct Arrows {
+pub(crate) struct Arrows {
     /// Component along rolling in every contact cell, in any unit.
     pub x: Vec<f64>,
     /// Component across rolling.
@@ -34,7 +34,7 @@ const BORDER: [&str; 2] = [
 ];
 
 /// The map of a quantity over x and y in mm, both to the same scale.
-pub(super) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) -> String {
+pub(crate) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) -> String {
     let layout = Layout::new(patch);
     let mut drawing = Drawing::new(layout.width, layout.height);
     marks::heading(&mut drawing, patch, &quantity.title);

@@ -12,18 +12,18 @@ use super::ticks::round_ticks;
 use crate::number::significant;
 
 /// Height of the heading.
-pub(super) const HEADING: f64 = 84.0;
+pub(crate) const HEADING: f64 = 84.0;
 /// Left end of the heading.
 const MARGIN: f64 = 24.0;
 
 /// Title of the figure, title of the case, and its kinematics.
-pub(super) fn heading(drawing: &mut Drawing, patch: &Patch, title: &str) {
+pub(crate) fn heading(drawing: &mut Drawing, patch: &Patch, title: &str) {
     let remark = if patch.solution.status == Status::NotConverged { "not converged" } else { "" };
     title_block(drawing, title, [patch.title, &conditions(patch)], remark);
 }
 
 /// Title of the figure, title of the case as it stands and its conditions, and a remark in red.
-pub(super) fn title_block(
+pub(crate) fn title_block(
     drawing: &mut Drawing,
     title: &str,
     [case, conditions]: [&str; 2],
@@ -41,10 +41,10 @@ pub(super) fn title_block(
 }
 
 /// Colour of what did not converge.
-pub(super) const ALARM: &str = "#b40426";
+pub(crate) const ALARM: &str = "#b40426";
 
 /// A text cut to a width in font sizes.
-pub(super) fn shortened(text: &str, room: f64) -> String {
+pub(crate) fn shortened(text: &str, room: f64) -> String {
     if label::width(text) <= room {
         return text.to_owned();
     }
@@ -70,12 +70,12 @@ fn conditions(patch: &Patch) -> String {
 }
 
 /// A number with a true minus sign.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     significant(value).replace('-', "\u{2212}")
 }
 
 /// A vertical colour bar from its upper left corner, with ticks and a label on top.
-pub(super) fn color_bar(
+pub(crate) fn color_bar(
     drawing: &mut Drawing,
     corner: [f64; 2],
     height: f64,
@@ -105,7 +105,7 @@ pub(super) fn color_bar(
 }
 
 /// The outline of an arrow as path data; `width` is that of its head. Nothing without a length.
-pub(super) fn arrow(from: [f64; 2], to: [f64; 2], width: f64) -> String {
+pub(crate) fn arrow(from: [f64; 2], to: [f64; 2], width: f64) -> String {
     let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     let length = dx.hypot(dy);
     if length.is_nan() || length < 1e-6 {
@@ -136,7 +136,7 @@ pub(super) fn arrow(from: [f64; 2], to: [f64; 2], width: f64) -> String {
 }
 
 /// The rolling direction: an arrow to the right with its name before it, centred on a point.
-pub(super) fn rolling_direction(drawing: &mut Drawing, center: [f64; 2]) {
+pub(crate) fn rolling_direction(drawing: &mut Drawing, center: [f64; 2]) {
     let [x, y] = center;
     let style = TextStyle::new(TICK_SIZE, Anchor::End);
     drawing.text([x + 28.0, y + 0.36 * TICK_SIZE], &style, "rolling direction");
@@ -145,18 +145,18 @@ pub(super) fn rolling_direction(drawing: &mut Drawing, center: [f64; 2]) {
 }
 
 /// A dot at a point.
-pub(super) fn dot(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
+pub(crate) fn dot(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
     drawing.shape(&format!(r#"<circle cx="{x:.2}" cy="{y:.2}" r="4" {style}/>"#));
 }
 
 /// A square at a point.
-pub(super) fn square(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
+pub(crate) fn square(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
     const HALF: f64 = 3.7;
     drawing.rectangle([x - HALF, y - HALF], [2.0 * HALF; 2], style);
 }
 
 /// A diagonal cross at a point.
-pub(super) fn cross(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
+pub(crate) fn cross(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
     const ARM: f64 = 4.5;
     drawing.line([x - ARM, y - ARM], [x + ARM, y + ARM], style);
     drawing.line([x - ARM, y + ARM], [x + ARM, y - ARM], style);
@@ -164,7 +164,7 @@ pub(super) fn cross(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
 
 /// An entry of a legend: sample strokes (SVG attributes, drawn one over the other) and text.
 #[derive(Debug)]
-pub(super) struct Entry {
+pub(crate) struct Entry {
     /// How the sample is drawn.
     pub sample: Sample,
     /// What it means.
@@ -173,7 +173,7 @@ pub(super) struct Entry {
 
 /// A sample in a legend.
 #[derive(Debug)]
-pub(super) enum Sample {
+pub(crate) enum Sample {
     /// A line drawn with each of the strokes.
     Line(Vec<String>),
     /// A filled field.
@@ -190,7 +190,7 @@ pub(super) enum Sample {
 
 /// Entries in a row from the left end of its base line, in more rows if they do not fit; returns the
 /// height taken.
-pub(super) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &[Entry]) -> f64 {
+pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &[Entry]) -> f64 {
     const ROW: f64 = 22.0;
     const SAMPLE: f64 = 30.0;
     let [left, top] = at;

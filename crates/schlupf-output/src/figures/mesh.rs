@@ -5,7 +5,7 @@ use super::sampler::Sampler;
 
 /// A flat piece of a surface; x and y over a and b.
 #[derive(Debug, Clone)]
-pub(super) struct Facet {
+pub(crate) struct Facet {
     /// Its corners.
     pub corners: Vec<[f64; 3]>,
     /// Those of its edges that lie on the two far lines of its mesh; the near ones are drawn by its
@@ -35,13 +35,13 @@ impl Facet {
     }
 
     /// Mean height of the corners; for a wall that of its upper edge.
-    pub(super) fn value(&self) -> f64 {
+    pub(crate) fn value(&self) -> f64 {
         let count = if self.wall { 2 } else { self.corners.len() };
         self.corners.iter().take(count).map(|corner| corner[2]).sum::<f64>() / count.max(1) as f64
     }
 
     /// Middle of its projection to the floor.
-    pub(super) fn place(&self) -> [f64; 2] {
+    pub(crate) fn place(&self) -> [f64; 2] {
         let count = self.corners.len().max(1) as f64;
         [0, 1].map(|axis| self.corners.iter().map(|corner| corner[axis]).sum::<f64>() / count)
     }
@@ -51,7 +51,7 @@ impl Facet {
 const MESHES: usize = 40;
 
 /// What a surface spans: ±1 for a Hertzian patch, else the grid; over a and b.
-pub(super) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
+pub(crate) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
     if patch.elliptic {
         return [[-1.0, 1.0]; 2];
     }
@@ -68,7 +68,7 @@ pub(super) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
 
 /// The surface in square meshes over the extent of the patch. Over a Hertzian patch it ends at the
 /// ellipse and falls from there to zero.
-pub(super) fn facets(patch: &Patch, sampler: &Sampler) -> Vec<Facet> {
+pub(crate) fn facets(patch: &Patch, sampler: &Sampler) -> Vec<Facet> {
     let [x, y] = extent(patch);
     let node = |range: [f64; 2], index: usize| between(range, index, MESHES);
     let height = |place: [f64; 2]| [place[0], place[1], sampler.value(place)];

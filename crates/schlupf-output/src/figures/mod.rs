@@ -4,45 +4,29 @@
 //! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
 //! the arrows of the maps. Quantities that are zero throughout have no figure.
 
-mod calibration;
-mod color;
-mod comparison;
+pub(crate) mod color;
 mod contour;
-mod creep_curve;
 mod cut;
-mod fit;
-mod fit_panel;
 mod font;
-mod frame;
-mod height_map;
+pub(crate) mod frame;
 mod history;
-mod label;
+pub(crate) mod label;
 mod map;
-mod marks;
+pub(crate) mod marks;
 mod mesh;
-mod panels;
+pub(crate) mod panels;
 mod patch;
 mod projection;
 mod quantity;
 mod raster;
-mod roughness;
 mod sampler;
-mod smooth;
-mod spectrum;
+pub(crate) mod smooth;
 mod surface;
-mod svg;
-mod temperature;
-mod ticks;
-mod units;
+pub(crate) mod svg;
+pub(crate) mod ticks;
+pub(crate) mod units;
 
 use schlupf::Solution;
-use schlupf::calibration::side_by_side::SideBySide;
-
-use crate::comparison::Comparison;
-use crate::creep_curve::CurveFamily;
-use crate::identification::FitReport;
-use crate::roughness::RoughnessReport;
-use crate::temperature::Temperatures;
 
 pub use svg::MARK;
 
@@ -90,116 +74,17 @@ pub enum FigureError {
     Render(String),
 }
 
-/// All figures that the solution has something to show in: `surface_…` over the patch, flat `map_…`,
-/// `cut_y0` along y = 0 (through the largest pressure where that line meets no contact), and `history` over the rolled distance.
-pub fn all(title: &str, solution: &Solution) -> Result<Vec<Figure>, FigureError> {
+/// A drawing: its name, and the SVG document.
+pub type Drawing = (String, String);
+
+/// Figures of drawings, with their pictures, which take most of the time.
+pub fn render(drawings: Vec<Drawing>) -> Result<Vec<Figure>, FigureError> {
     let fonts = font::database();
-    drawings(title, solution)?
-        .into_iter()
-        .map(|(name, svg)| {
-            let png = raster::png(&svg, &fonts)?;
-            Ok(Figure { name, svg, png })
-        })
-        .collect()
-}
-
-/// Name of the figure of creep curves.
-pub const CREEP_CURVE: &str = "creep_curve";
-
-/// The figure of creep curves: force on the rail over load, moment and temperature rise over creepage.
-pub fn creep_curve(family: &CurveFamily) -> Result<Figure, FigureError> {
-    let svg = creep_curve_drawing(family)?;
-    let png = raster::png(&svg, &font::database())?;
-    Ok(Figure { name: CREEP_CURVE.to_owned(), svg, png })
-}
-
-/// Name of the figure of a comparison.
-pub const COMPARISON: &str = "comparison";
-
-/// The figure of a comparison: forces, moment, temperature rise and time of every method that has an answer.
-pub fn comparison(comparison: &Comparison) -> Result<Figure, FigureError> {
-    let svg = comparison::draw(comparison).ok_or(FigureError::NothingToCompare)?;
-    let png = raster::png(&svg, &font::database())?;
-    Ok(Figure { name: COMPARISON.to_owned(), svg, png })
-}
-
-/// The SVG document of creep curves.
-pub fn creep_curve_drawing(family: &CurveFamily) -> Result<String, FigureError> {
-    creep_curve::draw(family).ok_or(FigureError::NoCurve)
-}
-
-/// Name of the figure of temperatures along lines.
-pub const TEMPERATURE: &str = "temperature";
-
-/// The figure of temperatures along a row with its wake, and below a point.
-pub fn temperature(temperatures: &Temperatures) -> Result<Figure, FigureError> {
-    let svg = temperature_drawing(temperatures)?;
-    let png = raster::png(&svg, &font::database())?;
-    Ok(Figure { name: TEMPERATURE.to_owned(), svg, png })
-}
-
-/// The SVG document of temperatures along lines.
-pub fn temperature_drawing(temperatures: &Temperatures) -> Result<String, FigureError> {
-    temperature::draw(temperatures).ok_or(FigureError::NoTemperature)
-}
-
-/// Name of the figure of layer and half-space.
-pub const CALIBRATION: &str = "calibration";
-
-/// The figure of forces and tractions of the calibrated layer and of uncoupled springs against the half-space.
-pub fn calibration(title: &str, sides: &SideBySide) -> Result<Figure, FigureError> {
-    let svg = calibration_drawing(title, sides)?;
-    let png = raster::png(&svg, &font::database())?;
-    Ok(Figure { name: CALIBRATION.to_owned(), svg, png })
-}
-
-/// The SVG document of layer and half-space.
-pub fn calibration_drawing(title: &str, sides: &SideBySide) -> Result<String, FigureError> {
-    calibration::draw(title, sides).ok_or(FigureError::NoSides)
-}
-
-/// Name of the figure of a fit.
-pub const FIT: &str = "fit";
-
-/// The figure of a fit: measured forces with the fitted curves, and the residuals.
-pub fn fit(report: &FitReport) -> Result<Figure, FigureError> {
-    let svg = fit_drawing(report)?;
-    let png = raster::png(&svg, &font::database())?;
-    Ok(Figure { name: FIT.to_owned(), svg, png })
-}
-
-/// The SVG document of a fit.
-pub fn fit_drawing(report: &FitReport) -> Result<String, FigureError> {
-    fit::draw(report).ok_or(FigureError::NoPoints)
-}
-
-/// Names of the figures of a rough surface.
-pub const ROUGHNESS: [&str; 4] =
-    ["roughness_curves", "roughness_surface", "roughness_spots", "roughness_spectrum"];
-
-/// The figures of a rough surface: tangential curves, heights, and contact spots and spectrum where there
-/// are some.
-pub fn roughness(report: &RoughnessReport) -> Result<Vec<Figure>, FigureError> {
-    let fonts = font::database();
-    let render = |(name, svg): (&str, String)| {
+    let figure = |(name, svg): Drawing| {
         let png = raster::png(&svg, &fonts)?;
-        Ok(Figure { name: name.to_owned(), svg, png })
+        Ok(Figure { name, svg, png })
     };
-    roughness_drawings(report)?.into_iter().map(render).collect()
-}
-
-/// Names and SVG documents of the figures of a rough surface.
-pub fn roughness_drawings(
-    report: &RoughnessReport,
-) -> Result<Vec<(&'static str, String)>, FigureError> {
-    let [curves, surface, spots, spectrum] = ROUGHNESS;
-    let mut drawings = vec![
-        (curves, roughness::draw(report).ok_or(FigureError::NoTangentialCurve)?),
-        (surface, height_map::surface(report)),
-    ];
-    drawings.extend(report.spots.as_ref().map(|found| (spots, height_map::spots(report, found))));
-    drawings.extend(spectrum::draw(report).map(|svg| (spectrum, svg)));
-    Ok(drawings)
+    drawings.into_iter().map(figure).collect()
 }
 
 /// Names of all figures of a solution that there can be.
@@ -212,8 +97,10 @@ pub fn names() -> Vec<String> {
     surfaces.chain(maps).chain(["cut_y0", "history"].map(str::to_owned)).collect()
 }
 
-/// Names and SVG documents of all figures, without the pictures, which take most of the time.
-pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<(String, String)>, FigureError> {
+/// All drawings that the solution has something to show in: `surface_…` over the patch, flat `map_…`,
+/// `cut_y0` along y = 0 (through the largest pressure where that line meets no contact), and `history`
+/// over the rolled distance.
+pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<Drawing>, FigureError> {
     /// What is left out, over the largest that the normalised quantities of the paper can be.
     const INVISIBLE: f64 = 1e-3;
     let patch = Patch::new(title, solution).ok_or(FigureError::NoPatch)?;

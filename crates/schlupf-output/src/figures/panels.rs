@@ -8,7 +8,7 @@ use super::ticks::round_axis;
 
 /// A curve.
 #[derive(Debug)]
-pub(super) struct Curve {
+pub(crate) struct Curve {
     /// Its points; those that are not finite interrupt it.
     pub points: Vec<[f64; 2]>,
     /// SVG attributes of its stroke.
@@ -19,13 +19,13 @@ pub(super) struct Curve {
 
 impl Curve {
     /// A solid curve.
-    pub(super) fn solid(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
+    pub(crate) fn solid(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
         let stroke = format!(r#"stroke="{color}" stroke-width="2.2" stroke-linejoin="round""#);
         Self { points, stroke, text: text.to_owned() }
     }
 
     /// A dashed curve.
-    pub(super) fn dashed(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
+    pub(crate) fn dashed(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
         let stroke = format!(r#"stroke="{color}" stroke-width="1.6" stroke-dasharray="7 4""#);
         Self { points, stroke, text: text.to_owned() }
     }
@@ -33,7 +33,7 @@ impl Curve {
 
 /// Curves with a vertical axis of their own.
 #[derive(Debug)]
-pub(super) struct Panel {
+pub(crate) struct Panel {
     /// Label of the vertical axis.
     pub label: String,
     /// Height of the plot area.
@@ -44,7 +44,7 @@ pub(super) struct Panel {
 
 /// Panels over one horizontal axis.
 #[derive(Debug)]
-pub(super) struct Stack {
+pub(crate) struct Stack {
     /// Range of the horizontal axis.
     pub x: [f64; 2],
     /// Label of the horizontal axis.
@@ -58,29 +58,29 @@ pub(super) struct Stack {
 }
 
 /// Width of the drawing.
-pub(super) const WIDTH: f64 = 900.0;
+pub(crate) const WIDTH: f64 = 900.0;
 /// Left end of the plot area.
-pub(super) const LEFT: f64 = 92.0;
+pub(crate) const LEFT: f64 = 92.0;
 /// What is right of the plot area.
-pub(super) const RIGHT: f64 = 30.0;
+pub(crate) const RIGHT: f64 = 30.0;
 const SHADE: &str = r##"fill="#e9eef4""##;
 /// Stroke of the line at zero.
-pub(super) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
+pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
 
 impl Stack {
     /// Height of the drawing.
-    pub(super) fn height(&self) -> f64 {
+    pub(crate) fn height(&self) -> f64 {
         let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
         HEADING + 30.0 + panels + 36.0
     }
 
     /// An empty drawing of the right size.
-    pub(super) fn drawing(&self) -> Drawing {
+    pub(crate) fn drawing(&self) -> Drawing {
         Drawing::new(WIDTH, self.height())
     }
 
     /// Draws all panels, from `top` down.
-    pub(super) fn draw(&self, drawing: &mut Drawing, top: f64) {
+    pub(crate) fn draw(&self, drawing: &mut Drawing, top: f64) {
         let mut top = top;
         for (index, panel) in self.panels.iter().enumerate() {
             let frame = Frame {
@@ -128,11 +128,11 @@ impl Stack {
 }
 
 /// Between two panels, for the legend of the lower one.
-pub(super) const GAP: f64 = 36.0;
+pub(crate) const GAP: f64 = 36.0;
 
 impl Panel {
     /// Draws the curves into a frame.
-    pub(super) fn draw_curves(&self, drawing: &mut Drawing, frame: &Frame) {
+    pub(crate) fn draw_curves(&self, drawing: &mut Drawing, frame: &Frame) {
         for curve in &self.curves {
             let pieces = curve.points.split(|point| !point.iter().all(|c| c.is_finite()));
             for piece in pieces.filter(|piece| !piece.is_empty()) {
@@ -143,7 +143,7 @@ impl Panel {
     }
 
     /// Range of its curves and zero, a little widened.
-    pub(super) fn range(&self) -> [f64; 2] {
+    pub(crate) fn range(&self) -> [f64; 2] {
         let values = || {
             self.curves
                 .iter()

@@ -4,7 +4,7 @@ use schlupf::solution::{Fields, Solution};
 
 /// A solution with what all figures need to know of its patch.
 #[derive(Debug)]
-pub(super) struct Patch<'a> {
+pub(crate) struct Patch<'a> {
     /// The solution.
     pub solution: &'a Solution,
     /// Title of the case.
@@ -20,7 +20,7 @@ pub(super) struct Patch<'a> {
 
 impl<'a> Patch<'a> {
     /// The patch of a solution; none if it has no cells or no size.
-    pub(super) fn new(title: &'a str, solution: &'a Solution) -> Option<Self> {
+    pub(crate) fn new(title: &'a str, solution: &'a Solution) -> Option<Self> {
         let fields = &solution.fields;
         let grid = &fields.grid;
         let normal = &solution.normal;
@@ -45,17 +45,17 @@ impl<'a> Patch<'a> {
     }
 
     /// The fields.
-    pub(super) fn fields(&self) -> &'a Fields {
+    pub(crate) fn fields(&self) -> &'a Fields {
         &self.solution.fields
     }
 
     /// Semi-axes a and b, in m.
-    pub(super) fn semi_axes(&self) -> [f64; 2] {
+    pub(crate) fn semi_axes(&self) -> [f64; 2] {
         [self.solution.normal.semi_axis_x, self.solution.normal.semi_axis_y]
     }
 
     /// The contact cell in a column and row of the grid.
-    pub(super) fn cell(&self, column: usize, row: usize) -> Option<usize> {
+    pub(crate) fn cell(&self, column: usize, row: usize) -> Option<usize> {
         let grid = &self.fields().grid;
         if column >= grid.columns || row >= grid.rows {
             return None;
@@ -64,7 +64,7 @@ impl<'a> Patch<'a> {
     }
 
     /// Whether a point (in m) is in contact.
-    pub(super) fn contains(&self, [x, y]: [f64; 2]) -> bool {
+    pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
         if self.elliptic {
             let [a, b] = self.semi_axes();
             return Self::ellipsoid([x / a, y / b]) > 0.0;
@@ -77,7 +77,7 @@ impl<'a> Patch<'a> {
 
     /// √(1 − x²/a² − y²/b²), the shape of the Hertzian pressure; zero outside. Dimensionless; the
     /// position is over a and b.
-    pub(super) fn ellipsoid(position: [f64; 2]) -> f64 {
+    pub(crate) fn ellipsoid(position: [f64; 2]) -> f64 {
         let [x, y] = position;
         (1.0 - x * x - y * y).max(0.0).sqrt()
     }

@@ -10,7 +10,7 @@ const HEIGHT: f64 = 1.15;
 
 /// Maps a box to the drawing.
 #[derive(Debug, Clone)]
-pub(super) struct Projection {
+pub(crate) struct Projection {
     /// Ranges of x, y and z.
     pub ranges: [[f64; 2]; 3],
     /// Where the middle of the floor lies in the drawing.
@@ -21,7 +21,7 @@ pub(super) struct Projection {
 
 impl Projection {
     /// Where a point lies in the drawing.
-    pub(super) fn at(&self, point: [f64; 3]) -> [f64; 2] {
+    pub(crate) fn at(&self, point: [f64; 3]) -> [f64; 2] {
         let [u, v] = self.floor([point[0], point[1]]);
         let [low, high] = self.ranges[2];
         let w = (point[2] - low) / (high - low) * HEIGHT;
@@ -31,13 +31,13 @@ impl Projection {
     }
 
     /// How far away a place on the floor is.
-    pub(super) fn distance(&self, place: [f64; 2]) -> f64 {
+    pub(crate) fn distance(&self, place: [f64; 2]) -> f64 {
         let [u, v] = self.floor(place);
         Self::away(u, v)
     }
 
     /// The angle under which a line on the floor is seen, clockwise, in degrees.
-    pub(super) fn angle(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
+    pub(crate) fn angle(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let low = self.ranges[2][0];
         let [p, q] = [from, to].map(|place| self.at([place[0], place[1], low]));
         (q[1] - p[1]).atan2(q[0] - p[0]).to_degrees()

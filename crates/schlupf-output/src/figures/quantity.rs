@@ -6,7 +6,7 @@ use super::units::{self, Unit};
 
 /// A field over the contact cells, ready to be drawn.
 #[derive(Debug)]
-pub(super) struct Quantity {
+pub(crate) struct Quantity {
     /// Short name, for the file.
     pub name: &'static str,
     /// Title of its figure.
@@ -26,7 +26,7 @@ pub(super) struct Quantity {
 
 impl Quantity {
     /// Least and largest value, zero included.
-    pub(super) fn range(&self) -> [f64; 2] {
+    pub(crate) fn range(&self) -> [f64; 2] {
         let low = self.values.iter().copied().fold(0.0, f64::min);
         let high = self.values.iter().copied().fold(0.0, f64::max);
         [low, high]
@@ -46,7 +46,7 @@ impl Quantity {
     }
 
     /// Whether it has anything to show: some value larger than rounding.
-    pub(super) fn is_visible(&self, threshold: f64) -> bool {
+    pub(crate) fn is_visible(&self, threshold: f64) -> bool {
         let [low, high] = self.range();
         high.max(-low) > threshold
     }
@@ -57,7 +57,7 @@ const STRAY: f64 = 0.1;
 
 /// Colours over a range: from zero for values of one sign, but for a few stray ones, else symmetric
 /// about zero.
-pub(super) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
+pub(crate) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
     let [low, high] = range;
     let largest = high.max(-low);
     if low < -STRAY * largest && high > STRAY * largest {
@@ -71,12 +71,12 @@ pub(super) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
 }
 
 /// The quantities of the flat maps, in engineering units.
-pub(super) fn physical(patch: &Patch) -> Vec<Quantity> {
+pub(crate) fn physical(patch: &Patch) -> Vec<Quantity> {
     vec![pressure(patch), traction(patch), slip(patch), friction_power(patch), temperature(patch)]
 }
 
 /// The quantities of the paper's Figures 4 to 7; pressure and traction normalised by Eqs. (24), (25).
-pub(super) fn of_the_paper(patch: &Patch) -> Vec<Quantity> {
+pub(crate) fn of_the_paper(patch: &Patch) -> Vec<Quantity> {
     let peak = patch.solution.normal.peak_pressure;
     let limit = patch.cold_friction * peak;
     let fields = patch.fields();
@@ -183,12 +183,12 @@ fn temperature(patch: &Patch) -> Quantity {
 }
 
 /// Lengths of vectors given by their components.
-pub(super) fn magnitude(x: &[f64], y: &[f64]) -> Vec<f64> {
+pub(crate) fn magnitude(x: &[f64], y: &[f64]) -> Vec<f64> {
     x.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect()
 }
 
 /// A field in the unit that suits its largest value.
-pub(super) fn scaled(field: &[f64], candidates: &[Unit]) -> (Unit, Vec<f64>) {
+pub(crate) fn scaled(field: &[f64], candidates: &[Unit]) -> (Unit, Vec<f64>) {
     let values = finite(field.iter().copied());
     let unit = units::pick(candidates, values.iter().fold(0.0, |largest, v| v.abs().max(largest)));
     let values = values.iter().map(|v| v / unit.size).collect();

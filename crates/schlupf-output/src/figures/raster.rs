@@ -12,7 +12,7 @@ use super::FigureError;
 const SCALE: f32 = 2.0;
 
 /// The drawing as a PNG file.
-pub(super) fn png(svg: &str, fonts: &Arc<Database>) -> Result<Vec<u8>, FigureError> {
+pub(crate) fn png(svg: &str, fonts: &Arc<Database>) -> Result<Vec<u8>, FigureError> {
     let options = Options {
         fontdb: fonts.clone(),
         font_family: "DejaVu Sans".to_owned(),

@@ -4,7 +4,7 @@ use super::patch::Patch;
 
 /// A field that can be asked for its value anywhere; positions are over a and b.
 #[derive(Debug)]
-pub(super) enum Sampler<'a> {
+pub(crate) enum Sampler<'a> {
     /// A Hertzian patch: strips along rolling, stretched to the ellipse.
     Strips(Strips),
     /// Any other: linear between the cell centres, zero outside the contact.
@@ -14,7 +14,7 @@ pub(super) enum Sampler<'a> {
 impl<'a> Sampler<'a> {
     /// A sampler for values of the contact cells. A field that vanishes at the rim is one that the
     /// pressure bounds; see [`Quantity`](super::quantity::Quantity).
-    pub(super) fn new(patch: &'a Patch, values: &'a [f64], vanishes_at_rim: bool) -> Self {
+    pub(crate) fn new(patch: &'a Patch, values: &'a [f64], vanishes_at_rim: bool) -> Self {
         if patch.elliptic {
             Self::Strips(Strips::new(patch, values, vanishes_at_rim))
         } else {
@@ -23,7 +23,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// The value at a position.
-    pub(super) fn value(&self, position: [f64; 2]) -> f64 {
+    pub(crate) fn value(&self, position: [f64; 2]) -> f64 {
         match self {
             Self::Strips(strips) => strips.value(position),
             Self::Cells(patch, values) => between_cells(patch, values, position),
@@ -34,7 +34,7 @@ impl<'a> Sampler<'a> {
 /// Values along strips of the ellipse. A field that vanishes at the rim is kept as its ratio to the
 /// pressure, which is smooth up to the rim, and multiplied by the exact pressure again.
 #[derive(Debug)]
-pub(super) struct Strips {
+pub(crate) struct Strips {
     strips: Vec<Strip>,
     times_ellipsoid: bool,
 }

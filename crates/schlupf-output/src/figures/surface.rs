@@ -17,7 +17,7 @@ use super::ticks::{Tick, round_axis, round_ticks};
 const SIZE: [f64; 2] = [900.0, 740.0];
 
 /// The surface of a quantity over x* = x/a and y* = y/b.
-pub(super) fn draw(patch: &Patch, quantity: &Quantity) -> String {
+pub(crate) fn draw(patch: &Patch, quantity: &Quantity) -> String {
     let mut drawing = Drawing::new(SIZE[0], SIZE[1]);
     marks::heading(&mut drawing, patch, &quantity.title);
     let facets =

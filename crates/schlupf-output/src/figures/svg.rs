@@ -7,11 +7,11 @@ use super::font;
 use super::label::{self, TextStyle};
 
 /// Stroke of grid lines.
-pub(super) const GRID_LINE: &str = r##"stroke="#dddddd" stroke-width="1""##;
+pub(crate) const GRID_LINE: &str = r##"stroke="#dddddd" stroke-width="1""##;
 
 /// An SVG drawing with a white background, the origin at the upper left.
 #[derive(Debug)]
-pub(super) struct Drawing {
+pub(crate) struct Drawing {
     /// Width in user units, pixels at scale one.
     pub width: f64,
     /// Height in user units.
@@ -25,27 +25,27 @@ pub const MARK: &str = "<desc>drawn by schlupf</desc>";
 
 impl Drawing {
     /// An empty drawing.
-    pub(super) fn new(width: f64, height: f64) -> Self {
+    pub(crate) fn new(width: f64, height: f64) -> Self {
         Self { width, height, body: String::new(), clips: 0 }
     }
 
     /// A straight line; `style` holds SVG attributes, here and below.
-    pub(super) fn line(&mut self, from: [f64; 2], to: [f64; 2], style: &str) {
+    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], style: &str) {
         self.path(&open_path(&[from, to]), style);
     }
 
     /// A polygon through the points.
-    pub(super) fn polygon(&mut self, points: &[[f64; 2]], style: &str) {
+    pub(crate) fn polygon(&mut self, points: &[[f64; 2]], style: &str) {
         self.path(&(open_path(points) + "z"), style);
     }
 
     /// An open line through the points.
-    pub(super) fn polyline(&mut self, points: &[[f64; 2]], style: &str) {
+    pub(crate) fn polyline(&mut self, points: &[[f64; 2]], style: &str) {
         self.path(&open_path(points), &format!(r#"fill="none" {style}"#));
     }
 
     /// An axis-parallel rectangle from its upper left corner.
-    pub(super) fn rectangle(&mut self, corner: [f64; 2], size: [f64; 2], style: &str) {
+    pub(crate) fn rectangle(&mut self, corner: [f64; 2], size: [f64; 2], style: &str) {
         let ([x, y], [width, height]) = (corner, size);
         self.element(&format!(
             r#"<rect x="{x:.2}" y="{y:.2}" width="{width:.2}" height="{height:.2}" {style}/>"#
@@ -53,29 +53,29 @@ impl Drawing {
     }
 
     /// A path in SVG's path language; nothing if it is empty.
-    pub(super) fn path(&mut self, data: &str, style: &str) {
+    pub(crate) fn path(&mut self, data: &str, style: &str) {
         if !data.is_empty() {
             self.element(&format!(r#"<path d="{data}" {style}/>"#));
         }
     }
 
     /// A shape that is an SVG element already.
-    pub(super) fn shape(&mut self, element: &str) {
+    pub(crate) fn shape(&mut self, element: &str) {
         self.element(element);
     }
 
     /// Text with the markup of [`label`].
-    pub(super) fn text(&mut self, at: [f64; 2], style: &TextStyle, markup: &str) {
+    pub(crate) fn text(&mut self, at: [f64; 2], style: &TextStyle, markup: &str) {
         self.element(&label::element(at, style, &label::spans(markup, style.size)));
     }
 
     /// Text as it stands, such as the title of a case.
-    pub(super) fn plain_text(&mut self, at: [f64; 2], style: &TextStyle, text: &str) {
+    pub(crate) fn plain_text(&mut self, at: [f64; 2], style: &TextStyle, text: &str) {
         self.element(&label::element(at, style, &label::escape(text)));
     }
 
     /// Draws within a shape (an SVG element) only, until [`Self::end_group`].
-    pub(super) fn begin_clip(&mut self, shape: &str) {
+    pub(crate) fn begin_clip(&mut self, shape: &str) {
         let clip = self.clips;
         self.clips += 1;
         self.element(&format!(
@@ -84,17 +84,17 @@ impl Drawing {
     }
 
     /// Draws with common attributes until [`Self::end_group`].
-    pub(super) fn begin_group(&mut self, attributes: &str) {
+    pub(crate) fn begin_group(&mut self, attributes: &str) {
         self.element(&format!("<g {attributes}>"));
     }
 
     /// Ends the innermost clip or group.
-    pub(super) fn end_group(&mut self) {
+    pub(crate) fn end_group(&mut self) {
         self.element("</g>");
     }
 
     /// The SVG document.
-    pub(super) fn finish(self) -> String {
+    pub(crate) fn finish(self) -> String {
         let Self { width, height, body, .. } = self;
         format!(
             r##"<?xml version="1.0" encoding="UTF-8"?>
@@ -116,7 +116,7 @@ impl Drawing {
 }
 
 /// Path data of an open line through the points.
-pub(super) fn open_path(points: &[[f64; 2]]) -> String {
+pub(crate) fn open_path(points: &[[f64; 2]]) -> String {
     let mut data = String::new();
     for (index, [x, y]) in points.iter().enumerate() {
         let command = if index == 0 { 'M' } else { 'L' };

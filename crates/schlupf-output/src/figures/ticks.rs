@@ -2,7 +2,7 @@
 
 /// A tick of an axis.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tick {
+pub(crate) struct Tick {
     /// Where it is, in the unit of the axis.
     pub value: f64,
     /// The number to write.
@@ -11,7 +11,7 @@ pub(super) struct Tick {
 
 /// Between `about`/2 and `about`·2 ticks within the range, at multiples of 1, 2 or 5 times a power of
 /// ten. An empty or non-finite range has none.
-pub(super) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
+pub(crate) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
     let range = high - low;
     if !(range.is_finite() && range > 0.0) {
         return Vec::new();
@@ -20,7 +20,7 @@ pub(super) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
 }
 
 /// The range widened to the next ticks, and the ticks; 0 to 1 where there is no range.
-pub(super) fn round_axis(low: f64, high: f64, about: usize) -> ([f64; 2], Vec<Tick>) {
+pub(crate) fn round_axis(low: f64, high: f64, about: usize) -> ([f64; 2], Vec<Tick>) {
     let range = high - low;
     if !(range.is_finite() && range > 0.0) {
         return round_axis(0.0, 1.0, about);
@@ -33,7 +33,7 @@ pub(super) fn round_axis(low: f64, high: f64, about: usize) -> ([f64; 2], Vec<Ti
 
 /// At most about `about` ticks at powers of ten for a range of logarithms to base ten; their values are logarithms,
 /// too.
-pub(super) fn powers_of_ten(low: f64, high: f64, about: usize) -> Vec<Tick> {
+pub(crate) fn powers_of_ten(low: f64, high: f64, about: usize) -> Vec<Tick> {
     let step = ((high - low) / about.max(1) as f64).ceil().max(1.0);
     if !(low.is_finite() && high.is_finite()) {
         return Vec::new();
@@ -44,7 +44,7 @@ pub(super) fn powers_of_ten(low: f64, high: f64, about: usize) -> Vec<Tick> {
 }
 
 /// Ten to a whole number, in the markup of labels.
-pub(super) fn power_of_ten(exponent: f64) -> String {
+pub(crate) fn power_of_ten(exponent: f64) -> String {
     format!("10^{{{exponent:.0}}}").replace('-', "\u{2212}")
 }
 
@@ -68,7 +68,7 @@ fn round_step(range: f64, about: usize) -> f64 {
 }
 
 /// A number with a true minus sign; in powers of ten where digits would not fit.
-pub(super) fn number(value: f64, decimals: usize) -> String {
+pub(crate) fn number(value: f64, decimals: usize) -> String {
     let text = if decimals > 4 || value.abs() >= 1e5 {
         if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
     } else {

@@ -1,6 +1,8 @@
 //! A fit to measured creep curves: JSON, CSV and a summary. The figure is among the figures.
 
+mod figure;
 mod json;
+mod panel;
 mod summary;
 
 use schlupf::columns::{Column, Record, Value};
@@ -8,10 +10,13 @@ use schlupf::identification::{Component, Fit, FittedCurves, FittedPoint, Paramet
 use schlupf::message::Message;
 use schlupf::{Status, columns};
 
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{Drawing, FigureError};
 use crate::number::significant;
 use crate::report::Report;
 use crate::table;
+
+/// Name of the figure.
+const FIGURE: &str = "fit";
 
 /// A fit with what it was made for.
 #[derive(Debug, Clone)]
@@ -89,8 +94,13 @@ impl Report for FitReport {
         Some(table::csv(self, note))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        figures::fit(self).map(|figure| vec![figure])
+    fn figure_names() -> Vec<String> {
+        vec![FIGURE.to_owned()]
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        let svg = figure::draw(self).ok_or(FigureError::NoPoints)?;
+        Ok(vec![(FIGURE.to_owned(), svg)])
     }
 
     fn own_file(&self, format: &str) -> Option<Vec<u8>> {

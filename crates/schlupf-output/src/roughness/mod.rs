@@ -1,7 +1,10 @@
 //! A rough surface, its contact and its k_c: CSV, JSON, .npy and a summary. The figures are among the figures.
 
+mod curves_figure;
+mod height_map;
 mod json;
 mod npy;
+mod spectrum_figure;
 mod summary;
 
 use schlupf::Status;
@@ -12,9 +15,13 @@ use schlupf::message::Message;
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::RadialSpectrum;
 
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
 use crate::table::{Table, entries, entry};
+
+/// Names of the figures.
+const FIGURES: [&str; 4] =
+    ["roughness_curves", "roughness_surface", "roughness_spots", "roughness_spectrum"];
 
 /// A rough surface with what the micro model found.
 #[derive(Debug, Clone)]
@@ -102,8 +109,19 @@ impl Report for RoughnessReport {
         Some(table.csv("the last column is Eq. (8) with the k_c of this pressure"))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        figures::roughness(self)
+    fn figure_names() -> Vec<String> {
+        FIGURES.map(str::to_owned).to_vec()
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        let [curves, surface, spots, spectrum] = FIGURES.map(str::to_owned);
+        let mut drawings = vec![
+            (curves, curves_figure::draw(self).ok_or(FigureError::NoTangentialCurve)?),
+            (surface, height_map::surface(self)),
+        ];
+        drawings.extend(self.spots.as_ref().map(|found| (spots, height_map::spots(self, found))));
+        drawings.extend(spectrum_figure::draw(self).map(|svg| (spectrum, svg)));
+        Ok(drawings)
     }
 
     fn own_file(&self, format: &str) -> Option<Vec<u8>> {

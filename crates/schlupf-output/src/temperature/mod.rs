@@ -1,6 +1,7 @@
 //! Temperatures of wheel and rail below a point, and along its row with the wake: CSV, JSON and a summary. The
 //! figure is among the figures.
 
+mod figure;
 mod json;
 mod summary;
 
@@ -10,9 +11,12 @@ use schlupf::message::Message;
 use schlupf::solution::Status;
 use schlupf::temperature_field::{Side, TemperatureField};
 
-use crate::figures::{self, Figure, FigureError};
+use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
 use crate::table::{Table, entries, entry};
+
+/// Name of the figure.
+const FIGURE: &str = "temperature";
 
 /// Where to look at the temperatures.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -168,8 +172,13 @@ impl Report for Temperatures {
         Some(table.csv(""))
     }
 
-    fn figures(&self) -> Result<Vec<Figure>, FigureError> {
-        figures::temperature(self).map(|figure| vec![figure])
+    fn figure_names() -> Vec<String> {
+        vec![FIGURE.to_owned()]
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        let svg = figure::draw(self).ok_or(FigureError::NoTemperature)?;
+        Ok(vec![(FIGURE.to_owned(), svg)])
     }
 }
 

@@ -135,7 +135,7 @@ fn course(
         let solution = solve(TRACTION_AT)?;
         converged &= solution.status == Status::Converged;
         let traction = middle_row(&solution, component);
-        Ok::<Answer, Error>(Answer { model: *model, force, traction, converged })
+        Ok::<_, Error>(Answer { model: *model, force, traction, converged })
     };
     let answers = parallel::try_map(models.iter().collect(), answer)?;
     Ok(Course { creepage: CREEPAGES.to_vec(), traction_at: TRACTION_AT, answers })

@@ -5,7 +5,7 @@ mod surface;
 
 use crate::message::{messages, with_unit};
 use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::requirement::{Requirement, readable};
 
 pub use fit::{FitCause, FitError, FitStop};
 pub use surface::SurfaceError;
@@ -66,8 +66,9 @@ messages! {
         place: Place,
     } *quantity, |words| {
         let (name, unit) = (words.word(*quantity), quantity.unit());
-        let (requirement, value) = (requirement.text(unit, words), with_unit(*value, unit));
-        format!("{name} must be {requirement}, but is {value}{}", place.text())
+        let requirement = requirement.text(unit, words);
+        let value = format!("{} {unit}", readable(*value));
+        format!("{name} must be {requirement}, but is {}{}", value.trim_end(), place.text())
     };
 
     /// The wheel does not roll forwards.
@@ -462,6 +463,9 @@ messages! {
         format!("{name}: {what} steady rolling, but there is {there}")
     };
 
+    /// Whoever watched wanted no more of it.
+    "stopped" Stopped {} Quantity::MaxIterations, |words| "stopped before the end".to_owned();
+
     /// A method that does not do what is asked for.
     "method" OtherMethod {
         /// What is needed of the method.
@@ -498,10 +502,9 @@ messages! {
         /// Where the wheel no longer rolls, in the unit of the creepage if it has one.
         value: f64,
     } quantity.own_component(), |words| format!(
-        "{}: the wheel must roll throughout a creep curve, but at {} = {} it does not",
+        "{}: the wheel must roll throughout a creep curve, but at {} it does not",
         words.word(quantity.own_component()),
-        quantity.name(),
-        with_unit(*value, quantity.unit())
+        quantity.equation(*value)
     );
 
     /// Motions of a calibration that were not solved.
@@ -540,9 +543,6 @@ messages! {
         words.word(*quantity),
         100.0 * deviation
     );
-
-    /// Whoever watched wanted no more of it.
-    "stopped" Stopped {} Quantity::Convergence, |words| "stopped before the end".to_owned();
 
     /// Data and parameters that do not go together.
     "fit" Fit {

@@ -2,6 +2,7 @@
 
 use crate::message::messages;
 use crate::quantity::Quantity;
+use crate::requirement::readable;
 
 messages! {
     /// Why heights are no rough surface, or none that can be solved for.
@@ -16,6 +17,19 @@ messages! {
     } Quantity::Load, |words| format!(
         "{} must be positive and below what the hardness can carry, {largest} N, but is {load} N",
         words.word(Quantity::Load)
+    );
+
+    /// Waves that are too short for the cells.
+    "short-waves" ShortWaves {
+        /// Shortest wavelength, in m.
+        shortest: f64,
+        /// Two cells, in m.
+        two_cells: f64,
+    } Quantity::ShortestWavelength, |words| format!(
+        "{} must be at least two cells, {} m, but is {} m",
+        words.word(Quantity::ShortestWavelength),
+        readable(*two_cells),
+        readable(*shortest)
     );
 
     /// A surface with too many holes.

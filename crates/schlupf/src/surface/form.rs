@@ -56,9 +56,9 @@ impl HeightMap {
         let lattice = self.lattice();
         let scale = 0.5 * lattice.length_x().hypot(lattice.length_y());
         let points = lattice.points().map(|[x, y]| [x / scale, y / scale]);
-        let found = Fit::new(points, self.heights(), scale).form(form);
+        let found = Fit::new(points, self.heights(), scale).form(form)?;
         let Minimum { parameters, residuals, .. } =
-            found?.ok_or(SurfaceError::NoForm { form: form.name() })?;
+            found.ok_or(SurfaceError::NoForm { form: form.name() })?;
         Ok(FormRemoval {
             surface: Self::new(*lattice, over(scale, residuals))?,
             slope: [parameters[1], parameters[2]],
@@ -75,9 +75,9 @@ pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<
     let scale = half * spacing;
     // A line across a sphere over y = 0: what is said of y stays zero.
     let points = (0..heights.len()).map(|i| [(i as f64 + 0.5) / half - 1.0, 0.0]);
-    let found = Fit::new(points, heights, scale).form(Form::Sphere);
+    let found = Fit::new(points, heights, scale).form(Form::Sphere)?;
     let Minimum { parameters, residuals, .. } =
-        found?.ok_or(SurfaceError::NoForm { form: "circle" })?;
+        found.ok_or(SurfaceError::NoForm { form: "circle" })?;
     Ok((over(scale, residuals), -scale / parameters[3]))
 }
 
@@ -195,12 +195,12 @@ impl Fit {
         let terms = if form == Form::Plane { 3 } else { 6 };
         self.shape = polynomial;
         let found = minimise(self, &[0.0; 6][..terms], &LIMITS)?;
-        let found = match found {
-            Some(found) if form != Form::Plane => found,
-            found => return Ok(found),
-        };
+        let Some(Minimum { parameters, .. }) = &found else { return Ok(None) };
+        if form == Form::Plane {
+            return Ok(found);
+        }
         self.shape = quadric;
-        let mut start = start(&found.parameters, form);
+        let mut start = start(parameters, form);
         for _ in 0..FLATTENINGS {
             if self.residuals(&start)?.is_some() {
                 break;

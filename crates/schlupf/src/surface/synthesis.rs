@@ -16,7 +16,7 @@ use rustfft::num_complex::Complex;
 
 use super::spectrum::spectral_gradient;
 use super::{HeightMap, LARGEST, Lattice};
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, SurfaceError, require, require_positive};
 use crate::fourier::{RealTransform, smooth_from};
 use crate::numerics::vector::root_mean_square;
 use crate::quantity::Quantity;
@@ -105,8 +105,11 @@ impl SelfAffine {
         let roll_off = between(shortest, longest * (1.0 + ROUNDING));
         require(Quantity::RollOffWavelength, roll_off, self.roll_off_wavelength)?;
         let two_cells = 2.0 * lattice.spacing_x.max(lattice.spacing_y);
-        let at_least = Requirement::AtLeast(two_cells * (1.0 - ROUNDING));
-        require(Quantity::ShortestWavelength, at_least, shortest)
+        require_positive(Quantity::ShortestWavelength, shortest)?;
+        if shortest < two_cells * (1.0 - ROUNDING) {
+            return Err(SurfaceError::ShortWaves { shortest, two_cells }.into());
+        }
+        Ok(())
     }
 }
 
@@ -254,10 +257,7 @@ mod tests {
                 "longest_wavelength must be above 0 and at most",
             ),
             (SelfAffine { roll_off_wavelength: 2e-4, ..SPECTRUM }, "roll_off_wavelength"),
-            (
-                SelfAffine { shortest_wavelength: 1e-6, ..SPECTRUM },
-                "shortest_wavelength must be at least 4e-6 m",
-            ),
+            (SelfAffine { shortest_wavelength: 1e-6, ..SPECTRUM }, "at least two cells"),
             (SelfAffine { roughness: Roughness::Height(0.0), ..SPECTRUM }, "rms_height"),
             (SelfAffine { shortest_wavelength: f64::NAN, ..SPECTRUM }, "wavelength"),
         ];

@@ -482,8 +482,7 @@ impl<'a> March<'a> {
     fn why_not_converged(&self) -> Unconverged {
         let (tolerance, residual) = (self.options.tolerance, self.worst_residual);
         let (steps, change) = (self.work.steps, self.passage_change);
-        let rolls = !self.history.is_shift_only();
-        if residual > tolerance && !rolls {
+        if residual > tolerance && self.history.is_shift_only() {
             let newton_steps = self.outcome.iterations;
             Unconverged::Equilibrium { newton_steps, residual, tolerance }
         } else if residual > tolerance {

@@ -1,5 +1,8 @@
 //! Two bodies at rest, pressed together and shifted tangentially: Cattaneo's and Mindlin's problem,
 //! for any patch, elasticity and contact law.
+//!
+//! Nothing is carried along, so there is one equilibrium: every cell slides by the shift less what the
+//! bodies yield, with the same shift in all of them.
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;

@@ -1,7 +1,6 @@
 //! From a grid to a coarser one and back: tractions over the normal pressure.
 
 use crate::grid::Grid;
-use crate::numerics::interpolation::bilinear;
 use crate::patch::{Cell, Patch};
 
 /// Weights between the cells of a fine and a coarse patch of the same contact.
@@ -90,10 +89,11 @@ fn stencil(fine: &Grid, cell: &Cell, coarse: &Patch, numbers: &[Option<usize>]) 
     let along = (fine.x(i) - grid.x(0)) / grid.spacing_x;
     let across = (fine.y(j) - grid.y(0)) / grid.spacing_y;
     let (column, row) = (along.floor(), across.floor());
+    let (wx, wy) = (along - column, across - row);
     let mut stencil = Stencil::default();
     let mut total = 0.0;
     let corners = [(0, 0), (1, 0), (0, 1), (1, 1)];
-    let weights = bilinear([along - column, across - row]);
+    let weights = [(1.0 - wx) * (1.0 - wy), wx * (1.0 - wy), (1.0 - wx) * wy, wx * wy];
     for (n, ((di, dj), weight)) in corners.into_iter().zip(weights).enumerate() {
         let (i, j) = (column as isize + di, row as isize + dj);
         let inside =

@@ -1,14 +1,14 @@
 //! The power spectral density of a rough surface over the wave number, both on logarithmic axes.
 
-use super::color::{BLUE, VERMILION};
-use super::frame::{Frame, LABEL_SIZE, TICK_SIZE, outline, tick_line};
-use super::label::{Anchor, TextStyle};
-use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::WIDTH;
-use super::roughness::remark;
-use super::svg::{Drawing, GRID_LINE};
-use super::ticks::power_of_ten;
-use crate::roughness::RoughnessReport;
+use super::RoughnessReport;
+use super::curves_figure::remark;
+use crate::figures::color::{BLUE, VERMILION};
+use crate::figures::frame::{Frame, LABEL_SIZE, TICK_SIZE, outline, tick_line};
+use crate::figures::label::{Anchor, TextStyle};
+use crate::figures::marks::{self, Entry, HEADING, Sample, short};
+use crate::figures::panels::WIDTH;
+use crate::figures::svg::{Drawing, GRID_LINE};
+use crate::figures::ticks::power_of_ten;
 
 const CORNER: [f64; 2] = [104.0, HEADING + 36.0];
 const HEIGHT: f64 = 420.0;

@@ -2,12 +2,12 @@
 
 use schlupf::Status;
 
-use super::color;
-use super::marks::{self, HEADING, short};
-use super::panels::{Curve, GAP, Panel, Stack, WIDTH};
-use super::svg::Drawing;
+use super::RoughnessReport;
+use crate::figures::color;
+use crate::figures::marks::{self, HEADING, short};
+use crate::figures::panels::{Curve, GAP, Panel, Stack, WIDTH};
+use crate::figures::svg::Drawing;
 use crate::report::Report;
-use crate::roughness::RoughnessReport;
 
 /// Height of each of the two panels.
 const HEIGHT: f64 = 290.0;

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::color::INK;
-use super::frame::Frame;
-use super::marks::{self, Sample};
-use super::panels::{Curve, Panel, ZERO};
-use super::svg::Drawing;
+use crate::figures::color::INK;
+use crate::figures::frame::Frame;
+use crate::figures::marks::{self, Sample};
+use crate::figures::panels::{Curve, Panel, ZERO};
+use crate::figures::svg::Drawing;
 
 /// Shape of a mark.
 #[derive(Debug, Clone, Copy, PartialEq)]

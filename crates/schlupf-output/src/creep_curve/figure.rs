@@ -4,15 +4,15 @@ use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, CreepCurve, Point};
 use schlupf::solution::Resultant;
 
-use super::color;
-use super::color::{INK, MUTED};
-use super::frame::{Frame, TICK_SIZE};
-use super::label::{Anchor, TextStyle};
-use super::marks::{self, ALARM, Entry, HEADING, Sample, short};
-use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
-use super::smooth::smooth;
-use super::svg::Drawing;
-use crate::creep_curve::{CurveFamily, Member};
+use super::{CurveFamily, Member};
+use crate::figures::color;
+use crate::figures::color::{INK, MUTED};
+use crate::figures::frame::{Frame, TICK_SIZE};
+use crate::figures::label::{Anchor, TextStyle};
+use crate::figures::marks::{self, ALARM, Entry, HEADING, Sample, short};
+use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
+use crate::figures::smooth::smooth;
+use crate::figures::svg::Drawing;
 use crate::report::Report;
 
 /// The figure; `None` where there is nothing to draw.

@@ -2,11 +2,11 @@
 
 use schlupf::Status;
 
-use super::color::{BLUE, VERMILION};
-use super::marks::{self, HEADING, short};
-use super::panels::{Curve, GAP, Panel, Stack, WIDTH};
-use super::svg::Drawing;
-use crate::temperature::{Line, Temperatures};
+use super::{Line, Temperatures};
+use crate::figures::color::{BLUE, VERMILION};
+use crate::figures::marks::{self, HEADING, short};
+use crate::figures::panels::{Curve, GAP, Panel, Stack, WIDTH};
+use crate::figures::svg::Drawing;
 
 /// Height of each of the two panels.
 const HEIGHT: f64 = 280.0;

@@ -5,13 +5,13 @@ use std::fmt::Write;
 
 use schlupf::surface::Lattice;
 
-use super::color::{ColorScale, Palette, paint};
-use super::frame::Frame;
-use super::marks::{self, HEADING, short};
-use super::roughness::remark;
-use super::svg::Drawing;
-use super::units;
-use crate::roughness::{RoughnessReport, Spots};
+use super::curves_figure::remark;
+use super::{RoughnessReport, Spots};
+use crate::figures::color::{ColorScale, Palette, paint};
+use crate::figures::frame::Frame;
+use crate::figures::marks::{self, HEADING, short};
+use crate::figures::svg::Drawing;
+use crate::figures::units;
 
 /// Cells along a side that a map of the heights, and one of the spots, shows at most: of larger surfaces
 /// every second or third.

@@ -4,13 +4,13 @@ use schlupf::Status;
 use schlupf::creep_curve::Abscissa;
 use schlupf::identification::{Component, Condition, Estimate, FittedPoint};
 
-use super::color::{BLUE, INK, LEVELS, Palette, paint};
-use super::fit_panel::{Mark, MarkedPanel, Shape, curve_stroke};
-use super::frame::Frame;
-use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
-use super::svg::Drawing;
-use crate::identification::{FitReport, in_usual_unit, with_uncertainty};
+use super::panel::{Mark, MarkedPanel, Shape, curve_stroke};
+use super::{FitReport, in_usual_unit, with_uncertainty};
+use crate::figures::color::{BLUE, INK, LEVELS, Palette, paint};
+use crate::figures::frame::Frame;
+use crate::figures::marks::{self, Entry, HEADING, Sample, short};
+use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
+use crate::figures::svg::Drawing;
 
 /// Height of the panel of forces where there is one, and of each where there are two.
 const FORCES: [f64; 2] = [340.0, 260.0];

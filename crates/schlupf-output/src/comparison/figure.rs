@@ -3,14 +3,14 @@
 use schlupf::method::FastMethod;
 use schlupf::{Method, Status};
 
-use super::color::{BLUE, GREEN, MUTED, VERMILION};
-use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
-use super::label::{Anchor, TextStyle};
-use super::marks::{self, HEADING, short};
-use super::panels::ZERO;
-use super::svg::{Drawing, GRID_LINE};
-use super::ticks::{powers_of_ten, round_ticks};
-use crate::comparison::{Answer, Comparison, Entry};
+use super::{Answer, Comparison, Entry};
+use crate::figures::color::{BLUE, GREEN, MUTED, VERMILION};
+use crate::figures::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
+use crate::figures::label::{Anchor, TextStyle};
+use crate::figures::marks::{self, HEADING, short};
+use crate::figures::panels::ZERO;
+use crate::figures::svg::{Drawing, GRID_LINE};
+use crate::figures::ticks::{powers_of_ten, round_ticks};
 use crate::report::Report;
 
 const NAMES: f64 = 190.0;

@@ -3,12 +3,12 @@
 
 use schlupf::calibration::side_by_side::{Answer, Course, Model, SideBySide};
 
-use super::color::{BLUE, GREEN, INK, VERMILION};
-use super::frame::Frame;
-use super::label::{Anchor, TextStyle};
-use super::marks::{self, Entry, HEADING, Sample, short};
-use super::panels::{Curve, Panel, ZERO};
-use super::svg::Drawing;
+use crate::figures::color::{BLUE, GREEN, INK, VERMILION};
+use crate::figures::frame::Frame;
+use crate::figures::label::{Anchor, TextStyle};
+use crate::figures::marks::{self, Entry, HEADING, Sample, short};
+use crate::figures::panels::{Curve, Panel, ZERO};
+use crate::figures::svg::Drawing;
 
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 24.0;

@@ -1,0 +1,65 @@
+//! What becomes of SIGINT and SIGTERM: the command ends at once, and nothing of it stays behind.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Exit code of a command that was interrupted, that of a shell for SIGINT.
+const INTERRUPTED: i32 = 130;
+
+/// Files that are not finished, and directories that were made for them.
+#[derive(Debug, Default)]
+pub struct Unfinished {
+    files: Vec<PathBuf>,
+    directories: Vec<PathBuf>,
+    /// Whether all files of the command are in their places.
+    is_written: bool,
+}
+
+static UNFINISHED: Mutex<Unfinished> =
+    Mutex::new(Unfinished { files: Vec::new(), directories: Vec::new(), is_written: false });
+
+/// What is unfinished now. While this is held, no interruption takes place: files that are put in their
+/// places are all there, or none is.
+pub fn unfinished() -> MutexGuard<'static, Unfinished> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Unfinished {
+    /// Notes a temporary file.
+    pub fn file(&mut self, path: &Path) {
+        self.files.push(path.to_owned());
+    }
+
+    /// Notes a directory that was made.
+    pub fn directory(&mut self, path: &Path) {
+        self.directories.push(path.to_owned());
+    }
+
+    /// All is in its place.
+    pub fn finish(&mut self) {
+        *self = Self { is_written: true, ..Self::default() };
+    }
+
+    /// What cannot be removed stays: nobody is left to tell.
+    fn remove(&self) {
+        for file in &self.files {
+            let _ = std::fs::remove_file(file);
+        }
+        for directory in self.directories.iter().rev() {
+            let _ = std::fs::remove_dir(directory);
+        }
+    }
+}
+
+/// Listens from now on. Where no handler can be set, the system ends the command in its own way.
+pub fn listen() {
+    let _ = ctrlc::set_handler(|| {
+        let unfinished = unfinished();
+        unfinished.remove();
+        let what =
+            if unfinished.is_written { "the files are written" } else { "nothing was written" };
+        let _ = writeln!(std::io::stderr(), "interrupted: {what}");
+        std::process::exit(INTERRUPTED);
+    });
+}
