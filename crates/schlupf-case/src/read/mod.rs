@@ -27,8 +27,8 @@ use crate::settings::Settings;
 use roughness::Circumstances;
 pub use roughness::{MicroRequest, explain as explain_roughness, load as load_roughness};
 
-/// The problem of a case, its history, and where its k_c comes from; `folder` is where relative paths start, `solved`
-/// a micro model of a like case.
+/// The problem of a case, its history, and where its k_c comes from; `folder` is where relative
+/// paths start, `solved` a micro model of a like case.
 pub fn problem(
     settings: &Settings,
     folder: &Path,
