@@ -115,7 +115,8 @@ impl Case {
         }
     }
 
-    /// Checks that the case is one of steady rolling. `what` says for what, such as "a creep curve is".
+    /// Checks that the case is one of steady rolling. `what` says for what, such as "a creep curve
+    /// is".
     ///
     /// # Errors
     /// A history.

@@ -148,7 +148,7 @@ impl FieldNames {
     }
 
     /// What a field is called.
-    pub fn name<'a>(self, path: &'a str) -> &'a str {
+    pub fn name(self, path: &str) -> &str {
         self.option(path).unwrap_or(path)
     }
 

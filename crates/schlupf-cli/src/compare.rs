@@ -64,7 +64,8 @@ impl Task for Compare {
     }
 }
 
-/// What all methods make of the case: all solutions on several threads first, then their times one after the other.
+/// What all methods make of the case: all solutions on several threads first, then their times one
+/// after the other.
 ///
 /// # Errors
 /// What the first one says if none has an answer.
@@ -186,14 +187,16 @@ impl Solved {
         Ok(Answer { solution: self.solution, time, time_again })
     }
 
-    /// Time of a solution from the set-up on, in s. The normal contact, which is the same for all, is known.
+    /// Time of a solution from the set-up on, in s. The normal contact, which is the same for all,
+    /// is known.
     fn time(&self, watch: Watch) -> Result<f64, Error> {
         let start = Instant::now();
         self.case.solver().solve(&self.case.problem, watch)?;
         Ok(start.elapsed().as_secs_f64())
     }
 
-    /// Time with the set-up there, in s: of a solution without earlier ones, or, by a fast method, of the forces.
+    /// Time with the set-up there, in s: of a solution without earlier ones, or, by a fast method,
+    /// of the forces.
     fn time_again(&mut self, watch: Watch) -> Result<f64, Error> {
         let Case { problem, options, method, .. } = &self.case;
         match method {

@@ -19,13 +19,14 @@
 
 use crate::error::{Error, require_finite, require_positive};
 use crate::grid::Grid;
-use crate::patch::{Patch, Strip};
+use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, within};
 use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::solution::{Solution, Status};
 use crate::solver::Solver;
+use crate::summary;
 use crate::warning::{Unconverged, Warning};
 
 /// How a wheel is cooled by the air.
@@ -169,14 +170,7 @@ impl Balance<'_> {
         let normal = self.problem.normal.normal_contact(None)?;
         let options = self.solver.options();
         let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
-        let patch = Patch::new(&normal, grid);
-        let of_strip = |strip: &Strip| {
-            let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
-            let length = covered * grid.spacing_x;
-            (wheel_speed * length / std::f64::consts::PI).sqrt()
-        };
-        let sum: f64 = patch.strips.iter().map(of_strip).sum();
-        Ok(2.0 * self.problem.wheel.material.effusivity() * grid.spacing_y * sum)
+        Ok(summary::chill(&self.problem, &Patch::new(&normal, grid), wheel_speed))
     }
 
     /// A temperature at which the wheel gives more than it receives with the friction of a cold wheel;

@@ -41,8 +41,8 @@ pub trait Residuals: Send + Sync {
         Ok(Some(jacobian))
     }
 
-    /// The residuals (dimensionless) where one parameter has moved by a step of a difference (dimensionless), and
-    /// the step: backwards where forwards is outside.
+    /// The residuals (dimensionless) where one parameter has moved by a step of a difference
+    /// (dimensionless), and the step: backwards where forwards is outside.
     ///
     /// # Errors
     /// Whatever ends the fit.

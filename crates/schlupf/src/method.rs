@@ -106,7 +106,8 @@ impl Method {
         }
     }
 
-    /// Whether it solves for the traction in every point, with temperatures, rather than for forces only.
+    /// Whether it solves for the traction in every point, with temperatures, rather than for forces
+    /// only.
     pub fn has_fields(self) -> bool {
         match self {
             Self::Full => true,

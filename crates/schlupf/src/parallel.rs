@@ -1,4 +1,5 @@
-//! Work on independent things: on all threads with the feature `rayon`, else on one. Results are the same.
+//! Work on independent things: on all threads with the feature `rayon`, else on one. Results are
+//! the same.
 
 /// What comes of each item, in their order.
 #[cfg(feature = "rayon")]

@@ -135,7 +135,8 @@ pub struct Options {
     pub max_steps: usize,
     /// A cell slides where |t| ≥ this · μ pₙ; dimensionless.
     pub slip_threshold: f64,
-    /// Whether to find the derivatives of the forces too; of a steady state that is found at once only.
+    /// Whether to find the derivatives of the forces too; of a steady state that is found at once
+    /// only.
     pub sensitivity: bool,
 }
 

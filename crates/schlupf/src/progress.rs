@@ -34,7 +34,8 @@ pub struct Progress {
     pub done: usize,
     /// All of them, where known beforehand.
     pub total: Option<usize>,
-    /// Relative change or residual that falls towards the tolerance, dimensionless; if there is one.
+    /// Relative change or residual that falls towards the tolerance, dimensionless; if there is
+    /// one.
     pub change: Option<f64>,
 }
 
@@ -45,8 +46,8 @@ impl Progress {
     }
 }
 
-/// Sees how far something has got, and says whether it is to go on: after [`ControlFlow::Break`] it ends with
-/// [`Error::Stopped`]. Several threads may ask at the same time.
+/// Sees how far something has got, and says whether it is to go on: after [`ControlFlow::Break`] it
+/// ends with [`Error::Stopped`]. Several threads may ask at the same time.
 pub type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
 /// Lets everything go on.

@@ -22,8 +22,8 @@ pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result
     }
 }
 
-/// A problem with its creepages at the middle of the patch, and the way back. Whatever solves takes a problem through
-/// this.
+/// A problem with its creepages at the middle of the patch, and the way back. Whatever solves takes
+/// a problem through this.
 #[derive(Debug, Clone)]
 pub(crate) struct AtPatch {
     pub problem: Problem,

@@ -6,11 +6,12 @@ use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::solution::Solution;
 
-/// Finds steady states, one problem after another: points of a creep curve, or families of them. Extension point.
+/// Finds steady states, one problem after another: points of a creep curve, or families of them.
+/// Extension point.
 ///
-/// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a problem do)
-/// share the set-up, and each may start from the solutions before. The result depends on them within the
-/// tolerance only.
+/// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a
+/// problem do) share the set-up, and each may start from the solutions before. The result depends
+/// on them within the tolerance only.
 pub trait Solver: Send + Sync {
     /// What it solves.
     fn method(&self) -> Method;
@@ -29,7 +30,8 @@ pub trait Solver: Send + Sync {
         false
     }
 
-    /// The steady state with its derivatives. Nothing where it is not found at once, or the method has none.
+    /// The steady state with its derivatives. Nothing where it is not found at once, or the method
+    /// has none.
     ///
     /// # Errors
     /// As [`Self::solve`].

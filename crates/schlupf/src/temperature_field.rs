@@ -79,8 +79,8 @@ impl TemperatureField {
         (!model.is_linear()).then_some(Warning::HeatModelOfCells {})
     }
 
-    /// The temperatures of steady rolling, from the solution of a problem. A history has none: its material has left
-    /// the contact with another past than the one that leaves it now.
+    /// The temperatures of steady rolling, from the solution of a problem. A history has none: its
+    /// material has left the contact with another past than the one that leaves it now.
     ///
     /// # Errors
     /// A fast method, which keeps no record of the heat, and whatever

@@ -1,4 +1,5 @@
-//! Transient rolling: a problem whose motion and load change with time, or which starts from a given state.
+//! Transient rolling: a problem whose motion and load change with time, or which starts from a
+//! given state.
 
 use crate::error::Error;
 use crate::history::History;
@@ -8,10 +9,11 @@ use crate::state::State;
 /// Rolling over time.
 #[derive(Debug, Clone)]
 pub struct Transient {
-    /// The contact. Where the history gives speed, creepages or load, those of the problem do not count.
+    /// The contact. Where the history gives speed, creepages or load, those of the problem do not
+    /// count.
     pub problem: Problem,
-    /// Creepages, speed and load over time. Without any times, and without a shift, all is constant, and the wheel
-    /// rolls until nothing changes any more.
+    /// Creepages, speed and load over time. Without any times, and without a shift, all is
+    /// constant, and the wheel rolls until nothing changes any more.
     pub history: History,
     /// State to start from. `None` is rest: no tangential traction, bulk temperatures.
     pub initial_state: Option<State>,

@@ -88,7 +88,8 @@ pub(super) struct Motions<'a> {
     solved: AtomicUsize,
 }
 
-/// Motions that one solver goes through, each from those before. Others are solved at the same time.
+/// Motions that one solver goes through, each from those before. Others are solved at the same
+/// time.
 const CHAIN: usize = 6;
 
 impl<'a> Motions<'a> {

@@ -122,8 +122,9 @@ impl Point {
 /// Computes a creep curve of a problem, whose own creepages count only where the path keeps them: see
 /// [`Path::new`].
 ///
-/// The solver may go from curve to curve: they share its set-up where they have the normal contact and the
-/// elasticity in common. Points that do not converge are kept and marked, and a warning names them.
+/// The solver may go from curve to curve: they share its set-up where they have the normal contact
+/// and the elasticity in common. Points that do not converge are kept and marked, and a warning
+/// names them.
 ///
 /// # Errors
 /// Whatever [`check`] refuses, before anything is solved, and [`Error::Stopped`].

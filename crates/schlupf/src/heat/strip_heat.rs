@@ -1,5 +1,5 @@
-//! Heat down the strips of a patch in steady rolling: the temperature of a cell follows from what the cells upstream
-//! of it and the cell itself release.
+//! Heat down the strips of a patch in steady rolling: the temperature of a cell follows from what
+//! the cells upstream of it and the cell itself release.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -49,8 +49,8 @@ impl StripHeat {
         }
     }
 
-    /// Takes over a model and the times for the way to each cell's point and through the cell, in s. The fluxes are zero
-    /// then.
+    /// Takes over a model and the times for the way to each cell's point and through the cell, in
+    /// s. The fluxes are zero then.
     pub fn set(
         &mut self,
         model: Option<&Arc<dyn HeatModel>>,
@@ -96,7 +96,8 @@ impl StripHeat {
         &mut self.weights[self.rows[k]..][..=k - self.first[k]]
     }
 
-    /// Weighs the fluxes upstream of a cell and its own about the present ones, where the model is not linear.
+    /// Weighs the fluxes upstream of a cell and its own about the present ones, where the model is
+    /// not linear.
     pub fn weigh_about_present(&mut self, k: usize) {
         if !self.is_linear() {
             self.weigh(k);
@@ -123,8 +124,8 @@ impl StripHeat {
         self.record.extend(upstream.rev().map(step));
     }
 
-    /// Σ weight · flux over the cells upstream of a cell, and the cell itself where the fluxes reach to it, in
-    /// W √s/m².
+    /// Σ weight · flux over the cells upstream of a cell, and the cell itself where the fluxes
+    /// reach to it, in W √s/m².
     pub fn weighted(&self, k: usize, flux: &[f64]) -> f64 {
         if self.model.is_none() {
             return 0.0;
@@ -133,8 +134,8 @@ impl StripHeat {
         dot(&self.row(k)[..upstream.len()], upstream)
     }
 
-    /// What the heat from upstream contributes to the rise times effusivity of a cell (in W √s/m²) in a
-    /// linear model.
+    /// What the heat from upstream contributes to the rise times effusivity of a cell (in W √s/m²)
+    /// in a linear model.
     pub fn inherited(&self, k: usize) -> f64 {
         if self.is_linear() { self.weighted(k, &self.flux[..k]) } else { 0.0 }
     }
@@ -143,8 +144,8 @@ impl StripHeat {
         self.model.as_ref().is_some_and(|model| model.is_linear())
     }
 
-    /// Rise times effusivity of a cell (in W √s/m²) with a flux (in W/m²), `inherited` being what a linear model has
-    /// from upstream.
+    /// Rise times effusivity of a cell (in W √s/m²) with a flux (in W/m²), `inherited` being what a
+    /// linear model has from upstream.
     pub fn rise(&mut self, k: usize, inherited: f64, flux: f64) -> f64 {
         let Some(model) = self.model.clone() else { return 0.0 };
         if model.is_linear() {

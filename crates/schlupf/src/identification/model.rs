@@ -40,8 +40,8 @@ pub trait CreepForceModel: Send + Sync {
         watch: Watch,
     ) -> Result<Option<ForceRatio>, Error>;
 
-    /// The forces under several conditions, in their order. Those under one load may end with the first that is not
-    /// found; those under different loads may be computed at the same time.
+    /// The forces under several conditions, in their order. Those under one load may end with the
+    /// first that is not found; those under different loads may be computed at the same time.
     ///
     /// # Errors
     /// As [`Self::force_ratio`].

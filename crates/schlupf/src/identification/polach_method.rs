@@ -30,8 +30,8 @@ impl PolachModel {
     /// A problem whose parameters start at their present values.
     ///
     /// # Errors
-    /// A parameter that neither the method nor the friction law has, reductions that cannot be, and whatever
-    /// [`Problem::check`] refuses.
+    /// A parameter that neither the method nor the friction law has, reductions that cannot be, and
+    /// whatever [`Problem::check`] refuses.
     pub fn new(
         problem: &Problem,
         reduction: AreaReduction,

@@ -22,8 +22,8 @@ use super::roughness;
 
 /// Steady rolling contact with unknown constants of friction and contact law.
 ///
-/// Points under one load share one solver, so each starts from the solutions before; different loads are solved on
-/// several threads.
+/// Points under one load share one solver, so each starts from the solutions before; different
+/// loads are solved on several threads.
 pub struct RollingContactModel {
     problem: Problem,
     options: Options,
@@ -57,8 +57,8 @@ impl RollingContactModel {
     /// [`Parameter::Roughness`] only.
     ///
     /// # Errors
-    /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it together, and whatever
-    /// [`Problem::check`] and [`Options::check`] refuse.
+    /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it
+    /// together, and whatever [`Problem::check`] and [`Options::check`] refuse.
     pub fn new(
         problem: &Problem,
         options: &Options,

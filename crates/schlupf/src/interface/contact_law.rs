@@ -126,7 +126,8 @@ impl ContactLaw for Incremental {
         let m = [slide.increment[0] / length, slide.increment[1] / length];
         let saturation = saturation_of(z);
         let kept = 1.0 - saturation;
-        let turned = turned_increment(k, slide, length, seen_turn(0.5 * z, saturation));
+        let (seen, seen_slope) = seen_turn(0.5 * z, saturation);
+        let turned = turned_increment(k, slide, length, seen, seen_slope);
         let end_length = length_of(turned.at_end).max(f64::MIN_POSITIVE);
         let n = [turned.at_end[0] / end_length, turned.at_end[1] / end_length];
         let across = direction_tensor(n, 0.0, saturation / end_length);
@@ -166,7 +167,8 @@ fn turned_increment(
     stiffness: f64,
     slide: &Slide,
     length: f64,
-    (seen, seen_slope): (f64, f64),
+    seen: f64,
+    seen_slope: f64,
 ) -> TurnedIncrement {
     let (s, own) = (slide.increment, slide.turn_by_increment);
     let turn = [slide.turn[0] + own * s[0], slide.turn[1] + own * s[1]];

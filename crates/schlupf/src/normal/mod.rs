@@ -22,7 +22,8 @@ pub trait PressureSource: Debug + Send + Sync {
     /// The normal contact under `load` (in N), or under the source's own load.
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error>;
 
-    /// Finds out ahead what the normal contact under `load` (in N), or under the source's own load, takes long for.
+    /// Finds out ahead what the normal contact under `load` (in N), or under the source's own load,
+    /// takes long for.
     ///
     /// # Errors
     /// As [`Self::normal_contact`], and [`Error::Stopped`].

@@ -34,7 +34,7 @@ use crate::solution::{
 };
 use crate::solver::Solver;
 use crate::state::State;
-use crate::summary;
+use crate::summary::{self, snapshot::View};
 
 pub use elliptic_contact::{EllipticContact, friction_state};
 
@@ -208,11 +208,10 @@ impl FastContact {
             instant.max_rise = summary::temperature(&fastsim.patch, &now).max_rise;
             instant.friction_power = summary::power(&fastsim.patch, &now, &force).friction;
             account.history = vec![instant];
-            let seen = (normal, &fastsim.patch, &now);
-            account.warnings.extend(summary::caveats::of_temperatures(problem, seen));
+            let view = View { normal, patch: &fastsim.patch, now: &now };
+            account.warnings.extend(summary::caveats::of_temperatures(problem, view));
             account.work.cells = fastsim.patch.len();
-            let patch = (normal, &fastsim.patch, &now);
-            let mut solution = summary::solution(problem, &self.options, patch, account);
+            let mut solution = summary::solution(problem, &self.options, view, account);
             if problem.heat.model.is_some() {
                 solution.warnings.extend(warnings::of_power(&solution.power));
             }

@@ -3,11 +3,10 @@
 use crate::heat::peclet::semi_axes;
 use crate::material::Material;
 use crate::normal::NormalSummary;
-use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::warning::{HeatLimit, Unconverged, Warning};
 
-use super::snapshot::Snapshot;
+use super::snapshot::{Snapshot, View};
 
 /// Temperature from which on steel austenitises (A1, 1000 K), in degC: it takes up heat without
 /// warming, has lost half of its stiffness, and is another steel afterwards.
@@ -22,7 +21,7 @@ const STEEL_RANGE: f64 = 0.15;
 /// Whatever the reader of the temperatures must know.
 pub(crate) fn of_temperatures(
     problem: &Problem,
-    (normal, patch, now): (&NormalSummary, &Patch, &Snapshot),
+    View { normal, patch, now }: View,
 ) -> Vec<Warning> {
     let mut caveats = Vec::from_iter(of_slow_rolling(problem, normal, now));
     let temperature = super::temperature(patch, now);

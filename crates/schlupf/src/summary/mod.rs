@@ -3,6 +3,7 @@
 pub(crate) mod caveats;
 pub(crate) mod snapshot;
 
+use crate::equilibrium::Outcome;
 use crate::heat::peclet::semi_axes;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
@@ -16,7 +17,7 @@ use crate::solution::{
 use crate::state::State;
 use crate::warning::Warning;
 
-use snapshot::Snapshot;
+use snapshot::{Snapshot, View};
 
 /// What a driver knows beside the fields.
 pub(crate) struct Account {
@@ -35,7 +36,7 @@ pub(crate) struct Account {
 pub(crate) fn solution(
     problem: &Problem,
     options: &Options,
-    (normal, patch, now): (&NormalSummary, &Patch, &Snapshot),
+    View { normal, patch, now }: View,
     account: Account,
 ) -> Solution {
     let force = force(patch, now);
@@ -104,9 +105,9 @@ pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
 
 /// What is kept of an instant at a time (in s) and after a distance (in m), with its own powers.
 pub(crate) fn instant(
-    (normal, patch, now): (&NormalSummary, &Patch, &Snapshot),
+    View { normal, patch, now }: View,
     [time, distance]: [f64; 2],
-    (newton_iterations, residual): (usize, f64),
+    outcome: &Outcome,
 ) -> Instant {
     let force = force(patch, now);
     let power = power(patch, now, &force);
@@ -120,27 +121,32 @@ pub(crate) fn instant(
         creep_power: power.creep,
         stored_energy: now.stored_energy,
         max_rise: temperature(patch, now).max_rise,
-        newton_iterations,
-        residual,
+        newton_iterations: outcome.iterations,
+        residual: outcome.residual,
     }
 }
 
-/// Heat from the wheel into the rail (in W) because their bulk temperatures differ: a surface held
-/// by T_w − T_m below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t (Carslaw and
-/// Jaeger 1959, §2.5), in the contact L/v_w, and v_w dy of it passes every second.
+/// Heat from the wheel into the rail (in W) because their bulk temperatures differ.
 fn exchanged(problem: &Problem, patch: &Patch, now: &Snapshot) -> f64 {
     if let Some(surfaces) = &now.surfaces {
         return surfaces.exchanged;
     }
     let conduction = &now.conduction;
     let step = conduction.bulk_temperatures()[0] - conduction.entry_temperature;
-    let wheel_speed = now.kinematics.speed / conduction.slowness();
+    chill(problem, patch, now.kinematics.speed / conduction.slowness()) * step
+}
+
+/// Heat flow through the contact over the step from the wheel's bulk to its temperature in the
+/// contact (in W/K), of a surface of the wheel that moves with a speed in m/s. A surface held by
+/// T_w − T_m below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t (Carslaw and
+/// Jaeger 1959, §2.5), in the contact L/v_w, and v_w dy of it passes every second.
+pub(crate) fn chill(problem: &Problem, patch: &Patch, wheel_speed: f64) -> f64 {
     let of_strip = |strip: &Strip| {
         let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
         (wheel_speed * covered * patch.grid.spacing_x / std::f64::consts::PI).sqrt()
     };
     let sum: f64 = patch.strips.iter().map(of_strip).sum();
-    2.0 * problem.wheel.material.effusivity() * step * patch.grid.spacing_y * sum
+    2.0 * problem.wheel.material.effusivity() * patch.grid.spacing_y * sum
 }
 
 /// −v0 (ξ Fx + η Fy + φ Mz), in W. Without spin the moment does not count, not even an unknown one.

@@ -3,6 +3,7 @@
 use crate::heat::contact_conduction::Surfaces;
 use crate::heat::partition::Conduction;
 use crate::kinematics::Kinematics;
+use crate::normal::NormalSummary;
 use crate::patch::Patch;
 
 /// The contact at one instant; per cell in the order of the patch, vectors as x, y of each cell.
@@ -30,6 +31,14 @@ pub(crate) struct Snapshot {
     pub exit_rise: Vec<f64>,
     /// Both surfaces where heat flows along them too: they do not follow from the rises then.
     pub surfaces: Option<Surfaces>,
+}
+
+/// A contact at one instant, as it is summed up.
+#[derive(Clone, Copy)]
+pub(crate) struct View<'a> {
+    pub normal: &'a NormalSummary,
+    pub patch: &'a Patch,
+    pub now: &'a Snapshot,
 }
 
 impl Snapshot {

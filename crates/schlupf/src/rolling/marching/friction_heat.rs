@@ -3,9 +3,9 @@
 
 use crate::heat::{Heat, HeatStep};
 use crate::numerics::root::fixed_point;
-use crate::patch::{Patch, Strip};
+use crate::patch::Patch;
 use crate::problem::Problem;
-use crate::rolling::shared::passage::{self, flux_over_heat, ways_through};
+use crate::rolling::shared::passage::{Passage, heat};
 use crate::summary::snapshot::Snapshot;
 
 use super::arrival::Arrival;
@@ -21,7 +21,7 @@ pub(super) fn set_temperatures(
     now.exit_rise.clear();
     for strip in &patch.strips {
         for k in strip.cells.clone() {
-            pass_cell(now, patch, heat, (strip, k), &mut records[k]);
+            pass_cell(now, heat, k, &Passage::of(patch, strip, k), &mut records[k]);
         }
         now.exit_rise.push(heat.rise_times_effusivity(&records[strip.cells.end - 1]));
     }
@@ -48,39 +48,48 @@ impl Rubbing {
         &self,
         problem: &Problem,
         now: &Snapshot,
-        (patch, strip, k): (&Patch, &Strip, usize),
+        passage: &Passage,
         arrived: &Arrival,
     ) -> f64 {
-        let [before, after] = ways_through(patch, strip, k);
+        let [before, _] = passage.ways;
         let at = |rise: f64| {
-            let state = (rise, self.slip_speed);
-            lagging(problem, now, (arrived.friction, patch.cells[k].y), state, before)
+            let rubbed = Rubbed { y: passage.y, way: before, rise, slip_speed: self.slip_speed };
+            lagging(problem, now, arrived.friction, &rubbed)
         };
         if problem.heat.model.is_none() || problem.friction.law.is_constant() {
             return at(0.0);
         }
         let per_friction =
             if self.friction > 0.0 { self.power / self.friction } else { self.bound_power };
-        let per_power = flux_over_heat(patch.grid.spacing_x, [before, after]);
         let mut record = Vec::with_capacity(arrived.heat.len() + 1);
         record.push(HeatStep { flux: 0.0, duration: before / now.over_step.speed });
         record.extend_from_slice(&arrived.heat);
         fixed_point(self.friction, |tried| {
-            record[0].flux = passage::heat(tried * per_friction) * per_power;
+            record[0].flux = heat(tried * per_friction) * passage.flux_over_heat;
             at(problem.heat.rise_times_effusivity(&record))
         })
     }
 }
 
-/// Coefficient of friction (dimensionless) at y (in m) after a way (in m) at a temperature rise times
-/// effusivity (in W √s/m²) and a slip speed (in m/s), of material that `arrived` with a coefficient or
-/// enters the contact.
+/// Material that has been rubbed on its way through a cell, or a part of it.
+pub(super) struct Rubbed {
+    /// Where the cell is across rolling, in m.
+    pub y: f64,
+    /// The way, in m.
+    pub way: f64,
+    /// Temperature rise times effusivity, in W √s/m².
+    pub rise: f64,
+    /// Slip speed, in m/s.
+    pub slip_speed: f64,
+}
+
+/// Coefficient of friction (dimensionless) of material that `arrived` with a coefficient or enters
+/// the contact.
 pub(super) fn lagging(
     problem: &Problem,
     now: &Snapshot,
-    (arrived, y): (Option<f64>, f64),
-    (rise, slip_speed): (f64, f64),
-    way: f64,
+    arrived: Option<f64>,
+    &Rubbed { y, way, rise, slip_speed }: &Rubbed,
 ) -> f64 {
     let law = problem.friction_response(&now.conduction, rise, slip_speed, y).coefficient;
     let Some(memory) = problem.friction_memory() else { return law };
@@ -91,16 +100,15 @@ pub(super) fn lagging(
 /// The temperature of an element in a cell, and its record when it leaves.
 fn pass_cell(
     now: &mut Snapshot,
-    patch: &Patch,
-    heat: &Heat,
-    (strip, k): (&Strip, usize),
+    model: &Heat,
+    k: usize,
+    passage: &Passage,
     record: &mut Vec<HeatStep>,
 ) {
-    let [before, after] = ways_through(patch, strip, k);
-    let released = passage::heat(now.friction_power[k]);
-    let flux = released * flux_over_heat(patch.grid.spacing_x, [before, after]);
+    let [before, after] = passage.ways;
+    let flux = heat(now.friction_power[k]) * passage.flux_over_heat;
     let step = |way: f64| HeatStep { flux, duration: way / now.over_step.speed };
     record.insert(0, step(before));
-    now.rise[k] = heat.rise_times_effusivity(record);
+    now.rise[k] = model.rise_times_effusivity(record);
     record[0] = step(before + after);
 }

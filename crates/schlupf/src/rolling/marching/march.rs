@@ -14,17 +14,20 @@ use crate::progress::{Progress, Stage, Watch, tell, within};
 use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
-use crate::rolling::shared::passage::{speed_of, ways_through};
+use crate::rolling::shared::passage::{Passage, speed_of, ways_through};
 use crate::rolling::shared::turn::{Way, with_turn};
 use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
-use crate::summary::{self, snapshot::Snapshot};
+use crate::summary::{
+    self,
+    snapshot::{Snapshot, View},
+};
 use crate::transient::Transient;
 use crate::warning::{Unconverged, Warning};
 
 use super::arrival::{Arrival, carry_over, positions};
-use super::friction_heat::{Rubbing, lagging, set_temperatures};
+use super::friction_heat::{Rubbed, Rubbing, lagging, set_temperatures};
 use super::initial_state::{fitting, on_patch};
 use super::past::Past;
 use super::shift::{AT_REST, Shift};
@@ -58,13 +61,14 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
     Ok(at.back(march.into_solution()))
 }
 
-/// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift` (along and
-/// across rolling, in m), in one go: a history with nothing but a shift.
+/// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift`
+/// (along and across rolling, in m), in one go: a history with nothing but a shift.
 ///
-/// The bodies do not roll: creepages and spin of the problem play no part, and those of the solution
-/// are zero, as is its speed. A shift has no duration either, so there is no slip velocity, no friction
-/// power and no heat; friction is that of the temperature with which the bodies meet. How far each
-/// element has slid, in m, is in the solution's state, from which marching can go on.
+/// The bodies do not roll: creepages and spin of the problem play no part, and those of the
+/// solution are zero, as is its speed. A shift has no duration either, so there is no slip
+/// velocity, no friction power and no heat; friction is that of the temperature with which the
+/// bodies meet. How far each element has slid, in m, is in the solution's state, from which
+/// marching can go on.
 ///
 /// # Errors
 /// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] refuse, and
@@ -295,9 +299,9 @@ impl<'a> March<'a> {
                         slip_speed: self.elements[e].slip_speed,
                     };
                 }
-                let place = (patch, strip, k);
+                let passage = Passage::of(patch, strip, k);
                 self.now.friction[k] =
-                    rubbing.coefficient(self.problem, &self.now, place, &arrivals[k]);
+                    rubbing.coefficient(self.problem, &self.now, &passage, &arrivals[k]);
             }
         }
     }
@@ -400,11 +404,14 @@ impl<'a> March<'a> {
         let patch = &self.contact.patch;
         for strip in &patch.strips {
             for k in strip.cells.clone() {
-                let way = ways_through(patch, strip, k).iter().sum();
                 let element = &mut self.elements[k];
-                let state = (element.rise, element.slip_speed);
-                let from = (arrived[k], patch.cells[k].y);
-                let coefficient = lagging(self.problem, &self.now, from, state, way);
+                let rubbed = Rubbed {
+                    y: patch.cells[k].y,
+                    way: ways_through(patch, strip, k).iter().sum(),
+                    rise: element.rise,
+                    slip_speed: element.slip_speed,
+                };
+                let coefficient = lagging(self.problem, &self.now, arrived[k], &rubbed);
                 element.friction_on_leaving = Some(coefficient);
             }
         }
@@ -425,10 +432,10 @@ impl<'a> March<'a> {
 
     fn keep_instant(&mut self) {
         self.worst_residual = self.worst_residual.max(self.outcome.residual);
-        let now = (&self.contact.normal, &self.contact.patch, &self.now);
-        let solved = (self.outcome.iterations, self.outcome.residual);
         let distance = self.work.steps as f64 * self.contact.patch.grid.spacing_x;
-        let instant = summary::instant(now, [self.time, distance], solved);
+        let view =
+            View { normal: &self.contact.normal, patch: &self.contact.patch, now: &self.now };
+        let instant = summary::instant(view, [self.time, distance], &self.outcome);
         self.instants.push(self.powers.map_or(instant, |powers| Instant {
             friction_power: powers.friction,
             creep_power: powers.creep,
@@ -475,8 +482,9 @@ impl<'a> March<'a> {
             work: self.work,
             state,
         };
-        let (normal, patch) = (&self.contact.normal, &self.contact.patch);
-        summary::solution(self.problem, self.options, (normal, patch, &self.now), account)
+        let view =
+            View { normal: &self.contact.normal, patch: &self.contact.patch, now: &self.now };
+        summary::solution(self.problem, self.options, view, account)
     }
 
     fn why_not_converged(&self) -> Unconverged {

@@ -25,16 +25,16 @@ pub(super) struct Departure {
 /// The patch at the last instant.
 #[derive(Debug, Default)]
 pub(super) struct Past {
-    /// Of each cell of the grid, if it was in contact: the number of its element, and what it leaves
-    /// the cell with.
+    /// Of each cell of the grid, if it was in contact: the number of its element, and what it
+    /// leaves the cell with.
     pub cells: Vec<Option<(usize, Departure)>>,
     /// Its strips.
     pub reaches: Vec<Reach>,
 }
 
 impl Past {
-    /// What remains of an instant with the displacement `field`. `ways` are the lengths of the ways into the cells,
-    /// in m.
+    /// What remains of an instant with the displacement `field`. `ways` are the lengths of the ways
+    /// into the cells, in m.
     pub fn of(
         contact: &DiscreteContact,
         field: &VectorField,

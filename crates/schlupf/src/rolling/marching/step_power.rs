@@ -87,8 +87,9 @@ impl Start {
         StepPower { friction, creep: summary::creep_power(&now.over_step, &force) }
     }
 
-    /// By how much A p changes while a material point passes each cell of a patch within the step: what it changes in
-    /// passing a field, and what changes in place until the displacement at the end of the step.
+    /// By how much A p changes while a material point passes each cell of a patch within the step:
+    /// what it changes in passing a field, and what changes in place until the displacement at the
+    /// end of the step.
     fn change(
         &self,
         interpolation: &Interpolation,

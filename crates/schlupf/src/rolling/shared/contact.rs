@@ -289,8 +289,8 @@ impl Displaced<'_> {
         0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
     }
 
-    /// By how much it changes while a material point passes a cell: the difference of its neighbours' values over two
-    /// cells.
+    /// By how much it changes while a material point passes a cell: the difference of its
+    /// neighbours' values over two cells.
     ///
     /// A symmetric compliance that is the same everywhere does no work on such changes in total,
     /// Σ p·change = 0 exactly: elasticity returns what it takes.
@@ -301,8 +301,8 @@ impl Displaced<'_> {
     }
 }
 
-/// Half the difference of the neighbours' values along rolling, downstream less upstream; the border
-/// keeps its values.
+/// Half the difference of the neighbours' values along rolling, downstream less upstream; the
+/// border keeps its values.
 pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorField) {
     for (from, to) in [(&from.x, &mut to.x), (&from.y, &mut to.y)] {
         for (from, to) in from.chunks_exact(columns).zip(to.chunks_exact_mut(columns)) {

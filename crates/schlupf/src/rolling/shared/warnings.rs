@@ -2,7 +2,10 @@
 
 use crate::material::contact_modulus;
 use crate::problem::{Options, Problem};
-use crate::summary::{self, snapshot::Snapshot};
+use crate::summary::{
+    self,
+    snapshot::{Snapshot, View},
+};
 use crate::warning::Warning;
 
 use super::contact::DiscreteContact;
@@ -33,8 +36,8 @@ pub(crate) fn warnings(
     warnings.extend(problem.elasticity.caveat_of_parts(contact.normal.parts));
     warnings.extend(problem.normal.caveat());
     warnings.extend(yielding(problem, contact.normal.peak_pressure));
-    warnings
-        .extend(summary::caveats::of_temperatures(problem, (&contact.normal, &contact.patch, now)));
+    let view = View { normal: &contact.normal, patch: &contact.patch, now };
+    warnings.extend(summary::caveats::of_temperatures(problem, view));
     let edge = contact.edge_displacement(&now.traction);
     if edge > LARGEST_EDGE_DISPLACEMENT {
         warnings.push(Warning::SmallMargin { edge });

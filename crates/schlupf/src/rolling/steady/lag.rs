@@ -27,6 +27,18 @@ struct Passage {
     left: f64,
 }
 
+/// What the friction of a cell depends on.
+pub(super) struct Rubbed {
+    /// Coefficient that the law asks for, dimensionless.
+    pub law: f64,
+    /// Slip speed, in m/s.
+    pub slip_speed: f64,
+    /// Times to the cell's point and through the cell, in s.
+    pub durations: [f64; 2],
+    /// Whether the material enters here.
+    pub is_first: bool,
+}
+
 /// Small changes of what the friction of a cell depends on.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct LagCause {
@@ -61,15 +73,9 @@ impl Lag {
         }
     }
 
-    /// Sets the coefficient of a cell where the law asks for `law` at a slip speed (in m/s), the times
-    /// to the cell's point and through the cell being `durations` (in s).
-    pub fn pass(
-        &mut self,
-        (k, is_first): (usize, bool),
-        law: f64,
-        slip_speed: f64,
-        durations: [f64; 2],
-    ) {
+    /// Sets the coefficient of a cell.
+    pub fn pass(&mut self, k: usize, rubbed: &Rubbed) {
+        let &Rubbed { law, slip_speed, durations, is_first } = rubbed;
         let Some(memory) = &self.memory else {
             self.coefficient[k] = law;
             return;

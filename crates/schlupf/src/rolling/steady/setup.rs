@@ -1,4 +1,5 @@
-//! What steady states with one normal contact and one elasticity share, and the way to a state on nested grids.
+//! What steady states with one normal contact and one elasticity share, and the way to a state on
+//! nested grids.
 
 use std::sync::Arc;
 
@@ -14,7 +15,10 @@ use crate::rolling::shared::passage::speed_of;
 use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Resultant, Solution, Status, Work};
 use crate::state::State;
-use crate::summary::{self, snapshot::Snapshot};
+use crate::summary::{
+    self,
+    snapshot::{Snapshot, View},
+};
 use crate::warning::Warning;
 
 use super::branches;
@@ -289,18 +293,19 @@ impl Setup {
         now.exit_rise = exits.collect();
         now.surfaces = friction.surfaces(patch);
         let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
-        let solved = (work.newton_iterations, outcome.residual);
-        let instant = summary::instant((&contact.normal, patch, &now), [0.0; 2], solved);
+        let warnings = warnings(problem, options, contact, &now);
+        let view = View { normal: &contact.normal, patch: &contact.patch, now: &now };
+        let whole = Outcome { iterations: work.newton_iterations, ..*outcome };
         let account = summary::Account {
             method: Method::Full,
             status: if is_found { Status::Converged } else { Status::NotConverged },
             residual: outcome.residual,
-            history: vec![instant],
-            warnings: warnings(problem, options, contact, &now),
+            history: vec![summary::instant(view, [0.0; 2], &whole)],
+            warnings,
             sensitivity: None,
             work,
             state: State { grid: contact.patch.grid, time: 0.0, elements },
         };
-        summary::solution(problem, options, (&contact.normal, &contact.patch, &now), account)
+        summary::solution(problem, options, view, account)
     }
 }

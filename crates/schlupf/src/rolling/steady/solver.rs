@@ -102,9 +102,9 @@ impl SteadySolver {
         Self { options: options.clone(), setup: None, newton: Newton::default() }
     }
 
-    /// The steady state with the derivatives of forces and moment by some constants of contact law and
-    /// friction, one for each (in N and N m over the unit of the constant). A constant that a law does not
-    /// have has no effect. Nothing where Newton's method or a linear system fails.
+    /// The steady state with the derivatives of forces and moment by some constants of contact law
+    /// and friction, one for each (in N and N m over the unit of the constant). A constant that a
+    /// law does not have has no effect. Nothing where Newton's method or a linear system fails.
     pub fn solve_with_derivatives_by(
         &mut self,
         problem: &Problem,

@@ -23,7 +23,7 @@ use crate::rolling::shared::passage::{
     self, flux_over_heat, pair, rigid_velocity, slip, speed_of, ways_through,
 };
 
-use super::lag::{Lag, LagCause};
+use super::lag::{Lag, LagCause, Rubbed};
 
 /// Slip, heat, temperature and friction of every cell, and their tangent.
 pub(super) struct SteadyFriction {
@@ -197,8 +197,9 @@ impl SteadyFriction {
         let slip_speed = speed_of(self.slip[k]);
         let y = patch.cells[k].y;
         let response = problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
-        let place = (k, k == self.heat.first(k));
-        self.lag.pass(place, response.coefficient, slip_speed, self.heat.durations(k));
+        let (durations, is_first) = (self.heat.durations(k), k == self.heat.first(k));
+        let rubbed = Rubbed { law: response.coefficient, slip_speed, durations, is_first };
+        self.lag.pass(k, &rubbed);
         self.response[k] = response;
     }
 
@@ -290,11 +291,11 @@ impl SteadyFriction {
         raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))
     }
 
-    /// Change of μ pₙ in every cell (in Pa) with that of the traction (in Pa) and of A p in passing
-    /// the cell (in m), and with a cause besides. `flux` is room for the changes of the heat flux.
+    /// Change of μ pₙ in every cell (in Pa) with another change, and with a cause besides. `flux`
+    /// is room for the changes of the heat flux.
     pub fn bound_changes(
         &mut self,
-        (traction, passing): (&[f64], &[f64]),
+        Change { traction, passing }: Change,
         cause: Option<&FrictionCause>,
         flux: &mut [f64],
         bound: &mut [f64],
@@ -397,6 +398,15 @@ impl Scaling {
         let conduction = problem.conduction(&Kinematics { creepage_x, ..motion });
         Conductors { conduction, ..conductors }
     }
+}
+
+/// Small changes in the cells on which friction depends.
+#[derive(Clone, Copy)]
+pub(super) struct Change<'a> {
+    /// Of the traction, in Pa.
+    pub traction: &'a [f64],
+    /// Of A p in passing the cell, in m.
+    pub passing: &'a [f64],
 }
 
 /// Small changes of what friction is given, cell by cell.

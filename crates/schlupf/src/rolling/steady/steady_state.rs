@@ -7,7 +7,7 @@ use crate::problem::Problem;
 use crate::rolling::shared::contact::Displaced;
 
 use super::level::{Descent, Level};
-use super::steady_friction::{FrictionCause, SteadyFriction};
+use super::steady_friction::{Change, FrictionCause, SteadyFriction};
 use super::strip_law::{Cause, StripLaw};
 
 /// The steady equilibrium on the first of some levels. The coarser ones, solved before, help to
@@ -80,8 +80,8 @@ impl Equilibrium for SteadyState<'_> {
             strips.tangent(v, response, None, None, product);
             return;
         }
-        let passing = &response[v.len()..];
-        friction.bound_changes((v, passing), None, &mut room.flux, &mut room.bound);
+        let change = Change { traction: v, passing: &response[v.len()..] };
+        friction.bound_changes(change, None, &mut room.flux, &mut room.bound);
         strips.tangent(v, response, Some(&room.bound), None, product);
     }
 
@@ -99,8 +99,8 @@ impl Equilibrium for SteadyState<'_> {
     }
 }
 
-/// The linear response to what a product made: the displacement at the cells relative to the upstream neighbour, and
-/// the change in passing if that is wanted.
+/// The linear response to what a product made: the displacement at the cells relative to the
+/// upstream neighbour, and the change in passing if that is wanted.
 fn relate(
     mut made: Displaced,
     strips: &StripLaw,
@@ -158,7 +158,8 @@ impl SteadyState<'_> {
         let Level { contact, strips, friction, room, .. } = &mut self.levels[0];
         let nothing = vec![0.0; size];
         if is_coupled {
-            let (unloaded, cause) = ((&nothing[..], &response[size..]), Some(&direct.friction));
+            let unloaded = Change { traction: &nothing, passing: &response[size..] };
+            let cause = Some(&direct.friction);
             friction.bound_changes(unloaded, cause, &mut room.flux, &mut room.bound);
         } else {
             let cells = contact.patch.cells.iter().zip(&direct.friction.law);

@@ -1,0 +1,76 @@
+//! `--threads`: results do not depend on it, to the last bit.
+
+mod support;
+
+use serde_json::Value;
+use support::Bench;
+
+/// Two loads fall into groups of their own.
+const DATA: &str = "creepage_x,force_ratio,load\n\
+                    5e-4,0.12,50e3\n2e-3,0.28,50e3\n2e-2,0.34,50e3\n\
+                    5e-4,0.10,80e3\n2e-3,0.26,80e3\n2e-2,0.33,80e3\n";
+
+const CASE: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\nspin = \"0.1 1/m\"\n\
+                    [normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\n\
+                    load = \"60 kN\"\n[grid]\ncells_x = 12\ncells_y = 10\n";
+
+/// Without what a clock has measured.
+fn without_times(mut document: Value) -> Value {
+    match &mut document {
+        Value::Object(entries) => {
+            entries.retain(|name, _| !name.starts_with("time"));
+            entries.values_mut().for_each(|entry| *entry = without_times(entry.take()));
+        }
+        Value::Array(entries) => {
+            entries.iter_mut().for_each(|entry| *entry = without_times(entry.take()));
+        }
+        _ => {}
+    }
+    document
+}
+
+fn is_the_same(arguments: &[&str]) {
+    let bench = Bench::new();
+    bench.write("case.toml", CASE);
+    bench.write("data.csv", DATA);
+    let found = ["1", "2", "5"].map(|threads| {
+        let all = [arguments, &["--json", "-", "--threads", threads]].concat();
+        let run = bench.run(&all);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        without_times(serde_json::from_str(&run.stdout).unwrap())
+    });
+    assert!(found[0] == found[1] && found[0] == found[2], "{arguments:?}\n{found:#?}");
+}
+
+#[test]
+fn families_are_the_same_on_any_number_of_threads() {
+    let family = ["--creepage-x", "0..0.05", "--over", "kinematics.speed=10 m/s,20 m/s,30 m/s"];
+    is_the_same(&[&["curve", "case.toml", "--points", "9"], &family[..]].concat());
+}
+
+#[test]
+fn fits_are_the_same_on_any_number_of_threads() {
+    let constants = "friction.coefficient,contact_law.stiffness";
+    is_the_same(&["fit", "case.toml", "--data", "data.csv", "--fit", constants]);
+}
+
+#[test]
+fn calibrations_are_the_same_on_any_number_of_threads() {
+    is_the_same(&["calibrate", "case.toml", "--anew", "--cells", "10"]);
+}
+
+#[test]
+fn comparisons_are_the_same_on_any_number_of_threads() {
+    is_the_same(&["compare", "case.toml"]);
+}
+
+#[test]
+fn no_threads_are_refused() {
+    let bench = Bench::new();
+    bench.write("case.toml", CASE);
+    for number in ["0", "-1", "many"] {
+        let run = bench.run(&["solve", "case.toml", &format!("--threads={number}")]);
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        assert!(run.stderr.contains("--threads"), "{}", run.stderr);
+    }
+}
