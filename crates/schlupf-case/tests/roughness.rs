@@ -61,7 +61,7 @@ fn an_override_may_name_a_roughness_or_take_it_out() {
     let given = read("[contact_law]\nstiffness = \"1e6 1/m\"", &[]).unwrap().law_stiffness;
     assert!(matches!(given.origin, StiffnessOrigin::Given) && given.stiffness == 1e6);
     // The default case has a roughness as easily as any other.
-    let template = Case::default_text();
+    let template = CaseFile::default_text();
     let roughness = set(&template, "contact_law.roughness.rms_height=1 um");
     assert!(matches!(roughness.origin, StiffnessOrigin::ClosedForm { .. }));
 }
@@ -103,7 +103,8 @@ fn a_spectrum_goes_through_the_micro_model() {
 #[test]
 fn a_like_case_takes_the_normal_contact_over() {
     let case = read(SPECTRUM, &[]).unwrap();
-    let slippery = case.with("--over", &["friction.coefficient=0.2".to_owned()], &unwatched).unwrap();
+    let slippery =
+        case.with("--over", &["friction.coefficient=0.2".to_owned()], &unwatched).unwrap();
     let ratio = slippery.law_stiffness.stiffness / case.law_stiffness.stiffness;
     assert_relative_eq!(ratio, 2.0, max_relative = 1e-6);
     let anew = read(SPECTRUM, &["friction.coefficient=0.2"]).unwrap();

@@ -1,8 +1,8 @@
 //! `schlupf bulk`.
 
 use clap::Args;
-use schlupf::{Error, Watch};
 use schlupf::bulk_temperature::{self, Cooling};
+use schlupf::{Error, Watch};
 use schlupf_case::{Case, CaseErrors};
 use schlupf_output::bulk_temperature::BulkReport;
 

@@ -236,7 +236,12 @@ pub struct Member {
 }
 
 /// One, or one for each value of the family.
-fn members(case: &Case, varied: &Varied, family: Option<&Family>, watch: Watch) -> Result<Vec<Member>, Failure> {
+fn members(
+    case: &Case,
+    varied: &Varied,
+    family: Option<&Family>,
+    watch: Watch,
+) -> Result<Vec<Member>, Failure> {
     let member = |value: Option<&String>, case: Case| {
         let path = varied.path(&case).map_err(|error| varied.failure(&case, &error))?;
         Ok(Member { value: value.cloned(), case, path })

@@ -1,18 +1,19 @@
 //! `schlupf roughness`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::{Args, ValueHint};
-use schlupf::{Error, Watch};
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
+use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
-    Files, Folder, Case, CaseErrors, FieldNames, GivenByOption, RoughnessRequest, caveats, pressures,
+    Case, CaseErrors, FieldNames, Files, Folder, GivenByOption, RoughnessRequest, caveats,
+    pressures,
 };
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
@@ -328,7 +329,8 @@ fn describe(
         (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
         (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
         (SurfaceOrigin::Files { files, .. }, _) => {
-            let names: Vec<String> = files.iter().map(|file| file.path().display().to_string()).collect();
+            let names: Vec<String> =
+                files.iter().map(|file| file.path().display().to_string()).collect();
             names.join(" and ")
         }
     };

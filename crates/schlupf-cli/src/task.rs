@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::{Status, Watch};
 use schlupf::message::Message;
+use schlupf::{Status, Watch};
 use schlupf_case::Case;
 use schlupf_output::Report;
 use schlupf_output::figures::MARK;

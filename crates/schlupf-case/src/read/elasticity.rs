@@ -70,10 +70,7 @@ impl Deformation {
 }
 
 /// How the bodies deform, as far as that needs no patch.
-pub fn deformation(
-    settings: &Settings,
-    bodies: [&Material; 2],
-) -> Result<Deformation, CaseError> {
+pub fn deformation(settings: &Settings, bodies: [&Material; 2]) -> Result<Deformation, CaseError> {
     let model: Arc<dyn Elasticity> = match settings.chosen("elasticity.model")? {
         ElasticityModel::Rigid => Arc::new(Rigid),
         ElasticityModel::HalfSpace => Arc::new(half_space(settings, bodies)?),

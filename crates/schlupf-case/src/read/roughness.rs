@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schlupf::Watch;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{
@@ -14,7 +15,6 @@ use schlupf::normal::PressureSource;
 use schlupf::surface::form::Form;
 use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
-use schlupf::Watch;
 
 use crate::error::{CaseError, Cause};
 use crate::fields::choice::FormTakenOff;
@@ -133,7 +133,11 @@ pub fn request(
 
 impl MicroRequest {
     /// All that is needed, the pressures being those of the patch where none are given.
-    pub fn on(&self, settings: &Settings, normal: &dyn PressureSource) -> Result<MicroCase, CaseError> {
+    pub fn on(
+        &self,
+        settings: &Settings,
+        normal: &dyn PressureSource,
+    ) -> Result<MicroCase, CaseError> {
         if let Some(pressures) = &self.mean_pressures {
             return self.at(settings, pressures);
         }
@@ -311,7 +315,11 @@ fn mean_pressures(settings: &Settings) -> Result<Option<Vec<f64>>, CaseError> {
 }
 
 /// Checks that the hardness (in Pa) is more than all of the surface carries.
-fn check_hardness(settings: &Settings, hardness: f64, largest_pressure: f64) -> Result<(), CaseError> {
+fn check_hardness(
+    settings: &Settings,
+    hardness: f64,
+    largest_pressure: f64,
+) -> Result<(), CaseError> {
     if hardness > largest_pressure {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! `[elasticity]`.
 
 use super::solver::{FULL, METHOD};
-use super::{shaping, quantity};
+use super::{quantity, shaping};
 use crate::fields::choice::{CalibratedWith, Choose, ElasticityModel};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};

@@ -1,7 +1,9 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
-use super::{field};
-use crate::fields::choice::{BoundChoice, BranchChoice, Choose, Driver, FlexibilitiesChoice, MethodChoice};
+use super::field;
+use crate::fields::choice::{
+    BoundChoice, BranchChoice, Choose, Driver, FlexibilitiesChoice, MethodChoice,
+};
 use crate::fields::field::Default::{Computed, Text};
 use crate::fields::field::{Field, Kind};
 use schlupf::problem::MAX_CELLS;
