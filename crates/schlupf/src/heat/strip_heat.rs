@@ -91,7 +91,7 @@ impl StripHeat {
         &self.weights[self.rows[k]..][..=k - self.first[k]]
     }
 
-    /// The same, to be overwritten.
+    /// The same, to be overwritten, in √s.
     pub fn row_mut(&mut self, k: usize) -> &mut [f64] {
         &mut self.weights[self.rows[k]..][..=k - self.first[k]]
     }
