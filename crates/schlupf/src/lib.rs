@@ -35,6 +35,7 @@ pub mod history;
 pub mod method;
 pub mod state;
 pub mod problem;
+mod builder;
 pub mod transient;
 pub mod solution;
 mod summary;
@@ -53,6 +54,7 @@ pub mod columns;
 #[cfg(feature = "serde")]
 mod serialize;
 
+pub use builder::ProblemBuilder;
 pub use error::Error;
 pub use method::Method;
 pub use problem::{Options, Problem};

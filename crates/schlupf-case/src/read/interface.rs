@@ -11,9 +11,6 @@ use crate::settings::Settings;
 
 const STIFFNESS: &str = "contact_law.stiffness";
 
-/// k_c where nothing is given, in 1/m.
-const DEFAULT_STIFFNESS: f64 = 5e6;
-
 /// How traction grows with sliding.
 pub fn contact_law(
     settings: &Settings,
@@ -33,7 +30,9 @@ fn stiffness(settings: &Settings, at: &Circumstances) -> Result<LawStiffness, Ca
     if let Some(stiffness) = settings.optional_number(STIFFNESS)? {
         return Ok(LawStiffness { stiffness, origin: StiffnessOrigin::Given });
     }
-    let default =
-        || LawStiffness { stiffness: DEFAULT_STIFFNESS, origin: StiffnessOrigin::Default };
+    let default = || LawStiffness {
+        stiffness: Incremental::DEFAULT_STIFFNESS,
+        origin: StiffnessOrigin::Default,
+    };
     Ok(roughness::stiffness(settings, at)?.unwrap_or_else(default))
 }

@@ -59,7 +59,19 @@ pub struct Heat {
     pub partition: Partition,
 }
 
+impl Default for Heat {
+    /// Conduction perpendicular to the surface, with equal temperatures of both.
+    fn default() -> Self {
+        Self { model: Some(Arc::new(duhamel::Duhamel)), partition: Partition::Velocity }
+    }
+}
+
 impl Heat {
+    /// No heating: the material keeps the temperature with which it enters.
+    pub fn none() -> Self {
+        Self { model: None, ..Self::default() }
+    }
+
     /// Checks the partition.
     pub fn check(&self) -> Result<(), Error> {
         match self.partition {

@@ -6,6 +6,7 @@ use super::{NormalContact, PressureSource};
 use crate::error::{Error, require_positive};
 use crate::progress::Watch;
 use crate::quantity::Quantity;
+use crate::warning::Warning;
 
 /// A source of pressure whose own load is another one.
 #[derive(Debug, Clone)]
@@ -33,6 +34,10 @@ impl PressureSource for AtLoad {
 
     fn growth(&self) -> Option<f64> {
         self.source.growth()
+    }
+
+    fn caveat(&self) -> Option<Warning> {
+        self.source.caveat()
     }
 }
 

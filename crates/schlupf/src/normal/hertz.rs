@@ -29,6 +29,18 @@ pub struct Radii {
     pub y: f64,
 }
 
+impl Radii {
+    /// Curved along rolling only, with a radius in m: a cylindrical wheel.
+    pub const fn along(radius: f64) -> Self {
+        Self { x: radius, y: f64::INFINITY }
+    }
+
+    /// Curved across rolling only, with a radius in m: a straight rail.
+    pub const fn across(radius: f64) -> Self {
+        Self { x: f64::INFINITY, y: radius }
+    }
+}
+
 /// Hertz contact from the radii of two bodies and their load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hertz {

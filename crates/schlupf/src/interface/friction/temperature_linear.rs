@@ -15,6 +15,13 @@ pub struct TemperatureLinear {
     minimum_coefficient: f64,
 }
 
+impl Default for TemperatureLinear {
+    /// μ0 = 0.4, which vanishes at 700 K above the reference.
+    fn default() -> Self {
+        Self { coefficient: 0.4, temperature_at_zero_friction: 700.0, minimum_coefficient: 0.0 }
+    }
+}
+
 impl TemperatureLinear {
     /// Cold coefficient μ0 (dimensionless), T_E over the reference (in K), floor (dimensionless).
     pub fn new(
