@@ -88,6 +88,17 @@ impl Case {
 
     /// Reads the text of a case. `name` is for messages, `folder` is where relative paths start, and
     /// each override is `section.field=value`.
+    ///
+    /// ```
+    /// use schlupf_case::Case;
+    /// use std::path::Path;
+    ///
+    /// let text = "[kinematics]\nspeed = \"72 km/h\"";
+    /// let set = ["normal.load=100 kN".to_owned()];
+    /// let case = Case::from_str(text, "a case", Path::new(""), &set)?;
+    /// assert!((case.problem.kinematics.speed - 20.0).abs() < 1e-12);
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
     pub fn from_str(
         text: &str,
         name: &str,
@@ -184,6 +195,15 @@ impl Case {
     }
 
     /// What is to be solved, from a state if there is one.
+    ///
+    /// ```
+    /// use schlupf_case::{Case, Task};
+    /// use std::path::Path;
+    ///
+    /// let case = Case::from_str(&Case::default_text(), "template", Path::new(""), &[])?;
+    /// assert!(matches!(case.task(None), Ok(Task::Steady(_))));
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
     ///
     /// # Errors
     /// A history or a state where the method or the way that was asked for cannot follow it.

@@ -50,6 +50,16 @@ impl Family {
     }
 
     /// The case with each of the values, or what is wrong with any of them.
+    ///
+    /// ```
+    /// use schlupf_case::{Case, Family};
+    /// use std::path::Path;
+    ///
+    /// let case = Case::from_str("", "a case", Path::new(""), &[])?;
+    /// let speeds = Family::parse("--over", "kinematics.speed=10 m/s,20 m/s")?.members(&case)?;
+    /// assert_eq!(speeds[1].problem.kinematics.speed, 20.0);
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
     pub fn members(&self, case: &Case) -> Result<Vec<Case>, CaseErrors> {
         let mut members = Vec::new();
         let mut errors = Vec::new();

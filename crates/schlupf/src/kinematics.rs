@@ -52,6 +52,13 @@ impl Kinematics {
     /// Kinematics of a wheel of rolling radius R (in m) that turns with ω (in rad/s) under the yaw
     /// angle α (in rad), exactly: ξ = (v0 cos α − ω R)/v0, η = −sin α. For small α these are
     /// Eq. (3) and (12) of Neuhaus and Sextro (2014).
+    ///
+    /// ```
+    /// use schlupf::kinematics::Kinematics;
+    ///
+    /// let braking = Kinematics::from_wheel(30.0, 64.7, 0.46, 0.0);
+    /// assert!((braking.creepage_x - (30.0 - 64.7 * 0.46) / 30.0).abs() < 1e-12);
+    /// ```
     pub fn from_wheel(
         speed: f64,
         angular_velocity: f64,

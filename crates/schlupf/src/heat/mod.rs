@@ -51,6 +51,13 @@ pub trait HeatModel: Debug + Send + Sync {
 }
 
 /// How friction heats the bodies.
+///
+/// ```
+/// use schlupf::heat::{Heat, partition::Partition};
+///
+/// let half = Heat { partition: Partition::Given(0.5), ..Heat::default() };
+/// assert!(half.check().is_ok() && Heat::none().model.is_none());
+/// ```
 #[derive(Debug, Clone)]
 pub struct Heat {
     /// The model; `None` leaves the material at the temperature with which it enters.

@@ -56,6 +56,18 @@ const LARGEST_CURVATURE_RATIO: f64 = 1e5;
 impl Hertz {
     /// A contact of bodies with the given radii and contact modulus E* (in Pa) under `load` (in N).
     ///
+    /// ```
+    /// use schlupf::material::{Material, contact_modulus};
+    /// use schlupf::normal::{PressureSource, hertz::{Hertz, Radii}};
+    ///
+    /// let modulus = contact_modulus(&Material::STEEL, &Material::STEEL);
+    /// // Crossed cylinders of one radius touch in a circle.
+    /// let hertz = Hertz::new(Radii::along(0.46), Radii::across(0.46), modulus, 80e3)?;
+    /// let contact = hertz.normal_contact(None)?.summary;
+    /// assert!((contact.semi_axis_x / contact.semi_axis_y - 1.0).abs() < 1e-9);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// A radius of zero, a curvature sum that is not positive (a flat contact, or a line), or one
     /// so much smaller than the other that the contact is practically a line.
