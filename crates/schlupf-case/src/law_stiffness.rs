@@ -6,7 +6,7 @@ use schlupf::interface::roughness::micro_model::MicroModelResult;
 use schlupf::message::Message;
 
 use crate::fields::readable;
-use crate::surface::SurfaceSource;
+use crate::surface::{SurfaceSource, notice};
 
 /// The stiffness k_c of the contact law, and where it comes from.
 #[derive(Debug, Clone)]
@@ -91,7 +91,7 @@ impl LawStiffness {
                     "h_rms is {} m, outside of 1 nm to 100 µm: is its unit right?",
                     readable(*rms_height)
                 );
-                if is_usual { Vec::new() } else { vec![of("unusual-height", text)] }
+                if is_usual { Vec::new() } else { vec![notice("unusual-height", text)] }
             }
         }
     }
@@ -110,11 +110,6 @@ impl MicroContact {
     }
 }
 
-/// What is said of a roughness.
-pub(crate) fn of(code: &'static str, text: String) -> Message {
-    Message::new(code, "contact_law.roughness", text)
-}
-
 /// Mean pressure in elastic spots over E* from which on hard steel, too, yields; dimensionless.
 const YIELDING: f64 = 0.03;
 
@@ -129,7 +124,7 @@ fn yielding(result: &MicroModelResult, key: &MicroKey) -> Option<Message> {
             1e-9 * mean,
             1e-6 * key.largest_pressure
         );
-        of("yielding-spots", text)
+        notice("yielding-spots", text)
     })
 }
 
@@ -145,7 +140,7 @@ pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<M
     {
         let found = in_contact(pressure);
         if found < fewest {
-            caveats.push(of(
+            caveats.push(notice(
             "few-cells-in-contact",
             format!(
                 "only {found:.0} cells are in contact at the {which} pressure: k_c is doubtful; more cells \
@@ -156,7 +151,7 @@ pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<M
     }
     let stiffness = &result.stiffness;
     if stiffness.common.root_mean_square_error > NOTICEABLE_ERROR {
-        caveats.push(of(
+        caveats.push(notice(
             "not-exponential",
             format!(
             "Eq. (8) with one k_c misses {:.0} % of μp (root mean square), at most {:.0} %: the \
@@ -167,7 +162,7 @@ pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<M
     }
     if stiffness.spread > NOTICEABLE_SPREAD {
         let values = || stiffness.fits.iter().map(|fit| fit.stiffness);
-        caveats.push(of(
+        caveats.push(notice(
             "stiffness-varies",
             format!(
             "k_c depends on the pressure: from {:.3e} to {:.3e} 1/m between {:.0} and {:.0} MPa",
@@ -178,7 +173,7 @@ pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<M
         )));
     }
     if !result.normal.is_converged() {
-        caveats.push(of(
+        caveats.push(notice(
             "micro-model-not-converged",
 
             "the normal contact of the micro model did not converge at every pressure: do not trust \
@@ -187,7 +182,7 @@ pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<M
         ));
     }
     if result.exponential.is_none() {
-        caveats.push(of(
+        caveats.push(notice(
             "no-closed-form",
 
             "fewer than three of the solved pressures bring 1 to 20 % of the surface into contact: the \

@@ -1,86 +1,8 @@
-//! Arguments of the command line.
+//! Arguments that several commands share.
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, Parser, Subcommand, ValueHint};
-use clap_complete::Shell;
-
-use crate::bulk::Bulk;
-use crate::calibrate::Calibrate;
-use crate::compare::Compare;
-use crate::curve::Curve;
-use crate::fit::Fit;
-use crate::roughness::Roughness;
-use crate::solve::Solve;
-use crate::temperature::Temperature;
-
-const EXIT_CODES: &str = "\
-Exit codes:
-  0  converged
-  1  the file system failed
-  2  bad input
-  3  not converged: the results are written and marked; if the normal contact was not found, there are none
-130  interrupted: nothing was written";
-
-/// Rolling contact of wheel and rail: forces, stress, slip and temperature in the contact patch.
-#[derive(Debug, Parser)]
-#[command(name = "schlupf", version, after_help = EXIT_CODES)]
-pub struct Arguments {
-    /// What to do.
-    #[command(subcommand)]
-    pub command: Command,
-    /// Threads for what can be computed at the same time; all cores when left out. Results do not
-    /// depend on it
-    #[arg(long, global = true, value_name = "N", value_parser = number_of_threads)]
-    pub threads: Option<usize>,
-}
-
-/// A number of threads that a machine can have.
-fn number_of_threads(text: &str) -> Result<usize, String> {
-    const MOST: usize = 1024;
-    let count = text.parse().ok().filter(|count| (1..=MOST).contains(count));
-    count.ok_or_else(|| format!("must be a whole number between 1 and {MOST}"))
-}
-
-/// What to do.
-#[derive(Debug, Subcommand)]
-pub enum Command {
-    /// Solve a case
-    #[command(after_help = EXIT_CODES)]
-    Solve(Box<Solve>),
-    /// Compute creep curves: forces over creepage
-    #[command(after_help = EXIT_CODES)]
-    Curve(Box<Curve>),
-    /// From rough surfaces to the contact stiffness k_c: statistics, contact area, tangential curves
-    #[command(after_help = EXIT_CODES)]
-    Roughness(Box<Roughness>),
-    /// Compare all methods on a case: forces, temperature, time
-    #[command(after_help = EXIT_CODES)]
-    Compare(Box<Compare>),
-    /// Temperatures of wheel and rail below a point, and along its row with the wake
-    #[command(after_help = EXIT_CODES)]
-    Temperature(Box<Temperature>),
-    /// Long-term bulk temperature of the wheel, from its heat balance, in place of the case's
-    #[command(after_help = EXIT_CODES)]
-    Bulk(Box<Bulk>),
-    /// Stiffnesses of the elastic layer: from the table, calibrated anew, or fitted to displacements
-    #[command(after_help = EXIT_CODES)]
-    Calibrate(Box<Calibrate>),
-    /// Find constants of friction and contact law from measured creep forces
-    #[command(after_help = EXIT_CODES)]
-    Fit(Box<Fit>),
-    /// Check a case file and say what it would solve
-    Check(CaseArguments),
-    /// Write a commented case file to start from
-    Init(InitArguments),
-    /// Print the JSON schema of a case file
-    Schema,
-    /// Print a completion script for a shell
-    Completions {
-        /// The shell
-        shell: Shell,
-    },
-}
+use clap::{Args, ValueHint};
 
 /// Which case.
 #[derive(Debug, Clone, Args)]

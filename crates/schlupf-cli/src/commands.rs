@@ -5,11 +5,9 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::ExitCode;
 
-use clap::CommandFactory;
-use clap_complete::Shell;
 use schlupf_case::{Case, Effective, Place, schema as case_schema, template};
 
-use crate::arguments::{Arguments, CaseArguments, InitArguments};
+use crate::arguments::{CaseArguments, InitArguments};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::{contact_law, outputs, report, stdout};
@@ -105,13 +103,5 @@ pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
 /// `schlupf schema`: prints the JSON schema of a case file.
 pub fn schema() -> Result<ExitCode, Failure> {
     stdout::write(&format!("{:#}\n", case_schema()))?;
-    Ok(ExitCode::SUCCESS)
-}
-
-/// `schlupf completions`: prints a completion script.
-pub fn completions(shell: Shell) -> Result<ExitCode, Failure> {
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Arguments::command(), "schlupf", &mut script);
-    stdout::write(&String::from_utf8_lossy(&script))?;
     Ok(ExitCode::SUCCESS)
 }

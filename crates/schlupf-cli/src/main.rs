@@ -5,6 +5,7 @@
 mod arguments;
 mod bulk;
 mod calibrate;
+mod command_line;
 mod commands;
 mod compare;
 mod contact_law;
@@ -26,7 +27,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use rayon::ThreadPoolBuilder;
 
-use arguments::{Arguments, Command};
+use command_line::{Arguments, Command, completions};
 use failure::Failure;
 
 fn main() -> ExitCode {
@@ -55,6 +56,6 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),
-        Command::Completions { shell } => commands::completions(shell),
+        Command::Completions { shell } => completions(shell),
     }
 }

@@ -145,8 +145,8 @@ fn symmetries_hold() {
 }
 
 // The static condensation of Eqs. (4)–(7) with dense matrices, as the paper writes it: (6) reads
-// u_o = −C_oo⁻¹ C_oi u_i, and (7) C_red = C_ii − C_io C_oo⁻¹ C_oi. Because C_red⁻¹ is the contact block of
-// C⁻¹, the solver needs no condensed matrix: it restricts the compliance to the contact.
+// u_o = −C_oo⁻¹ C_oi u_i, and (7) C_red = C_ii − C_io C_oo⁻¹ C_oi. Because C_red⁻¹ is the contact
+// block of C⁻¹, the solver needs no condensed matrix: it restricts the compliance to the contact.
 
 /// A rectangular lattice of point elements with free edges, one displacement component.
 struct Lattice {

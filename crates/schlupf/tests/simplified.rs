@@ -2,6 +2,9 @@
 
 mod common;
 
+use std::f64::consts::PI;
+use std::sync::Arc;
+
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::bulk_temperature::{Cooling, bulk_temperature};
@@ -24,8 +27,6 @@ use schlupf::simplified::{FastContact, FastSolver};
 use schlupf::solution::Resultant;
 use schlupf::temperature_field::TemperatureField;
 use schlupf::{Method, Options, Problem, Solution, Solver, unwatched};
-use std::f64::consts::PI;
-use std::sync::Arc;
 
 const PLAIN: AreaReduction = AreaReduction { area_adhesion: 1.0, area_slip: 1.0 };
 
@@ -64,7 +65,7 @@ fn solve(problem: &Problem, options: &Options) -> Solution {
 }
 
 fn normalised(problem: &Problem, method: FastMethod, across: usize) -> Resultant {
-    fast(&problem, method, across).normalised
+    fast(problem, method, across).normalised
 }
 
 /// a = 8 mm, b = 4 mm, N = 82 kN, μ = 0.3, G = 82 GPa, ν = 0.28, with this motion at 30 m/s.

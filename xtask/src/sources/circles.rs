@@ -1,8 +1,9 @@
 //! Files of a crate that use each other in a circle cannot be read, tested or moved one by one.
 //!
-//! A file uses another where its code names an item of it, by whatever way: what a `pub use` hands on is an
-//! item of the file that it comes from. Files above and below each other in the tree of modules are one house:
-//! a `mod.rs` may call what its children make of the types that it gives them.
+//! A file uses another where its code names an item of it, by whatever way: what a `pub use` hands
+//! on is an item of the file that it comes from. Files above and below each other in the tree of
+//! modules are one house: a `mod.rs` may call what its children make of the types that it gives
+//! them.
 
 use std::collections::{BTreeMap, VecDeque};
 

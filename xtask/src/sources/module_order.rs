@@ -92,8 +92,11 @@ impl Root {
         self.modules.iter().position(|other| other == module)
     }
 
-    /// The module behind a name at the root.
+    /// The module behind a name at the root; an item may have the name of a module, too.
     fn module_of<'a>(&'a self, name: &'a str) -> &'a str {
+        if self.position(name).is_some() {
+            return name;
+        }
         self.exports.iter().find(|(export, _)| export == name).map_or(name, |(_, module)| module)
     }
 }

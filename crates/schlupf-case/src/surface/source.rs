@@ -10,10 +10,9 @@ use schlupf::surface::spectrum::{RadialSpectrum, Window, spectral_gradient};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 
-use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions};
+use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions, notice};
 use crate::error::CaseError;
 use crate::fields::readable;
-use crate::law_stiffness::of;
 use crate::names::FieldNames;
 use crate::place::Place;
 
@@ -122,7 +121,7 @@ impl SurfaceSource {
                 "the root mean square gradient is {is}: the model takes slopes for small, its k_c is \
                  doubtful"
             );
-            return Ok(Some(of("steep-surface", text)));
+            return Ok(Some(notice("steep-surface", text)));
         }
         let [low, high] = surface.range().map(|height| readable(height * 1e6));
         let (field, cause) = match &self.origin {
@@ -160,7 +159,7 @@ impl SurfaceSource {
                  take waviness off",
                 1e2 * share
             );
-            of("small-piece", text)
+            notice("small-piece", text)
         })
     }
 
@@ -285,7 +284,7 @@ impl SurfaceSource {
                  keep them",
                 2e6 * lattice.spacing_x
             );
-            said.notices.push(of("waves-left-out", text));
+            said.notices.push(notice("waves-left-out", text));
         }
         profile.isotropic_surface(lattice, seed)
     }
@@ -321,7 +320,7 @@ impl Said {
             let text = format!(
                 "{text}: they are smooth, and Sa, Sq, Ssk, Sku, Sz, the gradients and k_c count them"
             );
-            self.notices.push(of("filled-points", text));
+            self.notices.push(notice("filled-points", text));
         }
     }
 }

@@ -13,8 +13,8 @@ const LARGEST_ROUNDING: f64 = 0.25;
 /// Half of the last digit, and what the lattice is off itself because of it.
 const DIGIT: f64 = 0.75;
 
-/// The lattice that positions of the column `name`, in any order, lie on: not every place of it needs
-/// to be taken.
+/// The lattice that positions of the column `name`, in any order, lie on: not every place of it
+/// needs to be taken.
 pub fn axis(name: &str, positions: &[f64], columns: &Columns) -> Result<Axis, CaseError> {
     let mut sorted = positions.to_vec();
     sorted.sort_by(f64::total_cmp);

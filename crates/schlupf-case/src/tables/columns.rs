@@ -274,7 +274,8 @@ impl Columns {
     }
 }
 
-/// Line on which a record of a text begins: its position is that of the empty lines and comments before it.
+/// Line on which a record of a text begins: its position is that of the empty lines and comments
+/// before it.
 fn first_line(text: &str, record: &csv::StringRecord) -> usize {
     let Some(position) = record.position() else { return 1 };
     let before = text[position.byte() as usize..].split('\n');
@@ -323,7 +324,8 @@ mod tests {
             .map_err(|error| error.to_string())
     }
 
-    /// Empty lines, comments, with quotation marks and without, ends of lines of both kinds, a byte order mark.
+    /// Empty lines, comments, with quotation marks and without, ends of lines of both kinds, a byte
+    /// order mark.
     #[test]
     fn rows_have_their_lines() {
         let text = "\u{feff}# a, \"b\n\n \t\n\"time [s]\", \"factor\"\n# c\n\n1,2\n 3 ,\"4\"\n";

@@ -46,9 +46,9 @@ impl Lattice {
     }
 }
 
-/// Where on the lattice of two columns with these names and axes each row of a file lies, and in which line
-/// of the file each place of the lattice is given, zero if nowhere. The lattice has at most `sparse` times as
-/// many points as the file.
+/// Where on the lattice of two columns with these names and axes each row of a file lies, and in
+/// which line of the file each place of the lattice is given, zero if nowhere. The lattice has at
+/// most `sparse` times as many points as the file.
 pub fn places(
     [(name_x, x, xs), (name_y, y, ys)]: [(&str, &Axis, &[f64]); 2],
     sparse: usize,

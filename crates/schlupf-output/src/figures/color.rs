@@ -1,7 +1,8 @@
 //! Colours of text and lines, and perceptually uniform colour maps.
 //!
-//! The maps are equidistant samples of viridis and inferno (matplotlib, van der Walt and Smith 2015, CC0) and of
-//! vik (Crameri 2018, MIT), linear in between; at 33 samples the error is below what eight bits show.
+//! The maps are equidistant samples of viridis and inferno (matplotlib, van der Walt and Smith
+//! 2015, CC0) and of vik (Crameri 2018, MIT), linear in between; at 33 samples the error is below
+//! what eight bits show.
 
 /// Colour of text and axes.
 pub(crate) const INK: &str = "#222222";

@@ -12,6 +12,7 @@ pub mod duhamel;
 mod moving_half_space;
 pub mod partition;
 pub mod peclet;
+pub(crate) mod strip_heat;
 
 use std::fmt::Debug;
 use std::sync::Arc;

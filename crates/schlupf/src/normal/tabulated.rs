@@ -27,7 +27,8 @@ pub struct PressureTable {
     origin: [f64; 2],
 }
 
-/// Positions may deviate from equidistance by this part of the spacing: printed numbers are rounded.
+/// Positions may deviate from equidistance by this part of the spacing: printed numbers are
+/// rounded.
 const SPACING_TOLERANCE: f64 = 1e-2;
 
 fn axis(name: char, positions: &[f64]) -> Result<Axis, Error> {

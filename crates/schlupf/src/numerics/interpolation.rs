@@ -5,8 +5,8 @@ pub(crate) fn mix([from, to]: [f64; 2], share: f64) -> f64 {
     (1.0 - share) * from + share * to
 }
 
-/// Value at a position and slope of a table over ascending positions, linear in between and constant
-/// outside.
+/// Value at a position and slope of a table over ascending positions, linear in between and
+/// constant outside.
 pub(crate) fn piecewise_linear(positions: &[f64], values: &[f64], at: f64) -> [f64; 2] {
     let after = positions.partition_point(|position| *position <= at);
     if after == 0 {
@@ -21,7 +21,8 @@ pub(crate) fn piecewise_linear(positions: &[f64], values: &[f64], at: f64) -> [f
     [mix(ends, share), (ends[1] - ends[0]) / width]
 }
 
-/// Weights of the four corners of a rectangle, (0, 0), (1, 0), (0, 1), (1, 1), at shares of its sides.
+/// Weights of the four corners of a rectangle, (0, 0), (1, 0), (0, 1), (1, 1), at shares of its
+/// sides.
 pub(crate) fn bilinear([x, y]: [f64; 2]) -> [f64; 4] {
     [(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y]
 }
@@ -40,8 +41,8 @@ pub(crate) fn cubic(position: f64, nodes: usize) -> (usize, [f64; 4]) {
     (first as usize, weights)
 }
 
-/// Weights, in Hermite's cubic at a share t of an interval, of the values at its ends and of the slopes there
-/// times its width.
+/// Weights, in Hermite's cubic at a share t of an interval, of the values at its ends and of the
+/// slopes there times its width.
 pub(crate) fn hermite(t: f64) -> [f64; 4] {
     let rest = 1.0 - t;
     [(1.0 + 2.0 * t) * rest * rest, t * t * (3.0 - 2.0 * t), t * rest * rest, -t * t * rest]
@@ -53,8 +54,8 @@ pub(crate) fn hermite_slope(t: f64) -> [f64; 4] {
     [-6.0 * t * rest, 6.0 * t * rest, rest * (1.0 - 3.0 * t), t * (3.0 * t - 2.0)]
 }
 
-/// Weights of four equidistant nodes at a share t of the interval between the middle ones, where Hermite's
-/// cubic has the slopes of their neighbours' differences (Catmull and Rom 1974).
+/// Weights of four equidistant nodes at a share t of the interval between the middle ones, where
+/// Hermite's cubic has the slopes of their neighbours' differences (Catmull and Rom 1974).
 pub(crate) fn catmull_rom(t: f64) -> [f64; 4] {
     let [from, to, out, into] = hermite(t);
     [-0.5 * out, from - 0.5 * into, to + 0.5 * out, 0.5 * into]
@@ -82,8 +83,8 @@ mod tests {
         }
     }
 
-    /// Lagrange's cubic is exact for cubics, also beside the ends; that of Catmull and Rom for parabolas,
-    /// Hermite's with its derivative for what it is given.
+    /// Lagrange's cubic is exact for cubics, also beside the ends; that of Catmull and Rom for
+    /// parabolas, Hermite's with its derivative for what it is given.
     #[test]
     fn cubics_are_exact() {
         let cubic_at = |x: f64| 2.0 - x + 0.5 * x * x - 0.25 * x * x * x;

@@ -1,7 +1,7 @@
 //! Roots, minima and fixed points.
 
-/// What is left of an interval that was halved so many times about the place where `is_below`, which holds
-/// at its first end, stops holding.
+/// What is left of an interval that was halved so many times about the place where `is_below`,
+/// which holds at its first end, stops holding.
 pub(crate) fn bisection(
     [mut low, mut high]: [f64; 2],
     halvings: u32,
@@ -17,7 +17,8 @@ pub(crate) fn bisection(
 /// The golden section, ½ (√5 − 1).
 pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Where a function is least in an interval with one minimum, by the golden section in so many steps.
+/// Where a function is least in an interval with one minimum, by the golden section in so many
+/// steps.
 pub(crate) fn golden_section(
     [mut low, mut high]: [f64; 2],
     steps: u32,

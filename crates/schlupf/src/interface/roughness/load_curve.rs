@@ -183,9 +183,9 @@ impl LoadCurve {
         [cubic(hermite(t)), cubic(hermite_slope(t)) / width]
     }
 
-    /// Between which points a mean pressure (in Pa) lies: the lower one, their distance in ln p, and the part
-    /// of it from there, both dimensionless. Beyond the last point the last ones go on; `None` before the
-    /// first.
+    /// Between which points a mean pressure (in Pa) lies: the lower one, their distance in ln p,
+    /// and the part of it from there, both dimensionless. Beyond the last point the last ones go
+    /// on; `None` before the first.
     fn interval(&self, mean_pressure: f64) -> Option<(usize, f64, f64)> {
         let above = self.points.partition_point(|point| point.mean_pressure < mean_pressure);
         let above = above.min(self.points.len() - 1);

@@ -57,8 +57,8 @@ impl Start {
         contact: &DiscreteContact,
         displacement: &VectorField,
     ) {
-        let passed = displacement.clone();
-        let change = self.change(&contact.interpolation, &contact.patch, displacement, passed);
+        let interpolation = &contact.interpolation;
+        let change = self.change(interpolation, &contact.patch, displacement, displacement);
         now.slip = slips(&now.kinematics, &contact.patch, &change);
         now.friction_power = powers(&now.traction, &now.slip);
     }
@@ -72,7 +72,7 @@ impl Start {
     ) -> StepPower {
         let half = |traction: &[f64], patch: &Patch, interpolation: &Interpolation| {
             let passed = combined(displacement, 0.5, &self.displacement, 0.5);
-            let change = self.change(interpolation, patch, displacement, passed);
+            let change = self.change(interpolation, patch, displacement, &passed);
             let slip = slips(&now.over_step, patch, &change);
             0.5 * powers(traction, &slip).iter().sum::<f64>() * patch.grid.cell_area()
         };
@@ -88,17 +88,17 @@ impl Start {
     }
 
     /// By how much A p changes while a material point passes each cell of a patch within the step: what it changes in
-    /// passing a field, and what changes in place until the displacement at the end.
+    /// passing a field, and what changes in place until the displacement at the end of the step.
     fn change(
         &self,
         interpolation: &Interpolation,
         patch: &Patch,
         displacement: &VectorField,
-        passed: VectorField,
+        passed: &VectorField,
     ) -> Vec<f64> {
         // The border of the grid, where no cell is, keeps the values.
         let mut passing = VectorField::zeros(patch.grid.len());
-        differences(&passed, patch.grid.columns, &mut passing);
+        differences(passed, patch.grid.columns, &mut passing);
         let gained = combined(displacement, 1.0, &self.displacement, -1.0);
         let mut change = vec![0.0; 2 * patch.len()];
         let mut in_place = change.clone();

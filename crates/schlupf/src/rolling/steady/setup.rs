@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
+use crate::numerics::vector::dot;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::shared::passage::speed_of;
@@ -243,7 +244,6 @@ impl Setup {
             ]
         };
         let (made, next) = (difference(last, before), difference(&problem.kinematics, last));
-        let dot = |v: &[f64; 3], w: &[f64; 3]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
         let squared = dot(&made, &made);
         if squared == 0.0 {
             return 0.0;
@@ -281,11 +281,11 @@ impl Setup {
             element.rise = friction.rise[k];
             element.friction_on_leaving = friction.lag.on_leaving(k);
             if problem.heat.model.is_some() {
-                element.heat = friction.record_on_leaving(k);
+                element.heat = friction.heat.record_on_leaving(k).to_vec();
             }
         }
         let patch = &contact.patch;
-        let exits = patch.strips.iter().map(|strip| friction.exit_rise(problem, strip));
+        let exits = patch.strips.iter().map(|strip| friction.heat.exit_rise(strip));
         now.exit_rise = exits.collect();
         now.surfaces = friction.surfaces(patch);
         let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);

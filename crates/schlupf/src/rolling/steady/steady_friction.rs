@@ -10,13 +10,14 @@
 //! only precondition.
 
 use crate::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
+use crate::heat::partition::Conduction;
 use crate::heat::peclet::semi_axes_of_grid;
-use crate::heat::{HeatStep, partition::Conduction};
+use crate::heat::strip_heat::StripHeat;
 use crate::interface::friction::{FrictionResponse, FrictionState};
 use crate::kinematics::Kinematics;
 use crate::numerics::root::fixed_point;
-use crate::numerics::vector::{add_scaled, dot};
-use crate::patch::{Patch, Strip};
+use crate::numerics::vector::add_scaled;
+use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::rolling::shared::passage::{
     self, flux_over_heat, pair, rigid_velocity, slip, speed_of, ways_through,
@@ -31,16 +32,9 @@ pub(super) struct SteadyFriction {
     kinematics: Kinematics,
     spacing: f64,
     pub conduction: Conduction,
-    /// Strip by strip and row by row the lower triangle ∂rise/∂flux of the heat model, in √s.
-    weights: Vec<f64>,
-    /// Where the row of each cell begins in the weights.
-    rows: Vec<usize>,
-    /// First cell of the strip of each cell.
-    first: Vec<usize>,
+    pub heat: StripHeat,
     /// Heat flux on the way through a cell over its friction power, dimensionless.
     flux_over_power: Vec<f64>,
-    /// Times for the way to the cell's point and through the cell, in s.
-    durations: Vec<[f64; 2]>,
     /// Rigid slip velocity of each cell, in m/s.
     rigid: Vec<[f64; 2]>,
     pressure: Vec<f64>,
@@ -50,14 +44,12 @@ pub(super) struct SteadyFriction {
     pub slip: Vec<[f64; 2]>,
     /// Friction power over area, in W/m².
     pub power: Vec<f64>,
-    flux: Vec<f64>,
     /// Temperature rise times effusivity, in W √s/m².
     pub rise: Vec<f64>,
     /// What the law says of each cell.
     pub response: Vec<FrictionResponse>,
     /// The coefficients that follow.
     pub lag: Lag,
-    record: Vec<HeatStep>,
     /// What conducts heat along the surface too, where that counts.
     conductors: Option<Conductors>,
     /// Their conduction, once it is asked for.
@@ -70,42 +62,26 @@ impl SteadyFriction {
     /// Friction of a patch; [`Self::set_problem`] says which.
     pub fn new(problem: &Problem, patch: &Patch) -> Self {
         let cells = patch.len();
-        let mut friction = Self {
+        let spacing = patch.grid.spacing_x;
+        Self {
             is_coupled: false,
             kinematics: problem.kinematics,
-            spacing: patch.grid.spacing_x,
+            spacing,
             conduction: problem.conduction(&problem.kinematics),
-            weights: Vec::new(),
-            rows: Vec::with_capacity(cells),
-            first: Vec::with_capacity(cells),
-            flux_over_power: Vec::with_capacity(cells),
-            durations: vec![[0.0; 2]; cells],
+            heat: StripHeat::new(patch),
+            flux_over_power: ways(patch).map(|ways| flux_over_heat(spacing, ways)).collect(),
             rigid: vec![[0.0; 2]; cells],
             pressure: patch.cells.iter().map(|cell| cell.pressure).collect(),
             traction: vec![0.0; 2 * cells],
             slip: vec![[0.0; 2]; cells],
             power: vec![0.0; cells],
-            flux: vec![0.0; cells],
             rise: vec![0.0; cells],
             response: vec![FrictionResponse::default(); cells],
             lag: Lag::new(cells),
-            record: Vec::new(),
             conductors: None,
             conduction_along: None,
             risen: vec![0.0; cells],
-        };
-        let mut row = 0;
-        for strip in &patch.strips {
-            for k in strip.cells.clone() {
-                let [before, after] = ways_through(patch, strip, k);
-                let over_heat = flux_over_heat(friction.spacing, [before, after]);
-                friction.flux_over_power.push(over_heat);
-                friction.rows.push(row);
-                friction.first.push(strip.cells.start);
-                row += k + 1 - strip.cells.start;
-            }
         }
-        friction
     }
 
     /// Takes over another motion, and other laws of friction and heat.
@@ -118,57 +94,23 @@ impl SteadyFriction {
             self.prepare_conduction(patch);
         }
         self.lag.set_problem(problem, patch);
+        for (rigid, cell) in self.rigid.iter_mut().zip(&patch.cells) {
+            *rigid = rigid_velocity(&problem.kinematics, cell);
+        }
         let speed = problem.kinematics.speed;
-        for strip in &patch.strips {
-            for k in strip.cells.clone() {
-                let [before, after] = ways_through(patch, strip, k);
-                self.durations[k] = [before / speed, (before + after) / speed];
-                let cell = &patch.cells[k];
-                self.rigid[k] = rigid_velocity(&problem.kinematics, cell);
-            }
-        }
-        self.weights.clear();
-        if let Some(model) = &problem.heat.model {
-            let rows = self
-                .rows
-                .last()
-                .map_or(0, |row| row + self.rows.len() - self.first.last().copied().unwrap_or(0));
-            self.weights.resize(rows, 0.0);
-            if model.is_linear() {
-                self.flux.fill(0.0);
-                for k in 0..self.rows.len() {
-                    self.weigh(problem, k);
-                }
-            }
-        }
+        let durations = ways(patch).map(|[before, after]| [before, before + after]);
+        let durations = durations.map(|ways| ways.map(|way| way / speed));
+        self.heat.set(problem.heat.model.as_ref(), durations);
         self.rise.fill(0.0);
         if self.is_coupled && self.conductors.is_some() {
             self.weigh_upstream();
             self.power.fill(0.0);
             self.conduct();
         }
-        for k in 0..self.rows.len() {
+        for k in 0..self.heat.len() {
             self.slip[k] = [0.0; 2];
             self.respond(problem, patch, k);
         }
-    }
-
-    /// The record of a cell with the present fluxes, the latest step first.
-    fn recall(&mut self, k: usize) {
-        self.record.clear();
-        self.record.push(HeatStep { flux: self.flux[k], duration: self.durations[k][0] });
-        for j in (self.first[k]..k).rev() {
-            self.record.push(HeatStep { flux: self.flux[j], duration: self.durations[j][1] });
-        }
-    }
-
-    /// Derivatives of a cell's rise with respect to the fluxes up to its own.
-    fn weigh(&mut self, problem: &Problem, k: usize) {
-        let Some(model) = &problem.heat.model else { return };
-        self.recall(k);
-        let row = &mut self.weights[self.rows[k]..][..=k - self.first[k]];
-        model.derivatives(&self.record, row);
-        row.reverse();
     }
 
     /// Conduction along the surface, if it counts.
@@ -184,9 +126,9 @@ impl SteadyFriction {
     fn weigh_upstream(&mut self) {
         let Some(conduction) = &self.conduction_along else { return };
         let over_factor = self.conduction.contact_factor().recip();
-        for (k, &first) in self.first.iter().enumerate() {
-            let row = &mut self.weights[self.rows[k]..][..=k - first];
-            for (j, weight) in (first..=k).zip(row) {
+        for k in 0..self.heat.len() {
+            let first = self.heat.first(k);
+            for (j, weight) in (first..=k).zip(self.heat.row_mut(k)) {
                 let per_power = over_factor * conduction.downstream(k - j);
                 *weight = per_power / self.flux_over_power[j];
             }
@@ -196,7 +138,7 @@ impl SteadyFriction {
     /// Rises by the friction power, where heat flows along the surface too: those which give the
     /// contact temperature of that.
     fn conduct(&mut self) {
-        let heat = self.heat();
+        let heat = self.released();
         let Some(conduction) = &mut self.conduction_along else { return };
         conduction.contact_rise(&heat, &mut self.rise);
         let (entry, factor) = (self.conduction.entry_temperature, self.conduction.contact_factor());
@@ -206,13 +148,13 @@ impl SteadyFriction {
     }
 
     /// Heat that is released in the cells, in W/m².
-    fn heat(&self) -> Vec<f64> {
+    fn released(&self) -> Vec<f64> {
         self.power.iter().map(|power| passage::heat(*power)).collect()
     }
 
     /// Both surfaces at the last evaluation, where heat flows along them too.
     pub fn surfaces(&mut self, patch: &Patch) -> Option<Surfaces> {
-        let heat = self.heat();
+        let heat = self.released();
         let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
         conduction.map(|conduction| conduction.surfaces(patch, &heat))
     }
@@ -227,7 +169,7 @@ impl SteadyFriction {
         scaling: Scaling,
     ) -> Option<Vec<f64>> {
         let conductors = self.conductors.filter(|_| self.is_coupled)?;
-        let heat = self.heat();
+        let heat = self.released();
         let at = |change: f64| {
             let conductors = scaling.of(problem, conductors, change);
             let mut conduction = ContactConduction::new(patch, conductors);
@@ -255,8 +197,8 @@ impl SteadyFriction {
         let slip_speed = speed_of(self.slip[k]);
         let y = patch.cells[k].y;
         let response = problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
-        let place = (k, k == self.first[k]);
-        self.lag.pass(place, response.coefficient, slip_speed, self.durations[k]);
+        let place = (k, k == self.heat.first(k));
+        self.lag.pass(place, response.coefficient, slip_speed, self.heat.durations(k));
         self.response[k] = response;
     }
 
@@ -264,24 +206,21 @@ impl SteadyFriction {
     /// changes while a material point passes each cell, in m.
     pub fn evaluate(&mut self, problem: &Problem, patch: &Patch, p: &[f64], change: &[f64]) {
         self.traction.copy_from_slice(p);
-        let is_linear = problem.heat.model.as_ref().is_none_or(|model| model.is_linear());
         let is_along = self.conductors.is_some();
         let per_length = self.kinematics.speed / self.spacing;
-        for k in 0..self.rows.len() {
+        for k in 0..self.heat.len() {
             self.slip[k] = slip(self.rigid[k], per_length, pair(change, k));
             self.power[k] = passage::power(pair(p, k), self.slip[k]);
-            self.flux[k] = passage::heat(self.power[k]) * self.flux_over_power[k];
+            self.heat.flux[k] = passage::heat(self.power[k]) * self.flux_over_power[k];
         }
         if is_along {
             self.prepare_conduction(patch);
             self.conduct();
         }
-        for k in 0..self.rows.len() {
+        for k in 0..self.heat.len() {
             if !is_along {
-                self.warm(problem, k);
-                if !is_linear {
-                    self.weigh(problem, k);
-                }
+                self.warm(k);
+                self.heat.weigh_about_present(k);
             }
             self.respond(problem, patch, k);
         }
@@ -298,13 +237,14 @@ impl SteadyFriction {
     ) {
         self.slip.copy_from_slice(&self.rigid);
         for (k, along) in saturation.iter().enumerate() {
-            let start = if k == self.first[k] { None } else { Some(self.lag.coefficient[k - 1]) };
+            let start =
+                if k == self.heat.first(k) { None } else { Some(self.lag.coefficient[k - 1]) };
             let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
             let heat = passage::heat(passage::power(*along, self.rigid[k]));
             let flux = self.pressure[k] * heat * self.flux_over_power[k];
             let coefficient = fixed_point(start, |coefficient| {
-                self.flux[k] = coefficient * flux;
-                self.warm(problem, k);
+                self.heat.flux[k] = coefficient * flux;
+                self.warm(k);
                 self.respond(problem, patch, k);
                 self.lag.coefficient[k]
             });
@@ -315,23 +255,9 @@ impl SteadyFriction {
     }
 
     /// Rise of a cell by the heat from upstream and its own, perpendicular to the surface.
-    fn warm(&mut self, problem: &Problem, k: usize) {
-        let Some(model) = &problem.heat.model else { return };
-        if model.is_linear() {
-            self.rise[k] = self.weighted(k, &self.flux);
-        } else {
-            self.recall(k);
-            self.rise[k] = model.rise_times_effusivity(&self.record);
-        }
-    }
-
-    /// Σ weight · flux over the cells upstream and the cell itself.
-    fn weighted(&self, k: usize, flux: &[f64]) -> f64 {
-        if self.weights.is_empty() {
-            return 0.0;
-        }
-        let row = &self.weights[self.rows[k]..][..=k - self.first[k]];
-        dot(row, &flux[self.first[k]..=k])
+    fn warm(&mut self, k: usize) {
+        let inherited = self.heat.inherited(k);
+        self.rise[k] = self.heat.rise(k, inherited, self.heat.flux[k]);
     }
 
     /// ∂μ/∂(rise times effusivity), in m²/(W √s).
@@ -354,12 +280,11 @@ impl SteadyFriction {
         traction: [f64; 2],
         by_bound: [f64; 2],
     ) -> f64 {
-        if self.weights.is_empty() {
+        if !self.heat.has_model() {
             return 0.0;
         }
-        let row = &self.weights[self.rows[k]..][..=k - self.first[k]];
-        let (own, before) = (row[row.len() - 1], &row[..row.len() - 1]);
-        let inherited = dot(before, &upstream[self.first[k]..k]);
+        let own = self.heat.row(k)[k - self.heat.first(k)];
+        let inherited = self.heat.weighted(k, &upstream[..k]);
         let by_rise = self.pressure[k] * self.lag.follows(k) * self.by_rise(k);
         let raised = by_rise * (inherited + own * self.flux_change(k, traction));
         raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))
@@ -374,21 +299,21 @@ impl SteadyFriction {
         flux: &mut [f64],
         bound: &mut [f64],
     ) {
-        for k in 0..self.rows.len() {
+        for (k, flux) in flux.iter_mut().enumerate() {
             let slid = self.slip_change(passing, cause, k);
             let rubbed = passage::power(pair(&self.traction, k), slid);
-            flux[k] = self.flux_change(k, pair(traction, k));
+            *flux = self.flux_change(k, pair(traction, k));
             if self.power[k] >= 0.0 {
-                flux[k] += rubbed * self.flux_over_power[k];
+                *flux += rubbed * self.flux_over_power[k];
             }
         }
         let mut risen = std::mem::take(&mut self.risen);
         self.rise_changes(flux, &mut risen);
         let mut carried = 0.0;
-        for k in 0..self.rows.len() {
+        for k in 0..self.heat.len() {
             let v = self.slip[k];
             let slid = self.slip_change(passing, cause, k);
-            if k == self.first[k] {
+            if k == self.heat.first(k) {
                 carried = cause.map_or(0.0, |cause| cause.entry[k]);
             }
             let speed = speed_of(v);
@@ -409,7 +334,7 @@ impl SteadyFriction {
         let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
         let Some(conduction) = conduction else {
             for (k, risen) in risen.iter_mut().enumerate() {
-                *risen = self.weighted(k, flux);
+                *risen = self.heat.weighted(k, &flux[..=k]);
             }
             return;
         };
@@ -428,19 +353,12 @@ impl SteadyFriction {
         let given = cause.map_or([0.0; 2], |cause| cause.slip[k]);
         slip(given, per_length, pair(change, k))
     }
+}
 
-    /// The record of an element when it leaves a cell, the latest step first.
-    pub fn record_on_leaving(&mut self, k: usize) -> Vec<HeatStep> {
-        self.recall(k);
-        let mut record = self.record.clone();
-        record[0].duration = self.durations[k][1];
-        record
-    }
-
-    /// Temperature rise times effusivity at the trailing edge of a strip, in W √s/m².
-    pub fn exit_rise(&mut self, problem: &Problem, strip: &Strip) -> f64 {
-        problem.heat.rise_times_effusivity(&self.record_on_leaving(strip.cells.end - 1))
-    }
+/// The ways of the material in every cell of a patch; see [`ways_through`].
+fn ways(patch: &Patch) -> impl Iterator<Item = [f64; 2]> {
+    let cells = patch.strips.iter().flat_map(|strip| strip.cells.clone().map(move |k| (strip, k)));
+    cells.map(|(strip, k)| ways_through(patch, strip, k))
 }
 
 /// The conductors of a problem where heat flows along the surface too.

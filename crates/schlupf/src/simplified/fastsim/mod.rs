@@ -16,12 +16,14 @@
 mod cell;
 mod flexibility;
 mod passage;
-mod strip_heat;
 
 use std::f64::consts::FRAC_2_PI;
+use std::sync::Arc;
 
 use crate::error::Error;
 use crate::grid::Grid;
+use crate::heat::strip_heat::StripHeat;
+use crate::heat::{HeatModel, HeatStep};
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
 use crate::normal::{NormalContact, NormalSummary, Pressure};
@@ -35,7 +37,6 @@ use super::elliptic_contact::{EllipticContact, friction_limit};
 use cell::{Carried, cut};
 use flexibility::{Flexibility, slope_reduction};
 use passage::Passage;
-use strip_heat::StripHeat;
 
 /// Bristles, and how modified FASTSIM softens them.
 type Kind = (Brush, Option<SlopeReduction>);
@@ -53,6 +54,8 @@ pub(super) struct Fastsim {
     friction: Vec<f64>,
     flexibility: Flexibility,
     heat: StripHeat,
+    /// With what the heat was set up: a model, and a speed in m/s.
+    heated: (Option<Arc<dyn HeatModel>>, f64),
 }
 
 impl Fastsim {
@@ -78,6 +81,7 @@ impl Fastsim {
             friction: vec![0.0; patch.len()],
             flexibility: Flexibility::default(),
             heat: StripHeat::new(&patch),
+            heated: (None, 0.0),
             patch,
         };
         fastsim.set_friction(problem);
@@ -95,7 +99,8 @@ impl Fastsim {
     /// Takes over another load, under which all lengths and all pressures have changed by a factor.
     pub fn rescale(&mut self, length: f64, pressure: f64) {
         self.patch.rescale(length, pressure);
-        self.heat.forget();
+        // The ways have changed.
+        self.heated.1 = 0.0;
     }
 
     /// Forces and moment on the wheel.
@@ -113,6 +118,22 @@ impl Fastsim {
             self.pass_with_friction(problem);
         }
         self.resultant()
+    }
+
+    /// Takes over the model of heat and the speed, where they are others than before.
+    fn prepare_heat(&mut self, problem: &Problem) {
+        let (model, speed) = (problem.heat.model.as_ref(), problem.kinematics.speed);
+        let is_same_model = match (&self.heated.0, model) {
+            (None, None) => true,
+            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+            _ => false,
+        };
+        if is_same_model && self.heated.1 == speed {
+            return;
+        }
+        self.heated = (model.map(Arc::clone), speed);
+        let ways = self.patch.cells.iter().map(|cell| cell.way_in.distance);
+        self.heat.set(model, ways.map(|way| [way / speed; 2]));
     }
 
     /// From the leading to the trailing edges under the friction there is.
@@ -133,10 +154,10 @@ impl Fastsim {
     /// A point that comes with more traction than its coefficient here would have let it have there
     /// drops that part without slip and heat: see [`Self::way_in`].
     fn pass_with_friction(&mut self, problem: &Problem) {
+        self.prepare_heat(problem);
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
         let motion = &problem.kinematics;
         let conduction = problem.conduction(motion);
-        heat.prepare(problem.heat.model.as_ref(), patch, motion.speed);
         let mut start = problem.friction.cold_coefficient();
         for strip in &patch.strips {
             let mut carried = Carried::default();
@@ -157,7 +178,7 @@ impl Fastsim {
                     problem.friction_response(&conduction, rise, slip_speed, cell.y).coefficient
                 });
                 let (next, passage) = arrive(mu);
-                heat.release(k, passage.heat());
+                heat.flux[k] = passage.heat();
                 (start, friction[k], traction[k]) = (mu, mu, next.traction);
                 carried = next;
                 pressure_before = pressure(cell);
@@ -189,7 +210,7 @@ impl Fastsim {
                 now.displacement[2 * k + c] = flexibility * self.traction[k][c];
             }
         }
-        self.heat.prepare(problem.heat.model.as_ref(), &self.patch, motion.speed);
+        self.prepare_heat(problem);
         for strip in 0..self.patch.strips.len() {
             self.warm(&mut now, strip);
         }
@@ -215,7 +236,7 @@ impl Fastsim {
             let heat = way_in.heat();
             let inherited = self.heat.inherited(k);
             now.rise[k] = self.heat.rise(k, inherited, heat);
-            self.heat.release(k, heat);
+            self.heat.flux[k] = heat;
             // Half of each way belongs to the cell, and all of that from or to an edge.
             let shares = [
                 if k == strip.cells.start { 1.0 } else { 0.5 } * cell.way_in.distance,
@@ -228,7 +249,9 @@ impl Fastsim {
             now.friction_power[k] = cell.covered * mean(|way| way.power);
             way_in = way_out;
         }
-        now.exit_rise.push(self.heat.exit_rise(&strip, way_in.heat()));
+        let duration = strip.exit.distance / now.kinematics.speed;
+        let way_out = HeatStep { flux: way_in.heat(), duration };
+        now.exit_rise.push(self.heat.exit_rise_after(&strip, way_out));
     }
 
     /// The way into a cell, from the cell before if there is one.
