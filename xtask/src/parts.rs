@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -99,9 +99,13 @@ impl Part {
                 vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings")), ..doc }]
             }
             Self::Sources => Vec::new(),
+            // Those of the tests are the same build; that of examples alone would be another.
             Self::Examples => {
-                let run = |name: &String| Step::cargo(&format!("run --quiet --example {name}"));
-                sources::examples(workspace)?.iter().map(run).collect()
+                let names = sources::examples(workspace)?;
+                let folder = workspace.join(target()).join("debug/examples");
+                let run = |name: &String| Step::program(folder.join(name));
+                let build = Step::cargo("test --workspace --no-run");
+                std::iter::once(build).chain(names.iter().map(run)).collect()
             }
             Self::Wasm => {
                 let build = "build --target wasm32-unknown-unknown";
@@ -112,7 +116,7 @@ impl Part {
                 vec![Step::cargo("publish --workspace --dry-run --allow-dirty")]
             }
             Self::Oldest => vec![Step {
-                program: "rustup",
+                program: "rustup".into(),
                 arguments: format!("run {} cargo check --workspace", oldest(workspace)?),
                 variable: Some(("CARGO_TARGET_DIR", "target/oldest")),
             }],
@@ -141,9 +145,14 @@ fn oldest(workspace: &Path) -> Result<String, String> {
     manifest.lines().find_map(version).ok_or_else(|| "Cargo.toml has no rust-version".to_owned())
 }
 
+/// Where cargo builds, from the root of the workspace.
+fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
+}
+
 /// A program that is run.
 struct Step {
-    program: &'static str,
+    program: PathBuf,
     /// Separated by blanks.
     arguments: String,
     variable: Option<(&'static str, &'static str)>,
@@ -151,22 +160,24 @@ struct Step {
 
 impl Step {
     fn cargo(arguments: &str) -> Self {
-        Self { program: "cargo", arguments: arguments.to_owned(), variable: None }
+        let program = std::env::var_os("CARGO").map_or_else(|| "cargo".into(), PathBuf::from);
+        Self { program, arguments: arguments.to_owned(), variable: None }
+    }
+
+    /// A program without arguments.
+    fn program(path: PathBuf) -> Self {
+        Self { program: path, arguments: String::new(), variable: None }
     }
 
     fn run(&self, workspace: &Path) -> Result<(), String> {
         eprintln!("  > {self}");
-        let program = match self.program {
-            "cargo" => std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()),
-            other => other.into(),
-        };
-        let mut command = Command::new(program);
-        command.args(self.arguments.split(' ')).current_dir(workspace);
+        let mut command = Command::new(&self.program);
+        command.args(self.arguments.split_whitespace()).current_dir(workspace);
         command.envs(self.variable);
         match command.status() {
             Ok(status) if status.success() => Ok(()),
             Ok(status) => Err(format!("{self}: {status}")),
-            Err(error) => Err(format!("{} does not start: {error}", self.program)),
+            Err(error) => Err(format!("{self} does not start: {error}")),
         }
     }
 }
@@ -176,7 +187,8 @@ impl fmt::Display for Step {
         if let Some((name, value)) = self.variable {
             write!(f, "{name}=\"{value}\" ")?;
         }
-        write!(f, "{} {}", self.program, self.arguments)
+        let program = self.program.file_stem().unwrap_or_default().to_string_lossy();
+        write!(f, "{program} {}", self.arguments)
     }
 }
 

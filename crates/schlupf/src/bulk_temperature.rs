@@ -49,6 +49,7 @@ impl Cooling {
 
 /// The heat balance of a wheel.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct BulkTemperature {
     /// Bulk temperature of the wheel, in degC.
     pub temperature: f64,

@@ -27,6 +27,7 @@ pub struct MicroModel {
 
 /// What the micro model finds.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct MicroModelResult {
     /// Of the surface.
     pub statistics: Statistics,

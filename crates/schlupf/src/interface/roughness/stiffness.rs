@@ -6,6 +6,7 @@ use crate::numerics::root::golden_section;
 /// 1 − exp(−k_c u) fitted to curves Q/(μP) over u.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct ExponentialFit {
     /// Exponent k_c, in 1/m.
     pub stiffness: f64,
@@ -18,6 +19,7 @@ pub struct ExponentialFit {
 
 /// k_c at several mean pressures.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ContactStiffness {
     /// Mean pressures, in Pa.
     pub mean_pressures: Vec<f64>,

@@ -62,6 +62,7 @@ pub struct RoughContact {
 
 /// A solved normal contact. Fields are row after row, as the heights.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct RoughContactSolution {
     /// Whether the residual is below the tolerance.
     pub is_converged: bool,
