@@ -89,6 +89,16 @@ impl Case {
 
     /// What is to be solved, from a state if there is one.
     ///
+    /// ```
+    /// use schlupf_case::{CaseFile, Folder, Task};
+    ///
+    /// let text = CaseFile::default_text();
+    /// let file = CaseFile::from_str(&text, "template", Folder::new(""), &[])?;
+    /// let case = file.pose(&schlupf::unwatched)?;
+    /// assert!(matches!(case.task(None), Ok(Task::Steady(_))));
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
+    ///
     /// # Errors
     /// A history or a state where the method or the way that was asked for cannot follow it.
     pub fn task(&self, initial_state: Option<State>) -> Result<Task, CaseError> {

@@ -36,6 +36,17 @@ impl CaseFile {
 
     /// Reads the text of a case. `name` is for messages, `files` finds the files that the case names, and
     /// each override is `section.field=value`.
+    ///
+    /// ```
+    /// use schlupf_case::{CaseFile, Folder};
+    ///
+    /// let text = "[kinematics]\nspeed = \"72 km/h\"";
+    /// let set = ["normal.load=100 kN".to_owned()];
+    /// let file = CaseFile::from_str(text, "a case", Folder::new(""), &set)?;
+    /// let case = file.pose(&schlupf::unwatched)?;
+    /// assert!((case.problem.kinematics.speed - 20.0).abs() < 1e-12);
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
     pub fn from_str(
         text: &str,
         name: &str,

@@ -53,6 +53,17 @@ impl Family {
     }
 
     /// The case with each of the values, or what is wrong with any of them.
+    ///
+    /// ```
+    /// use schlupf::unwatched;
+    /// use schlupf_case::{CaseFile, Family, Folder};
+    ///
+    /// let case = CaseFile::from_str("", "a case", Folder::new(""), &[])?.pose(&unwatched)?;
+    /// let speeds = Family::parse("--over", "kinematics.speed=10 m/s,20 m/s")?;
+    /// let speeds = speeds.members(&case, &unwatched)?;
+    /// assert_eq!(speeds[1].problem.kinematics.speed, 20.0);
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
     pub fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Case>, CaseErrors> {
         let mut members = Vec::new();
         let mut errors = Vec::new();

@@ -13,9 +13,6 @@ use crate::settings::Settings;
 
 const STIFFNESS: &str = "contact_law.stiffness";
 
-/// k_c where nothing is given, in 1/m.
-const DEFAULT_STIFFNESS: f64 = 5e6;
-
 /// How traction grows with sliding.
 pub fn contact_law(settings: &Settings, stiffness: f64) -> Result<Arc<dyn ContactLaw>, CaseError> {
     let explain = |error| settings.explain(&error);
@@ -33,7 +30,10 @@ pub fn stiffness(settings: &Settings, materials: [&Material; 2]) -> Result<OfRou
         let origin = StiffnessOrigin::Given;
         return Ok(OfRoughness::Known(LawStiffness { stiffness, origin }));
     }
-    let default = LawStiffness { stiffness: DEFAULT_STIFFNESS, origin: StiffnessOrigin::Default };
+    let default = LawStiffness {
+        stiffness: Incremental::DEFAULT_STIFFNESS,
+        origin: StiffnessOrigin::Default,
+    };
     let found = roughness::stiffness(settings, materials)?;
     Ok(found.unwrap_or(OfRoughness::Known(default)))
 }

@@ -166,7 +166,7 @@ messages! {
     } Quantity::CellsX, |words| format!(
         "{}: {columns} × {rows} cells are {}, more than {most}",
         words.word(Quantity::CellsX),
-        columns * rows
+        *columns as u128 * *rows as u128
     );
 
     /// A reference point that the normal contact does not have.
