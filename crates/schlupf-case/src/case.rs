@@ -65,6 +65,36 @@ pub struct Effective {
     pub place: Place,
 }
 
+impl CaseFile {
+    /// The case with its problem: solves the normal contact of profiles and the micro model of a roughness, where
+    /// it has such. `watch` sees how far that is and may stop it.
+    pub fn pose(&self, watch: Watch) -> Result<Case, CaseErrors> {
+        self.pose_like(None, watch)
+    }
+
+    /// The same; a micro model that was solved for a like case is taken over.
+    fn pose_like(
+        &self,
+        solved: Option<&Arc<MicroContact>>,
+        watch: Watch,
+    ) -> Result<Case, CaseErrors> {
+        let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
+        let caveats = law_stiffness.caveats().into_iter();
+        let caveats = caveats.map(|message| message.about("contact_law.roughness"));
+        Ok(Case {
+            title: self.settings.text("title")?,
+            problem,
+            history: self.parts.history.clone(),
+            method: read::method(&self.settings)?,
+            driver: read::driver(&self.settings)?,
+            options: read::options(&self.settings)?,
+            cooling: read::cooling(&self.settings)?,
+            law_stiffness,
+            notices: self.settings.idle().into_iter().chain(caveats).collect(),
+            file: self.clone(),
+        })
+    }}
+
 impl Case {
     /// The same case with other fields, each `section.field=value`, that an option of the command line
     /// gives. They need to fit together only when all are in place.

@@ -3,13 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use schlupf::Watch;
-
-use crate::case::Case;
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors, Cause};
 use crate::files::{Files, Folder};
-use crate::law_stiffness::MicroContact;
 use crate::names::FieldNames;
 use crate::place::{Place, Source};
 use crate::read::{self, Parts};
@@ -25,7 +21,7 @@ pub struct CaseFile {
     pub(crate) entries: Vec<Entry>,
     pub(crate) name: String,
     pub(crate) files: Arc<dyn Files>,
-    parts: Parts,
+    pub(crate) parts: Parts,
 }
 
 impl CaseFile {
@@ -108,34 +104,5 @@ impl CaseFile {
         read::cooling(&settings)?;
         let (text, name) = (text.to_owned(), name.to_owned());
         Ok(Self { settings, text, entries, name, files, parts })
-    }
-
-    /// The case with its problem: solves the normal contact of profiles and the micro model of a roughness, where
-    /// it has such. `watch` sees how far that is and may stop it.
-    pub fn pose(&self, watch: Watch) -> Result<Case, CaseErrors> {
-        self.pose_like(None, watch)
-    }
-
-    /// The same; a micro model that was solved for a like case is taken over.
-    pub(crate) fn pose_like(
-        &self,
-        solved: Option<&Arc<MicroContact>>,
-        watch: Watch,
-    ) -> Result<Case, CaseErrors> {
-        let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
-        let caveats = law_stiffness.caveats().into_iter();
-        let caveats = caveats.map(|message| message.about("contact_law.roughness"));
-        Ok(Case {
-            title: self.settings.text("title")?,
-            problem,
-            history: self.parts.history.clone(),
-            method: read::method(&self.settings)?,
-            driver: read::driver(&self.settings)?,
-            options: read::options(&self.settings)?,
-            cooling: read::cooling(&self.settings)?,
-            law_stiffness,
-            notices: self.settings.idle().into_iter().chain(caveats).collect(),
-            file: self.clone(),
-        })
     }
 }

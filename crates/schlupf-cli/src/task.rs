@@ -94,7 +94,7 @@ pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
         outputs::remove(&stale::<T>(directory, &files));
     }
     print(task.outputs(), &report)?;
-    report.warnings().iter().for_each(report::warn);
+    report::warn_all(report.warnings(), report.status());
     match (failure, report.status()) {
         (Some(failure), _) => Err(failure),
         (None, Status::Converged) => Ok(ExitCode::SUCCESS),
