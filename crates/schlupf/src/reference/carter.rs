@@ -18,7 +18,9 @@ use std::f64::consts::FRAC_PI_2;
 ///
 /// let (half_length, peak_pressure) = (5e-3, 1e9);
 /// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);
-/// let cylinders = Carter { half_length, peak_pressure, friction_coefficient, shear_modulus, poisson_ratio };
+/// let cylinders = Carter {
+///     half_length, peak_pressure, friction_coefficient, shear_modulus, poisson_ratio,
+/// };
 /// let creepage = 0.5 * cylinders.full_sliding_creepage();
 /// assert!((cylinders.force_over_limit(creepage) + 0.75).abs() < 1e-12);
 /// ```

@@ -16,7 +16,9 @@
 ///
 /// let (radius, load) = (5e-3, 50e3);
 /// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);
-/// let spheres = CattaneoMindlin { radius, load, friction_coefficient, shear_modulus, poisson_ratio };
+/// let spheres = CattaneoMindlin {
+///     radius, load, friction_coefficient, shear_modulus, poisson_ratio,
+/// };
 /// assert!((spheres.stick_radius(0.875) / 5e-3 - 0.5).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

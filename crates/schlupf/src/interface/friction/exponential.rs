@@ -15,7 +15,9 @@ use crate::error::Error;
 /// where sliding begins; of the two terms each falls.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, exponential::Exponential, slip_terms::SlipTerms};
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, exponential::Exponential, slip_terms::SlipTerms,
+/// };
 ///
 /// let law = Exponential(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };

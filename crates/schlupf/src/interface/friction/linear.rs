@@ -14,7 +14,9 @@ use crate::error::Error;
 /// the slip speed at once, so that it jumps where sliding begins; of the two terms each falls.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, linear::Linear, slip_terms::SlipTerms};
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, linear::Linear, slip_terms::SlipTerms,
+/// };
 ///
 /// let law = Linear(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };

@@ -16,9 +16,14 @@ const ROUNDING: f64 = 1e-12;
 /// both are.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, constant::Constant, product::Product};
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, constant::Constant, product::Product,
+/// };
 ///
-/// let law = Product::new(std::sync::Arc::new(Constant::new(0.3)?), std::sync::Arc::new(Constant::new(0.3)?))?;
+/// let law = Product::new(
+///     std::sync::Arc::new(Constant::new(0.3)?),
+///     std::sync::Arc::new(Constant::new(0.3)?),
+/// )?;
 /// let state = FrictionState { slip_speed: 2.0, ..FrictionState::default() };
 /// assert!((law.respond(&state).coefficient - 0.3).abs() < 1e-12);
 /// # Ok::<(), schlupf::Error>(())

@@ -10,7 +10,9 @@ use crate::quantity::Quantity;
 /// μ = μ0 (1 − T/T_E), at least a floor (Neuhaus and Sextro 2014, Eq. 23; the floor is zero there).
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, temperature_linear::TemperatureLinear};
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, temperature_linear::TemperatureLinear,
+/// };
 ///
 /// let law = TemperatureLinear::new(0.4, 700.0, 0.0)?;
 /// let state = FrictionState { temperature: 350.0, ..FrictionState::default() };

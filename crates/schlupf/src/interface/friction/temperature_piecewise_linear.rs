@@ -14,7 +14,9 @@ use crate::requirement::Requirement;
 /// reference temperature. Friction rises where μ_hot is the larger one, as on a rail that dries.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, temperature_piecewise_linear::TemperaturePiecewiseLinear};
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, temperature_piecewise_linear::TemperaturePiecewiseLinear,
+/// };
 ///
 /// let law = TemperaturePiecewiseLinear::new(0.4, 0.1, 500.0)?;
 /// let state = FrictionState { temperature: 800.0, ..FrictionState::default() };

@@ -61,7 +61,9 @@ impl MicroModel {
     /// let roughness = Roughness::Height(1e-6);
     /// let (longest_wavelength, roll_off_wavelength, shortest_wavelength) = (5e-4, 2.5e-4, 5e-5);
     /// let hurst_exponent = 0.8;
-    /// let spectrum = SelfAffine { roughness, hurst_exponent, longest_wavelength, roll_off_wavelength, shortest_wavelength };
+    /// let spectrum = SelfAffine {
+    ///     roughness, hurst_exponent, longest_wavelength, roll_off_wavelength, shortest_wavelength,
+    /// };
     /// let model = MicroModel {
     ///     surface: spectrum.surface(Lattice::square(64, 1e-3), 1)?,
     ///     contact_modulus: 115e9,

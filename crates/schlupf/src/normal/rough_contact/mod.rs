@@ -107,7 +107,9 @@ impl RoughContact {
     /// let surface = HeightMap::from_fn(Lattice::square(64, 1e-3), |x, _| height(x))?;
     /// let distance = surface.into_periodic().distance_to_plane();
     /// let mut contact = RoughContact::new(distance, 115e9, Boundary::Periodic)?;
-    /// let pressed = contact.press(0.3 * wave.closing_pressure(), &Default::default(), &schlupf::unwatched)?;
+    /// let mean_pressure = 0.3 * wave.closing_pressure();
+    /// let pressed =
+    ///     contact.press(mean_pressure, &Default::default(), &schlupf::unwatched)?;
     /// let exact = 1e-6 * wave.contact_fraction(0.3 * wave.closing_pressure());
     /// assert!((pressed.contact_area / exact - 1.0).abs() < 0.1);
     /// # Ok::<(), schlupf::Error>(())
