@@ -19,10 +19,14 @@ fn without_times(mut document: Value) -> Value {
     match &mut document {
         Value::Object(entries) => {
             entries.retain(|name, _| !name.starts_with("time"));
-            entries.values_mut().for_each(|entry| *entry = without_times(entry.take()));
+            for entry in entries.values_mut() {
+                *entry = without_times(entry.take());
+            }
         }
         Value::Array(entries) => {
-            entries.iter_mut().for_each(|entry| *entry = without_times(entry.take()));
+            for entry in entries.iter_mut() {
+                *entry = without_times(entry.take());
+            }
         }
         _ => {}
     }
