@@ -93,7 +93,8 @@ impl CaseFile {
             notices: self.settings.idle().into_iter().chain(caveats).collect(),
             file: self.clone(),
         })
-    }}
+    }
+}
 
 impl Case {
     /// The same case with other fields, each `section.field=value`, that an option of the command line

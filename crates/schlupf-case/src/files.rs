@@ -1,6 +1,6 @@
 //! Where the files that a case names come from.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -47,7 +47,7 @@ impl Files for Folder {
 }
 
 /// Files in memory, by their names.
-impl Files for HashMap<String, Vec<u8>> {
+impl Files for BTreeMap<String, Vec<u8>> {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
         let bytes = self.get(name).cloned();
         bytes.ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "no such file was given"))

@@ -1,7 +1,7 @@
 //! A case file that says nothing is the problem of a builder that is told nothing.
 
-use schlupf::{Options, Problem};
 use schlupf::unwatched;
+use schlupf::{Options, Problem};
 use schlupf_case::{CaseFile, Folder};
 
 #[test]

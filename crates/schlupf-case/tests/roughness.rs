@@ -264,7 +264,10 @@ fn each_defect_is_named_with_its_place() {
 
 /// A roughness text, and parts of the error.
 const BAD_FILES: &[(&str, &[&str])] = &[
-    ("file = \"flat.x3p\"", &["case.toml:2:", "contact_law.roughness.file", "the surface is flat"]),
+    (
+        "file = \"flat.x3p\"",
+        &["case.toml:2:", "contact_law.roughness.file", "the surface must not be flat"],
+    ),
     (
         "file = \"wave_single_holes.x3p\"",
         &[
@@ -286,7 +289,10 @@ const BAD_FILES: &[(&str, &[&str])] = &[
     ("file = \"make.py\"", &["must be a .csv, .npy, .x3p or .xyz file"]),
     (
         "file = \"wave.x3p\"\nsecond_file = \"flat.x3p\"",
-        &["case.toml:3:", "contact_law.roughness.second_file is no surface: the surface is flat"],
+        &[
+            "case.toml:3:",
+            "contact_law.roughness.second_file is no surface: the surface must not be flat",
+        ],
     ),
     (
         "file = \"wave.npy\"\nunit = \"m\"\nspacing = \"1.5 um\"\nform = \"none\"",

@@ -15,12 +15,11 @@ use crate::{contact_law, outputs, report, stdout};
 /// Reads the case that was named, or the default one.
 pub fn read_case(arguments: &CaseArguments, progress: &Progress) -> Result<Case, Failure> {
     let overrides = &arguments.overrides;
-    let file = match &arguments.case {
-        Some(path) => CaseFile::from_path(path, overrides),
-        None => {
-            let text = CaseFile::default_text();
-            CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
-        }
+    let file = if let Some(path) = &arguments.case {
+        CaseFile::from_path(path, overrides)
+    } else {
+        let text = CaseFile::default_text();
+        CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
     };
     // Contact of profiles and of a rough surface may take a while.
     progress.stage("posing the problem");

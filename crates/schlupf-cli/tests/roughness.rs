@@ -157,7 +157,10 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--hardness 0.5 GPa: --hardness must be above the largest"],
     ),
     (&[QUICK, "--form", "plane"], &["--form"]),
-    (&["line.csv", "--cutoff", "1 m"], &["--cutoff 1 m: --cutoff must be between 2e-6 and 9.9e-5 m"]),
+    (
+        &["line.csv", "--cutoff", "1 m"],
+        &["--cutoff 1 m: --cutoff must be between 2e-6 and 9.9e-5 m"],
+    ),
     (&["line.csv", "--form", "cone"], &["--form cone: --form must be one of"]),
     (&["line.csv", "--heights", "line.csv"], &["is that of the surface"]),
 ];
@@ -182,7 +185,7 @@ fn bad_input_is_reported_and_nothing_is_written() {
 fn defects_of_measured_surfaces_name_the_option_that_helps() {
     let bench = Bench::new();
     let samples: [(&str, &[&str], &[&str]); 5] = [
-        ("flat.x3p", &[], &["the surface is flat"]),
+        ("flat.x3p", &[], &["must not be flat"]),
         ("wave_single_holes.x3p", &[], &["1 of 384 are missing", "--fill-holes fills them"]),
         ("wave_not_square.x3p", &[], &["must have square cells", "--square-cells resamples it"]),
         ("wave.npy", &[], &["--unit must be a unit of length"]),

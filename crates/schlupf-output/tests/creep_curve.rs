@@ -194,9 +194,9 @@ fn csv_reads_back_to_the_same_numbers() {
     assert_eq!(units.split(", ").count(), header.len());
     assert_eq!((&rows[0][0], &rows[41][0]), ("10 m/s", "a, \"b\""));
     let point = &family.members[1].curve.points[20];
-    assert_eq!(rows[41][1].parse::<f64>().unwrap(), point.abscissa);
-    assert_eq!(rows[41][4].parse::<f64>().unwrap(), point.force.x);
-    assert_eq!(&rows[41][20], "converged");
+    assert_eq!(rows[41][2].parse::<f64>().unwrap(), point.abscissa);
+    assert_eq!(rows[41][5].parse::<f64>().unwrap(), point.force.x);
+    assert_eq!(&rows[41][21], "converged");
 }
 
 #[test]

@@ -86,8 +86,8 @@ impl Requirement {
         format!("{bounds} {unit}").trim_end().to_owned()
     }
 
-    /// The bounds that do not depend on other quantities, the least and the largest number; what is
-    /// `true` belongs to the range.
+    /// The bounds that do not depend on other quantities, the least and the largest number (in the
+    /// unit of the quantity); what is `true` belongs to the range.
     pub fn bounds(self) -> [Option<(f64, bool)>; 2] {
         match self {
             Self::Finite | Self::NotZero | Self::Radius(..) => [None; 2],

@@ -9,9 +9,7 @@ use crate::message::{messages, with_unit};
 use crate::quantity::Quantity;
 use crate::requirement::{Requirement, readable};
 
-pub(crate) use demand::{
-    require, require_at, require_finite, require_positive, require_several,
-};
+pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
 pub use fit::{FitCause, FitError, FitStop};
 pub use place::Place;
 pub use surface::SurfaceError;

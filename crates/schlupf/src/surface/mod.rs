@@ -270,7 +270,7 @@ mod tests {
     fn a_flat_surface_is_not_rough() {
         let flat = HeightMap::new(lattice(), vec![2e-6; 6]).unwrap();
         let message = flat.require_rough().unwrap_err().to_string();
-        assert!(message.contains("the surface is flat"), "{message}");
+        assert!(message.contains("must not be flat"), "{message}");
     }
 
     #[test]
