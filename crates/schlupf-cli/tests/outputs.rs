@@ -1,0 +1,70 @@
+//! What all commands do with figures of earlier runs and with warnings.
+
+mod support;
+
+use serde_json::Value;
+use support::Bench;
+
+const CASE: &str = "[kinematics]\ncreepage_x = 0.01\n[grid]\ncells_x = 8\ncells_y = 8\n";
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("case.toml", CASE);
+    bench
+}
+
+/// Without heat there is no map of temperatures: that of the run before must not look current.
+#[test]
+fn figures_that_are_not_drawn_again_are_removed() {
+    let bench = bench();
+    let draw = |more: &[&str]| {
+        let run = bench.run(&[&["solve", "case.toml", "--quiet", "--figures", "f"], more].concat());
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+    };
+    draw(&[]);
+    let maps = ["f/map_temperature.svg", "f/map_temperature.png"].map(|name| bench.path(name));
+    assert!(maps.iter().all(|path| path.exists()));
+    bench.write("f/notes.txt", "mine");
+    draw(&["--set", "heat.model=none"]);
+    assert!(maps.iter().all(|path| !path.exists()));
+    assert_eq!(bench.read("f/notes.txt"), "mine");
+    assert!(bench.path("f/cut_y0.svg").exists());
+}
+
+#[test]
+fn files_of_others_are_neither_overwritten_nor_removed() {
+    for name in ["cut_y0.svg", "map_temperature.png"] {
+        let bench = bench();
+        std::fs::create_dir(bench.path("f")).unwrap();
+        bench.write(&format!("f/{name}"), "mine");
+        let run = bench.run(&["solve", "case.toml", "--json", "s.json", "--figures", "f"]);
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        assert!(run.stderr.contains(name) && run.stderr.contains("not drawn by schlupf"));
+        assert_eq!(bench.read(&format!("f/{name}")), "mine");
+        assert_eq!(bench.list(), ["case.toml", "f"]);
+    }
+}
+
+#[test]
+fn warnings_go_to_standard_error_and_have_codes_in_json() {
+    let bench = bench();
+    let slow =
+        ["solve", "case.toml", "--set", "wheel.radius_x=1 mm", "--set", "rail.radius_y=1 mm"];
+    for quiet in [&["--quiet"][..], &["--json", "-"]] {
+        let run = bench.run(&[&slow, quiet].concat());
+        assert!(run.stderr.contains("warning: "), "{}", run.stderr);
+        assert!(!run.stdout.contains("warning: "), "{}", run.stdout);
+    }
+    let document = bench.run(&[&slow[..], &["--json", "-"]].concat()).stdout;
+    let document: Value = serde_json::from_str(&document).unwrap();
+    let codes: Vec<&str> = document["warnings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|warning| {
+            assert!(warning["text"].is_string() && warning["quantity"].is_string());
+            warning["code"].as_str().unwrap()
+        })
+        .collect();
+    assert!(codes.contains(&"beyond-elastic"), "{codes:?}");
+}
