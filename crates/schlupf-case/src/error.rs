@@ -28,6 +28,8 @@ pub enum Cause {
     FileSystem,
     /// The input may be right, but what follows from it was not found.
     NotConverged,
+    /// Nobody: whoever watched had it stopped.
+    Stopped,
 }
 
 impl CaseError {

@@ -99,7 +99,6 @@ const FIELDS: &[(Quantity, &str)] = &[
     (Quantity::CooledArea, "cooling.area"),
     (Quantity::AirTemperature, "cooling.air_temperature"),
     (Quantity::Heights, "contact_law.roughness.file"),
-    (Quantity::HeightUnit, "contact_law.roughness.unit"),
     (Quantity::SpacingX, "contact_law.roughness.spacing"),
     (Quantity::SpacingY, "contact_law.roughness.spacing"),
     (Quantity::Columns, "contact_law.roughness.cells"),

@@ -238,6 +238,10 @@ impl Settings {
     /// An error of the core, at the place of the field that it names; where that has its default, at
     /// that of a field that goes with it or that the error speaks of.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+        if matches!(error, schlupf::Error::Stopped {}) {
+            let stopped = CaseError::new("", error.to_string(), self.file.clone());
+            return CaseError { cause: Cause::Stopped, ..stopped };
+        }
         let noting = Noting::new(self.names);
         let (quantity, message) = (error.quantity(), error.text(&noting));
         let cause = if error.is_of_convergence() { Cause::NotConverged } else { Cause::Input };

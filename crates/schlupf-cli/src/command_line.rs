@@ -23,7 +23,7 @@ Exit codes:
   1  the file system failed
   2  bad input
   3  not converged: the results are written and marked; if the normal contact was not found, there are none
-130  interrupted: nothing was written";
+130  interrupted: standard error says whether the files were written";
 
 /// Rolling contact of wheel and rail: forces, stress, slip and temperature in the contact patch.
 #[derive(Debug, Parser)]

@@ -36,9 +36,9 @@ impl Unfinished {
         self.directories.push(path.to_owned());
     }
 
-    /// All is in its place.
-    pub fn finish(&mut self) {
-        *self = Self { is_written: true, ..Self::default() };
+    /// All is in its place, if there was anything to write.
+    pub fn finish(&mut self, is_written: bool) {
+        *self = Self { is_written, ..Self::default() };
     }
 
     /// What cannot be removed stays: nobody is left to tell.
@@ -58,7 +58,7 @@ pub fn listen() {
         let unfinished = unfinished();
         unfinished.remove();
         let what =
-            if unfinished.is_written { "the files are written" } else { "nothing was written" };
+            if unfinished.is_written { "the files are written" } else { "no file was written" };
         let _ = writeln!(std::io::stderr(), "interrupted: {what}");
         std::process::exit(INTERRUPTED);
     });

@@ -220,7 +220,7 @@ impl Created {
                 self.files.push(path.clone());
             }
         }
-        unfinished.finish();
+        unfinished.finish(!files.is_empty());
         Ok(())
     }
 

@@ -1,14 +1,15 @@
 //! `schlupf solve`.
 
+use std::borrow::Cow;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
-use schlupf::message::Message;
+use schlupf::message::{Message, Words};
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, Task as Rolling};
+use schlupf_case::{Case, CaseErrors, FieldNames, Task as Rolling};
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -135,9 +136,21 @@ impl Solve {
         match &self.initial_state {
             // This one is no field of the case file.
             Some(path) if error.quantity() == Quantity::InitialState => {
-                Failure::Arguments(format!("{INITIAL_STATE} {}: {error}", path.display()))
+                Failure::Arguments(error.text(&StateFile(path)))
             }
             _ => Failure::Case(case.explain(error).into()),
+        }
+    }
+}
+
+/// What the file of a state is called in messages.
+struct StateFile<'a>(&'a Path);
+
+impl Words for StateFile<'_> {
+    fn word(&self, quantity: Quantity) -> Cow<'static, str> {
+        match quantity {
+            Quantity::InitialState => format!("{INITIAL_STATE} {}", self.0.display()).into(),
+            other => FieldNames::CASE.word(other),
         }
     }
 }

@@ -40,7 +40,7 @@ fn a_command_that_is_interrupted_leaves_nothing() {
     for signal in ["-INT", "-TERM"] {
         let (bench, run, time) = interrupted(signal);
         assert_eq!(run.code, Some(130), "{signal}: {}", run.stderr);
-        assert_eq!(run.stderr, "interrupted: nothing was written\n");
+        assert_eq!(run.stderr, "interrupted: no file was written\n");
         assert_eq!((run.stdout.as_str(), bench.list()), ("", vec!["case.toml".to_owned()]));
         assert!(time < Duration::from_secs(30), "{signal}: {time:?}");
     }

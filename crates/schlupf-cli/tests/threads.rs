@@ -7,8 +7,8 @@ use support::Bench;
 
 /// Two loads fall into groups of their own.
 const DATA: &str = "creepage_x,force_ratio,load [N]\n\
-                    5e-4,0.12,50e3\n2e-3,0.28,50e3\n2e-2,0.34,50e3\n\
-                    5e-4,0.10,80e3\n2e-3,0.26,80e3\n2e-2,0.33,80e3\n";
+                    5e-4,0.095,50e3\n2e-3,0.27,50e3\n2e-2,0.34,50e3\n\
+                    5e-4,0.064,80e3\n2e-3,0.20,80e3\n2e-2,0.32,80e3\n";
 
 const CASE: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\nspin = \"0.1 1/m\"\n\
                     [normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\n\

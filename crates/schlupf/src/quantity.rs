@@ -136,7 +136,6 @@ quantities! {
     CooledArea "cooled_area" "A" "m^2" "area of the wheel that the air cools"
     AirTemperature "air_temperature" "T_a" "degC" "temperature of the air"
     Heights "heights" "z" "m" "heights of a surface"
-    HeightUnit "height_unit" "" "" "unit of the heights in a file"
     SpacingX "spacing_x" "" "m" "distance of the points of a surface along x"
     SpacingY "spacing_y" "" "m" "distance of the points of a surface along y"
     Columns "columns" "" "" "columns of a surface"
@@ -216,7 +215,6 @@ quantities! {
     TangentialStiffness "tangential_stiffness" "" "Pa/m" "tangential stiffness per area"
     MicroSlip "micro_slip" "" "m" "slip of the spots"
     SlidingFraction "sliding_fraction" "" "" "part of the real contact that slides"
-    ExponentialTraction "exponential" "" "" "traction of the contact law over the friction limit"
 }
 
 impl Quantity {

@@ -435,7 +435,7 @@ messages! {
         count: usize,
     } *abscissa, |words| {
         let named: Vec<String> = places.iter().map(|place| abscissa.six_digits(*place)).collect();
-        let rest = match failed - places.len() {
+        let rest = match failed.saturating_sub(places.len()) {
             0 => String::new(),
             rest => format!(" and {rest} more"),
         };

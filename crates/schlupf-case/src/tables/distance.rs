@@ -5,6 +5,7 @@ use schlupf::normal::profile::UndeformedDistance;
 use super::columns::{Column, Columns};
 use super::lattice::{self, FILE};
 use crate::error::CaseError;
+use crate::names::FieldNames;
 use crate::place::Place;
 use crate::units::Measure;
 
@@ -34,7 +35,7 @@ pub fn from_csv(
         let sorted = |values: &[f64]| order.iter().map(|row| values[*row]).collect();
         UndeformedDistance::across(sorted(ys), sorted(distances), rolling_radius()?)
     };
-    distance.map_err(|error| columns.error(columns.header_line, error.to_string()))
+    distance.map_err(|error| columns.error(columns.header_line, error.text(&FieldNames::CASE)))
 }
 
 /// The rows in the order of y, each of which must be given once.
@@ -61,8 +62,13 @@ pub fn from_npy(
 ) -> Result<UndeformedDistance, CaseError> {
     let table =
         lattice::from_npy(name, bytes, spacings, place, (f64::is_finite, "finite distances"))?;
-    UndeformedDistance::on_lattice(table.x, table.y, table.values)
-        .map_err(|cause| lattice::npy_error(name, place, &format!("is no distance: {cause}")))
+    UndeformedDistance::on_lattice(table.x, table.y, table.values).map_err(|cause| {
+        lattice::npy_error(
+            name,
+            place,
+            &format!("is no distance: {}", cause.text(&FieldNames::CASE)),
+        )
+    })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use schlupf::normal::tabulated::PressureTable;
 use super::columns::{Column, Columns};
 use super::lattice::{self, FILE};
 use crate::error::CaseError;
+use crate::names::FieldNames;
 use crate::place::Place;
 use crate::units::Measure;
 
@@ -29,7 +30,7 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError
     let help = "give pressure 0 outside the contact";
     let table = lattice::from_columns(&columns, [xs, ys, pressures], help)?;
     PressureTable::new(&table.x, &table.y, table.values)
-        .map_err(|error| columns.error(columns.header_line, error.to_string()))
+        .map_err(|error| columns.error(columns.header_line, error.text(&FieldNames::CASE)))
 }
 
 /// A table from an .npy file, centred on the origin. Spacings in m, pressures in Pa.

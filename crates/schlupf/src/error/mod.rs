@@ -345,10 +345,10 @@ messages! {
         "{}: the contact was not found in {rounds} rounds; the last one looked at x = {:.6} to {:.6} \
          mm, y = {:.6} to {:.6} mm",
         words.word(Quantity::UndeformedDistance),
-        x[0],
-        x[1],
-        y[0],
-        y[1]
+        1e3 * x[0],
+        1e3 * x[1],
+        1e3 * y[0],
+        1e3 * y[1]
     );
 
     /// A load that leaves no pressure that numbers can hold.
@@ -418,19 +418,7 @@ messages! {
         format!("{name}: the state was left on a grid of {left}, but this problem has {here}")
     };
 
-    /// A history where rolling is steady.
-    "not-steady" NotSteady {
-        /// The history, or the initial state.
-        quantity: Quantity,
-        /// What is of steady rolling only.
-        what: &'static str,
-    } *quantity, |words| {
-        let name = words.word(*quantity);
-        let there = if *quantity == Quantity::InitialState { "an initial state" } else { "a history" };
-        format!("{name}: {what} steady rolling, but there is {there}")
-    };
-
-    /// Whoever watched wanted no more of it.
+    /// The caller stopped it.
     "stopped" Stopped {} Quantity::MaxIterations, |words| "stopped before the end".to_owned();
 
     /// A method that does not do what is asked for.

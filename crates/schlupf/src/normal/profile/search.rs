@@ -398,6 +398,6 @@ fn spanned(points: &[f64], counts: impl Fn(usize) -> bool) -> Side {
 }
 
 fn lost(rectangle: Rectangle) -> Error {
-    let [x, y] = rectangle.map(|side| side.map(|at| 1e3 * at));
+    let [x, y] = rectangle;
     Error::ContactNotFound { rounds: MOST_ROUNDS, x, y }
 }
