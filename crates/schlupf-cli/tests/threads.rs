@@ -7,8 +7,8 @@ use support::Bench;
 
 /// Two loads fall into groups of their own.
 const DATA: &str = "creepage_x,force_ratio,load [N]\n\
-                    5e-4,0.095,50e3\n2e-3,0.27,50e3\n2e-2,0.34,50e3\n\
-                    5e-4,0.064,80e3\n2e-3,0.20,80e3\n2e-2,0.32,80e3\n";
+                    5e-4,0.1050,50e3\n2e-3,0.295,50e3\n2e-2,0.361,50e3\n\
+                    5e-4,0.0705,80e3\n2e-3,0.217,80e3\n2e-2,0.344,80e3\n";
 
 const CASE: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\nspin = \"0.1 1/m\"\n\
                     [normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\n\
@@ -54,8 +54,7 @@ fn families_are_the_same_on_any_number_of_threads() {
 
 #[test]
 fn fits_are_the_same_on_any_number_of_threads() {
-    let constants = "friction.coefficient,contact_law.stiffness";
-    is_the_same(&["fit", "case.toml", "--data", "data.csv", "--fit", constants]);
+    is_the_same(&["fit", "case.toml", "--data", "data.csv", "--fit", "friction.coefficient"]);
 }
 
 #[test]
