@@ -55,7 +55,7 @@ fn help() -> String {
     let line = |name, about| format!("  {name:<9}{about}");
     let mut lines = vec![
         "Development tasks of schlupf\n\nUsage: cargo xtask <TASK>\n\nTasks:".to_owned(),
-        line("ci", "fmt to sources, in this order; fails if one fails"),
+        line("ci", "fmt to oldest, in this order; fails if one fails"),
     ];
     lines.extend(all().map(|part| line(part.name(), part.about())));
     lines.push("\nOptions:\n  -h, --help  print this".to_owned());
@@ -81,7 +81,10 @@ mod tests {
     #[test]
     fn ci_is_every_part_in_order() {
         let names: Vec<_> = parse("ci").unwrap().iter().map(|part| part.name()).collect();
-        assert_eq!(names, ["fmt", "clippy", "test", "doc", "sources"]);
+        assert_eq!(
+            names,
+            ["fmt", "clippy", "test", "doc", "sources", "examples", "wasm", "package", "oldest"]
+        );
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! The tasks, and what `cargo xtask ci` consists of.
 
-use std::path::Path;
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -19,6 +21,14 @@ pub enum Part {
     Doc,
     /// The rules that the sources keep.
     Sources,
+    /// The examples of the library.
+    Examples,
+    /// The libraries for the browser.
+    Wasm,
+    /// The packages as they would be published.
+    Package,
+    /// The oldest Rust that is promised.
+    Oldest,
     /// The tests that take long.
     Long,
     /// The table of work and times.
@@ -27,7 +37,17 @@ pub enum Part {
 
 impl Part {
     /// The parts of the checks, in the order in which they run.
-    pub const CI: [Self; 5] = [Self::Fmt, Self::Clippy, Self::Test, Self::Doc, Self::Sources];
+    pub const CI: [Self; 9] = [
+        Self::Fmt,
+        Self::Clippy,
+        Self::Test,
+        Self::Doc,
+        Self::Sources,
+        Self::Examples,
+        Self::Wasm,
+        Self::Package,
+        Self::Oldest,
+    ];
 
     /// What runs only when it is asked for.
     pub const ASIDE: [Self; 2] = [Self::Long, Self::Bench];
@@ -40,6 +60,10 @@ impl Part {
             Self::Test => "test",
             Self::Doc => "doc",
             Self::Sources => "sources",
+            Self::Examples => "examples",
+            Self::Wasm => "wasm",
+            Self::Package => "package",
+            Self::Oldest => "oldest",
             Self::Long => "long",
             Self::Bench => "bench",
         }
@@ -53,53 +77,118 @@ impl Part {
             Self::Test => "tests of the workspace",
             Self::Doc => "documentation of the workspace, warnings denied",
             Self::Sources => "the rules of the sources (they are tests of xtask too)",
+            Self::Examples => "runs the examples of the library",
+            Self::Wasm => "builds the libraries for wasm32-unknown-unknown",
+            Self::Package => "builds the packages from what would be published",
+            Self::Oldest => "checks the workspace with the oldest Rust of Cargo.toml",
             Self::Long => "the tests that take long, with optimisation",
             Self::Bench => "prints the table of work and times of docs/performance.md",
         }
     }
 
-    /// The arguments for cargo and the flags of rustdoc; the sources are read here, without cargo.
-    fn cargo(self) -> (&'static [&'static str], Option<&'static str>) {
-        match self {
-            Self::Fmt => (&["fmt", "--all", "--check"], None),
+    /// What it runs, one after the other; the sources are read here, without cargo.
+    fn steps(self, workspace: &Path) -> Result<Vec<Step>, String> {
+        Ok(match self {
+            Self::Fmt => vec![Step::cargo("fmt --all --check")],
             Self::Clippy => {
-                (&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], None)
+                vec![Step::cargo("clippy --workspace --all-targets -- -D warnings")]
             }
-            Self::Test => (&["test", "--workspace"], None),
-            Self::Doc => (&["doc", "--workspace", "--no-deps"], Some("-D warnings")),
-            Self::Sources => (&[], None),
-            Self::Long => (&["test", "--workspace", "--release", "--", "--ignored"], None),
-            Self::Bench => (&["bench", "--package", "schlupf", "--bench", "table"], None),
-        }
-    }
-
-    /// What it runs, as one would type it.
-    fn command_line(self) -> String {
-        match self.cargo() {
-            ([], _) => format!("cargo xtask {}", self.name()),
-            (arguments, None) => format!("cargo {}", arguments.join(" ")),
-            (arguments, Some(flags)) => {
-                format!("RUSTDOCFLAGS=\"{flags}\" cargo {}", arguments.join(" "))
+            Self::Test => vec![Step::cargo("test --workspace")],
+            Self::Doc => {
+                let doc = Step::cargo("doc --workspace --no-deps");
+                vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings")), ..doc }]
             }
-        }
+            Self::Sources => Vec::new(),
+            // Those of the tests are the same build; that of examples alone would be another.
+            Self::Examples => {
+                let names = sources::examples(workspace)?;
+                let folder = workspace.join(target()).join("debug/examples");
+                let run = |name: &String| Step::program(folder.join(name));
+                let build = Step::cargo("test --workspace --no-run");
+                std::iter::once(build).chain(names.iter().map(run)).collect()
+            }
+            Self::Wasm => {
+                let build = "build --target wasm32-unknown-unknown";
+                let packages = LIBRARIES.map(|name| format!(" --package {name}")).concat();
+                vec![Step::cargo(&format!("{build}{packages}"))]
+            }
+            Self::Package => {
+                vec![Step::cargo("publish --workspace --dry-run --allow-dirty")]
+            }
+            Self::Oldest => vec![Step {
+                program: "rustup".into(),
+                arguments: format!("run {} cargo check --workspace", oldest(workspace)?),
+                variable: Some(("CARGO_TARGET_DIR", "target/oldest")),
+            }],
+            Self::Long => vec![Step::cargo("test --workspace --release -- --ignored")],
+            Self::Bench => vec![Step::cargo("bench --package schlupf --bench table")],
+        })
     }
 
     fn run(self, workspace: &Path) -> Result<(), String> {
-        let (arguments, flags) = self.cargo();
-        if arguments.is_empty() {
+        if self == Self::Sources {
             return sources::report(workspace);
         }
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let mut command = Command::new(cargo);
-        command.args(arguments).current_dir(workspace);
-        if let Some(flags) = flags {
-            command.env("RUSTDOCFLAGS", flags);
-        }
+        self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace))
+    }
+}
+
+/// The packages that others build on; the command needs an operating system.
+const LIBRARIES: [&str; 3] = ["schlupf", "schlupf-case", "schlupf-output"];
+
+/// The `rust-version` of the workspace.
+fn oldest(workspace: &Path) -> Result<String, String> {
+    let manifest = fs::read_to_string(workspace.join("Cargo.toml"))
+        .map_err(|error| format!("Cargo.toml: {error}"))?;
+    let version =
+        |line: &str| Some(line.strip_prefix("rust-version = \"")?.trim_end_matches('"').to_owned());
+    manifest.lines().find_map(version).ok_or_else(|| "Cargo.toml has no rust-version".to_owned())
+}
+
+/// Where cargo builds, from the root of the workspace.
+fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
+}
+
+/// A program that is run.
+struct Step {
+    program: PathBuf,
+    /// Separated by blanks.
+    arguments: String,
+    variable: Option<(&'static str, &'static str)>,
+}
+
+impl Step {
+    fn cargo(arguments: &str) -> Self {
+        let program = std::env::var_os("CARGO").map_or_else(|| "cargo".into(), PathBuf::from);
+        Self { program, arguments: arguments.to_owned(), variable: None }
+    }
+
+    /// A program without arguments.
+    fn program(path: PathBuf) -> Self {
+        Self { program: path, arguments: String::new(), variable: None }
+    }
+
+    fn run(&self, workspace: &Path) -> Result<(), String> {
+        eprintln!("  > {self}");
+        let mut command = Command::new(&self.program);
+        command.args(self.arguments.split_whitespace()).current_dir(workspace);
+        command.envs(self.variable);
         match command.status() {
             Ok(status) if status.success() => Ok(()),
-            Ok(status) => Err(status.to_string()),
-            Err(error) => Err(format!("cargo does not start: {error}")),
+            Ok(status) => Err(format!("{self}: {status}")),
+            Err(error) => Err(format!("{self} does not start: {error}")),
         }
+    }
+}
+
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((name, value)) = self.variable {
+            write!(f, "{name}=\"{value}\" ")?;
+        }
+        let program = self.program.file_stem().unwrap_or_default().to_string_lossy();
+        write!(f, "{program} {}", self.arguments)
     }
 }
 
@@ -118,7 +207,7 @@ pub fn run(parts: &[Part], workspace: &Path) -> bool {
 }
 
 fn timed(part: Part, workspace: &Path) -> (Result<(), String>, Duration) {
-    eprintln!("\n==> {}: {}", part.name(), part.command_line());
+    eprintln!("\n==> {}: {}", part.name(), part.about());
     let start = Instant::now();
     let outcome = part.run(workspace);
     let time = start.elapsed();

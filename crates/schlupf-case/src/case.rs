@@ -8,22 +8,21 @@ use schlupf::history::History;
 use schlupf::message::Message;
 use schlupf::rolling::MarchingSolver;
 use schlupf::state::State;
-use schlupf::{Method, Options, Problem, Solver, Transient};
+use schlupf::{Method, Options, Problem, Solver, Transient, Watch};
 
-use crate::document::{self, Entry};
+use crate::case_file::CaseFile;
 use crate::edited;
-use crate::error::{CaseError, CaseErrors, Cause};
+use crate::error::{CaseError, CaseErrors};
 use crate::fields;
+use crate::fields::choice::Driver;
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
-use crate::place::{Place, Source};
+use crate::place::Place;
 use crate::read;
-use crate::settings::Settings;
-use crate::template::template;
 
 /// What makes a history, each by itself.
 const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
 
-/// A case that was read and checked.
+/// A case with its problem.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// Title for the summary and the figures.
@@ -44,21 +43,7 @@ pub struct Case {
     pub law_stiffness: LawStiffness,
     /// What was given without effect, each with its place, and what to know about a roughness.
     pub notices: Vec<Message>,
-    settings: Settings,
-    /// The text that was read, without overrides.
-    text: String,
-    pub(crate) entries: Vec<Entry>,
-    pub(crate) name: String,
-    pub(crate) folder: PathBuf,
-}
-
-/// A way to the solution of the full equations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Driver {
-    /// The steady state at once.
-    Steady,
-    /// Time step after time step: the paper's procedure, and transient rolling.
-    Marching,
+    pub(crate) file: CaseFile,
 }
 
 /// What a case asks for.
@@ -80,110 +65,70 @@ pub struct Effective {
     pub place: Place,
 }
 
+impl CaseFile {
+    /// The case with its problem: solves the normal contact of profiles and the micro model of a roughness, where
+    /// it has such. `watch` sees how far that is and may stop it.
+    pub fn pose(&self, watch: Watch) -> Result<Case, CaseErrors> {
+        self.pose_like(None, watch)
+    }
+
+    /// The same; a micro model that was solved for a like case is taken over.
+    fn pose_like(
+        &self,
+        solved: Option<&Arc<MicroContact>>,
+        watch: Watch,
+    ) -> Result<Case, CaseErrors> {
+        let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
+        let caveats = law_stiffness.caveats().into_iter();
+        let caveats = caveats.map(|message| message.about("contact_law.roughness"));
+        Ok(Case {
+            title: self.settings.text("title")?,
+            problem,
+            history: self.parts.history.clone(),
+            method: read::method(&self.settings)?,
+            driver: read::driver(&self.settings)?,
+            options: read::options(&self.settings)?,
+            cooling: read::cooling(&self.settings)?,
+            law_stiffness,
+            notices: self.settings.idle().into_iter().chain(caveats).collect(),
+            file: self.clone(),
+        })
+    }
+}
+
 impl Case {
-    /// The text of the case that is solved when none is named.
-    pub fn default_text() -> String {
-        template()
-    }
-
-    /// Reads the text of a case. `name` is for messages, `folder` is where relative paths start, and
-    /// each override is `section.field=value`.
-    pub fn from_str(
-        text: &str,
-        name: &str,
-        folder: &Path,
-        overrides: &[String],
-    ) -> Result<Self, CaseErrors> {
-        let source = Arc::new(Source { name: name.to_owned(), text: text.to_owned() });
-        let (mut entries, mut errors) = document::parse(&source)?;
-        for text in overrides {
-            errors.extend(document::apply(&mut entries, "--set", text).err());
-        }
-        Self::from_entries(entries, errors, (name, text, folder), None)
-    }
-
-    /// The same case with another field, `section.field=value`, that an option of the command line gives.
-    pub fn with(&self, option: &'static str, assignment: &str) -> Result<Self, CaseErrors> {
-        self.with_all(option, &[assignment.to_owned()])
-    }
-
-    /// The same case with several other fields, which need to fit together only when all are in place.
-    pub fn with_all(
+    /// The same case with other fields, each `section.field=value`, that an option of the command line
+    /// gives. They need to fit together only when all are in place.
+    pub fn with(
         &self,
         option: &'static str,
         assignments: &[String],
+        watch: Watch,
     ) -> Result<Self, CaseErrors> {
-        let mut entries = self.entries.clone();
-        for assignment in assignments {
-            document::apply(&mut entries, option, assignment)?;
-        }
-        let solved = self.micro_contact();
-        Self::from_entries(entries, Vec::new(), (&self.name, &self.text, &self.folder), solved)
-    }
-
-    fn from_entries(
-        entries: Vec<Entry>,
-        mut errors: Vec<CaseError>,
-        (name, text, folder): (&str, &str, &Path),
-        solved: Option<&Arc<MicroContact>>,
-    ) -> Result<Self, CaseErrors> {
-        let file = Place::File { name: name.to_owned() };
-        let (settings, wrong_fields) = Settings::read(&entries, file);
-        errors.extend(wrong_fields);
-        errors.sort_by_key(|error| error.place.order());
-        CaseErrors::check(errors)?;
-        let (problem, history, law_stiffness) = read::problem(&settings, folder, solved)?;
-        let mut notices = settings.idle();
-        let caveats = law_stiffness.caveats().into_iter();
-        notices.extend(caveats.map(|message| message.about("contact_law.roughness")));
-        Ok(Self {
-            title: settings.text("title")?,
-            problem,
-            history,
-            method: read::method(&settings)?,
-            driver: read::driver(&settings)?,
-            options: read::options(&settings)?,
-            cooling: read::cooling(&settings)?,
-            law_stiffness,
-            notices,
-            settings,
-            text: text.to_owned(),
-            entries,
-            name: name.to_owned(),
-            folder: folder.to_owned(),
-        })
+        self.file.with(option, assignments)?.pose_like(self.micro_contact(), watch)
     }
 
     /// The micro model of its roughness, if it has one.
     pub fn micro_contact(&self) -> Option<&Arc<MicroContact>> {
         match &self.law_stiffness.origin {
             StiffnessOrigin::MicroModel(micro) => Some(micro),
-            _ => None,
+            StiffnessOrigin::Given
+            | StiffnessOrigin::Default
+            | StiffnessOrigin::ClosedForm { .. } => None,
         }
     }
 
-    /// Reads a case file.
-    pub fn from_path(path: &Path, overrides: &[String]) -> Result<Self, CaseErrors> {
-        let name = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|error| CaseError {
-            cause: Cause::FileSystem,
-            ..CaseError::new(
-                "",
-                format!("the case file cannot be read: {error}"),
-                Place::File { name: name.clone() },
-            )
-        })?;
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-            let line = before.split(|byte| *byte == b'\n').count();
-            let message = format!("the case file must be text in UTF-8, but is not in line {line}");
-            CaseError::new("", message, Place::File { name: name.clone() })
-        })?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        Self::from_str(&text, &name, folder, overrides)
-    }
-
     /// What is to be solved, from a state if there is one.
+    ///
+    /// ```
+    /// use schlupf_case::{CaseFile, Folder, Task};
+    ///
+    /// let text = CaseFile::default_text();
+    /// let file = CaseFile::from_str(&text, "template", Folder::new(""), &[])?;
+    /// let case = file.pose(&schlupf::unwatched)?;
+    /// assert!(matches!(case.task(None), Ok(Task::Steady(_))));
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
     ///
     /// # Errors
     /// A history or a state where the method or the way that was asked for cannot follow it.
@@ -220,7 +165,7 @@ impl Case {
         if self.history.is_none() {
             return Ok(());
         }
-        let field = HISTORY.into_iter().find(|field| self.settings.is_given(field));
+        let field = HISTORY.into_iter().find(|field| self.file.settings.is_given(field));
         let reason = format!("{what} of steady rolling, but there is a history");
         Err(self.contradiction(field.unwrap_or("history.time"), &reason))
     }
@@ -238,12 +183,12 @@ impl Case {
     }
 
     fn contradiction(&self, field: &str, reason: &str) -> CaseError {
-        self.settings.error(field, format!("{field}: {reason}"))
+        self.file.settings.error(field, format!("{field}: {reason}"))
     }
 
     /// An error of the core, at the place of the field that it names.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
-        self.settings.explain(error)
+        self.file.settings.explain(error)
     }
 
     /// What cools the wheel in the long run.
@@ -251,30 +196,32 @@ impl Case {
     /// # Errors
     /// The field that is missing where the case does not say so.
     pub fn require_cooling(&self) -> Result<Cooling, CaseError> {
-        self.cooling.ok_or_else(|| read::missing_cooling(&self.settings))
+        self.cooling.ok_or_else(|| read::missing_cooling(&self.file.settings))
     }
 
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure
     /// does not follow from the radii.
     pub fn wheel_radius(&self) -> Option<f64> {
-        self.settings.number("kinematics.wheel_radius").ok()
+        self.file.settings.number("kinematics.wheel_radius").ok()
     }
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.
     pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
         fields::all()
             .filter(|field| matches!(field.kind, fields::Kind::Path))
-            .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
-            .map(|(field, file)| (field, self.folder.join(file)))
+            .filter_map(|field| Some((field.path, self.file.settings.given_text(field.path)?)))
+            .map(|(field, file)| (field, self.file.files.locate(file)))
             .collect()
     }
 
     /// The text of the case with other values of some fields (in SI units, or dimensionless) and all
     /// overrides in it, comments and layout kept. Paths are those from `folder`, where the text is to be.
     pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
-        let is_moved = edited::absolute(folder) != edited::absolute(&self.folder);
-        let mut text = edited::Edited::new(&self.text, &self.name)?;
-        text.take_over(&self.entries, is_moved.then_some(&self.folder))?;
+        let file = &self.file;
+        let own = file.files.locate("");
+        let is_moved = edited::absolute(folder) != edited::absolute(&own);
+        let mut text = edited::Edited::new(&file.text, &file.name)?;
+        text.take_over(&file.entries, is_moved.then_some(&own))?;
         for (path, value) in values {
             if *path == "contact_law.stiffness" {
                 // A case has k_c or the roughness that it follows from.
@@ -288,11 +235,11 @@ impl Case {
     /// All fields in effect, given or by default.
     pub fn effective(&self) -> Vec<Effective> {
         fields::all()
-            .filter(|field| self.settings.is_used(field))
+            .filter(|field| self.file.settings.is_used(field))
             .map(|field| Effective {
                 path: field.path,
-                value: self.settings.shown(field.path),
-                place: self.settings.place(field.path),
+                value: self.file.settings.shown(field.path),
+                place: self.file.settings.place(field.path),
             })
             .filter(|effective| !effective.value.is_empty())
             .collect()

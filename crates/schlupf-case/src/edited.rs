@@ -152,14 +152,21 @@ pub fn absolute(path: &Path) -> PathBuf {
 
 #[cfg(test)]
 mod tests {
-    use crate::Case;
+    use schlupf::unwatched;
+
+    use crate::{Case, CaseFile, Folder};
     use std::path::Path;
+
+    fn read(text: &str, folder: &Path, overrides: &[String]) -> Case {
+        let file = CaseFile::from_str(text, "case.toml", Folder::new(folder), overrides).unwrap();
+        file.pose(&unwatched).unwrap()
+    }
 
     fn edited(text: &str, overrides: &[&str], values: &[(&str, f64)], folder: &str) -> String {
         let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-        let case = Case::from_str(text, "case.toml", Path::new("here"), &overrides).unwrap();
+        let case = read(text, Path::new("here"), &overrides);
         let text = case.edited(values, Path::new(folder)).unwrap();
-        Case::from_str(&text, "again.toml", Path::new(folder), &[]).unwrap();
+        read(&text, Path::new(folder), &[]);
         text
     }
 
@@ -227,18 +234,18 @@ mod tests {
     fn paths_lead_to_the_same_files_from_another_folder() {
         let folder = std::env::temp_dir();
         let text = "[friction]\nmodel = \"constant\"\nvariation_file = \"f.csv\"\n";
-        let case = |text: &str, folder: &Path| Case::from_str(text, "case.toml", folder, &[]);
+        let case = |text: &str, folder: &Path| read(text, folder, &[]);
         let place = folder.join(format!("schlupf-{}", std::process::id()));
         std::fs::create_dir(&place).unwrap();
         std::fs::write(place.join("f.csv"), "y [mm],factor\n-1,1\n1,1\n").unwrap();
-        let read = case(text, &place).unwrap();
+        let read = case(text, &place);
         assert_eq!(read.edited(&[], &place).unwrap(), text);
         let moved = read.edited(&[], &folder).unwrap();
-        case(&moved, &folder).unwrap();
+        case(&moved, &folder);
         let line = "x [um],height [um]\n0,0\n1,1\n2,0.5\n3,0.8\n";
         std::fs::write(place.join("line.csv"), line).unwrap();
         let short = "contact_law.roughness = \"line.csv\"\nsolver.method = \"polach\"\n";
-        let moved = case(short, &place).unwrap().edited(&[], &folder).unwrap();
+        let moved = case(short, &place).edited(&[], &folder).unwrap();
         let line = super::absolute(&place.join("line.csv")).display().to_string();
         assert!(moved.starts_with(&format!("contact_law.roughness = {line:?}\n")), "{moved}");
         std::fs::remove_dir_all(&place).unwrap();

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use schlupf::Watch;
+
 use crate::case::Case;
 use crate::document;
 use crate::error::{CaseError, CaseErrors};
@@ -15,6 +17,7 @@ pub struct Family {
     pub field: &'static str,
     /// Its values as text, without quotes.
     pub values: Vec<String>,
+    shapes_contact: bool,
     option: &'static str,
 }
 
@@ -46,17 +49,28 @@ impl Family {
         if let Some((_, value)) = values.iter().enumerate().find(is_repeated) {
             return refused(format!("the values of {path} must differ, but {value:?} is repeated"));
         }
-        Ok(Self { field: field.path, values, option })
+        Ok(Self { field: field.path, values, shapes_contact: field.shapes_contact, option })
     }
 
     /// The case with each of the values, or what is wrong with any of them.
-    pub fn members(&self, case: &Case) -> Result<Vec<Case>, CaseErrors> {
+    ///
+    /// ```
+    /// use schlupf::unwatched;
+    /// use schlupf_case::{CaseFile, Family, Folder};
+    ///
+    /// let case = CaseFile::from_str("", "a case", Folder::new(""), &[])?.pose(&unwatched)?;
+    /// let speeds = Family::parse("--over", "kinematics.speed=10 m/s,20 m/s")?;
+    /// let speeds = speeds.members(&case, &unwatched)?;
+    /// assert_eq!(speeds[1].problem.kinematics.speed, 20.0);
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
+    pub fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Case>, CaseErrors> {
         let mut members = Vec::new();
         let mut errors = Vec::new();
         for value in &self.values {
-            match case.with(self.option, &format!("{}={value}", self.field)) {
+            match case.with(self.option, &[format!("{}={value}", self.field)], watch) {
                 Ok(mut member) => {
-                    if !shapes_the_contact(self.field) {
+                    if !self.shapes_contact {
                         // The same, and so a solver can tell.
                         member.problem.normal = Arc::clone(&case.problem.normal);
                         member.problem.elasticity = Arc::clone(&case.problem.elasticity);
@@ -69,12 +83,6 @@ impl Family {
         CaseErrors::check(errors)?;
         Ok(members)
     }
-}
-
-/// Whether normal contact or elasticity may depend on a field.
-fn shapes_the_contact(field: &str) -> bool {
-    let section = field.split_once('.').map_or(field, |(section, _)| section);
-    !matches!(section, "kinematics" | "contact_law" | "friction" | "heat" | "cooling" | "solver")
 }
 
 /// The parts of a text between its commas; `None` where quotes or brackets are not closed.
@@ -105,9 +113,11 @@ fn split(text: &str) -> Option<Vec<&str>> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
+    use schlupf::unwatched;
 
     use super::*;
+    use crate::case_file::CaseFile;
+    use crate::files::Folder;
 
     fn values(text: &str) -> Vec<String> {
         Family::parse("--over", text).unwrap().values
@@ -139,8 +149,9 @@ mod tests {
 
     #[test]
     fn every_member_is_read_as_a_case_and_every_error_is_reported() {
-        let case = Case::from_str("", "case.toml", Path::new(""), &[]).unwrap();
-        let of = |text| Family::parse("--over", text).unwrap().members(&case);
+        let case = CaseFile::from_str("", "case.toml", Folder::new(""), &[]).unwrap();
+        let case = case.pose(&unwatched).unwrap();
+        let of = |text| Family::parse("--over", text).unwrap().members(&case, &unwatched);
         let members = of("normal.load=60 kN,80 kN").unwrap();
         let loads: Vec<f64> = members
             .iter()

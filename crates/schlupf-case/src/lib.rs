@@ -7,10 +7,12 @@
 #![forbid(unsafe_code)]
 
 mod case;
+mod case_file;
 pub mod document;
 mod edited;
 pub mod error;
 pub mod fields;
+pub mod files;
 pub mod place;
 mod family;
 pub mod identification;
@@ -27,9 +29,12 @@ mod tables;
 mod template;
 pub mod units;
 
-pub use case::{Case, Driver, Effective, Task};
+pub use case::{Case, Effective, Task};
+pub use case_file::CaseFile;
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
+pub use fields::choice::Driver;
+pub use files::{Files, Folder, InputFile};
 pub use law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin, caveats};
 pub use names::{FieldNames, quantity_field};
 pub use place::{Place, Source};

@@ -203,7 +203,8 @@ mod tests {
     #[test]
     fn every_quantity_has_one_field_that_exists() {
         for (k, (quantity, path)) in FIELDS.iter().enumerate() {
-            assert!(fields::find(path).is_some(), "{path}");
+            let is_section = fields::section(path).is_some();
+            assert!(is_section || fields::find(path).is_some(), "{path}");
             assert!(FIELDS[..k].iter().all(|(other, _)| other != quantity), "{quantity:?}");
         }
     }
@@ -212,7 +213,7 @@ mod tests {
     #[test]
     fn fields_have_the_unit_of_their_quantity() {
         for (quantity, path) in FIELDS {
-            let field = fields::find(path).unwrap();
+            let Some(field) = fields::find(path) else { continue };
             let has_unit = matches!(field.kind, fields::Kind::Quantity(_));
             if has_unit && *quantity != Quantity::SlopeFactor {
                 assert_eq!(field.kind.unit(), quantity.unit(), "{path}");

@@ -71,7 +71,16 @@ const LONGEST: f64 = 1e3;
 const fn alone(path: &'static str, measure: &'static Measure, requirement: Requirement) -> Field {
     let kind = Kind::Quantity(measure);
     let default = Default::Nothing;
-    Field { path, kind, requirement, default, example: None, used_with: [None; 2], doc: "" }
+    Field {
+        path,
+        kind,
+        requirement,
+        default,
+        example: None,
+        used_with: [None; 2],
+        shapes_contact: false,
+        doc: "",
+    }
 }
 
 const fn length_field(requirement: Requirement) -> Field {

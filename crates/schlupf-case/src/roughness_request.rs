@@ -1,16 +1,17 @@
 //! A rough contact that options of the command line ask for.
 
-use std::path::Path;
+use std::sync::Arc;
 
+use schlupf::Watch;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
 
 use crate::case::Case;
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors};
+use crate::files::Files;
 use crate::law_stiffness::MicroKey;
 use crate::names::FieldNames;
-use crate::place::Place;
-use crate::read::{self, MicroRequest};
+use crate::read::{self, MicroCase};
 use crate::settings::Settings;
 use crate::surface::RoughSurface;
 
@@ -30,34 +31,34 @@ pub struct GivenByOption {
 /// What a micro model needs, and where its errors stand.
 #[derive(Debug, Clone)]
 pub struct RoughnessRequest {
-    request: MicroRequest,
+    request: MicroCase,
     settings: Settings,
 }
 
 const ROUGHNESS: &str = "contact_law.roughness.";
 
 impl Case {
-    /// The rough contact of the bodies of this case with what options give: with `folder`, where their
-    /// paths start, in place of its own roughness, else in addition to it; `names` are what errors call
-    /// the fields. `None` where there is no surface.
+    /// The rough contact of the bodies of this case with what options give: with `files`, which finds theirs,
+    /// in place of its own roughness, else in addition to it; `names` are what errors call the fields.
+    /// `None` where there is no surface.
     pub fn rough_contact(
         &self,
         options: &[GivenByOption],
-        folder: Option<&Path>,
+        files: Option<Arc<dyn Files>>,
         names: FieldNames,
+        watch: Watch,
     ) -> Result<Option<RoughnessRequest>, CaseErrors> {
-        let mut entries = self.entries.clone();
+        let mut entries = self.file.entries.clone();
         // Whatever method the case is solved by, and whatever its k_c is.
-        entries.retain(|entry| !is_replaced(entry, folder.is_some()));
+        entries.retain(|entry| !is_replaced(entry, files.is_some()));
         for given in options {
             let source = (given.option, given.text.as_str());
             document::assign(&mut entries, source, &given.field, &given.value);
         }
-        let file = Place::File { name: self.name.clone() };
-        let (settings, errors) = Settings::read_named(&entries, file, names);
+        let files = files.unwrap_or_else(|| Arc::clone(&self.file.files));
+        let (settings, errors) = Settings::read(&entries, &self.file.name, names, files);
         CaseErrors::check(errors)?;
-        let folder = folder.unwrap_or(&self.folder);
-        let request = read::micro_request(&settings, folder)?;
+        let request = read::micro_case(&settings, watch)?;
         Ok(request.map(|request| RoughnessRequest { request, settings }))
     }
 }

@@ -1,13 +1,15 @@
 //! All settings of a case: what was given, what is the default, and where it comes from.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use schlupf::Quantity;
 use schlupf::message::Message;
 
 use crate::document::{Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
-use crate::fields::{self, ALTERNATIVES, Default, Field, NOT_PER_CENT, UsedWith};
+use crate::fields::{self, ALTERNATIVES, Choose, Default, Field, NOT_PER_CENT, UsedWith};
+use crate::files::{Files, InputFile};
 use crate::names::{self, FieldNames, Noting};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
@@ -23,6 +25,8 @@ pub struct Settings {
     file: Place,
     /// What fields are called in messages.
     names: FieldNames,
+    /// Files that fields name.
+    files: Arc<dyn Files>,
 }
 
 /// A field that was given.
@@ -35,14 +39,16 @@ struct Given {
 }
 
 impl Settings {
-    /// Reads every entry; whatever cannot stand there is an error.
-    pub fn read(entries: &[Entry], file: Place) -> (Self, Vec<CaseError>) {
-        Self::read_named(entries, file, FieldNames::CASE)
-    }
-
-    /// The same with other names of the fields.
-    pub fn read_named(entries: &[Entry], file: Place, names: FieldNames) -> (Self, Vec<CaseError>) {
-        let mut settings = Self { given: HashMap::new(), file, names };
+    /// Reads every entry; whatever cannot stand there is an error. What is missing is missing in the
+    /// case file called `name`; `names` are what messages call the fields.
+    pub fn read(
+        entries: &[Entry],
+        name: &str,
+        names: FieldNames,
+        files: Arc<dyn Files>,
+    ) -> (Self, Vec<CaseError>) {
+        let file = Place::File { name: name.to_owned() };
+        let mut settings = Self { given: HashMap::new(), file, names, files };
         let mut errors = Vec::new();
         for entry in entries {
             match fields::find(&entry.path) {
@@ -62,6 +68,23 @@ impl Settings {
     /// What fields are called in messages.
     pub fn names(&self) -> FieldNames {
         self.names
+    }
+
+    /// The file that a field names.
+    pub fn input_file(&self, path: &str) -> Result<InputFile, CaseError> {
+        Ok(InputFile::new(self.text(path)?, Arc::clone(&self.files)))
+    }
+
+    /// Name and bytes of the file that a field names.
+    pub fn read_file(&self, path: &str) -> Result<(String, Vec<u8>), CaseError> {
+        let file = self.input_file(path)?;
+        let name = file.path().display().to_string();
+        let bytes = file.read().map_err(|error| {
+            let message =
+                format!("{path} must be the path of a readable file, but is {name:?}: {error}");
+            self.error(path, message).help("paths are relative to the case file".to_owned())
+        })?;
+        Ok((name, bytes))
     }
 
     /// What a field is called in messages.
@@ -109,8 +132,13 @@ impl Settings {
         self.number(path).map(|number| number as usize)
     }
 
+    /// What was chosen.
+    pub fn chosen<C: Choose>(&self, path: &str) -> Result<C, CaseError> {
+        C::named(self.choice(path)?).ok_or_else(|| self.missing(path))
+    }
+
     /// The name that was chosen.
-    pub fn choice(&self, path: &str) -> Result<&'static str, CaseError> {
+    fn choice(&self, path: &str) -> Result<&'static str, CaseError> {
         match self.setting(path)? {
             Setting::Choice(name) => Ok(name),
             _ => Err(self.missing(path)),

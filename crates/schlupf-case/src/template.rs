@@ -63,11 +63,10 @@ fn is_active(field: &Field) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Case;
-    use std::path::Path;
+    use crate::{Case, CaseFile, Folder};
 
     fn read(text: &str) -> Result<Case, crate::CaseErrors> {
-        Case::from_str(text, "case.toml", Path::new(""), &[])
+        CaseFile::from_str(text, "case.toml", Folder::new(""), &[])?.pose(&schlupf::unwatched)
     }
 
     #[test]

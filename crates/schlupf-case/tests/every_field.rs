@@ -2,10 +2,8 @@
 //! line. Goal: no field forgets a check. Set-up: one case for each field and each bad value, made from
 //! the table of fields itself.
 
-use std::path::Path;
-
-use schlupf_case::Case;
 use schlupf_case::fields::{self, Field, Kind, Requirement};
+use schlupf_case::{CaseFile, Folder};
 
 /// A case with one field, and the line it stands in.
 fn case(field: &Field, value: &str) -> (String, usize) {
@@ -18,7 +16,7 @@ fn case(field: &Field, value: &str) -> (String, usize) {
 
 fn assert_refused(field: &Field, value: &str) {
     let (text, line) = case(field, value);
-    let Err(errors) = Case::from_str(&text, "case.toml", Path::new("/nowhere"), &[]) else {
+    let Err(errors) = CaseFile::from_str(&text, "case.toml", Folder::new("/nowhere"), &[]) else {
         panic!("{text:?} was accepted")
     };
     let message = errors.first.to_string();
@@ -114,7 +112,8 @@ fn what_a_choice_needs_is_missed_at_its_line() {
         [("normal", "tabulated", "normal.file"), ("normal", "ellipse", "normal.semi_axis_x")]
     {
         let text = format!("[{section}]\nmodel = \"{choice}\"");
-        let errors = Case::from_str(&text, "case.toml", Path::new("/nowhere"), &[]).unwrap_err();
+        let errors =
+            CaseFile::from_str(&text, "case.toml", Folder::new("/nowhere"), &[]).unwrap_err();
         let message = errors.to_string();
         assert!(message.contains(&format!("case.toml:2:9: {field} is missing")), "{message}");
     }

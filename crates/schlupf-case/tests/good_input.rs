@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::path::Path;
 
 use approx::assert_relative_eq;
 use schlupf::calibration::kalker_bed;
@@ -11,7 +10,8 @@ use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::heat::partition::Partition;
 use schlupf::interface::friction::FrictionState;
 use schlupf::material::Material;
-use schlupf_case::{Case, Place};
+use schlupf::unwatched;
+use schlupf_case::{Case, CaseFile, Folder, Place};
 
 fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
@@ -19,7 +19,9 @@ fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
 
 fn read(text: &str, overrides: &[&str]) -> Case {
     let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-    match Case::from_str(text, "case.toml", Path::new(""), &overrides) {
+    match CaseFile::from_str(text, "case.toml", Folder::new(""), &overrides)
+        .and_then(|file| file.pose(&unwatched))
+    {
         Ok(case) => case,
         Err(errors) => panic!("{errors}"),
     }
@@ -156,7 +158,10 @@ fn a_history_is_read_from_arrays_and_files_alike() {
     fs::write(folder.path().join("h.csv"), table).unwrap();
     let path = folder.path().join("case.toml");
     fs::write(&path, "[history]\nfile = \"h.csv\"").unwrap();
-    assert_eq!(Case::from_path(&path, &[]).unwrap().history, expected);
+    assert_eq!(
+        CaseFile::from_path(&path, &[]).unwrap().pose(&unwatched).unwrap().history,
+        expected
+    );
     assert_eq!(expected.unwrap().load, Some(vec![80e3, 60e3]));
 }
 
@@ -213,7 +218,10 @@ fn pressure_tables_come_as_csv_and_npy() {
     fs::write(folder.path().join("p.npy"), npy).unwrap();
     let load = |text: &str| {
         let text = format!("[normal]\nmodel = \"tabulated\"\n{text}");
-        let case = Case::from_str(&text, "case.toml", folder.path(), &[]).unwrap();
+        let case = CaseFile::from_str(&text, "case.toml", Folder::new(folder.path()), &[])
+            .unwrap()
+            .pose(&unwatched)
+            .unwrap();
         case.problem.normal.normal_contact(None).unwrap().summary.load
     };
     let csv = load("file = \"p.csv\"");
@@ -268,7 +276,10 @@ fn friction_over_y_comes_from_a_file_too() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("f.csv"), "y [mm],factor\n-5,0.5\n0,1\n").unwrap();
     let text = "[friction]\nmodel = \"constant\"\nvariation_file = \"f.csv\"";
-    let case = Case::from_str(text, "case.toml", folder.path(), &[]).unwrap();
+    let case = CaseFile::from_str(text, "case.toml", Folder::new(folder.path()), &[])
+        .unwrap()
+        .pose(&unwatched)
+        .unwrap();
     let state = FrictionState { y: -2.5e-3, ..FrictionState::default() };
     let response = case.problem.friction.law.respond(&state);
     assert_relative_eq!(response.coefficient, 0.3, max_relative = 1e-12);

@@ -5,7 +5,8 @@ mod support;
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use schlupf_case::{Case, LawStiffness, StiffnessOrigin};
+use schlupf::unwatched;
+use schlupf_case::{Case, CaseFile, Folder, LawStiffness, StiffnessOrigin};
 use support::{Row, assert_errors, read};
 
 fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
@@ -25,7 +26,9 @@ fn stiffness(text: &str) -> LawStiffness {
 fn with_samples(text: &str, overrides: &[&str]) -> Result<Case, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/surfaces");
     let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-    Case::from_str(text, "case.toml", &folder, &overrides).map_err(|error| error.to_string())
+    CaseFile::from_str(text, "case.toml", Folder::new(folder), &overrides)
+        .and_then(|file| file.pose(&unwatched))
+        .map_err(|error| error.to_string())
 }
 
 /// A surface of 128² cells that the tests solve quickly.
@@ -58,7 +61,7 @@ fn an_override_may_name_a_roughness_or_take_it_out() {
     let given = read("[contact_law]\nstiffness = \"1e6 1/m\"", &[]).unwrap().law_stiffness;
     assert!(matches!(given.origin, StiffnessOrigin::Given) && given.stiffness == 1e6);
     // The default case has a roughness as easily as any other.
-    let template = Case::default_text();
+    let template = CaseFile::default_text();
     let roughness = set(&template, "contact_law.roughness.rms_height=1 um");
     assert!(matches!(roughness.origin, StiffnessOrigin::ClosedForm { .. }));
 }
@@ -100,12 +103,13 @@ fn a_spectrum_goes_through_the_micro_model() {
 #[test]
 fn a_like_case_takes_the_normal_contact_over() {
     let case = read(SPECTRUM, &[]).unwrap();
-    let slippery = case.with("--over", "friction.coefficient=0.2").unwrap();
+    let slippery =
+        case.with("--over", &["friction.coefficient=0.2".to_owned()], &unwatched).unwrap();
     let ratio = slippery.law_stiffness.stiffness / case.law_stiffness.stiffness;
     assert_relative_eq!(ratio, 2.0, max_relative = 1e-6);
     let anew = read(SPECTRUM, &["friction.coefficient=0.2"]).unwrap();
     assert_eq!(slippery.law_stiffness.stiffness, anew.law_stiffness.stiffness);
-    let heavy = case.with("--over", "normal.load=200 kN").unwrap();
+    let heavy = case.with("--over", &["normal.load=200 kN".to_owned()], &unwatched).unwrap();
     let anew = read(SPECTRUM, &["normal.load=200 kN"]).unwrap();
     assert_eq!(heavy.law_stiffness.stiffness, anew.law_stiffness.stiffness);
 }
@@ -260,7 +264,10 @@ fn each_defect_is_named_with_its_place() {
 
 /// A roughness text, and parts of the error.
 const BAD_FILES: &[(&str, &[&str])] = &[
-    ("file = \"flat.x3p\"", &["case.toml:2:", "contact_law.roughness.file", "the surface is flat"]),
+    (
+        "file = \"flat.x3p\"",
+        &["case.toml:2:", "contact_law.roughness.file", "the surface must not be flat"],
+    ),
     (
         "file = \"wave_single_holes.x3p\"",
         &[
@@ -282,7 +289,10 @@ const BAD_FILES: &[(&str, &[&str])] = &[
     ("file = \"make.py\"", &["must be a .csv, .npy, .x3p or .xyz file"]),
     (
         "file = \"wave.x3p\"\nsecond_file = \"flat.x3p\"",
-        &["case.toml:3:", "contact_law.roughness.second_file is no surface: the surface is flat"],
+        &[
+            "case.toml:3:",
+            "contact_law.roughness.second_file is no surface: the surface must not be flat",
+        ],
     ),
     (
         "file = \"wave.npy\"\nunit = \"m\"\nspacing = \"1.5 um\"\nform = \"none\"",

@@ -1,8 +1,8 @@
 //! `schlupf bulk`.
 
 use clap::Args;
-use schlupf::Error;
 use schlupf::bulk_temperature::{self, Cooling};
+use schlupf::{Error, Watch};
 use schlupf_case::{Case, CaseErrors};
 use schlupf_output::bulk_temperature::BulkReport;
 
@@ -41,7 +41,7 @@ impl Task for Bulk {
         &self.outputs
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         case.require_steady("the bulk temperature is that").map_err(CaseErrors::from)?;
         let cooling = case.require_cooling().map_err(CaseErrors::from)?;
         bulk_temperature::check(&case.problem, &cooling).map_err(|error| explain(&case, &error))?;

@@ -76,7 +76,7 @@ impl Task for Calibrate {
         &self.outputs
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         let read = |path: &PathBuf| read_displacements(DISPLACEMENTS, path);
         let displacements = self.displacements.iter().map(read).collect::<Result<Vec<_>, _>>();
         Ok(Plan { case, displacements: displacements.map_err(CaseErrors::from)? })

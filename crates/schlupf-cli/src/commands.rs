@@ -5,7 +5,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::ExitCode;
 
-use schlupf_case::{Case, Effective, Place, schema as case_schema, template};
+use schlupf_case::{Case, CaseFile, Effective, Folder, Place, schema as case_schema, template};
 
 use crate::arguments::{CaseArguments, InitArguments};
 use crate::failure::Failure;
@@ -13,22 +13,24 @@ use crate::progress::Progress;
 use crate::{contact_law, outputs, report, stdout};
 
 /// Reads the case that was named, or the default one.
-pub fn read_case(arguments: &CaseArguments) -> Result<Case, Failure> {
+pub fn read_case(arguments: &CaseArguments, progress: &Progress) -> Result<Case, Failure> {
     let overrides = &arguments.overrides;
-    // The surface of a contact law may take a while.
-    let progress = Progress::start();
-    progress.stage("reading the case");
-    let case = match &arguments.case {
-        Some(path) => Case::from_path(path, overrides),
-        None => Case::from_str(&Case::default_text(), "default case", Path::new(""), overrides),
+    let file = if let Some(path) = &arguments.case {
+        CaseFile::from_path(path, overrides)
+    } else {
+        let text = CaseFile::default_text();
+        CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
     };
-    drop(progress);
-    Ok(case?)
+    // Contact of profiles and of a rough surface may take a while.
+    progress.stage("posing the problem");
+    Ok(file?.pose(&progress.watch())?)
 }
 
 /// `schlupf check`: reads a case and says what it would solve.
 pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
-    let case = read_case(arguments)?;
+    let progress = Progress::start();
+    let case = read_case(arguments, &progress)?;
+    drop(progress);
     let normal = case
         .problem
         .normal

@@ -48,7 +48,7 @@ impl Task for Compare {
         &self.outputs
     }
 
-    fn plan(&self, case: Case) -> Result<Case, Failure> {
+    fn plan(&self, case: Case, _watch: Watch) -> Result<Case, Failure> {
         case.require_steady("a comparison is").map_err(CaseErrors::from)?;
         Ok(case)
     }
@@ -70,9 +70,9 @@ impl Task for Compare {
 /// # Errors
 /// What the first one says if none has an answer.
 fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, Failure> {
-    let full = case.with(COMPARE, "solver.method=full")?;
+    let full = case.with(COMPARE, &["solver.method=full".to_owned()], watch)?;
     let solved = parallel::map(CANDIDATES.iter().collect(), |candidate| {
-        candidate.case(&full).and_then(|case| Solved::new(case, watch))
+        candidate.case(&full, watch).and_then(|case| Solved::new(case, watch))
     });
     let mut entries = Vec::new();
     let mut first_errors: Option<CaseErrors> = None;
@@ -125,16 +125,16 @@ const CANDIDATES: [Candidate; 8] = [
 
 impl Candidate {
     /// The case that asks for it, from one that asks for the full method.
-    fn case(&self, full: &Case) -> Result<Case, CaseErrors> {
+    fn case(&self, full: &Case, watch: Watch) -> Result<Case, CaseErrors> {
         if let Some(model) = self.elasticity {
             let effective = full.effective();
             let own = effective.iter().find(|field| field.path == MODEL);
             let is_own = own.is_some_and(|field| field.value.trim_matches('"') == model);
-            return if is_own { Ok(full.clone()) } else { with_elasticity(full, model) };
+            return if is_own { Ok(full.clone()) } else { with_elasticity(full, model, watch) };
         }
-        let case = full.with(COMPARE, &format!("solver.method={}", self.method))?;
+        let case = full.with(COMPARE, &[format!("solver.method={}", self.method)], watch)?;
         if takes_paraboloid(&case)? {
-            return case.with(COMPARE, &format!("{BOUND}=elliptic"));
+            return case.with(COMPARE, &[format!("{BOUND}=elliptic")], watch);
         }
         Ok(case)
     }
@@ -152,11 +152,11 @@ fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
 
 /// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
 /// default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c = 1/L.
-fn with_elasticity(case: &Case, model: &str) -> Result<Case, CaseErrors> {
+fn with_elasticity(case: &Case, model: &str, watch: Watch) -> Result<Case, CaseErrors> {
     let without = STIFFNESSES.iter().chain(&[MARGIN]).map(|field| format!("{field}="));
     let assignments: Vec<String> =
         [format!("{MODEL}={model}")].into_iter().chain(without).collect();
-    case.with_all(COMPARE, &assignments)
+    case.with(COMPARE, &assignments, watch)
 }
 
 /// Repetitions last so long, or are so many.

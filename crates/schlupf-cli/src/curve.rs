@@ -100,12 +100,12 @@ impl Task for Curve {
         &self.outputs
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+    fn plan(&self, case: Case, watch: Watch) -> Result<Plan, Failure> {
         let varied = Varied::read(self)?;
         let family = self.over.as_deref().map(|text| Family::parse(OVER, text)).transpose();
         let family = family.map_err(CaseErrors::from)?;
         let sampling = self.sampling();
-        let members = members(&case, &varied, family.as_ref())?;
+        let members = members(&case, &varied, family.as_ref(), watch)?;
         members.iter().try_for_each(|member| member.check(&sampling, &varied))?;
         Ok(Plan { title: case.title, family, sampling, members })
     }
@@ -236,7 +236,12 @@ pub struct Member {
 }
 
 /// One, or one for each value of the family.
-fn members(case: &Case, varied: &Varied, family: Option<&Family>) -> Result<Vec<Member>, Failure> {
+fn members(
+    case: &Case,
+    varied: &Varied,
+    family: Option<&Family>,
+    watch: Watch,
+) -> Result<Vec<Member>, Failure> {
     let member = |value: Option<&String>, case: Case| {
         let path = varied.path(&case).map_err(|error| varied.failure(&case, &error))?;
         Ok(Member { value: value.cloned(), case, path })
@@ -249,7 +254,7 @@ fn members(case: &Case, varied: &Varied, family: Option<&Family>) -> Result<Vec<
         let reason = format!("{OVER} must not vary {field}, in place of which {option} varies");
         return Err(Failure::Arguments(reason));
     }
-    let members = family.members(case)?;
+    let members = family.members(case, watch)?;
     family.values.iter().zip(members).map(|(value, case)| member(Some(value), case)).collect()
 }
 

@@ -9,9 +9,9 @@ use schlupf::identification::{
 };
 use schlupf::message::Message;
 use schlupf::method::FastMethod;
-use schlupf::{Error, Method, Quantity};
+use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
-use schlupf_case::{Case, CaseErrors, FieldNames};
+use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, Folder};
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -39,8 +39,8 @@ pub struct Fit {
     pub data: PathBuf,
     /// What to find, such as friction.coefficient,contact_law.stiffness; contact_law.roughness is the
     /// r.m.s. height of both surfaces together, in place of the stiffness
-    #[arg(long, value_name = "SECTION.FIELD,…")]
-    pub fit: String,
+    #[arg(long = "fit", value_name = "SECTION.FIELD,…")]
+    pub parameters: String,
     /// γ, for contact_law.roughness: the rough surfaces approach by γ times that height when the pressure
     /// grows e-fold
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_GAMMA, value_parser = gamma)]
@@ -90,8 +90,8 @@ impl Task for Fit {
         case.into_iter().collect()
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
-        let parameters = parameters(FIT, &self.fit).map_err(CaseErrors::from)?;
+    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
+        let parameters = parameters(FIT, &self.parameters).map_err(CaseErrors::from)?;
         let data = read_data(DATA, &self.data, &case.problem.kinematics);
         let data = data.map_err(CaseErrors::from)?;
         let explain = |error: Error| self.explain(&case, &error);
@@ -147,7 +147,7 @@ impl Fit {
     /// An error of the core: of the data and what they are to determine, or of the case.
     fn explain(&self, case: &Case, error: &Error) -> Failure {
         let quantity = error.quantity();
-        let mut fitted = parameters(FIT, &self.fit).into_iter().flatten();
+        let mut fitted = parameters(FIT, &self.parameters).into_iter().flatten();
         let is_fitted = fitted.any(|parameter| parameter.quantity() == quantity);
         let is_of_data = matches!(
             quantity,
@@ -155,7 +155,7 @@ impl Fit {
         );
         if is_fitted || is_of_data {
             let (data, error) = (self.data.display(), error.text(&FieldNames::CASE));
-            Failure::Arguments(format!("{FIT} {} {DATA} {data}: {error}", self.fit))
+            Failure::Arguments(format!("{FIT} {} {DATA} {data}: {error}", self.parameters))
         } else {
             Failure::Case(case.explain(error).into())
         }
@@ -254,6 +254,6 @@ fn fitted_case(
     }
     let text = case.edited(&values, folder).map_err(CaseErrors::from)?;
     // What is written can be read again.
-    Case::from_str(&text, &path.display().to_string(), folder, &[])?;
+    CaseFile::from_str(&text, &path.display().to_string(), Folder::new(folder), &[])?;
     Ok(text)
 }

@@ -6,6 +6,7 @@ use std::io::{IsTerminal, Write, stderr};
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
 };
+use schlupf::Status;
 use schlupf::message::Message;
 use schlupf_case::{CaseError, Place};
 
@@ -22,6 +23,14 @@ pub fn print(failure: &Failure) {
         other => format!("error: {other}\n"),
     };
     let _ = stderr().write_all(text.as_bytes());
+}
+
+/// Prints warnings, and that results did not converge where none of them says so.
+pub fn warn_all(messages: &[Message], status: Status) {
+    messages.iter().for_each(warn);
+    if status == Status::NotConverged && !messages.iter().any(Message::is_of_convergence) {
+        let _ = writeln!(stderr(), "warning: not converged: do not trust these numbers");
+    }
 }
 
 /// Prints a warning.

@@ -1,17 +1,19 @@
 //! `schlupf roughness`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::{Args, ValueHint};
-use schlupf::Error;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
+use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
-    Case, CaseErrors, FieldNames, GivenByOption, RoughnessRequest, caveats, pressures,
+    Case, CaseErrors, FieldNames, Files, Folder, GivenByOption, RoughnessRequest, caveats,
+    pressures,
 };
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
@@ -115,8 +117,8 @@ impl Task for Roughness {
         [heights, pressures, gaps].into_iter().flatten().collect()
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
-        Ok(Plan { request: request(self, &case)?, case })
+    fn plan(&self, case: Case, watch: Watch) -> Result<Plan, Failure> {
+        Ok(Plan { request: request(self, &case, watch)?, case })
     }
 
     fn inputs(&self, plan: &Plan) -> Vec<Input> {
@@ -144,12 +146,12 @@ impl Task for Roughness {
 }
 
 /// What the options and the case ask for.
-fn request(arguments: &Roughness, case: &Case) -> Result<RoughnessRequest, Failure> {
+fn request(arguments: &Roughness, case: &Case, watch: Watch) -> Result<RoughnessRequest, Failure> {
     let fields = fields(arguments)?;
     let is_own = arguments.surface.is_none() && arguments.synthetic.is_none();
-    let folder = (!is_own).then_some(Path::new(""));
+    let files = (!is_own).then(|| -> Arc<dyn Files> { Folder::new("") });
     let names = if is_own { FieldNames::CASE } else { NAMES };
-    match case.rough_contact(&fields, folder, names)? {
+    match case.rough_contact(&fields, files, names, watch)? {
         Some(request) => Ok(request),
         None => Err(Failure::Arguments(
             "there is no surface: name a file, or make one with --synthetic \
@@ -327,7 +329,8 @@ fn describe(
         (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
         (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
         (SurfaceOrigin::Files { files, .. }, _) => {
-            let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+            let names: Vec<String> =
+                files.iter().map(|file| file.path().display().to_string()).collect();
             names.join(" and ")
         }
     };

@@ -7,7 +7,7 @@ use clap::{Args, ValueHint};
 use schlupf::message::Message;
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
-use schlupf::{Error, Method, Quantity, Solution};
+use schlupf::{Error, Method, Quantity, Solution, Watch};
 use schlupf_case::{Case, CaseErrors, Task as Rolling};
 use schlupf_output::solution::SolutionReport;
 
@@ -65,7 +65,7 @@ impl Task for Solve {
         vtk.into_iter().chain(state).collect()
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         self.refuse_state(case.method)?;
         let initial_state = self.initial_state.as_deref().map(read_state).transpose()?;
         let rolling = case.task(initial_state).map_err(CaseErrors::from)?;

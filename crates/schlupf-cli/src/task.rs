@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::Status;
 use schlupf::message::Message;
+use schlupf::{Status, Watch};
 use schlupf_case::Case;
 use schlupf_output::Report;
 use schlupf_output::figures::MARK;
@@ -36,7 +36,7 @@ pub trait Task {
     }
 
     /// Checks whatever can be checked before the work.
-    fn plan(&self, case: Case) -> Result<Self::Plan, Failure>;
+    fn plan(&self, case: Case, watch: Watch) -> Result<Self::Plan, Failure>;
 
     /// The files that it reads.
     fn inputs(&self, plan: &Self::Plan) -> Vec<Input>;
@@ -82,9 +82,9 @@ impl<R> From<R> for Found<R> {
 
 /// Runs a command.
 pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
-    let plan = task.plan(read_case(&task.case())?)?;
-    check_outputs(task, &plan)?;
     let progress = Progress::start();
+    let plan = task.plan(read_case(&task.case(), &progress)?, &progress.watch())?;
+    check_outputs(task, &plan)?;
     let Found { report, failure } = task.find(plan, &progress)?;
     let files = files(task, &report, &progress)?;
     drop(progress);
@@ -94,7 +94,7 @@ pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
         outputs::remove(&stale::<T>(directory, &files));
     }
     print(task.outputs(), &report)?;
-    report.warnings().iter().for_each(report::warn);
+    report::warn_all(report.warnings(), report.status());
     match (failure, report.status()) {
         (Some(failure), _) => Err(failure),
         (None, Status::Converged) => Ok(ExitCode::SUCCESS),

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use schlupf::temperature_field::{Side, TemperatureField};
-use schlupf::{Error, Problem, Solution};
+use schlupf::{Error, Problem, Solution, Watch};
 use schlupf_case::{Case, CaseError, CaseErrors, depths, length, position};
 use schlupf_output::temperature::{Request, Temperatures};
 
@@ -57,7 +57,7 @@ impl Task for Temperature {
         &self.outputs
     }
 
-    fn plan(&self, case: Case) -> Result<Plan, Failure> {
+    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         let wanted = Wanted::read(self)?;
         let what = "temperatures below the surface and in the wake are those";
         case.require_steady(what).map_err(CaseErrors::from)?;

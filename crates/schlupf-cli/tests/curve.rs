@@ -61,7 +61,7 @@ fn a_family_has_a_curve_for_each_value() {
     let top = |k: usize| result["curves"][k]["maximum"]["traction_coefficient"].as_f64().unwrap();
     assert!(top(0) > top(1), "faster is hotter");
     let table = bench.read("c.csv");
-    assert!(table.lines().nth(1).unwrap().starts_with("kinematics.speed,creepage_x,"));
+    assert!(table.lines().nth(1).unwrap().starts_with("kinematics.speed,speed,creepage_x,"));
     assert_eq!(table.lines().filter(|line| line.starts_with("72 km/h,")).count(), 9);
 }
 
@@ -196,7 +196,7 @@ fn a_field_without_effect_is_among_the_warnings() {
     let bench = bench();
     let none = ["--set", "heat.model=none", "--over", "heat.partition=0.3,0.5"];
     let result = document(&bench, &[&["--creepage-x", "0..0.01"], &none[..]].concat());
-    let warning = result["warnings"][0].as_str().unwrap();
+    let warning = result["warnings"][0]["text"].as_str().unwrap();
     let expected = "heat.partition = 0.3: --over heat.partition=0.3: heat.partition has no effect";
     assert!(warning.starts_with(expected), "{warning}");
 }

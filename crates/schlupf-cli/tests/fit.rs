@@ -119,7 +119,7 @@ fn the_gallery_has_points_to_fit() {
         let mut all = vec!["fit", &case, "--data", &data, "--json", "-"];
         all.extend(more);
         let run = bench.run(&all);
-        assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
         serde_json::from_str::<serde_json::Value>(&run.stdout).unwrap()
     };
     let parameters =

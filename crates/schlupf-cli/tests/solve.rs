@@ -136,7 +136,9 @@ fn a_field_without_effect_is_among_the_warnings() {
     bench.write("case.toml", &format!("{SMALL}[heat]\nmodel = \"none\"\npartition = 0.5\n"));
     let run = bench.run(&["solve", "case.toml", "--json", "-"]);
     let result: Value = serde_json::from_str(&run.stdout).unwrap();
-    assert!(result["warnings"][0].as_str().unwrap().contains("heat.partition has no effect"));
+    assert!(
+        result["warnings"][0]["text"].as_str().unwrap().contains("heat.partition has no effect")
+    );
 }
 
 #[test]

@@ -111,7 +111,7 @@ fn places_depths_and_wakes_are_taken() {
 #[test]
 fn the_heat_model_of_the_paper_is_mentioned() {
     let document = document(&bench(), &["--set", "heat.model=constant-source"]);
-    let warning = document["warnings"][0].as_str().unwrap();
+    let warning = document["warnings"][0]["text"].as_str().unwrap();
     assert!(warning.starts_with("heat.model: below the surface"), "{warning}");
 }
 

@@ -6,7 +6,7 @@ use serde_json::Value;
 use support::Bench;
 
 /// Two loads fall into groups of their own.
-const DATA: &str = "creepage_x,force_ratio,load\n\
+const DATA: &str = "creepage_x,force_ratio,load [N]\n\
                     5e-4,0.12,50e3\n2e-3,0.28,50e3\n2e-2,0.34,50e3\n\
                     5e-4,0.10,80e3\n2e-3,0.26,80e3\n2e-2,0.33,80e3\n";
 

@@ -6,6 +6,20 @@ use schlupf::message::Message;
 use crate::figures::{self, Drawing, Figure, FigureError};
 
 /// A result with all forms in which it can be written.
+///
+/// ```
+/// use schlupf::{Options, Problem, rolling, unwatched};
+/// use schlupf_output::{Report, solution::SolutionReport};
+///
+/// let problem = Problem::builder().creepage_x(0.003).build()?;
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
+/// let (title, warnings) = ("braking".to_owned(), Vec::new());
+/// let report = SolutionReport { title, contact_law: None, solution, warnings };
+/// assert!(report.summary().starts_with("braking"));
+/// assert!(report.csv().is_some_and(|table| table.contains("traction_x")));
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub trait Report {
     /// Whether to trust it.
     fn status(&self) -> Status;

@@ -135,7 +135,6 @@ fn the_summary_shows_statistics_pressures_and_warnings() {
         "γ = 0.45",
         "converged; 25 loads",
         "\na remark\n",
-        "warning: a warning",
     ] {
         assert!(text.contains(part), "{part:?} is not in\n{text}");
     }

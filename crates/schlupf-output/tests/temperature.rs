@@ -80,7 +80,6 @@ fn the_summary_shows_some_points_and_all_warnings() {
         "in contact from x = 6 to -6 mm",
         "(11 of 101 points; --csv and --json have all)",
         "bulk temperatures: wheel 100 °C, rail 0 °C",
-        "warning: a warning",
         "  a reason",
     ] {
         assert!(text.contains(part), "{part:?} is not in\n{text}");

@@ -50,6 +50,7 @@ impl Cooling {
 
 /// The heat balance of a wheel.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct BulkTemperature {
     /// Bulk temperature of the wheel, in degC.
     pub temperature: f64,
@@ -83,6 +84,19 @@ const ITERATIONS: usize = 60;
 
 /// The bulk temperature of the wheel in steady rolling, in place of the one that the problem gives. The
 /// rail keeps its own: every piece of it meets the wheel once.
+///
+/// ```
+/// use schlupf::bulk_temperature::{Cooling, bulk_temperature};
+/// use schlupf::{Options, Problem, rolling::steady::SteadySolver, unwatched};
+///
+/// let problem = Problem::builder().creepage_x(0.008).build()?;
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 20.0 };
+/// let mut solver = SteadySolver::new(&options);
+/// let balance = bulk_temperature(&problem, &mut solver, &cooling, &unwatched)?;
+/// assert!(balance.surplus().abs() < 1e-3 * balance.frictional_heat);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 ///
 /// # Errors
 /// What [`check`] and the solver refuse, a method without heat, and [`Error::Stopped`].

@@ -7,6 +7,15 @@ use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
 /// Quantities over time, linear between the times and constant outside. `None` is constant.
+///
+/// ```
+/// use schlupf::{history::History, kinematics::Kinematics};
+///
+/// let creepage_x = Some(vec![0.0, 0.002]);
+/// let history = History { time: vec![0.0, 1.0], creepage_x, ..History::default() };
+/// let halfway = history.kinematics(0.5, &Kinematics::free_rolling(30.0));
+/// assert_eq!((halfway.speed, halfway.creepage_x), (30.0, 0.001));
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     /// Shift of the wheel over the rail at rest before it rolls, along and across rolling, in m.

@@ -44,9 +44,21 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
+    /// Rolling at a speed (in m/s) without creepage and spin.
+    pub fn free_rolling(speed: f64) -> Self {
+        Self { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
+    }
+
     /// Kinematics of a wheel of rolling radius R (in m) that turns with ω (in rad/s) under the yaw
     /// angle α (in rad), exactly: ξ = (v0 cos α − ω R)/v0, η = −sin α. For small α these are
     /// Eq. (3) and (12) of Neuhaus and Sextro (2014).
+    ///
+    /// ```
+    /// use schlupf::kinematics::Kinematics;
+    ///
+    /// let braking = Kinematics::from_wheel(30.0, 64.7, 0.46, 0.0);
+    /// assert!((braking.creepage_x - (30.0 - 64.7 * 0.46) / 30.0).abs() < 1e-12);
+    /// ```
     pub fn from_wheel(
         speed: f64,
         angular_velocity: f64,

@@ -19,6 +19,7 @@ pub enum Method {
 
 /// A fast method.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum FastMethod {
     /// Kalker's linear theory: forces and moment for small creepages.
     KalkerLinear,

@@ -15,6 +15,15 @@ pub fn map<I: Send, R: Send>(items: Vec<I>, work: impl Fn(I) -> R + Sync + Send)
 }
 
 /// The same where an item may fail: the first error in the order of the items.
+///
+/// ```
+/// use schlupf::{Problem, parallel};
+///
+/// let problems =
+///     parallel::try_map(vec![10.0, 20.0], |speed| Problem::builder().speed(speed).build())?;
+/// assert_eq!(problems[1].kinematics.speed, 20.0);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn try_map<I: Send, R: Send, E: Send>(
     items: Vec<I>,
     work: impl Fn(I) -> Result<R, E> + Sync + Send,

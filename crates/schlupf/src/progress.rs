@@ -48,6 +48,17 @@ impl Progress {
 
 /// Sees how far something has got, and says whether it is to go on: after [`ControlFlow::Break`] it
 /// ends with [`Error::Stopped`]. Several threads may ask at the same time.
+///
+/// ```
+/// use schlupf::{Error, Options, Problem, progress::Progress, rolling};
+/// use std::ops::ControlFlow;
+///
+/// let stop = |_: Progress| ControlFlow::Break(());
+/// let problem = Problem::builder().creepage_x(0.002).build()?;
+/// let solved = rolling::steady::solve(&problem, &Options::default(), &stop);
+/// assert!(matches!(solved, Err(Error::Stopped {})));
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
 /// Lets everything go on.

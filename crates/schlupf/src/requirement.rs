@@ -13,27 +13,28 @@ pub enum Requirement {
     Positive,
     /// Zero or above, and finite.
     NotNegative,
-    /// Finite and of no larger magnitude.
+    /// Finite and of no larger magnitude, in the unit of the quantity.
     Magnitude(f64),
-    /// Within bounds that belong to it.
+    /// Within bounds that belong to it, in the unit of the quantity.
     Between(f64, f64),
-    /// Within bounds that do not belong to it.
+    /// Within bounds that do not belong to it, in the unit of the quantity.
     Inside(f64, f64),
-    /// Above the first and at most the second.
+    /// Above the first and at most the second, in the unit of the quantity.
     AboveUpTo(f64, f64),
-    /// At least.
+    /// At least, in the unit of the quantity.
     AtLeast(f64),
-    /// A radius of curvature of at least and at most these magnitudes: positive where convex,
+    /// A radius of curvature of at least and at most these magnitudes, in m: positive where convex,
     /// negative where concave, infinite where straight.
     Radius(f64, f64),
     /// Not zero; infinite where flat.
     NotZero,
-    /// Not negative, and at most the value of another quantity.
+    /// Not negative, and at most the value of another quantity,
+    /// in the unit of the quantity.
     UpTo(Quantity, f64),
 }
 
 impl Requirement {
-    /// Whether a value meets it.
+    /// Whether a value (in the unit of the quantity) meets it.
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Radius(low, high) => {
@@ -85,8 +86,8 @@ impl Requirement {
         format!("{bounds} {unit}").trim_end().to_owned()
     }
 
-    /// The bounds that do not depend on other quantities, the least and the largest number; what is
-    /// `true` belongs to the range.
+    /// The bounds that do not depend on other quantities, the least and the largest number (in the
+    /// unit of the quantity); what is `true` belongs to the range.
     pub fn bounds(self) -> [Option<(f64, bool)>; 2] {
         match self {
             Self::Finite | Self::NotZero | Self::Radius(..) => [None; 2],

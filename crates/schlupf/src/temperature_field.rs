@@ -82,6 +82,19 @@ impl TemperatureField {
     /// The temperatures of steady rolling, from the solution of a problem. A history has none: its
     /// material has left the contact with another past than the one that leaves it now.
     ///
+    /// ```
+    /// use schlupf::temperature_field::{Side, TemperatureField};
+    /// use schlupf::{Options, Problem, rolling, unwatched};
+    ///
+    /// let problem = Problem::builder().creepage_x(0.008).build()?;
+    /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+    /// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
+    /// let field = TemperatureField::new(&problem, &solution)?;
+    /// let [surface, below] = [0.0, 1e-3].map(|depth| field.at(Side::Wheel, -3e-3, 0.0, depth));
+    /// assert!(surface > below && below >= 20.0);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// A fast method, which keeps no record of the heat, and whatever
     /// [`crate::normal::PressureSource::normal_contact`] refuses.

@@ -527,16 +527,16 @@ fn impossible_requests_are_refused_with_names() {
     let mut locked = data.clone();
     locked[0].condition.kinematics.creepage_x = 1.0;
     assert!(refusal(&start, &[COLD], &locked).contains("the wheel must roll"));
-    let model = |parameters: &[Parameter]| {
-        RollingContactModel::new(&start, &coarse(), parameters, DEFAULT_GAMMA).err().unwrap()
+    let refused = |problem: &Problem, parameters: &[Parameter]| {
+        let model = RollingContactModel::new(problem, &coarse(), parameters, DEFAULT_GAMMA);
+        model.err().unwrap().to_string()
     };
-    let message = model(&[DECAY]).to_string();
-    assert!(message.contains("it is no constant of the friction law in use, which has friction.c"));
+    let message = refused(&start, &[DECAY]);
+    assert!(message.contains("friction law in use, which has friction_coefficient"), "{message}");
     let cold = Problem { heat: Heat { model: None, ..start.heat.clone() }, ..start.clone() };
-    let message = RollingContactModel::new(&cold, &coarse(), &[VANISHES], DEFAULT_GAMMA);
-    let message = message.err().unwrap().to_string();
+    let message = refused(&cold, &[VANISHES]);
     assert!(message.contains("but heat_model is \"none\""), "{message}");
-    let message = model(&[STIFFNESS, Parameter::Roughness]).to_string();
+    let message = refused(&start, &[STIFFNESS, Parameter::Roughness]);
     assert!(message.contains("cannot be fitted together"), "{message}");
 }
 
@@ -548,11 +548,8 @@ fn systematic_residuals_are_told() {
     let mut cold = heated(START);
     cold.heat.model = None;
     let found = fitted(&cold, &[COLD], &data).unwrap();
-    assert!(
-        found.warnings.iter().any(|text| text.to_string().contains("no scatter")),
-        "{:?}",
-        found.warnings
-    );
+    let told = found.warnings.iter().any(|text| text.to_string().contains("no scatter"));
+    assert!(told, "{:?}", found.warnings);
     assert!(found.r_squared < 0.5, "{}", found.r_squared);
 }
 

@@ -201,7 +201,7 @@ fn bad_input_of_the_micro_model_is_refused() {
     assert!(refused(&smooth).contains("all of the surface is in contact under"));
     let bodies = SimilarBodies { poisson_ratio: 0.6, ..BODIES };
     let wrong = MicroModel { bodies, ..elastic.clone() };
-    assert!(refused(&wrong).contains("wheel_poisson_ratio must be between 0 and 0.5"));
+    assert!(refused(&wrong).contains("poisson_ratio must be between 0 and 0.5"));
     let too_soft = MicroModel { hardness: 5e8, ..elastic };
     assert!(refused(&too_soft).contains("below what the hardness can carry"));
 }

@@ -74,6 +74,17 @@ pub fn report(workspace: &Path) -> Result<(), String> {
     if count == 0 { Ok(()) } else { Err(format!("{count} places violate the rules")) }
 }
 
+/// Names of the examples of the library.
+pub fn examples(workspace: &Path) -> Result<Vec<String>, String> {
+    let sources = tree::load(workspace)?;
+    let name = |source: &Source| {
+        Some(source.path.strip_prefix(EXAMPLES)?.trim_end_matches(".rs").to_owned())
+    };
+    Ok(sources.iter().filter_map(name).collect())
+}
+
+const EXAMPLES: &str = "crates/schlupf/examples/";
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -98,6 +109,21 @@ mod tests {
     /// The lines alone.
     pub fn lines(rule: &Rule, path: &str, text: &str) -> Vec<usize> {
         found(rule, &[(path, text)]).into_iter().map(|(line, _)| line).collect()
+    }
+
+    /// The programs that show the library are short, and the one in the README is one of them.
+    #[test]
+    fn examples_are_short_and_one_is_in_the_readme() {
+        let workspace = crate::workspace();
+        let names = examples(&workspace).unwrap();
+        assert!(names.len() >= 6, "{names:?}");
+        let sources = tree::load(&workspace).unwrap();
+        for source in sources.iter().filter(|source| source.path.starts_with(EXAMPLES)) {
+            assert!(source.text.lines().count() < 60, "{}", source.path);
+        }
+        let first = std::fs::read_to_string(workspace.join(EXAMPLES).join("first_solution.rs"));
+        let readme = std::fs::read_to_string(workspace.join("README.md")).unwrap();
+        assert!(readme.contains(&format!("```rust\n{}```\n", first.unwrap())));
     }
 
     #[test]

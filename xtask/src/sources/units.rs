@@ -13,7 +13,7 @@ use super::{Finding, Rule};
 
 pub const RULE: Rule = Rule {
     name: "units",
-    demand: "the doc comment of a public number of the core says `in <unit>` or `dimensionless`",
+    demand: "the doc comment of a public number of the core says `in <unit>`, `in the unit of …` or `dimensionless`",
     check,
 };
 
@@ -91,6 +91,7 @@ fn names_unit(doc: &str) -> bool {
     let words: Vec<&str> =
         doc.split([' ', ',', ';', '(']).filter(|word| !word.is_empty()).collect();
     doc.to_lowercase().contains("dimensionless")
+        || doc.contains("in the unit of ")
         || words.windows(2).any(|pair| pair[0] == "in" && is_unit(pair[1]))
 }
 
@@ -228,6 +229,7 @@ mod tests {
             "Force, in N (or normalised).",
             "Share; dimensionless.",
             "Dimensionless.",
+            "Bounds, in the unit of the quantity.",
         ] {
             assert!(names_unit(doc), "{doc}");
         }

@@ -1,6 +1,7 @@
 //! What a field is.
 
 use super::Requirement;
+use super::choice::Choice;
 use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 use crate::document::{Content, Value};
 use crate::names::FieldNames;
@@ -33,6 +34,8 @@ pub struct Field {
     pub example: Option<&'static str>,
     /// The choices it belongs to, of which any will do.
     pub used_with: [Option<UsedWith>; 2],
+    /// Whether normal contact or elasticity may depend on it.
+    pub shapes_contact: bool,
     /// Its meaning, with the symbol.
     pub doc: &'static str,
 }
@@ -63,15 +66,6 @@ pub enum Kind {
     Quantities(&'static Measure),
     /// An array of dimensionless numbers.
     Numbers,
-}
-
-/// One of several names.
-#[derive(Debug, Clone, Copy)]
-pub struct Choice {
-    /// The name.
-    pub name: &'static str,
-    /// What it stands for.
-    pub doc: &'static str,
 }
 
 /// What a field is when it is left out.

@@ -2,6 +2,7 @@
 //! schema and the commented case file of `schlupf init` follow.
 
 mod alternatives;
+pub mod choice;
 mod field;
 mod suggestion;
 mod table;
@@ -9,7 +10,8 @@ mod table;
 pub use alternatives::{
     ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companion, related,
 };
-pub use field::{Choice, Default, Field, Kind, Section, UsedWith};
+pub use choice::{Choice, Choose};
+pub use field::{Default, Field, Kind, Section, UsedWith};
 pub use schlupf::requirement::{Requirement, readable};
 pub use suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 pub use table::SECTIONS;

@@ -5,8 +5,9 @@ mod elasticity;
 mod friction;
 mod solver;
 
+use super::choice::{Choose, HeatChoice, NormalModel, PartitionChoice, Reference};
 use super::field::Default::{self, Nothing, Same, Text};
-use super::field::{Choice, Field, Kind, Section};
+use super::field::{Field, Kind, Section};
 use crate::units::Measure;
 use schlupf::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 use std::f64::consts::FRAC_PI_2;
@@ -18,7 +19,27 @@ const fn field(
     default: Default,
     doc: &'static str,
 ) -> Field {
-    Field { path, kind, requirement, default, example: None, used_with: [None; 2], doc }
+    Field {
+        path,
+        kind,
+        requirement,
+        default,
+        example: None,
+        used_with: [None; 2],
+        shapes_contact: false,
+        doc,
+    }
+}
+
+/// The same; normal contact or elasticity may depend on it.
+const fn shaping(
+    path: &'static str,
+    kind: Kind,
+    requirement: Requirement,
+    default: Default,
+    doc: &'static str,
+) -> Field {
+    Field { shapes_contact: true, ..field(path, kind, requirement, default, doc) }
 }
 
 impl Field {
@@ -34,10 +55,6 @@ impl Field {
 
 const fn quantity(measure: &'static Measure) -> Kind {
     Kind::Quantity(measure)
-}
-
-const fn choice(name: &'static str, doc: &'static str) -> Choice {
-    Choice { name, doc }
 }
 
 /// Bounds that no rolling contact comes near, and within which no product or quotient leaves the range
@@ -62,14 +79,14 @@ const SHIFT: Requirement = Magnitude(1.0);
 macro_rules! body {
     ($body:literal, $radius_x:literal, $radius_y:literal) => {
         [
-            field(
+            shaping(
                 concat!($body, ".young_modulus"),
                 quantity(&Measure::PRESSURE),
                 MODULUS,
                 Text("210 GPa"),
                 "E, Young's modulus",
             ),
-            field(
+            shaping(
                 concat!($body, ".poisson_ratio"),
                 Kind::Number,
                 Between(0.0, 0.5),
@@ -104,14 +121,14 @@ macro_rules! body {
                 Text("20 degC"),
                 "temperature far from the contact",
             ),
-            field(
+            shaping(
                 concat!($body, ".radius_x"),
                 quantity(&Measure::LENGTH),
                 CURVATURE,
                 Text($radius_x),
                 "radius of curvature along rolling: \"inf\" where straight, negative where concave",
             ),
-            field(
+            shaping(
                 concat!($body, ".radius_y"),
                 quantity(&Measure::LENGTH),
                 CURVATURE,
@@ -249,10 +266,7 @@ const KINEMATICS: &[Field] = &[
     ),
     field(
         "kinematics.reference",
-        Kind::Choice(&[
-            choice("patch", "the middle of the patch"),
-            choice("file", "the origin of the positions in normal.file"),
-        ]),
+        Kind::Choice(Reference::CHOICES),
         Finite,
         Text("patch"),
         "where creepages hold (those of a history, too) and about which point the moment is taken",
@@ -260,20 +274,15 @@ const KINEMATICS: &[Field] = &[
 ];
 
 const NORMAL: &[Field] = &[
-    field(
+    shaping(
         "normal.model",
-        Kind::Choice(&[
-            choice("hertz", "from the radii and the moduli of both bodies, and load"),
-            choice("ellipse", "from semi_axis_x, semi_axis_y, and load or peak_pressure"),
-            choice("tabulated", "from file, scaled to load if that is given"),
-            choice("profile", "from file, the undeformed distance of the bodies, and load"),
-        ]),
+        Kind::Choice(NormalModel::CHOICES),
         Finite,
         Text("hertz"),
         "source of the pressure",
     ),
-    field("normal.load", quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load"),
-    field(
+    shaping("normal.load", quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load"),
+    shaping(
         "normal.semi_axis_x",
         quantity(&Measure::LENGTH),
         SEMI_AXIS,
@@ -282,7 +291,7 @@ const NORMAL: &[Field] = &[
     )
     .example("6 mm")
     .with("normal.model", &["ellipse"]),
-    field(
+    shaping(
         "normal.semi_axis_y",
         quantity(&Measure::LENGTH),
         SEMI_AXIS,
@@ -291,7 +300,7 @@ const NORMAL: &[Field] = &[
     )
     .example("5 mm")
     .with("normal.model", &["ellipse"]),
-    field(
+    shaping(
         "normal.peak_pressure",
         quantity(&Measure::PRESSURE),
         PEAK_PRESSURE,
@@ -300,7 +309,7 @@ const NORMAL: &[Field] = &[
     )
     .example("1 GPa")
     .with("normal.model", &["ellipse"]),
-    field(
+    shaping(
         "normal.file",
         Kind::Path,
         Finite,
@@ -310,7 +319,7 @@ const NORMAL: &[Field] = &[
     )
     .example("pressure.csv")
     .with("normal.model", FILES),
-    field(
+    shaping(
         "normal.spacing_x",
         quantity(&Measure::LENGTH),
         SPACING,
@@ -319,7 +328,7 @@ const NORMAL: &[Field] = &[
     )
     .example("0.5 mm")
     .with("normal.model", FILES),
-    field(
+    shaping(
         "normal.spacing_y",
         quantity(&Measure::LENGTH),
         SPACING,
@@ -328,7 +337,7 @@ const NORMAL: &[Field] = &[
     )
     .example("0.5 mm")
     .with("normal.model", FILES),
-    field(
+    shaping(
         "normal.cells",
         Kind::Count,
         Between(16.0, 512.0),
@@ -344,11 +353,7 @@ const FILES: &[&str] = &["tabulated", "profile"];
 const HEAT: &[Field] = &[
     field(
         "heat.model",
-        Kind::Choice(&[
-            choice("duhamel", "each cell cools after it was heated"),
-            choice("constant-source", "Neuhaus and Sextro 2014: never cools"),
-            choice("none", "no heating"),
-        ]),
+        Kind::Choice(HeatChoice::CHOICES),
         Finite,
         Text("duhamel"),
         "model of the surface temperature",
@@ -356,7 +361,7 @@ const HEAT: &[Field] = &[
     .with(solver::METHOD, solver::CELLS),
     field(
         "heat.partition",
-        Kind::NumberOr(&[choice("velocity", "from speeds and effusivities of both bodies")]),
+        Kind::NumberOr(PartitionChoice::CHOICES),
         Between(0.0, 1.0),
         Text("velocity"),
         "share of the wheel, or \"velocity\"",
@@ -392,7 +397,7 @@ const COOLING: &[Field] = &[
 ];
 
 const HISTORY: &[Field] = &[
-    field(
+    shaping(
         "history.time",
         Kind::Quantities(&Measure::TIME),
         INSTANT,
@@ -414,7 +419,7 @@ const HISTORY: &[Field] = &[
         .example("[\"0 1/m\", \"0 1/m\"]"),
     field("history.speed", Kind::Quantities(&Measure::SPEED), SPEED, Nothing, "v0")
         .example("[\"30 m/s\", \"30 m/s\"]"),
-    field("history.load", Kind::Quantities(&Measure::FORCE), LOAD, Nothing, "N")
+    shaping("history.load", Kind::Quantities(&Measure::FORCE), LOAD, Nothing, "N")
         .example("[\"80 kN\", \"60 kN\"]"),
     field(
         "history.shift_x",
@@ -432,7 +437,7 @@ const HISTORY: &[Field] = &[
         "the same across rolling",
     )
     .example("0 mm"),
-    field(
+    shaping(
         "history.file",
         Kind::Path,
         Finite,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schlupf::Error;
 use schlupf::calibration::kalker_bed;
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::calibrated_layer::CalibratedLayer;
@@ -14,6 +15,7 @@ use schlupf::material::Material;
 use schlupf::normal::PressureSource;
 
 use crate::error::CaseError;
+use crate::fields::choice::ElasticityModel;
 use crate::settings::Settings;
 
 const BEDDINGS: [&str; 2] = ["elasticity.bedding_x", "elasticity.bedding_y"];
@@ -31,52 +33,76 @@ const SPRINGS: [&str; 4] = [
     "elasticity.spring_coupling_y",
 ];
 
-/// How the bodies deform; `normal` and the loads of `history` tell the patch for which springs are calibrated.
-pub fn model(
-    settings: &Settings,
-    bodies: [&Material; 2],
-    normal: &dyn PressureSource,
-    history: Option<&History>,
-) -> Result<Arc<dyn Elasticity>, CaseError> {
-    match settings.choice("elasticity.model")? {
-        "rigid" => Ok(Arc::new(Rigid)),
-        "half-space" => Ok(Arc::new(half_space(settings, bodies)?)),
-        "winkler" => Ok(Arc::new(winkler(settings, bodies, normal, history)?)),
-        _ => {
-            let margin = settings.optional_number("elasticity.margin")?;
-            if settings.any_given(&SPRINGS) {
-                Ok(Arc::new(discrete(settings, margin)?))
-            } else if settings.any_given(&BEDDINGS) || settings.any_given(COUPLINGS.as_flattened())
-            {
-                Ok(Arc::new(per_area(settings, margin)?))
-            } else {
-                let layer = CalibratedLayer::new(bodies[0], bodies[1], margin);
-                Ok(Arc::new(layer.map_err(|error| settings.explain(&error))?))
+/// How the bodies deform.
+#[derive(Debug, Clone)]
+pub enum Deformation {
+    /// Like this.
+    Known(Arc<dyn Elasticity>),
+    /// Like the bed whose stiffnesses are Kalker's for the largest patch.
+    KalkerBed(HalfSpace),
+}
+
+impl Deformation {
+    /// The model, or a rigid one where it is still to be found.
+    pub fn stand_in(&self) -> Arc<dyn Elasticity> {
+        match self {
+            Self::Known(model) => Arc::clone(model),
+            Self::KalkerBed(_) => Arc::new(Rigid),
+        }
+    }
+
+    /// The model; `normal` and the loads of `history` tell the patch for which springs are calibrated.
+    pub fn model(
+        &self,
+        normal: &dyn PressureSource,
+        history: Option<&History>,
+    ) -> Result<Arc<dyn Elasticity>, Error> {
+        match self {
+            Self::Known(model) => Ok(Arc::clone(model)),
+            Self::KalkerBed(bodies) => {
+                let load = history.and_then(History::largest_load);
+                let patch = normal.normal_contact(load)?.summary;
+                let bed = kalker_bed(bodies, [patch.semi_axis_x, patch.semi_axis_y])?;
+                Ok(Arc::new(bed))
             }
         }
     }
+}
+
+/// How the bodies deform, as far as that needs no patch.
+pub fn deformation(settings: &Settings, bodies: [&Material; 2]) -> Result<Deformation, CaseError> {
+    let model: Arc<dyn Elasticity> = match settings.chosen("elasticity.model")? {
+        ElasticityModel::Rigid => Arc::new(Rigid),
+        ElasticityModel::HalfSpace => Arc::new(half_space(settings, bodies)?),
+        ElasticityModel::Winkler if settings.any_given(&BEDDINGS) => Arc::new(winkler(settings)?),
+        ElasticityModel::Winkler => {
+            return Ok(Deformation::KalkerBed(half_space(settings, bodies)?));
+        }
+        ElasticityModel::ElasticLayer => layer(settings, bodies)?,
+    };
+    Ok(Deformation::Known(model))
+}
+
+fn layer(settings: &Settings, bodies: [&Material; 2]) -> Result<Arc<dyn Elasticity>, CaseError> {
+    let margin = settings.optional_number("elasticity.margin")?;
+    if settings.any_given(&SPRINGS) {
+        return Ok(Arc::new(discrete(settings, margin)?));
+    }
+    if settings.any_given(&BEDDINGS) || settings.any_given(COUPLINGS.as_flattened()) {
+        return Ok(Arc::new(per_area(settings, margin)?));
+    }
+    let layer = CalibratedLayer::new(bodies[0], bodies[1], margin);
+    Ok(Arc::new(layer.map_err(|error| settings.explain(&error))?))
 }
 
 fn half_space(settings: &Settings, bodies: [&Material; 2]) -> Result<HalfSpace, CaseError> {
     HalfSpace::new(bodies[0], bodies[1]).map_err(|error| settings.explain(&error))
 }
 
-/// A bed with the stiffnesses that are given, or with Kalker's for the largest patch.
-fn winkler(
-    settings: &Settings,
-    bodies: [&Material; 2],
-    normal: &dyn PressureSource,
-    history: Option<&History>,
-) -> Result<Winkler, CaseError> {
-    let explain = |error| settings.explain(&error);
-    if settings.any_given(&BEDDINGS) {
-        let [x, y] = [settings.number(BEDDINGS[0])?, settings.number(BEDDINGS[1])?];
-        return Winkler::new(x, y).map_err(explain);
-    }
-    let load = history.and_then(History::largest_load);
-    let patch = normal.normal_contact(load).map_err(explain)?.summary;
-    let bodies = half_space(settings, bodies)?;
-    kalker_bed(&bodies, [patch.semi_axis_x, patch.semi_axis_y]).map_err(explain)
+/// A bed with the stiffnesses that are given.
+fn winkler(settings: &Settings) -> Result<Winkler, CaseError> {
+    let [x, y] = [settings.number(BEDDINGS[0])?, settings.number(BEDDINGS[1])?];
+    Winkler::new(x, y).map_err(|error| settings.explain(&error))
 }
 
 fn per_area(settings: &Settings, margin: Option<f64>) -> Result<ElasticLayer, CaseError> {

@@ -1,6 +1,5 @@
 //! `[friction]`.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::interface::friction::across::Across;
@@ -17,6 +16,7 @@ use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiece
 use schlupf::interface::friction::{Friction, FrictionLaw};
 
 use crate::error::CaseError;
+use crate::fields::choice::{FrictionModel, SpeedModel};
 use crate::settings::Settings;
 use crate::tables;
 
@@ -27,15 +27,15 @@ const SPEED_MODEL: &str = "friction.speed_model";
 const VARIATION: [&str; 2] = ["friction.variation_y", "friction.variation_factor"];
 const FILE: &str = "friction.variation_file";
 
-/// The law of friction and the temperature that it counts from; `folder` is where relative paths start.
-pub fn friction(settings: &Settings, folder: &Path) -> Result<Friction, CaseError> {
-    let mut law = named(settings, settings.choice(MODEL)?)?;
-    if settings.is_given(SPEED_MODEL) && settings.choice(SPEED_MODEL)? != "none" {
-        let falling = named(settings, settings.choice(SPEED_MODEL)?)?;
+/// The law of friction and the temperature that it counts from.
+pub fn friction(settings: &Settings) -> Result<Friction, CaseError> {
+    let mut law = law(settings, settings.chosen(MODEL)?)?;
+    if let Some(model) = speed_model(settings)? {
+        let falling = of_slip_speed(settings, model)?;
         let product = Product::new(law, falling).map_err(|error| settings.explain(&error))?;
         law = Arc::new(product);
     }
-    if let Some([y, factor]) = variation(settings, folder)? {
+    if let Some([y, factor]) = variation(settings)? {
         let across = Across::new(law, y, factor).map_err(|error| settings.explain(&error))?;
         law = Arc::new(across);
     }
@@ -51,34 +51,70 @@ pub fn friction(settings: &Settings, folder: &Path) -> Result<Friction, CaseErro
     Ok(Friction { memory, ..Friction::new(law, reference_temperature) })
 }
 
-/// The law that a choice names.
-fn named(settings: &Settings, name: &str) -> Result<Law, CaseError> {
+/// A law of the slip speed that multiplies another one.
+fn speed_model(settings: &Settings) -> Result<Option<SlipLaw>, CaseError> {
+    if !settings.is_given(SPEED_MODEL) {
+        return Ok(None);
+    }
+    Ok(match settings.chosen(SPEED_MODEL)? {
+        SpeedModel::Nothing => None,
+        SpeedModel::Exponential => Some(SlipLaw::Exponential),
+        SpeedModel::Rational => Some(SlipLaw::Rational),
+        SpeedModel::LinearInSpeed => Some(SlipLaw::Linear),
+        SpeedModel::Polach => Some(SlipLaw::Polach),
+    })
+}
+
+fn law(settings: &Settings, model: FrictionModel) -> Result<Law, CaseError> {
     let coefficient = settings.number("friction.coefficient")?;
     let explain = |error| settings.explain(&error);
-    Ok(match name {
-        "constant" => Arc::new(Constant::new(coefficient).map_err(explain)?),
-        "temperature-piecewise-linear" => {
+    Ok(match model {
+        FrictionModel::Constant => Arc::new(Constant::new(coefficient).map_err(explain)?),
+        FrictionModel::TemperatureLinear => {
+            let limit = settings.number("friction.temperature_at_zero_friction")?;
+            let floor = settings.number("friction.minimum_coefficient")?;
+            Arc::new(TemperatureLinear::new(coefficient, limit, floor).map_err(explain)?)
+        }
+        FrictionModel::TemperaturePiecewiseLinear => {
             let hot = settings.number("friction.hot_coefficient")?;
             let range = settings.number("friction.temperature_range")?;
             let law = TemperaturePiecewiseLinear::new(coefficient, hot, range);
             Arc::new(law.map_err(explain)?)
         }
-        "polach" => {
+        FrictionModel::Exponential => of_slip_speed(settings, SlipLaw::Exponential)?,
+        FrictionModel::Rational => of_slip_speed(settings, SlipLaw::Rational)?,
+        FrictionModel::LinearInSpeed => of_slip_speed(settings, SlipLaw::Linear)?,
+        FrictionModel::Polach => of_slip_speed(settings, SlipLaw::Polach)?,
+    })
+}
+
+/// A law that falls with the slip speed.
+#[derive(Clone, Copy)]
+enum SlipLaw {
+    Exponential,
+    Rational,
+    Linear,
+    Polach,
+}
+
+fn of_slip_speed(settings: &Settings, law: SlipLaw) -> Result<Law, CaseError> {
+    Ok(match law {
+        SlipLaw::Exponential => Arc::new(Exponential(terms(settings)?)),
+        SlipLaw::Rational => Arc::new(Rational(terms(settings)?)),
+        SlipLaw::Linear => Arc::new(Linear(terms(settings)?)),
+        SlipLaw::Polach => {
+            let coefficient = settings.number("friction.coefficient")?;
             let limit_ratio = settings.number("friction.limit_ratio")?;
             let decay = settings.number("friction.decay")?;
-            Arc::new(Polach::new(coefficient, limit_ratio, decay).map_err(explain)?)
-        }
-        "exponential" | "rational" | "linear-in-speed" => terms(settings, name, coefficient)?,
-        _ => {
-            let limit = settings.number("friction.temperature_at_zero_friction")?;
-            let floor = settings.number("friction.minimum_coefficient")?;
-            Arc::new(TemperatureLinear::new(coefficient, limit, floor).map_err(explain)?)
+            let law = Polach::new(coefficient, limit_ratio, decay);
+            Arc::new(law.map_err(|error| settings.explain(&error))?)
         }
     })
 }
 
-/// A law with one or two terms that fall with the slip speed.
-fn terms(settings: &Settings, name: &str, coefficient: f64) -> Result<Law, CaseError> {
+/// One or two terms that fall with the slip speed.
+fn terms(settings: &Settings) -> Result<SlipTerms, CaseError> {
+    let coefficient = settings.number("friction.coefficient")?;
     let kinetic = settings.number("friction.kinetic_coefficient")?;
     let half_speed = settings.number("friction.half_speed")?;
     let second = match settings.optional_number("friction.second_coefficient")? {
@@ -88,21 +124,15 @@ fn terms(settings: &Settings, name: &str, coefficient: f64) -> Result<Law, CaseE
         }
         None => None,
     };
-    let terms = SlipTerms::new(coefficient, kinetic, half_speed, second)
-        .map_err(|error| settings.explain(&error))?;
-    Ok(match name {
-        "rational" => Arc::new(Rational(terms)),
-        "linear-in-speed" => Arc::new(Linear(terms)),
-        _ => Arc::new(Exponential(terms)),
-    })
+    let terms = SlipTerms::new(coefficient, kinetic, half_speed, second);
+    terms.map_err(|error| settings.explain(&error))
 }
 
 /// Positions and factors, where friction varies over y.
-fn variation(settings: &Settings, folder: &Path) -> Result<Option<[Vec<f64>; 2]>, CaseError> {
+fn variation(settings: &Settings) -> Result<Option<[Vec<f64>; 2]>, CaseError> {
     if settings.is_given(FILE) {
-        let path = folder.join(settings.text(FILE)?);
-        let bytes = tables::read_bytes(&path, FILE, settings.place(FILE))?;
-        return tables::variation_from_csv(path.display().to_string(), bytes).map(Some);
+        let (name, bytes) = settings.read_file(FILE)?;
+        return tables::variation_from_csv(name, bytes).map(Some);
     }
     let [y, factor] = VARIATION.map(|path| settings.series(path));
     match (y, factor) {

@@ -8,19 +8,17 @@ use schlupf::heat::partition::Partition;
 use schlupf::heat::{Heat, HeatModel};
 
 use crate::error::CaseError;
-use crate::setting::Setting;
+use crate::fields::choice::HeatChoice;
 use crate::settings::Settings;
 
 /// Frictional heating.
 pub fn heat(settings: &Settings) -> Result<Heat, CaseError> {
-    let model: Option<Arc<dyn HeatModel>> = match settings.choice("heat.model")? {
-        "none" => None,
-        "constant-source" => Some(Arc::new(ConstantSource)),
-        _ => Some(Arc::new(Duhamel)),
+    let model: Option<Arc<dyn HeatModel>> = match settings.chosen("heat.model")? {
+        HeatChoice::Duhamel => Some(Arc::new(Duhamel)),
+        HeatChoice::ConstantSource => Some(Arc::new(ConstantSource)),
+        HeatChoice::Nothing => None,
     };
-    let partition = match settings.setting("heat.partition")? {
-        Setting::Number(share) => Partition::Given(share),
-        _ => Partition::Velocity,
-    };
+    let share = settings.number("heat.partition").ok();
+    let partition = share.map_or(Partition::Velocity, Partition::Given);
     Ok(Heat { model, partition })
 }

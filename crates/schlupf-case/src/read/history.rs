@@ -1,7 +1,5 @@
 //! `[history]`.
 
-use std::path::Path;
-
 use schlupf::history::History;
 
 use crate::error::CaseError;
@@ -12,23 +10,21 @@ const SERIES: [&str; 5] =
     ["history.speed", "history.creepage_x", "history.creepage_y", "history.spin", "history.load"];
 
 /// Values over time and the shift before them, where the case has them.
-pub fn history(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
+pub fn history(settings: &Settings) -> Result<Option<History>, CaseError> {
     let [x, y] = ["history.shift_x", "history.shift_y"].map(|path| settings.optional_number(path));
     let (x, y) = (x?, y?);
     let shift = x.or(y).map(|_| [x.unwrap_or(0.0), y.unwrap_or(0.0)]);
-    let over_time = over_time(settings, folder)?;
+    let over_time = over_time(settings)?;
     if over_time.is_none() && shift.is_none() {
         return Ok(None);
     }
     Ok(Some(History { shift, ..over_time.unwrap_or_default() }))
 }
 
-fn over_time(settings: &Settings, folder: &Path) -> Result<Option<History>, CaseError> {
+fn over_time(settings: &Settings) -> Result<Option<History>, CaseError> {
     if settings.is_given("history.file") {
-        let path = folder.join(settings.text("history.file")?);
-        let place = settings.place("history.file");
-        let bytes = tables::read_bytes(&path, "history.file", place)?;
-        return tables::history_from_csv(path.display().to_string(), bytes).map(Some);
+        let (name, bytes) = settings.read_file("history.file")?;
+        return tables::history_from_csv(name, bytes).map(Some);
     }
     let Some(time) = settings.series("history.time") else {
         return if settings.any_given(&SERIES) {

@@ -3,37 +3,37 @@
 use std::sync::Arc;
 
 use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::material::Material;
 
-use super::roughness::{self, Circumstances};
+use super::roughness::{self, OfRoughness};
 use crate::error::CaseError;
+use crate::fields::choice::ContactLawModel;
 use crate::law_stiffness::{LawStiffness, StiffnessOrigin};
 use crate::settings::Settings;
 
 const STIFFNESS: &str = "contact_law.stiffness";
 
-/// k_c where nothing is given, in 1/m.
-const DEFAULT_STIFFNESS: f64 = 5e6;
-
 /// How traction grows with sliding.
-pub fn contact_law(
-    settings: &Settings,
-    circumstances: &Circumstances,
-) -> Result<(Arc<dyn ContactLaw>, LawStiffness), CaseError> {
-    let law_stiffness = stiffness(settings, circumstances)?;
-    let stiffness = law_stiffness.stiffness;
+pub fn contact_law(settings: &Settings, stiffness: f64) -> Result<Arc<dyn ContactLaw>, CaseError> {
     let explain = |error| settings.explain(&error);
-    let law: Arc<dyn ContactLaw> = match settings.choice("contact_law.model")? {
-        "total-displacement" => Arc::new(TotalDisplacement::new(stiffness).map_err(explain)?),
-        _ => Arc::new(Incremental::new(stiffness).map_err(explain)?),
-    };
-    Ok((law, law_stiffness))
+    Ok(match settings.chosen("contact_law.model")? {
+        ContactLawModel::Incremental => Arc::new(Incremental::new(stiffness).map_err(explain)?),
+        ContactLawModel::TotalDisplacement => {
+            Arc::new(TotalDisplacement::new(stiffness).map_err(explain)?)
+        }
+    })
 }
 
-fn stiffness(settings: &Settings, at: &Circumstances) -> Result<LawStiffness, CaseError> {
+/// k_c, or what a micro model finds it from.
+pub fn stiffness(settings: &Settings, materials: [&Material; 2]) -> Result<OfRoughness, CaseError> {
     if let Some(stiffness) = settings.optional_number(STIFFNESS)? {
-        return Ok(LawStiffness { stiffness, origin: StiffnessOrigin::Given });
+        let origin = StiffnessOrigin::Given;
+        return Ok(OfRoughness::Known(LawStiffness { stiffness, origin }));
     }
-    let default =
-        || LawStiffness { stiffness: DEFAULT_STIFFNESS, origin: StiffnessOrigin::Default };
-    Ok(roughness::stiffness(settings, at)?.unwrap_or_else(default))
+    let default = LawStiffness {
+        stiffness: Incremental::DEFAULT_STIFFNESS,
+        origin: StiffnessOrigin::Default,
+    };
+    let found = roughness::stiffness(settings, materials)?;
+    Ok(found.unwrap_or(OfRoughness::Known(default)))
 }

@@ -3,6 +3,7 @@
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 
 use crate::error::CaseError;
+use crate::fields::choice::{NormalModel, Reference};
 use crate::fields::readable;
 use crate::settings::Settings;
 
@@ -31,16 +32,19 @@ pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
 /// The point at which the creepages hold and about which the moment is taken.
 pub fn reference(settings: &Settings) -> Result<ReferencePoint, CaseError> {
     const FIELD: &str = "kinematics.reference";
-    if settings.choice(FIELD)? != ReferencePoint::File.name() {
-        return Ok(ReferencePoint::Patch);
+    match settings.chosen(FIELD)? {
+        Reference::Patch => return Ok(ReferencePoint::Patch),
+        Reference::File => {}
     }
-    let model = settings.choice("normal.model")?;
-    if ["tabulated", "profile"].contains(&model) {
-        return Ok(ReferencePoint::File);
+    let model: NormalModel = settings.chosen("normal.model")?;
+    match model {
+        NormalModel::Tabulated | NormalModel::Profile => return Ok(ReferencePoint::File),
+        NormalModel::Hertz | NormalModel::Ellipse => {}
     }
     let message = format!(
-        "{FIELD} must be \"patch\" with normal.model = {model:?}, which has no file and so no other origin, but \
-         is \"file\""
+        "{FIELD} must be \"patch\" with normal.model = {}, which has no file and so no other origin, but is \
+         \"file\"",
+        settings.shown("normal.model")
     );
     Err(settings.error(FIELD, message))
 }

@@ -12,11 +12,10 @@ mod normal;
 mod options;
 mod roughness;
 
-use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::history::History;
-use schlupf::{Options, Problem};
+use schlupf::{Error, Options, Problem, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
 pub use options::{driver, method};
@@ -24,54 +23,84 @@ pub use options::{driver, method};
 use crate::error::CaseError;
 use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::settings::Settings;
-use roughness::Circumstances;
-pub use roughness::{MicroRequest, explain as explain_roughness, load as load_roughness};
+use elasticity::Deformation;
+use roughness::OfRoughness;
+pub use roughness::{MicroCase, explain as explain_roughness, load as load_roughness};
 
-/// The problem of a case, its history, and where its k_c comes from; `folder` is where relative
-/// paths start, `solved` a micro model of a like case.
-pub fn problem(
-    settings: &Settings,
-    folder: &Path,
-    solved: Option<&Arc<MicroContact>>,
-) -> Result<(Problem, Option<History>, LawStiffness), CaseError> {
-    let wheel = bodies::body(settings, &bodies::WHEEL)?;
-    let rail = bodies::body(settings, &bodies::RAIL)?;
-    let kinematics = kinematics::kinematics(settings)?;
-    let materials = [&wheel.material, &rail.material];
-    let normal = normal::source(settings, folder, materials[0], materials[1])?;
-    let history = history::history(settings, folder)?;
-    let circumstances = Circumstances { folder, materials, normal: &*normal, solved };
-    let (contact_law, stiffness) = interface::contact_law(settings, &circumstances)?;
-    let problem = Problem {
-        kinematics,
-        reference: kinematics::reference(settings)?,
-        elasticity: elasticity::model(settings, materials, &*normal, history.as_ref())?,
-        normal,
-        contact_law,
-        friction: friction::friction(settings, folder)?,
-        heat: heat::heat(settings)?,
-        wheel,
-        rail,
-    };
-    let explain = |error| settings.explain(&error);
-    problem.check().map_err(explain)?;
-    if let Some(history) = &history {
-        history.check(&problem.kinematics).map_err(explain)?;
+/// What a case says of its problem: all that is known without solving anything.
+#[derive(Debug, Clone)]
+pub struct Parts {
+    /// The problem, with a contact law and an elasticity that stand for those that are still to be found.
+    draft: Problem,
+    deformation: Deformation,
+    stiffness: OfRoughness,
+    /// Values over time, where there are some.
+    pub history: Option<History>,
+}
+
+impl Parts {
+    /// Reads and checks them.
+    pub fn read(settings: &Settings) -> Result<Self, CaseError> {
+        let wheel = bodies::body(settings, &bodies::WHEEL)?;
+        let rail = bodies::body(settings, &bodies::RAIL)?;
+        let materials = [&wheel.material, &rail.material];
+        let stiffness = interface::stiffness(settings, materials)?;
+        let deformation = elasticity::deformation(settings, materials)?;
+        let draft = Problem {
+            kinematics: kinematics::kinematics(settings)?,
+            reference: kinematics::reference(settings)?,
+            elasticity: deformation.stand_in(),
+            normal: normal::source(settings, materials[0], materials[1])?,
+            contact_law: interface::contact_law(settings, stiffness.stand_in())?,
+            friction: friction::friction(settings)?,
+            heat: heat::heat(settings)?,
+            wheel,
+            rail,
+        };
+        let history = history::history(settings)?;
+        let explain = |error| settings.explain(&error);
+        draft.check().map_err(explain)?;
+        if let Some(history) = &history {
+            history.check(&draft.kinematics).map_err(explain)?;
+        }
+        Ok(Self { draft, deformation, stiffness, history })
     }
-    Ok((problem, history, stiffness))
+
+    /// The problem, and where its k_c comes from: solves the normal contact and the micro model where the case has
+    /// such. `solved` is a micro model of a like case.
+    pub fn pose(
+        &self,
+        settings: &Settings,
+        solved: Option<&Arc<MicroContact>>,
+        watch: Watch,
+    ) -> Result<(Problem, LawStiffness), CaseError> {
+        let explain = |error: Error| settings.explain(&error);
+        let normal = &*self.draft.normal;
+        let load = self.history.as_ref().and_then(History::largest_load);
+        for load in [None, load] {
+            normal.prepare(load, watch).map_err(explain)?;
+        }
+        let elasticity = self.deformation.model(normal, self.history.as_ref()).map_err(explain)?;
+        let stiffness = match &self.stiffness {
+            OfRoughness::Known(stiffness) => stiffness.clone(),
+            OfRoughness::MicroModel(request) => {
+                roughness::solve(settings, request.on(settings, normal)?, solved, watch)?
+            }
+        };
+        let contact_law = interface::contact_law(settings, stiffness.stiffness)?;
+        Ok((Problem { elasticity, contact_law, ..self.draft.clone() }, stiffness))
+    }
 }
 
 /// What the micro model of a case's roughness needs; `None` where no surface is given.
-pub fn micro_request(
-    settings: &Settings,
-    folder: &Path,
-) -> Result<Option<MicroRequest>, CaseError> {
+pub fn micro_case(settings: &Settings, watch: Watch) -> Result<Option<MicroCase>, CaseError> {
     let wheel = bodies::body(settings, &bodies::WHEEL)?;
     let rail = bodies::body(settings, &bodies::RAIL)?;
     let materials = [&wheel.material, &rail.material];
-    let normal = normal::source(settings, folder, materials[0], materials[1])?;
-    let circumstances = Circumstances { folder, materials, normal: &*normal, solved: None };
-    roughness::request(settings, &circumstances)
+    let normal = normal::source(settings, materials[0], materials[1])?;
+    let Some(request) = roughness::request(settings, materials)? else { return Ok(None) };
+    normal.prepare(None, watch).map_err(|error| settings.explain(&error))?;
+    request.on(settings, &*normal).map(Some)
 }
 
 /// The numerical options of a case.

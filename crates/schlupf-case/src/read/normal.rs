@@ -12,6 +12,7 @@ use schlupf::normal::tabulated::{PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
 use crate::error::CaseError;
+use crate::fields::choice::NormalModel;
 use crate::settings::Settings;
 use crate::tables;
 
@@ -22,16 +23,15 @@ const SPACINGS: [&str; 2] = ["normal.spacing_x", "normal.spacing_y"];
 /// The source of the normal pressure.
 pub fn source(
     settings: &Settings,
-    folder: &Path,
     wheel: &Material,
     rail: &Material,
 ) -> Result<Arc<dyn PressureSource>, CaseError> {
-    match settings.choice("normal.model")? {
-        "ellipse" => Ok(Arc::new(ellipse(settings)?)),
-        "tabulated" => Ok(Arc::new(tabulated(settings, folder)?)),
-        "profile" => Ok(Arc::new(profile(settings, folder, contact_modulus(wheel, rail))?)),
-        _ => Ok(Arc::new(hertz(settings, contact_modulus(wheel, rail))?)),
-    }
+    Ok(match settings.chosen("normal.model")? {
+        NormalModel::Hertz => Arc::new(hertz(settings, contact_modulus(wheel, rail))?),
+        NormalModel::Ellipse => Arc::new(ellipse(settings)?),
+        NormalModel::Tabulated => Arc::new(tabulated(settings)?),
+        NormalModel::Profile => Arc::new(profile(settings, contact_modulus(wheel, rail))?),
+    })
 }
 
 fn hertz(settings: &Settings, contact_modulus: f64) -> Result<Hertz, CaseError> {
@@ -50,31 +50,31 @@ fn ellipse(settings: &Settings) -> Result<Ellipse, CaseError> {
     ellipse.map_err(|error| settings.explain(&error))
 }
 
-fn tabulated(settings: &Settings, folder: &Path) -> Result<Tabulated, CaseError> {
-    let table = table(settings, folder)?;
+fn tabulated(settings: &Settings) -> Result<Tabulated, CaseError> {
+    let table = table(settings)?;
     let load = settings.optional_number("normal.load")?;
     Tabulated::new(table, load).map_err(|error| settings.explain(&error))
 }
 
-fn table(settings: &Settings, folder: &Path) -> Result<PressureTable, CaseError> {
-    let File { name, bytes, spacings } = File::read(settings, folder)?;
+fn table(settings: &Settings) -> Result<PressureTable, CaseError> {
+    let File { name, bytes, spacings } = File::read(settings)?;
     match spacings {
         Some(spacings) => tables::pressure_from_npy(&name, &bytes, spacings, &settings.place(FILE)),
         None => tables::pressure_from_csv(name, bytes),
     }
 }
 
-fn profile(settings: &Settings, folder: &Path, contact_modulus: f64) -> Result<Profile, CaseError> {
+fn profile(settings: &Settings, contact_modulus: f64) -> Result<Profile, CaseError> {
     if !settings.is_given(LOAD) {
         return Err(settings.missing_beside(LOAD, "normal.model"));
     }
-    let distance = distance(settings, folder)?;
+    let distance = distance(settings)?;
     let (load, cells) = (settings.number(LOAD)?, settings.count("normal.cells")?);
     Profile::new(distance, contact_modulus, load, cells).map_err(|error| settings.explain(&error))
 }
 
-fn distance(settings: &Settings, folder: &Path) -> Result<UndeformedDistance, CaseError> {
-    let File { name, bytes, spacings } = File::read(settings, folder)?;
+fn distance(settings: &Settings) -> Result<UndeformedDistance, CaseError> {
+    let File { name, bytes, spacings } = File::read(settings)?;
     match spacings {
         Some(spacings) => tables::distance_from_npy(&name, &bytes, spacings, &settings.place(FILE)),
         None => tables::distance_from_csv(name, bytes, || rolling_radius(settings)),
@@ -96,21 +96,19 @@ struct File {
 }
 
 impl File {
-    fn read(settings: &Settings, folder: &Path) -> Result<Self, CaseError> {
-        let file = settings.text(FILE)?;
-        let path = folder.join(&file);
-        let name = path.display().to_string();
-        let is_npy =
-            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("npy"));
-        let bytes = tables::read_bytes(&path, FILE, settings.place(FILE))?;
+    fn read(settings: &Settings) -> Result<Self, CaseError> {
+        let (name, bytes) = settings.read_file(FILE)?;
+        let ending = Path::new(&name).extension();
+        let is_npy = ending.is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
         if is_npy {
             let spacings = Some([settings.number(SPACINGS[0])?, settings.number(SPACINGS[1])?]);
             return Ok(Self { name, bytes, spacings });
         }
         if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(path)) {
             let message = format!(
-                "{spacing} must be given with an .npy file only, but is {} with {file:?}, which holds its own positions",
-                settings.shown(spacing)
+                "{spacing} must be given with an .npy file only, but is {} with {}, which holds its own positions",
+                settings.shown(spacing),
+                settings.shown(FILE)
             );
             return Err(settings.error(spacing, message));
         }

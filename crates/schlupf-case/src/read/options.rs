@@ -6,8 +6,8 @@ use schlupf::method::{
 use schlupf::problem::Branch;
 use schlupf::{Method, Options};
 
-use crate::case::Driver;
 use crate::error::CaseError;
+use crate::fields::choice::{BoundChoice, BranchChoice, Driver, FlexibilitiesChoice, MethodChoice};
 use crate::settings::Settings;
 
 /// Numerical options.
@@ -15,9 +15,9 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
     Ok(Options {
         cells_x: settings.count("grid.cells_x")?,
         cells_y: settings.count("grid.cells_y")?,
-        branch: match settings.choice("solver.branch")? {
-            "high-slip" => Branch::HighSlip,
-            _ => Branch::LowSlip,
+        branch: match settings.chosen("solver.branch")? {
+            BranchChoice::LowSlip => Branch::LowSlip,
+            BranchChoice::HighSlip => Branch::HighSlip,
         },
         tolerance: settings.number("solver.tolerance")?,
         max_iterations: settings.count("solver.max_iterations")?,
@@ -29,24 +29,21 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
 
 /// Which way to the solution was asked for.
 pub fn driver(settings: &Settings) -> Result<Option<Driver>, CaseError> {
-    let driver = settings.is_given("solver.driver").then(|| settings.choice("solver.driver"));
-    Ok(driver.transpose()?.map(|name| match name {
-        "marching" => Driver::Marching,
-        _ => Driver::Steady,
-    }))
+    settings.is_given("solver.driver").then(|| settings.chosen("solver.driver")).transpose()
 }
 
 /// What is solved, with the parameters of a fast method.
 pub fn method(settings: &Settings) -> Result<Method, CaseError> {
-    let method = match settings.choice("solver.method")? {
-        "kalker-linear" => FastMethod::KalkerLinear,
-        "shen-hedrick-elkins" => FastMethod::ShenHedrickElkins,
-        "polach" => FastMethod::Polach(AreaReduction {
+    let method = match settings.chosen("solver.method")? {
+        MethodChoice::Full => return Ok(Method::Full),
+        MethodChoice::KalkerLinear => FastMethod::KalkerLinear,
+        MethodChoice::ShenHedrickElkins => FastMethod::ShenHedrickElkins,
+        MethodChoice::Polach => FastMethod::Polach(AreaReduction {
             area_adhesion: settings.number("solver.polach_area_adhesion")?,
             area_slip: settings.number("solver.polach_area_slip")?,
         }),
-        "fastsim" => FastMethod::Fastsim(brush(settings)?),
-        "modified-fastsim" => {
+        MethodChoice::Fastsim => FastMethod::Fastsim(brush(settings)?),
+        MethodChoice::ModifiedFastsim => {
             let reduction = SlopeReduction {
                 initial: settings.number("fastsim.initial_reduction")?,
                 limit_ratio: settings.number("fastsim.reduction_limit_ratio")?,
@@ -54,20 +51,19 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
             };
             FastMethod::ModifiedFastsim(brush(settings)?, reduction)
         }
-        _ => return Ok(Method::Full),
     };
     method.check().map_err(|error| settings.explain(&error))?;
     Ok(Method::Fast(method))
 }
 
 fn brush(settings: &Settings) -> Result<Brush, CaseError> {
-    let flexibilities = match settings.choice("fastsim.flexibilities")? {
-        "one" => Flexibilities::One,
-        _ => Flexibilities::Three,
+    let flexibilities = match settings.chosen("fastsim.flexibilities")? {
+        FlexibilitiesChoice::Three => Flexibilities::Three,
+        FlexibilitiesChoice::One => Flexibilities::One,
     };
-    let bound = match settings.choice("fastsim.bound")? {
-        "elliptic" => TractionBound::Elliptic,
-        _ => TractionBound::Parabolic,
+    let bound = match settings.chosen("fastsim.bound")? {
+        BoundChoice::Parabolic => TractionBound::Parabolic,
+        BoundChoice::Elliptic => TractionBound::Elliptic,
     };
     Ok(Brush { flexibilities, bound })
 }

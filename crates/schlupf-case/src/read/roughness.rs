@@ -1,8 +1,8 @@
 //! `[contact_law.roughness]`: k_c from heights, a spectrum or files.
 
-use std::path::Path;
 use std::sync::Arc;
 
+use schlupf::Watch;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{
@@ -15,9 +15,9 @@ use schlupf::normal::PressureSource;
 use schlupf::surface::form::Form;
 use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
-use schlupf::unwatched;
 
 use crate::error::{CaseError, Cause};
+use crate::fields::choice::FormTakenOff;
 use crate::fields::{MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
 use crate::law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin};
 use crate::names;
@@ -46,22 +46,41 @@ const HARDNESS: &str = "contact_law.roughness.hardness";
 const TYPICAL_HURST: f64 = 0.8;
 const FIRST_SEED: u64 = 1;
 
-/// What of a case decides its k_c.
-#[derive(Debug)]
-pub struct Circumstances<'a> {
-    /// Where relative paths start.
-    pub folder: &'a Path,
-    /// Wheel and rail.
-    pub materials: [&'a Material; 2],
-    /// The pressure of the patch.
-    pub normal: &'a dyn PressureSource,
-    /// A micro model that may be the same.
-    pub solved: Option<&'a Arc<MicroContact>>,
+/// k_c as far as it is known without solving.
+#[derive(Debug, Clone)]
+pub enum OfRoughness {
+    /// This.
+    Known(LawStiffness),
+    /// What a micro model finds.
+    MicroModel(MicroRequest),
 }
 
-/// What a micro model needs.
+impl OfRoughness {
+    /// k_c (in 1/m), or 1 where it is still to be found.
+    pub fn stand_in(&self) -> f64 {
+        match self {
+            Self::Known(stiffness) => stiffness.stiffness,
+            Self::MicroModel(_) => 1.0,
+        }
+    }
+}
+
+/// What a micro model needs, as far as it is known without the patch.
 #[derive(Debug, Clone)]
 pub struct MicroRequest {
+    source: SurfaceSource,
+    /// E*, in Pa.
+    contact_modulus: f64,
+    /// In Pa.
+    hardness: Option<f64>,
+    bodies: SimilarBodies,
+    /// In Pa; those of the patch where none are given.
+    mean_pressures: Option<Vec<f64>>,
+}
+
+/// All that a micro model needs.
+#[derive(Debug, Clone)]
+pub struct MicroCase {
     /// What its normal contact depends on.
     pub key: MicroKey,
     /// Friction and Poisson's ratio.
@@ -70,27 +89,28 @@ pub struct MicroRequest {
     pub mean_pressures: Vec<f64>,
 }
 
-/// k_c from the roughness; `None` where none is given.
+/// k_c from the roughness, or what finds it; `None` where no roughness is given.
 pub fn stiffness(
     settings: &Settings,
-    at: &Circumstances,
-) -> Result<Option<LawStiffness>, CaseError> {
-    if let Some(request) = request(settings, at)? {
-        let micro = micro_model(settings, request, at.solved)?;
-        let stiffness = micro.result.stiffness.common.stiffness;
-        let origin = StiffnessOrigin::MicroModel(Arc::new(micro));
-        return Ok(Some(LawStiffness { stiffness, origin }));
+    materials: [&Material; 2],
+) -> Result<Option<OfRoughness>, CaseError> {
+    if let Some(request) = request(settings, materials)? {
+        return Ok(Some(OfRoughness::MicroModel(request)));
     }
     let Some(given) = ROUGHNESS.iter().copied().find(|path| settings.is_given(path)) else {
         return Ok(None);
     };
-    from_height(settings, &bodies(settings, at)?, given).map(Some)
+    let known = from_height(settings, &bodies(settings, materials)?, given)?;
+    Ok(Some(OfRoughness::Known(known)))
 }
 
 /// What the micro model needs; `None` where nothing asks for one.
-pub fn request(settings: &Settings, at: &Circumstances) -> Result<Option<MicroRequest>, CaseError> {
+pub fn request(
+    settings: &Settings,
+    materials: [&Material; 2],
+) -> Result<Option<MicroRequest>, CaseError> {
     let source = if settings.is_given(FILE) {
-        files(settings, at.folder)?
+        files(settings)?
     } else if let Some(of_file) = OF_FILE.iter().find(|path| settings.is_given(path)) {
         return Err(settings.missing_beside(FILE, of_file));
     } else if let Some(micro) = MICRO_MODEL.iter().find(|path| settings.is_given(path)) {
@@ -98,21 +118,52 @@ pub fn request(settings: &Settings, at: &Circumstances) -> Result<Option<MicroRe
     } else {
         return Ok(None);
     };
-    let mean_pressures = mean_pressures(settings, at.normal)?;
-    let largest_pressure = mean_pressures.iter().copied().fold(0.0, f64::max);
-    let key = MicroKey {
+    let request = MicroRequest {
         source,
-        contact_modulus: contact_modulus(at.materials[0], at.materials[1]),
-        hardness: hardness(settings, largest_pressure)?,
-        largest_pressure,
+        contact_modulus: contact_modulus(materials[0], materials[1]),
+        hardness: settings.optional_number(HARDNESS)?,
+        bodies: bodies(settings, materials)?,
+        mean_pressures: mean_pressures(settings)?,
     };
-    Ok(Some(MicroRequest { key, bodies: bodies(settings, at)?, mean_pressures }))
+    if let Some(pressures) = &request.mean_pressures {
+        request.at(settings, pressures)?;
+    }
+    Ok(Some(request))
+}
+
+impl MicroRequest {
+    /// All that is needed, the pressures being those of the patch where none are given.
+    pub fn on(
+        &self,
+        settings: &Settings,
+        normal: &dyn PressureSource,
+    ) -> Result<MicroCase, CaseError> {
+        if let Some(pressures) = &self.mean_pressures {
+            return self.at(settings, pressures);
+        }
+        let contact = normal.normal_contact(None).map_err(|error| settings.explain(&error))?;
+        self.at(settings, &pressures_of_patch(contact.summary.peak_pressure))
+    }
+
+    fn at(&self, settings: &Settings, mean_pressures: &[f64]) -> Result<MicroCase, CaseError> {
+        let largest_pressure = mean_pressures.iter().copied().fold(0.0, f64::max);
+        if let Some(hardness) = self.hardness {
+            check_hardness(settings, hardness, largest_pressure)?;
+        }
+        let key = MicroKey {
+            source: self.source.clone(),
+            contact_modulus: self.contact_modulus,
+            hardness: self.hardness.unwrap_or(f64::INFINITY),
+            largest_pressure,
+        };
+        Ok(MicroCase { key, bodies: self.bodies, mean_pressures: mean_pressures.to_vec() })
+    }
 }
 
 /// Friction, and the combined Poisson's ratio: with it the ratio of tangential to normal compliance is
 /// that of two different bodies, too.
-fn bodies(settings: &Settings, at: &Circumstances) -> Result<SimilarBodies, CaseError> {
-    let combined = HalfSpace::new(at.materials[0], at.materials[1]);
+fn bodies(settings: &Settings, materials: [&Material; 2]) -> Result<SimilarBodies, CaseError> {
+    let combined = HalfSpace::new(materials[0], materials[1]);
     let combined = combined.map_err(|error| settings.explain(&error))?;
     Ok(SimilarBodies {
         friction_coefficient: settings.number("friction.coefficient")?,
@@ -173,18 +224,19 @@ fn spectrum(settings: &Settings, given: &str) -> Result<SurfaceSource, CaseError
     source(settings, SurfaceOrigin::SelfAffine(spectrum))
 }
 
-fn files(settings: &Settings, folder: &Path) -> Result<SurfaceSource, CaseError> {
+fn files(settings: &Settings) -> Result<SurfaceSource, CaseError> {
     let given = |path: &str| settings.is_given(path);
     let yes = |path: &str| Ok(given(path) && settings.flag(path)?);
     let text = |path: &str| if given(path) { settings.text(path).map(Some) } else { Ok(None) };
     let spacing = settings.optional_number("contact_law.roughness.spacing")?;
     let fill = yes("contact_law.roughness.fill_holes")?;
     let square = yes("contact_law.roughness.square_cells")?;
-    let form = match if given(FORM) { settings.choice(FORM)? } else { "plane" } {
-        "none" => None,
-        "cylinder" => Some(Form::Cylinder),
-        "sphere" => Some(Form::Sphere),
-        _ => Some(Form::Plane),
+    let form = if given(FORM) { settings.chosen(FORM)? } else { FormTakenOff::Plane };
+    let form = match form {
+        FormTakenOff::Plane => Some(Form::Plane),
+        FormTakenOff::Cylinder => Some(Form::Cylinder),
+        FormTakenOff::Sphere => Some(Form::Sphere),
+        FormTakenOff::Nothing => None,
     };
     let options = SurfaceOptions {
         unit: text("contact_law.roughness.unit")?,
@@ -193,9 +245,10 @@ fn files(settings: &Settings, folder: &Path) -> Result<SurfaceSource, CaseError>
         cells: if square { Cells::MakeSquare } else { Cells::RefuseNonSquare },
     };
     let cutoff = settings.optional_number(CUTOFF)?;
-    let second = text(SECOND_FILE)?;
-    let files = [settings.text(FILE)?].into_iter().chain(second);
-    let files = files.map(|file| folder.join(file)).collect();
+    let mut files = vec![settings.input_file(FILE)?];
+    if given(SECOND_FILE) {
+        files.push(settings.input_file(SECOND_FILE)?);
+    }
     source(settings, SurfaceOrigin::Files { files, options, form, cutoff })
 }
 
@@ -207,13 +260,25 @@ fn source(settings: &Settings, origin: SurfaceOrigin) -> Result<SurfaceSource, C
 }
 
 /// The solved micro model; its normal contact is taken over where it is the same.
-fn micro_model(
+pub fn solve(
     settings: &Settings,
-    request: MicroRequest,
+    case: MicroCase,
     solved: Option<&Arc<MicroContact>>,
+    watch: Watch,
+) -> Result<LawStiffness, CaseError> {
+    let micro = micro_contact(settings, case, solved, watch)?;
+    let stiffness = micro.result.stiffness.common.stiffness;
+    Ok(LawStiffness { stiffness, origin: StiffnessOrigin::MicroModel(Arc::new(micro)) })
+}
+
+fn micro_contact(
+    settings: &Settings,
+    case: MicroCase,
+    solved: Option<&Arc<MicroContact>>,
+    watch: Watch,
 ) -> Result<MicroContact, CaseError> {
     let explain = |error: schlupf::Error| explain(settings, &error);
-    let MicroRequest { key, bodies, mean_pressures } = request;
+    let MicroCase { key, bodies, mean_pressures } = case;
     if let Some(solved) = solved.filter(|solved| solved.serves(&key, &mean_pressures)) {
         let (statistics, normal) = (solved.result.statistics, solved.result.normal.clone());
         let result = MicroModelResult::new(statistics, normal, &bodies, &mean_pressures);
@@ -229,7 +294,7 @@ fn micro_model(
         hardness: key.hardness,
         mean_pressures,
     };
-    let result = model.solve(&LoadCurveOptions::default(), &unwatched).map_err(explain)?;
+    let result = model.solve(&LoadCurveOptions::default(), watch).map_err(explain)?;
     Ok(MicroContact { key, result, cells, notices: rough.notices })
 }
 
@@ -238,27 +303,25 @@ pub fn load(settings: &Settings, source: &SurfaceSource) -> Result<RoughSurface,
     source.load(settings.names()).map_err(|error| placed(settings, error))
 }
 
-/// Mean pressures of the tangential curves, in Pa.
-fn mean_pressures(settings: &Settings, normal: &dyn PressureSource) -> Result<Vec<f64>, CaseError> {
-    match settings.series(PRESSURES) {
-        Some([]) => {
-            let message =
-                format!("{} must have at least one entry, but is empty", settings.name(PRESSURES));
-            Err(settings.error(PRESSURES, message))
-        }
-        Some(pressures) => Ok(pressures.to_vec()),
-        None => {
-            let contact = normal.normal_contact(None).map_err(|error| settings.explain(&error))?;
-            Ok(pressures_of_patch(contact.summary.peak_pressure).to_vec())
-        }
+/// Mean pressures of the tangential curves (in Pa), where they are given.
+fn mean_pressures(settings: &Settings) -> Result<Option<Vec<f64>>, CaseError> {
+    let given = settings.series(PRESSURES);
+    if given.is_some_and(<[f64]>::is_empty) {
+        let message =
+            format!("{} must have at least one entry, but is empty", settings.name(PRESSURES));
+        return Err(settings.error(PRESSURES, message));
     }
+    Ok(given.map(<[f64]>::to_vec))
 }
 
-/// The hardness (in Pa), which must be more than all of the surface carries.
-fn hardness(settings: &Settings, largest_pressure: f64) -> Result<f64, CaseError> {
-    let Some(hardness) = settings.optional_number(HARDNESS)? else { return Ok(f64::INFINITY) };
+/// Checks that the hardness (in Pa) is more than all of the surface carries.
+fn check_hardness(
+    settings: &Settings,
+    hardness: f64,
+    largest_pressure: f64,
+) -> Result<(), CaseError> {
     if hardness > largest_pressure {
-        return Ok(hardness);
+        return Ok(());
     }
     let message = format!(
         "{} must be above the largest mean pressure, {} Pa, but is {} Pa",
@@ -274,7 +337,9 @@ fn hardness(settings: &Settings, largest_pressure: f64) -> Result<f64, CaseError
 fn placed(settings: &Settings, error: CaseError) -> CaseError {
     let place = match error.place {
         Place::Text { .. } => error.place,
-        _ => place_of(settings, &error.field),
+        Place::File { .. } | Place::Override { .. } | Place::Default => {
+            place_of(settings, &error.field)
+        }
     };
     CaseError { place, cause: Cause::Input, ..error }
 }

@@ -15,6 +15,7 @@ use schlupf::surface::{HeightMap, Lattice};
 
 use crate::error::{CaseError, Cause};
 use crate::fields::readable;
+use crate::files::InputFile;
 use crate::names::{self, FieldNames};
 use crate::place::Place;
 use crate::units::{Measure, parse_unit};
@@ -85,11 +86,11 @@ struct Reading<'a> {
 
 /// Reads a file of the format that its ending names; `names` are for messages.
 pub fn read(
-    path: &Path,
+    file: &InputFile,
     options: &SurfaceOptions,
     names: FieldNames,
 ) -> Result<MeasuredSurface, CaseError> {
-    Reading { options, names, field: FILE }.path(path)
+    Reading { options, names, field: FILE }.file(file)
 }
 
 /// The same from the bytes of a file.
@@ -103,9 +104,9 @@ pub fn from_bytes(
 }
 
 impl Reading<'_> {
-    fn path(self, path: &Path) -> Result<MeasuredSurface, CaseError> {
-        let name = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|error| {
+    fn file(self, file: &InputFile) -> Result<MeasuredSurface, CaseError> {
+        let name = file.path().display().to_string();
+        let bytes = file.read().map_err(|error| {
             let error =
                 self.refusal(&name, format!("must be a readable file, but is not: {error}"));
             CaseError { cause: Cause::FileSystem, ..error }
@@ -125,13 +126,13 @@ impl Reading<'_> {
     }
 
     /// What the field that names the file is called.
-    fn file(self) -> &'static str {
+    fn field_name(self) -> &'static str {
         self.names.name(self.field)
     }
 
     /// An error of all of a file, which its place names; the message follows the field.
     fn refusal(self, name: &str, message: impl AsRef<str>) -> CaseError {
-        let message = format!("{} {}", self.file(), message.as_ref());
+        let message = format!("{} {}", self.field_name(), message.as_ref());
         CaseError::new(self.field, message, Place::File { name: name.to_owned() })
     }
 

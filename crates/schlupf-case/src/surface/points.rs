@@ -23,13 +23,13 @@ const MAX_SPARSE: usize = 4;
 
 /// From a CSV file with the columns x, y and height, its rows in any order.
 pub fn from_csv(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
-    from_columns(&Columns::read(name, bytes, how.file(), &COLUMNS)?, how)
+    from_columns(&Columns::read(name, bytes, how.field_name(), &COLUMNS)?, how)
 }
 
 /// From lines `x y z` in the unit of the options.
 pub fn from_xyz(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
     let convert = unit(&name, how)?;
-    from_columns(&Columns::read_bare(name, bytes, how.file(), &COLUMNS, convert)?, how)
+    from_columns(&Columns::read_bare(name, bytes, how.field_name(), &COLUMNS, convert)?, how)
 }
 
 fn from_columns(columns: &Columns, how: Reading) -> Result<MeasuredSurface, CaseError> {
@@ -38,7 +38,7 @@ fn from_columns(columns: &Columns, how: Reading) -> Result<MeasuredSurface, Case
         return Err(how.refusal(name, "must have three columns"));
     };
     if let Some(row) = heights.iter().position(|height| is_too_high(*height)) {
-        let message = format!("{} {}", how.file(), too_high(heights[row], "this one"));
+        let message = format!("{} {}", how.field_name(), too_high(heights[row], "this one"));
         return Err(columns.error(columns.lines[row], message).help(ADVICE_ON_HEIGHTS.to_owned()));
     }
     let zeros = vec![0.0; xs.len()];

@@ -1,6 +1,6 @@
 //! Roughness of both bodies together, from files or from a spectrum.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use schlupf::Error;
 use schlupf::message::Message;
@@ -13,6 +13,7 @@ use schlupf::surface::{HeightMap, Lattice};
 use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions, notice};
 use crate::error::CaseError;
 use crate::fields::readable;
+use crate::files::InputFile;
 use crate::names::FieldNames;
 use crate::place::Place;
 
@@ -49,7 +50,7 @@ pub enum SurfaceOrigin {
     /// all directions.
     Files {
         /// Where they are.
-        files: Vec<PathBuf>,
+        files: Vec<InputFile>,
         /// What the files do not say.
         options: SurfaceOptions,
         /// What is taken off each of them.
@@ -179,7 +180,7 @@ impl SurfaceSource {
 
     fn of_files(
         &self,
-        files: &[PathBuf],
+        files: &[InputFile],
         how: Reading,
         taken_off: TakenOff,
         said: &mut Said,
@@ -187,7 +188,7 @@ impl SurfaceSource {
         let mut data = Vec::new();
         for (file, field) in files.iter().zip([FILE, SECOND_FILE]) {
             let how = Reading { field, ..how };
-            data.push((file, self.one_file(file, how, taken_off, said)?));
+            data.push((file.path(), self.one_file(file, how, taken_off, said)?));
         }
         let measured = data.iter().find_map(|(_, data)| match data {
             SurfaceData::Map(map) => Some(*map.lattice()),
@@ -223,12 +224,13 @@ impl SurfaceSource {
     /// A file without its form and waviness, in the cells that were asked for.
     fn one_file(
         &self,
-        file: &Path,
+        file: &InputFile,
         how: Reading,
         taken_off: TakenOff,
         said: &mut Said,
     ) -> Result<SurfaceData, CaseError> {
-        let MeasuredSurface { data, filled } = how.path(file)?;
+        let MeasuredSurface { data, filled } = how.file(file)?;
+        let file = &*file.path();
         said.filling(file, filled, matches!(data, SurfaceData::Profile(_)));
         let data = match (data, taken_off.form) {
             (SurfaceData::Profile(profile), Some(Form::Cylinder | Form::Sphere)) => {

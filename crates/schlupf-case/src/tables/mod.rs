@@ -18,19 +18,3 @@ pub use displacements::{Displacements, read as read_displacements};
 pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy};
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};
-
-use std::path::Path;
-
-use crate::error::CaseError;
-use crate::place::Place;
-
-/// Bytes of a file that a field names.
-pub fn read_bytes(path: &Path, field: &str, place: Place) -> Result<Vec<u8>, CaseError> {
-    std::fs::read(path).map_err(|error| {
-        let message = format!(
-            "{field} must be the path of a readable file, but is {:?}: {error}",
-            path.display().to_string()
-        );
-        CaseError::new(field, message, place).help("paths are relative to the case file".to_owned())
-    })
-}

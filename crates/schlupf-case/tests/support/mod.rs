@@ -2,13 +2,12 @@
 
 #![allow(dead_code, reason = "each test file uses its part of it")]
 
-use std::path::Path;
-
-use schlupf_case::{Case, CaseErrors};
+use schlupf::unwatched;
+use schlupf_case::{Case, CaseErrors, CaseFile, Folder};
 
 pub fn read(text: &str, overrides: &[&str]) -> Result<Case, CaseErrors> {
     let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-    Case::from_str(text, "case.toml", Path::new("/nowhere"), &overrides)
+    CaseFile::from_str(text, "case.toml", Folder::new("/nowhere"), &overrides)?.pose(&unwatched)
 }
 
 /// A case text, the field that the error names, and parts of its text.

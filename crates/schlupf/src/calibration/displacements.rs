@@ -67,6 +67,7 @@ impl Sample {
 
 /// A fitted component.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct DisplacementFit {
     /// Bedding c, in N/m³.
     pub bedding: f64,

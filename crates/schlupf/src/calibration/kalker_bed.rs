@@ -14,6 +14,17 @@ use crate::reference::kalker_linear::CreepCoefficients;
 /// (Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System Dynamics 11
 /// (1982) 1–13). Under spin it has not: that would need a third constant.
 ///
+/// ```
+/// use schlupf::calibration::kalker_bed;
+/// use schlupf::elasticity::half_space::HalfSpace;
+/// use schlupf::{Problem, material::Material};
+///
+/// let steel = HalfSpace::new(&Material::STEEL, &Material::STEEL)?;
+/// let problem = Problem::builder().elasticity(kalker_bed(&steel, [6e-3, 5e-3])?).build()?;
+/// assert!(problem.check().is_ok());
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// Semi-axes that are not positive and finite.
 pub fn kalker_bed(bodies: &HalfSpace, semi_axes: [f64; 2]) -> Result<Winkler, Error> {

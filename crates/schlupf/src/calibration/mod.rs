@@ -31,6 +31,7 @@ use rolling_fit::{FITTED, Motions, OTHERS};
 
 /// What a calibration found.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Calibration {
     /// Axes ratio a/b of the patch, dimensionless.
     pub axis_ratio: f64,

@@ -126,6 +126,21 @@ impl Point {
 /// and the elasticity in common. Points that do not converge are kept and marked, and a warning
 /// names them.
 ///
+/// ```
+/// use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+/// use schlupf::{Options, Problem, rolling::steady::SteadySolver, unwatched};
+///
+/// let start = Creepages { x: 0.0, y: 0.0, spin: 0.0 };
+/// let path = Path::new(start, Creepages { x: 0.02, ..start })?;
+/// let sampling = Sampling { points: 4, spacing: Spacing::Even };
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let problem = Problem::builder().build()?;
+/// let curve =
+///     trace(&mut SteadySolver::new(&options), &problem, &path, &sampling, &unwatched)?;
+/// assert!(curve.is_converged() && curve.points[0].force.x.abs() < 1e-6);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// Whatever [`check`] refuses, before anything is solved, and [`Error::Stopped`].
 pub fn trace(

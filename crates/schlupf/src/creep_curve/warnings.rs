@@ -10,6 +10,7 @@ use super::{Abscissa, Point};
 /// A warning of a creep curve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct CurveWarning {
     /// The warning, that of the first point that has one of its kind.
     pub warning: Warning,

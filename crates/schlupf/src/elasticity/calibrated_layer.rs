@@ -44,6 +44,15 @@ pub const AXIS_RATIO_RANGE: [f64; 2] = [0.1, 10.0];
 /// Stiffnesses for displacements along and across rolling, for an axes ratio a/b and a combined Poisson's
 /// ratio ν (both dimensionless): cubic in ln(a/b) and in ν between the entries of the table, whose
 /// logarithms are interpolated.
+///
+/// ```
+/// use schlupf::elasticity::calibrated_layer::tabulated_stiffness;
+///
+/// // A circle is the same along and across rolling, but rolling is not.
+/// let [along, across] = tabulated_stiffness(1.0, 0.0)?;
+/// assert!((along.bedding / across.bedding - 1.0).abs() < 0.2);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn tabulated_stiffness(
     axis_ratio: f64,
     poisson_ratio: f64,

@@ -43,6 +43,14 @@ impl HalfSpace {
     ///
     /// Bodies of different material also move tangentially under the normal pressure, in proportion
     /// to K = ¼ G ((1 − 2ν₁)/G₁ − (1 − 2ν₂)/G₂) (Kalker 1990, §1.7). That part is neglected.
+    ///
+    /// ```
+    /// use schlupf::{elasticity::half_space::HalfSpace, material::Material};
+    ///
+    /// let steel = HalfSpace::new(&Material::STEEL, &Material::STEEL)?;
+    /// assert!((steel.shear_modulus() / Material::STEEL.shear_modulus() - 1.0).abs() < 1e-12);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn new(first: &Material, second: &Material) -> Result<Self, Error> {
         let compliance = [first, second].map(|m| 0.5 / m.shear_modulus());
         let shear_modulus = (compliance[0] + compliance[1]).recip();

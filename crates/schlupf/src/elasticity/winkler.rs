@@ -15,6 +15,12 @@ pub struct Winkler {
 
 impl Winkler {
     /// Bedding stiffnesses c along and across rolling, in N/m³.
+    ///
+    /// ```
+    /// use schlupf::elasticity::winkler::Winkler;
+    ///
+    /// assert!(Winkler::new(1e13, 1e13).is_ok() && Winkler::new(0.0, 1e13).is_err());
+    /// ```
     pub fn new(bedding_x: f64, bedding_y: f64) -> Result<Self, Error> {
         require_positive(Quantity::BeddingX, bedding_x)?;
         require_positive(Quantity::BeddingY, bedding_y)?;

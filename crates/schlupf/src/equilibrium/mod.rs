@@ -7,7 +7,7 @@ mod gmres;
 mod newton;
 
 pub(crate) use gmres::Gmres;
-pub use newton::{Newton, Solved};
+pub use newton::Newton;
 
 /// An equilibrium to be solved, F(p) = 0. The response to p is split into a linear part u = L p,
 /// which is dear because it contains the compliance, and a local rest, which is cheap.

@@ -1,51 +1,18 @@
 //! What can go wrong before and during a solution.
 
+mod demand;
 mod fit;
+mod place;
 mod surface;
 
 use crate::message::{messages, with_unit};
 use crate::quantity::Quantity;
 use crate::requirement::{Requirement, readable};
 
+pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
 pub use fit::{FitCause, FitError, FitStop};
+pub use place::Place;
 pub use surface::SurfaceError;
-
-/// Where among several a value stands.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Place {
-    /// It is the only one.
-    Only,
-    /// At a time, in s.
-    Time(f64),
-    /// At a position x, y, in m.
-    Position([f64; 2]),
-    /// At a position y, in m.
-    Across(f64),
-    /// At a place of a list, counted from 1.
-    Index(usize),
-    /// In a row and a column, counted from 0.
-    Cell {
-        /// The row.
-        row: usize,
-        /// The column.
-        column: usize,
-    },
-}
-
-impl Place {
-    /// It in words, to follow a value.
-    fn text(self) -> String {
-        match self {
-            Self::Only => String::new(),
-            Self::Time(time) => format!(" at {time} s"),
-            Self::Position([x, y]) => format!(" at x = {x} m, y = {y} m"),
-            Self::Across(y) => format!(" at y = {y} m"),
-            Self::Index(index) => format!(" in place {index}"),
-            Self::Cell { row, column } => format!(" in row {row}, column {column}"),
-        }
-    }
-}
 
 messages! {
     /// Why a problem cannot be solved as posed.
@@ -197,7 +164,7 @@ messages! {
     } Quantity::CellsX, |words| format!(
         "{}: {columns} × {rows} cells are {}, more than {most}",
         words.word(Quantity::CellsX),
-        columns * rows
+        *columns as u128 * *rows as u128
     );
 
     /// A reference point that the normal contact does not have.
@@ -585,45 +552,4 @@ fn over_time(quantity: Quantity) -> Quantity {
         Quantity::Spin => Quantity::HistorySpin,
         _ => Quantity::HistoryCreepageX,
     }
-}
-
-/// Refuses a value that does not meet a requirement.
-pub(crate) fn require(
-    quantity: Quantity,
-    requirement: Requirement,
-    value: f64,
-) -> Result<(), Error> {
-    require_at(quantity, requirement, value, Place::Only)
-}
-
-/// The same of one value among several.
-pub(crate) fn require_at(
-    quantity: Quantity,
-    requirement: Requirement,
-    value: f64,
-    place: Place,
-) -> Result<(), Error> {
-    if requirement.holds(value) {
-        return Ok(());
-    }
-    Err(Error::Invalid { quantity, requirement, value, place })
-}
-
-/// A value that must be positive and finite.
-pub(crate) fn require_positive(quantity: Quantity, value: f64) -> Result<(), Error> {
-    require(quantity, Requirement::Positive, value)
-}
-
-/// A value that must be finite.
-pub(crate) fn require_finite(quantity: Quantity, value: f64) -> Result<(), Error> {
-    require(quantity, Requirement::Finite, value)
-}
-
-/// At least so many of something.
-pub(crate) fn require_several(
-    quantity: Quantity,
-    fewest: usize,
-    count: usize,
-) -> Result<(), Error> {
-    if count < fewest { Err(Error::TooFew { quantity, fewest, count }) } else { Ok(()) }
 }

@@ -59,10 +59,8 @@ messages! {
     } Quantity::Heights, |words| {
         let name = words.word(Quantity::Heights);
         match height {
-            Some(height) => {
-                format!("{name}: the surface is flat: its heights are {height} m everywhere")
-            }
-            None => format!("{name}: the profile is flat: its heights lie on a straight line"),
+            Some(height) => format!("{name} must not be flat, but every height is {height} m"),
+            None => format!("{name} must not be flat, but its points lie on a straight line"),
         }
     };
 

@@ -6,6 +6,14 @@ use super::{HeatModel, HeatStep};
 
 /// T_j² = T_(j−1)² + ΔT², ΔT = (2/√π) √(κ/v0) (α q/λ) √Δx (Neuhaus and Sextro 2014, Eqs. 21, 22).
 /// Exact for a constant source only. It cannot cool.
+///
+/// ```
+/// use schlupf::heat::{HeatModel, HeatStep, constant_source::ConstantSource, duhamel::Duhamel};
+///
+/// let record = [HeatStep { flux: 1e8, duration: 1e-4 }];
+/// let rise = ConstantSource.rise_times_effusivity(&record);
+/// assert!((rise / Duhamel.rise_times_effusivity(&record) - 1.0).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConstantSource;
 

@@ -7,6 +7,14 @@ use super::{HeatModel, HeatStep};
 
 /// T β = (1/√π) ∫ q(t') dt'/√(t − t'), with q constant within each step and the kernel integrated
 /// exactly: a step from s₁ to s₂ before now weighs (2/√π)(√s₂ − √s₁).
+///
+/// ```
+/// use schlupf::heat::{HeatModel, HeatStep, duhamel::Duhamel};
+///
+/// let rise = |duration| Duhamel.rise_times_effusivity(&[HeatStep { flux: 1e8, duration }]);
+/// // Under a constant flux the rise goes with the root of the time (Carslaw and Jaeger 1959).
+/// assert!((rise(4e-4) / rise(1e-4) - 2.0).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Duhamel;
 

@@ -52,6 +52,13 @@ pub trait HeatModel: Debug + Send + Sync {
 }
 
 /// How friction heats the bodies.
+///
+/// ```
+/// use schlupf::heat::{Heat, partition::Partition};
+///
+/// let half = Heat { partition: Partition::Given(0.5), ..Heat::default() };
+/// assert!(half.check().is_ok() && Heat::none().model.is_none());
+/// ```
 #[derive(Debug, Clone)]
 pub struct Heat {
     /// The model; `None` leaves the material at the temperature with which it enters.
@@ -60,7 +67,19 @@ pub struct Heat {
     pub partition: Partition,
 }
 
+impl Default for Heat {
+    /// Conduction perpendicular to the surface, with equal temperatures of both.
+    fn default() -> Self {
+        Self { model: Some(Arc::new(duhamel::Duhamel)), partition: Partition::Velocity }
+    }
+}
+
 impl Heat {
+    /// No heating: the material keeps the temperature with which it enters.
+    pub fn none() -> Self {
+        Self { model: None, ..Self::default() }
+    }
+
     /// Checks the partition.
     pub fn check(&self) -> Result<(), Error> {
         match self.partition {

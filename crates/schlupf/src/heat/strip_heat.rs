@@ -86,12 +86,13 @@ impl StripHeat {
         self.durations[k]
     }
 
-    /// What the fluxes from the first cell of the strip to a cell weigh in its rise, in √s.
+    /// What the fluxes from the first cell of the strip to a cell weigh in its rise times
+    /// effusivity, in s^½.
     pub fn row(&self, k: usize) -> &[f64] {
         &self.weights[self.rows[k]..][..=k - self.first[k]]
     }
 
-    /// The same, to be overwritten.
+    /// The same, to be overwritten, in s^½.
     pub fn row_mut(&mut self, k: usize) -> &mut [f64] {
         &mut self.weights[self.rows[k]..][..=k - self.first[k]]
     }

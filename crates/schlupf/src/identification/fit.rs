@@ -106,6 +106,25 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// A constant may end at a bound that it has by itself, a coefficient at zero say: a warning says so, and its interval
 /// counts to one side.
 ///
+/// ```
+/// use schlupf::identification::{Component, Condition, DataPoint, Parameter, PolachModel, fit};
+/// use schlupf::interface::friction::{constant::Constant, constants::FrictionConstant};
+/// use schlupf::{Problem, kinematics::Kinematics, method::AreaReduction, unwatched};
+///
+/// let problem = Problem::builder().friction(Constant::new(0.4)?).build()?;
+/// let data = [0.02, 0.05, 0.1, 0.2].map(|creepage_x| {
+///     let kinematics = Kinematics { creepage_x, ..problem.kinematics };
+///     let condition = Condition { kinematics, load: None };
+///     let component = Component::Longitudinal;
+///     DataPoint { condition, component, force_ratio: 0.3, standard_deviation: None }
+/// });
+/// let unknown = [Parameter::Friction(FrictionConstant::ColdCoefficient)];
+/// let mut model = PolachModel::new(&problem, AreaReduction::DRY, &unknown)?;
+/// let found = fit(&mut model, &data, 50, &unwatched)?;
+/// assert!((found.estimates[0].value - 0.3).abs() < 0.02);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::Stopped`]; whatever [`check`] refuses; start values without a solution; forces of the
 /// wrong sign; and data that leave a parameter open: no force depends on it, μ0 is looked for in

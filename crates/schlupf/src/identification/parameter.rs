@@ -5,6 +5,7 @@ use crate::quantity::Quantity;
 
 /// A constant to find.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Parameter {
     /// A constant of the friction law.
     Friction(FrictionConstant),

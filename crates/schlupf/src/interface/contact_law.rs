@@ -105,7 +105,17 @@ pub struct Incremental {
     stiffness: f64,
 }
 
+impl Default for Incremental {
+    /// With [`Self::DEFAULT_STIFFNESS`].
+    fn default() -> Self {
+        Self { stiffness: Self::DEFAULT_STIFFNESS }
+    }
+}
+
 impl Incremental {
+    /// The exponent k_c where nothing is known of the roughness, in 1/m.
+    pub const DEFAULT_STIFFNESS: f64 = 5e6;
+
     /// The exponent k_c, in 1/m.
     pub fn new(stiffness: f64) -> Result<Self, Error> {
         require_positive(Quantity::ContactStiffness, stiffness)?;

@@ -31,6 +31,16 @@ pub(crate) use interpolated::is_tabulated;
 /// to 0.9 %.
 ///
 /// C23 is that of the moment under lateral creepage, to which the force under spin is equal.
+///
+/// ```
+/// use schlupf::kalker_coefficients::{creep_coefficients, interpolated_coefficients};
+///
+/// let exact = creep_coefficients(1.0, 0.25)?;
+/// // Kalker 1967.
+/// assert!((exact.c11 - 4.12).abs() < 0.03);
+/// assert!((interpolated_coefficients(1.0, 0.25)?.c11 / exact.c11 - 1.0).abs() < 1e-3);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn creep_coefficients(axis_ratio: f64, poisson_ratio: f64) -> Result<CreepCoefficients, Error> {
     check(axis_ratio, poisson_ratio)?;
     let [coarse, fine] = GRIDS;

@@ -6,6 +6,7 @@ use super::{NormalContact, PressureSource};
 use crate::error::{Error, require_positive};
 use crate::progress::Watch;
 use crate::quantity::Quantity;
+use crate::warning::Warning;
 
 /// A source of pressure whose own load is another one.
 #[derive(Debug, Clone)]
@@ -16,6 +17,17 @@ pub struct AtLoad {
 
 impl AtLoad {
     /// The source under a load N, in N; the patch grows as the source says.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use schlupf::normal::{PressureSource, at_load::AtLoad, ellipse::Ellipse};
+    ///
+    /// let source = Arc::new(Ellipse::from_load(6e-3, 5e-3, 10e3)?);
+    /// let contact = AtLoad::new(source, 80e3)?.normal_contact(None)?.summary;
+    /// // Hertz 1882: eight times the load, twice the length.
+    /// assert!((contact.semi_axis_x / 12e-3 - 1.0).abs() < 1e-12);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn new(source: Arc<dyn PressureSource>, load: f64) -> Result<Self, Error> {
         require_positive(Quantity::Load, load)?;
         Ok(Self { source, load })
@@ -33,6 +45,10 @@ impl PressureSource for AtLoad {
 
     fn growth(&self) -> Option<f64> {
         self.source.growth()
+    }
+
+    fn caveat(&self) -> Option<Warning> {
+        self.source.caveat()
     }
 }
 

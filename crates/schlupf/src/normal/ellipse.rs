@@ -19,6 +19,15 @@ pub struct Ellipse {
 
 impl Ellipse {
     /// From the semi-axes (in m) and the load (in N).
+    ///
+    /// ```
+    /// use schlupf::normal::{PressureSource, ellipse::Ellipse};
+    ///
+    /// let contact = Ellipse::from_load(6e-3, 5e-3, 80e3)?.normal_contact(None)?.summary;
+    /// let mean = 80e3 / (std::f64::consts::PI * 6e-3 * 5e-3);
+    /// assert!((contact.peak_pressure / mean - 1.5).abs() < 1e-12);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn from_load(semi_axis_x: f64, semi_axis_y: f64, load: f64) -> Result<Self, Error> {
         require_positive(Quantity::SemiAxisX, semi_axis_x)?;
         require_positive(Quantity::SemiAxisY, semi_axis_y)?;

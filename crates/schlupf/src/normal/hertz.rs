@@ -29,6 +29,18 @@ pub struct Radii {
     pub y: f64,
 }
 
+impl Radii {
+    /// Curved along rolling only, with a radius in m: a cylindrical wheel.
+    pub const fn along(radius: f64) -> Self {
+        Self { x: radius, y: f64::INFINITY }
+    }
+
+    /// Curved across rolling only, with a radius in m: a straight rail.
+    pub const fn across(radius: f64) -> Self {
+        Self { x: f64::INFINITY, y: radius }
+    }
+}
+
 /// Hertz contact from the radii of two bodies and their load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hertz {
@@ -43,6 +55,18 @@ const LARGEST_CURVATURE_RATIO: f64 = 1e5;
 
 impl Hertz {
     /// A contact of bodies with the given radii and contact modulus E* (in Pa) under `load` (in N).
+    ///
+    /// ```
+    /// use schlupf::material::{Material, contact_modulus};
+    /// use schlupf::normal::{PressureSource, hertz::{Hertz, Radii}};
+    ///
+    /// let modulus = contact_modulus(&Material::STEEL, &Material::STEEL);
+    /// // Crossed cylinders of one radius touch in a circle.
+    /// let hertz = Hertz::new(Radii::along(0.46), Radii::across(0.46), modulus, 80e3)?;
+    /// let contact = hertz.normal_contact(None)?.summary;
+    /// assert!((contact.semi_axis_x / contact.semi_axis_y - 1.0).abs() < 1e-9);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     ///
     /// # Errors
     /// A radius of zero, a curvature sum that is not positive (a flat contact, or a line), or one

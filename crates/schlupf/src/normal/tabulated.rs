@@ -257,6 +257,18 @@ pub struct Tabulated {
 
 impl Tabulated {
     /// The table as it is, or scaled to `load` (in N).
+    ///
+    /// ```
+    /// use schlupf::normal::{PressureSource, tabulated::{PressureTable, Tabulated}};
+    ///
+    /// let positions = [0.0, 2e-3, 4e-3, 6e-3];
+    /// let row = [0.0, 1e9, 1e9, 0.0];
+    /// let pressure = [[0.0; 4], row, row, [0.0; 4]].concat();
+    /// let table = PressureTable::new(&positions, &positions, pressure)?;
+    /// let half = Tabulated::new(table.clone(), Some(0.5 * table.load()))?;
+    /// assert!((half.normal_contact(None)?.summary.peak_pressure - 0.5e9).abs() < 1.0);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn new(table: PressureTable, load: Option<f64>) -> Result<Self, Error> {
         let load = load.unwrap_or_else(|| table.load());
         require_positive(Quantity::Load, load)?;

@@ -12,6 +12,18 @@ use std::f64::consts::FRAC_PI_2;
 ///
 /// and as q0 √(1 − x²/a²) stretches the two surfaces by 2 q0 (1 − ν) x/(G a) against each other,
 /// they stick where ξ = 2 μ p0 (1 − ν) d/(G a). Limits: similar bodies, no lateral creepage, no spin.
+///
+/// ```
+/// use schlupf::reference::carter::Carter;
+///
+/// let (half_length, peak_pressure) = (5e-3, 1e9);
+/// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);
+/// let cylinders = Carter {
+///     half_length, peak_pressure, friction_coefficient, shear_modulus, poisson_ratio,
+/// };
+/// let creepage = 0.5 * cylinders.full_sliding_creepage();
+/// assert!((cylinders.force_over_limit(creepage) + 0.75).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Carter {
     /// Half the length of the contact a, in m.

@@ -10,6 +10,17 @@
 /// t = μ p0 (√(1 − r²/a²) − (c/a) √(1 − r²/c²)), c/a = (1 − F/μN)^⅓.
 ///
 /// Limits: similar bodies; exact for ν = 0, else the small traction across the force is neglected.
+///
+/// ```
+/// use schlupf::reference::cattaneo_mindlin::CattaneoMindlin;
+///
+/// let (radius, load) = (5e-3, 50e3);
+/// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);
+/// let spheres = CattaneoMindlin {
+///     radius, load, friction_coefficient, shear_modulus, poisson_ratio,
+/// };
+/// assert!((spheres.stick_radius(0.875) / 5e-3 - 0.5).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CattaneoMindlin {
     /// Radius of the contact a, in m.

@@ -17,6 +17,18 @@ use super::carter::Carter;
 /// Limits: a ≪ b; similar bodies; no lateral creepage, no spin. What the strips do to each other is left
 /// out: at a/b = 0.1 (0.2) the force under a small creepage is 0.9 % (2.6 %) too small for ν = 0.25, and 1.9 %
 /// (4.9 %) for ν = 0 (against `data/kalker_coefficients.csv`).
+///
+/// ```
+/// use schlupf::reference::haines_ollerton::HainesOllerton;
+///
+/// let (semi_axis_x, semi_axis_y, peak_pressure) = (1e-3, 8e-3, 1e9);
+/// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);
+/// let ellipse = HainesOllerton {
+///     semi_axis_x, semi_axis_y, peak_pressure, friction_coefficient, shear_modulus, poisson_ratio,
+/// };
+/// let creepage = ellipse.full_sliding_creepage();
+/// assert!((ellipse.force_over_limit(creepage).abs() - 1.0).abs() < 1e-6);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HainesOllerton {
     /// Semi-axis a along rolling, in m.

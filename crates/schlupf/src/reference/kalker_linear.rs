@@ -24,6 +24,15 @@ impl CreepCoefficients {
     /// Fx = −G c² C11 ξ,  Fy = −G c² (C22 η + c C23 φ),  Mz = −G c³ (−C23 η + c C33 φ).
     ///
     /// They hold as long as they are small against μN.
+    ///
+    /// ```
+    /// use schlupf::{kalker_coefficients::interpolated_coefficients, kinematics::Kinematics};
+    ///
+    /// let creeping = Kinematics { creepage_x: 1e-5, ..Kinematics::free_rolling(30.0) };
+    /// let force = interpolated_coefficients(1.0, 0.25)?.force(&creeping, [5e-3, 5e-3], 82e9);
+    /// assert!((force.x + 82e9 * 25e-6 * 4.12 * 1e-5).abs() < 1.0);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn force(
         &self,
         kinematics: &Kinematics,

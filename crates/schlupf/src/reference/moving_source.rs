@@ -4,6 +4,15 @@ use std::f64::consts::PI;
 
 /// A semi-elliptic source q0 √(1 − x²/a²) that moves fast over a half-space: the largest surface
 /// temperature rise is 1.2346 q √(a/v)/β at x = −0.65 a, with q the part of q0 that the body takes.
+///
+/// ```
+/// use schlupf::reference::moving_source::SemiEllipticSource;
+///
+/// let source =
+///     SemiEllipticSource { flux: 1e8, half_length: 5e-3, speed: 30.0, effusivity: 13_290.0 };
+/// let largest = 1.2346 * 1e8 * (5e-3_f64 / 30.0).sqrt() / 13_290.0;
+/// assert!((source.temperature_rise(-0.65 * 5e-3) / largest - 1.0).abs() < 1e-3);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SemiEllipticSource {
     /// Largest heat flux into the body q, in W/m².

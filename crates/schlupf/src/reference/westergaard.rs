@@ -5,6 +5,13 @@ use std::f64::consts::PI;
 
 /// Elastic contact without friction over the undeformed distance Δ (1 − cos(2πx/λ)), the same for
 /// all y.
+///
+/// ```
+/// use schlupf::reference::westergaard::Westergaard;
+///
+/// let wave = Westergaard { amplitude: 1e-6, wavelength: 1e-3, contact_modulus: 115e9 };
+/// assert_eq!(wave.contact_fraction(wave.closing_pressure()), 1.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Westergaard {
     /// Amplitude Δ of the wave, in m.

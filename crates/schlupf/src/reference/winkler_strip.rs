@@ -10,6 +10,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// at s = (κ² − 1)/(κ² + 1), the same in all strips; behind it the strip slides. Integrated,
 ///
 /// F/μN = (κ (1 − s)² + asin s + s √(1 − s²) + π/2)/π.
+///
+/// ```
+/// use schlupf::reference::winkler_strip::force_over_limit;
+///
+/// assert!(force_over_limit(1e-3) < 0.01 && force_over_limit(1e3) > 0.99);
+/// ```
 pub fn force_over_limit(stiffness_ratio: f64) -> f64 {
     let kappa = stiffness_ratio;
     let s = (kappa * kappa - 1.0) / (kappa * kappa + 1.0);

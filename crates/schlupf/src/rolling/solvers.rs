@@ -14,6 +14,18 @@ use super::steady::SteadySolver;
 
 impl Method {
     /// What finds steady states with this method.
+    ///
+    /// ```
+    /// use schlupf::{Method, Options, Problem, method::FastMethod, unwatched};
+    ///
+    /// let problem = Problem::builder().creepage_x(0.0005).build()?;
+    /// let method = Method::Fast(FastMethod::KalkerLinear);
+    /// let mut solver = method.solver(&Options::default());
+    /// let force = solver.solve(&problem, &unwatched)?.force;
+    /// let twice = Problem::builder().creepage_x(0.001).build()?;
+    /// assert!((solver.solve(&twice, &unwatched)?.force.x / force.x - 2.0).abs() < 1e-12);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn solver(self, options: &Options) -> Box<dyn Solver> {
         match self {
             Self::Full => Box::new(SteadySolver::new(options)),

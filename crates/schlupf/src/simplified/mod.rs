@@ -87,6 +87,17 @@ impl Kernel {
 impl FastContact {
     /// Sets up a problem for a method.
     ///
+    /// ```
+    /// use schlupf::{Options, Problem, method::FastMethod, simplified::FastContact};
+    ///
+    /// let problem = Problem::builder().load(80e3).creepage_x(0.05).build()?;
+    /// let method = FastMethod::ShenHedrickElkins;
+    /// let mut contact = FastContact::new(&problem, method, &Options::default())?;
+    /// // All slides.
+    /// assert!((contact.force(&problem.kinematics)?.x + 0.4 * 80e3).abs() < 1.0);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Whatever [`FastMethod::check`], [`Problem::check`] and [`Options::check`] refuse.
     pub fn new(problem: &Problem, method: FastMethod, options: &Options) -> Result<Self, Error> {

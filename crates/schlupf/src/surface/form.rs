@@ -39,6 +39,7 @@ impl Form {
 
 /// A surface and the form that was taken off it.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct FormRemoval {
     /// What is left: the vertical deviations.
     pub surface: HeightMap,

@@ -91,6 +91,10 @@ impl Lattice {
         for (quantity, count) in counts {
             require(quantity, Requirement::Between(2.0, LARGEST as f64), count as f64)?;
         }
+        let (columns, rows, most) = (self.columns, self.rows, LARGEST_TOGETHER);
+        if columns.checked_mul(rows).is_none_or(|cells| cells > most) {
+            return Err(Error::TooManyCells { columns, rows, most });
+        }
         require_positive(Quantity::SpacingX, self.spacing_x)?;
         require_positive(Quantity::SpacingY, self.spacing_y)
     }
@@ -98,6 +102,10 @@ impl Lattice {
 
 /// Cells each way that memory and transforms still take.
 const LARGEST: usize = 1 << 20;
+
+/// Cells whose transforms, twice as long each way and complex, fit into the addresses there are: 2²⁴ on
+/// a machine of 32 bits.
+const LARGEST_TOGETHER: usize = 1 << (usize::BITS - 8);
 
 /// Heights on a lattice, all finite.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,6 +132,16 @@ impl HeightMap {
     }
 
     /// Heights given by a function of x and y (in m), counted from the middle of the lattice.
+    ///
+    /// ```
+    /// use schlupf::surface::{HeightMap, Lattice, statistics::Statistics};
+    ///
+    /// let wave = |x: f64| 1e-6 * (std::f64::consts::TAU * x / 1e-3).sin();
+    /// let surface = HeightMap::from_fn(Lattice::square(64, 1e-3), |x, _| wave(x))?;
+    /// let height = Statistics::of(&surface)?.root_mean_square_height;
+    /// assert!((height * 2.0_f64.sqrt() - 1e-6).abs() < 1e-9);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn from_fn(lattice: Lattice, height: impl Fn(f64, f64) -> f64) -> Result<Self, Error> {
         lattice.check()?;
         Self::new(lattice, lattice.points().map(|[x, y]| height(x, y)).collect())
@@ -252,7 +270,7 @@ mod tests {
     fn a_flat_surface_is_not_rough() {
         let flat = HeightMap::new(lattice(), vec![2e-6; 6]).unwrap();
         let message = flat.require_rough().unwrap_err().to_string();
-        assert!(message.contains("the surface is flat"), "{message}");
+        assert!(message.contains("must not be flat"), "{message}");
     }
 
     #[test]

@@ -234,7 +234,7 @@ mod tests {
         let mut hole = line.clone();
         hole[3] = f64::NAN;
         let cases = [
-            (1e-6, line.clone(), "the profile is flat"),
+            (1e-6, line.clone(), "must not be flat"),
             (1e-6, hole, "but is NaN m in place 3"),
             (0.0, line.clone(), "spacing_x must be positive"),
             (1e-6, line[..10].to_vec(), "heights must have at least 64 entries, but has 10"),

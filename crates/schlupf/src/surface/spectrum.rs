@@ -29,6 +29,7 @@ impl Window {
 
 /// Power spectral density averaged over all directions.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct RadialSpectrum {
     /// Mean wave number of each ring, in rad/m.
     pub wave_numbers: Vec<f64>,
@@ -57,6 +58,7 @@ impl RadialSpectrum {
 
 /// The power law C ∝ q^(−2(1+H)) of a self-affine surface, fitted to its spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct PowerLaw {
     /// Hurst exponent H, dimensionless, from 0 to 1.
     pub hurst_exponent: f64,

@@ -8,6 +8,7 @@ use crate::error::Error;
 /// removed before (see [`super::form`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Statistics {
     /// Arithmetical mean height Sa, in m.
     pub arithmetic_mean_height: f64,

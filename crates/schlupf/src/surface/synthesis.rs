@@ -67,6 +67,22 @@ impl SelfAffine {
     }
 
     /// A surface with mean height zero, of exactly the given roughness.
+    ///
+    /// ```
+    /// use schlupf::surface::synthesis::{Roughness, SelfAffine};
+    /// use schlupf::surface::{Lattice, statistics::Statistics};
+    ///
+    /// let spectrum = SelfAffine {
+    ///     roughness: Roughness::Height(1e-6),
+    ///     hurst_exponent: 0.8,
+    ///     longest_wavelength: 0.5e-3,
+    ///     roll_off_wavelength: 0.25e-3,
+    ///     shortest_wavelength: 0.05e-3,
+    /// };
+    /// let surface = spectrum.surface(Lattice::square(64, 1e-3), 1)?;
+    /// assert!((Statistics::of(&surface)?.root_mean_square_height - 1e-6).abs() < 1e-12);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn surface(&self, lattice: Lattice, seed: u64) -> Result<HeightMap, Error> {
         lattice.check()?;
         self.check(&lattice)?;

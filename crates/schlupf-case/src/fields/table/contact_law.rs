@@ -1,6 +1,7 @@
 //! `[contact_law]` and `[contact_law.roughness]`.
 
-use super::{choice, field, quantity, solver};
+use super::{field, quantity, solver};
+use crate::fields::choice::{Choose, ContactLawModel, FormTakenOff};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};
 use crate::units::Measure;
@@ -18,10 +19,7 @@ const SEED: Requirement = Between(0.0, 4_294_967_295.0);
 pub(super) const FIELDS: &[Field] = &[
     field(
         "contact_law.model",
-        Kind::Choice(&[
-            choice("incremental", "right for any path of sliding"),
-            choice("total-displacement", "Neuhaus and Sextro 2014, for sliding in one direction"),
-        ]),
+        Kind::Choice(ContactLawModel::CHOICES),
         Finite,
         Text("incremental"),
         "which sliding counts",
@@ -137,12 +135,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
     of(
         field(
             "contact_law.roughness.form",
-            Kind::Choice(&[
-                choice("plane", "a tilted plane"),
-                choice("cylinder", "a circular cylinder in any direction"),
-                choice("sphere", "a sphere"),
-                choice("none", "nothing"),
-            ]),
+            Kind::Choice(FormTakenOff::CHOICES),
             Finite,
             Computed("\"plane\""),
             "what is taken off the file's heights",

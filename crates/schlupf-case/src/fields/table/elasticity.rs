@@ -1,7 +1,8 @@
 //! `[elasticity]`.
 
 use super::solver::{FULL, METHOD};
-use super::{choice, field, quantity};
+use super::{quantity, shaping};
+use crate::fields::choice::{CalibratedWith, Choose, ElasticityModel};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};
 use crate::units::Measure;
@@ -16,36 +17,24 @@ const MODEL: &str = "elasticity.model";
 const LAYER: &[&str] = &["elastic-layer"];
 
 pub(super) const FIELDS: &[Field] = &[
-    field(
+    shaping(
         "elasticity.model",
-        Kind::Choice(&[
-            choice("elastic-layer", "a bed of springs, each coupled with its neighbours"),
-            choice(
-                "half-space",
-                "Boussinesq and Cerruti: exact for bodies large against the patch",
-            ),
-            choice("winkler", "a bed of springs without coupling"),
-            choice("rigid", "no deformation: the slip is prescribed"),
-        ]),
+        Kind::Choice(ElasticityModel::CHOICES),
         Finite,
         Text("elastic-layer"),
         "model of the deformation",
     )
     .with(METHOD, FULL),
-    field(
+    shaping(
         "elasticity.calibration",
-        Kind::Choice(&[choice(
-            "half-space",
-            "stiffnesses with which the springs answer like the half-space on the same patch in steady rolling; without \
-             coupling those of Kalker 1982",
-        )]),
+        Kind::Choice(CalibratedWith::CHOICES),
         Finite,
         Computed("\"half-space\", where no stiffness is given"),
         "where the stiffnesses come from",
     )
     .example("half-space")
     .with(MODEL, &["elastic-layer", "winkler"]),
-    field(
+    shaping(
         "elasticity.bedding_x",
         quantity(&Measure::BEDDING),
         BEDDING,
@@ -54,7 +43,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("1.0e13 N/m^3")
     .with(MODEL, &["elastic-layer", "winkler"]),
-    field(
+    shaping(
         "elasticity.bedding_y",
         quantity(&Measure::BEDDING),
         BEDDING,
@@ -63,7 +52,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("1.0e13 N/m^3")
     .with(MODEL, &["elastic-layer", "winkler"]),
-    field(
+    shaping(
         "elasticity.coupling_x",
         quantity(&Measure::STIFFNESS),
         COUPLING,
@@ -72,7 +61,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("3.24e7 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.coupling_x_across",
         quantity(&Measure::STIFFNESS),
         COUPLING,
@@ -81,7 +70,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("3.24e7 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.coupling_y",
         quantity(&Measure::STIFFNESS),
         COUPLING,
@@ -90,7 +79,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("3.24e7 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.coupling_y_across",
         quantity(&Measure::STIFFNESS),
         COUPLING,
@@ -99,7 +88,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("3.24e7 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.spring_x",
         quantity(&Measure::STIFFNESS),
         SPRING,
@@ -108,7 +97,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("2.0e6 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.spring_y",
         quantity(&Measure::STIFFNESS),
         SPRING,
@@ -117,7 +106,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("2.0e6 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.spring_coupling_x",
         quantity(&Measure::STIFFNESS),
         COUPLING,
@@ -126,7 +115,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("3.24e7 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.spring_coupling_y",
         quantity(&Measure::STIFFNESS),
         COUPLING,
@@ -135,7 +124,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("3.24e7 N/m")
     .with(MODEL, LAYER),
-    field(
+    shaping(
         "elasticity.margin",
         quantity(&Measure::LENGTH),
         MARGIN,

@@ -1,8 +1,9 @@
 //! `[friction]`.
 
-use super::{TEMPERATURE, choice, field, quantity};
+use super::{TEMPERATURE, field, quantity};
+use crate::fields::choice::{Choose, FrictionModel, SpeedModel};
 use crate::fields::field::Default::{Nothing, Same, Text};
-use crate::fields::field::{Choice, Field, Kind};
+use crate::fields::field::{Field, Kind};
 use crate::units::Measure;
 use schlupf::requirement::Requirement::{self, Between, Finite, Magnitude};
 
@@ -25,16 +26,6 @@ const COMBINED: &[&str] = &["temperature-linear", "constant", "temperature-piece
 const TERMS: &[&str] = &["exponential", "rational", "linear-in-speed"];
 const POLACH: &[&str] = &["polach"];
 
-const EXPONENTIAL: Choice =
-    choice("exponential", "μ = μ_kin + μ1 2^(−s/s1) + μ2 2^(−s/s2), μ1 = μ0 − μ_kin − μ2");
-const RATIONAL: Choice =
-    choice("rational", "μ = μ_kin + μ1/(1 + s/s1) + μ2/(1 + (s/s2)²), μ1 = μ0 − μ_kin − μ2");
-const LINEAR_IN_SPEED: Choice = choice(
-    "linear-in-speed",
-    "μ = μ_kin + μ1 max(0, 1 − s/2s1) + μ2 max(0, 1 − s/2s2), μ1 = μ0 − μ_kin − μ2",
-);
-const OF_POLACH: Choice = choice("polach", "μ = μ0 ((1 − A) e^(−B s) + A), Polach 2005");
-
 /// A field of the laws with two terms, by themselves or combined with another law.
 const fn term(field: Field) -> Field {
     field.with(SPEED_MODEL, TERMS).with(MODEL, TERMS)
@@ -43,18 +34,7 @@ const fn term(field: Field) -> Field {
 pub(super) const FIELDS: &[Field] = &[
     field(
         MODEL,
-        Kind::Choice(&[
-            choice("temperature-linear", "μ = μ0 (1 − T/T_E), at least minimum_coefficient"),
-            choice("constant", "μ = μ0"),
-            choice(
-                "temperature-piecewise-linear",
-                "μ = μ0 up to T = 0, linear to μ_hot at T = ΔT, μ_hot beyond",
-            ),
-            EXPONENTIAL,
-            RATIONAL,
-            LINEAR_IN_SPEED,
-            OF_POLACH,
-        ]),
+        Kind::Choice(FrictionModel::CHOICES),
         Finite,
         Text("temperature-linear"),
         "law of friction",
@@ -111,13 +91,7 @@ pub(super) const FIELDS: &[Field] = &[
     .with(MODEL, PIECEWISE),
     field(
         SPEED_MODEL,
-        Kind::Choice(&[
-            choice("none", "friction does not depend on the slip speed"),
-            EXPONENTIAL,
-            RATIONAL,
-            LINEAR_IN_SPEED,
-            OF_POLACH,
-        ]),
+        Kind::Choice(SpeedModel::CHOICES),
         Finite,
         Text("none"),
         "law of the slip speed: μ is that of model times the fall μ/μ0 of this one",

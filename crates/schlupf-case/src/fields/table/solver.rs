@@ -1,6 +1,9 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
-use super::{choice, field};
+use super::field;
+use crate::fields::choice::{
+    BoundChoice, BranchChoice, Choose, Driver, FlexibilitiesChoice, MethodChoice,
+};
 use crate::fields::field::Default::{Computed, Text};
 use crate::fields::field::{Field, Kind};
 use schlupf::problem::MAX_CELLS;
@@ -39,10 +42,7 @@ pub(super) const GRID: &[Field] = &[
 pub(super) const FIELDS: &[Field] = &[
     field(
         "solver.driver",
-        Kind::Choice(&[
-            choice("steady", "the steady state at once"),
-            choice("marching", "step by step in time: to the steady state, or along a history"),
-        ]),
+        Kind::Choice(Driver::CHOICES),
         Finite,
         Computed("\"steady\", and \"marching\" with a history"),
         "way to the solution",
@@ -51,10 +51,7 @@ pub(super) const FIELDS: &[Field] = &[
     .with(METHOD, FULL),
     field(
         "solver.branch",
-        Kind::Choice(&[
-            choice("low-slip", "the state that is reached when the creepages grow from zero"),
-            choice("high-slip", "the state that is reached when larger creepages fall"),
-        ]),
+        Kind::Choice(BranchChoice::CHOICES),
         Finite,
         Text("low-slip"),
         "which steady state where friction falls so fast that there are several",
@@ -62,17 +59,7 @@ pub(super) const FIELDS: &[Field] = &[
     .with(METHOD, FULL),
     field(
         "solver.method",
-        Kind::Choice(&[
-            choice("full", "the coupled equations"),
-            choice("kalker-linear", "Kalker's linear theory: forces for small creepages"),
-            choice("shen-hedrick-elkins", "Shen, Hedrick and Elkins 1983: forces"),
-            choice("polach", "Polach 1999 and 2005: forces, with k_A and k_S"),
-            choice("fastsim", "Kalker 1982: bristles without coupling, with heat"),
-            choice(
-                "modified-fastsim",
-                "Spiryagin, Polach and Cole 2013: FASTSIM with a slope that falls with the creepage",
-            ),
-        ]),
+        Kind::Choice(MethodChoice::CHOICES),
         Finite,
         Text("full"),
         "what is solved: all equations, or a fast method",
@@ -138,10 +125,7 @@ pub(super) const FIELDS: &[Field] = &[
 pub(super) const FASTSIM: &[Field] = &[
     field(
         "fastsim.flexibilities",
-        Kind::Choice(&[
-            choice("three", "one each for longitudinal, lateral and spin creepage"),
-            choice("one", "their mean, weighted with the creepages"),
-        ]),
+        Kind::Choice(FlexibilitiesChoice::CHOICES),
         Finite,
         Text("three"),
         "flexibilities L from Kalker's coefficients",
@@ -149,10 +133,7 @@ pub(super) const FASTSIM: &[Field] = &[
     .with(METHOD, BRISTLES),
     field(
         "fastsim.bound",
-        Kind::Choice(&[
-            choice("parabolic", "μ 2N/(πab) (1 − x²/a² − y²/b²)"),
-            choice("elliptic", "μ p_n: the pressure of Hertz, or of a table"),
-        ]),
+        Kind::Choice(BoundChoice::CHOICES),
         Finite,
         Text("parabolic"),
         "what bounds the traction",

@@ -69,6 +69,17 @@ const MAX_LAYER_CELLS: f64 = 16384.0;
 impl ElasticLayer {
     /// A layer with stiffnesses per area for the displacements along and across rolling, with at
     /// least `margin` (in m) of surroundings on each side; eight decay lengths √(g/c) if none.
+    ///
+    /// ```
+    /// use schlupf::Problem;
+    /// use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
+    ///
+    /// let same =
+    ///     LayerStiffness { bedding: 1e13, coupling_along_x: 3.24e7, coupling_along_y: 3.24e7 };
+    /// let problem = Problem::builder().elasticity(ElasticLayer::new(same, same, None)?).build()?;
+    /// assert!(problem.check().is_ok());
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn new(x: LayerStiffness, y: LayerStiffness, margin: Option<f64>) -> Result<Self, Error> {
         for ([bedding, along, across], s) in [
             ([Quantity::BeddingX, Quantity::CouplingX, Quantity::CouplingXAcross], x),

@@ -17,6 +17,20 @@ const ROUNDING: f64 = 1e-6;
 ///
 /// Source: Vollebregt, User guide for CONTACT, "Friction variation", with one factor in place of all
 /// constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
+///
+/// ```
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, constant::Constant, across::Across,
+/// };
+///
+/// let law = Across::new(
+///     std::sync::Arc::new(Constant::new(0.4)?),
+///     vec![0.0, 4e-3], vec![1.0, 0.5],
+/// )?;
+/// let state = FrictionState { y: 2e-3, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.3).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Across {
     law: Arc<dyn FrictionLaw>,

@@ -7,6 +7,15 @@ use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
 use crate::error::Error;
 
 /// μ = μ0 everywhere.
+///
+/// ```
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, constant::Constant};
+///
+/// let law = Constant::new(0.3)?;
+/// let state = FrictionState { slip_speed: 2.0, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.3).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constant {
     coefficient: f64,

@@ -8,6 +8,7 @@ use crate::quantity::Quantity;
 
 /// A constant of a friction law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FrictionConstant {
     /// μ0, of every law.
     ColdCoefficient,

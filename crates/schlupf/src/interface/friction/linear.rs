@@ -12,6 +12,17 @@ use crate::error::Error;
 ///
 /// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 2. Limits: μ follows
 /// the slip speed at once, so that it jumps where sliding begins; of the two terms each falls.
+///
+/// ```
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, linear::Linear, slip_terms::SlipTerms,
+/// };
+///
+/// let law = Linear(SlipTerms::new(0.4, 0.2, 1.5, None)?);
+/// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.3).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Linear(pub SlipTerms);
 

@@ -32,6 +32,16 @@ pub struct Kept {
 impl FrictionMemory {
     /// Relaxation over a sliding distance d_c (in m), at slip speeds below s_0 (in m/s) as fast as at
     /// that speed; s_0 = 0 never forgets while the surfaces stick.
+    ///
+    /// ```
+    /// use schlupf::{Problem, interface::friction::memory::FrictionMemory};
+    ///
+    /// let mut problem = Problem::builder().build()?;
+    /// problem.friction.memory = Some(FrictionMemory::new(0.02e-3, 0.01)?);
+    /// // Nothing of a difference is left after a long way.
+    /// assert!(FrictionMemory::new(0.02e-3, 0.01)?.kept(1.0, 1.0).part < 1e-12);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn new(distance: f64, least_speed: f64) -> Result<Self, Error> {
         require_positive(Quantity::MemoryDistance, distance)?;
         require(Quantity::MemorySpeed, Requirement::NotNegative, least_speed)?;

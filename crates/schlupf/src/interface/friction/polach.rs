@@ -15,6 +15,15 @@ use crate::requirement::Requirement;
 /// 0.30, A = 0.40, B = 0.20 s/m. Limits: there s is the slip speed of the whole contact, here that of each
 /// point, so that the points that stick have μ0; B contains the fall by heating, which a law of the
 /// temperature besides would count twice.
+///
+/// ```
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, polach::Polach};
+///
+/// let law = Polach::new(0.55, 0.4, 0.6)?;
+/// let state = FrictionState { slip_speed: 1e3, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.55 * 0.4).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Polach {
     coefficient: f64,

@@ -14,6 +14,20 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// Limits: a floor of one law is not one of the product, as the other falls on; it stays positive where
 /// both are.
+///
+/// ```
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, constant::Constant, product::Product,
+/// };
+///
+/// let law = Product::new(
+///     std::sync::Arc::new(Constant::new(0.3)?),
+///     std::sync::Arc::new(Constant::new(0.3)?),
+/// )?;
+/// let state = FrictionState { slip_speed: 2.0, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.3).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Product {
     coefficient: f64,

@@ -13,6 +13,17 @@ use crate::error::Error;
 /// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 3. The first term
 /// falls from the start on and slowly at large speeds, the second begins level. Limits: μ follows the
 /// slip speed at once, so that it jumps where sliding begins; of the two terms each falls.
+///
+/// ```
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, rational::Rational, slip_terms::SlipTerms,
+/// };
+///
+/// let law = Rational(SlipTerms::new(0.4, 0.2, 1.5, None)?);
+/// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.3).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rational(pub SlipTerms);
 

@@ -8,11 +8,29 @@ use crate::error::{Error, require_positive};
 use crate::quantity::Quantity;
 
 /// μ = μ0 (1 − T/T_E), at least a floor (Neuhaus and Sextro 2014, Eq. 23; the floor is zero there).
+///
+/// ```
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, temperature_linear::TemperatureLinear,
+/// };
+///
+/// let law = TemperatureLinear::new(0.4, 700.0, 0.0)?;
+/// let state = FrictionState { temperature: 350.0, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.2).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TemperatureLinear {
     coefficient: f64,
     temperature_at_zero_friction: f64,
     minimum_coefficient: f64,
+}
+
+impl Default for TemperatureLinear {
+    /// μ0 = 0.4, which vanishes at 700 K above the reference.
+    fn default() -> Self {
+        Self { coefficient: 0.4, temperature_at_zero_friction: 700.0, minimum_coefficient: 0.0 }
+    }
 }
 
 impl TemperatureLinear {

@@ -12,6 +12,17 @@ use crate::requirement::Requirement;
 ///
 /// Source: Vollebregt, User guide for CONTACT, "Temperature dependent friction", L = 6, with T_ref the
 /// reference temperature. Friction rises where μ_hot is the larger one, as on a rail that dries.
+///
+/// ```
+/// use schlupf::interface::friction::{
+///     FrictionLaw, FrictionState, temperature_piecewise_linear::TemperaturePiecewiseLinear,
+/// };
+///
+/// let law = TemperaturePiecewiseLinear::new(0.4, 0.1, 500.0)?;
+/// let state = FrictionState { temperature: 800.0, ..FrictionState::default() };
+/// assert!((law.respond(&state).coefficient - 0.1).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TemperaturePiecewiseLinear {
     coefficient: f64,

@@ -69,6 +69,7 @@ pub struct LoadCurve {
 
 /// Where the load grows exponentially with the approach, p ∝ exp(d/ℓ).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ExponentialRange {
     /// Length ℓ = γ h_rms in which the load grows by a factor of e, in m.
     pub length: f64,

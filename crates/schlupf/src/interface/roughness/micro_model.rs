@@ -27,6 +27,7 @@ pub struct MicroModel {
 
 /// What the micro model finds.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct MicroModelResult {
     /// Of the surface.
     pub statistics: Statistics,
@@ -49,6 +50,31 @@ const BELOW: f64 = 100.0;
 
 impl MicroModel {
     /// Solves the normal contact over the load and fits k_c.
+    ///
+    /// ```
+    /// use schlupf::interface::roughness::{
+    ///     load_curve::LoadCurveOptions, micro_model::MicroModel, tangential_curve::SimilarBodies,
+    /// };
+    /// use schlupf::surface::synthesis::{Roughness, SelfAffine};
+    /// use schlupf::surface::Lattice;
+    ///
+    /// let roughness = Roughness::Height(1e-6);
+    /// let (longest_wavelength, roll_off_wavelength, shortest_wavelength) = (5e-4, 2.5e-4, 5e-5);
+    /// let hurst_exponent = 0.8;
+    /// let spectrum = SelfAffine {
+    ///     roughness, hurst_exponent, longest_wavelength, roll_off_wavelength, shortest_wavelength,
+    /// };
+    /// let model = MicroModel {
+    ///     surface: spectrum.surface(Lattice::square(64, 1e-3), 1)?,
+    ///     contact_modulus: 115e9,
+    ///     bodies: SimilarBodies { friction_coefficient: 0.4, poisson_ratio: 0.28 },
+    ///     hardness: f64::INFINITY,
+    ///     mean_pressures: vec![300e6],
+    /// };
+    /// let found = model.solve(&LoadCurveOptions::default(), &schlupf::unwatched)?;
+    /// assert!((found.stiffness.common.stiffness / found.closed_form).ln().abs() < 2.0);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn solve(
         &self,
         options: &LoadCurveOptions,

@@ -6,6 +6,7 @@ use crate::numerics::root::golden_section;
 /// 1 − exp(−k_c u) fitted to curves Q/(μP) over u.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct ExponentialFit {
     /// Exponent k_c, in 1/m.
     pub stiffness: f64,
@@ -18,6 +19,7 @@ pub struct ExponentialFit {
 
 /// k_c at several mean pressures.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ContactStiffness {
     /// Mean pressures, in Pa.
     pub mean_pressures: Vec<f64>,
@@ -35,6 +37,16 @@ pub const TYPICAL_GAMMA: f64 = 0.45;
 
 /// k_c = 2 (1 − ν)/(μ (2 − ν) ℓ) (in 1/m): Eq. (8) is exact where the load grows with the approach as
 /// p ∝ exp(d/ℓ), with the length ℓ = γ h_rms in m.
+///
+/// ```
+/// use schlupf::interface::roughness::stiffness::{TYPICAL_GAMMA, closed_form};
+/// use schlupf::interface::roughness::tangential_curve::SimilarBodies;
+///
+/// let bodies = SimilarBodies { friction_coefficient: 0.4, poisson_ratio: 0.28 };
+/// let [fine, coarse] = [1e-6, 2e-6].map(|height| closed_form(&bodies, TYPICAL_GAMMA * height));
+/// // Twice as rough is half as stiff.
+/// assert!((fine / coarse - 2.0).abs() < 1e-12);
+/// ```
 pub fn closed_form(bodies: &SimilarBodies, length: f64) -> f64 {
     (bodies.friction_coefficient * bodies.compliance_ratio() * length).recip()
 }

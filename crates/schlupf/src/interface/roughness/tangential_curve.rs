@@ -46,6 +46,7 @@ impl SimilarBodies {
 /// A point of the curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct TangentialPoint {
     /// Tangential displacement of the two bodies against each other, in m.
     pub displacement: f64,
@@ -66,6 +67,7 @@ pub struct TangentialPoint {
 /// The curve at one mean pressure.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct TangentialCurve {
     /// Mean pressure over the nominal area, in Pa.
     pub mean_pressure: f64,

@@ -71,6 +71,19 @@ impl Profile {
 
     /// From the undeformed distance, the contact modulus E* (in Pa), the load (in N), and the number of cells across
     /// the contact each way on which it is solved.
+    ///
+    /// ```
+    /// use schlupf::normal::PressureSource;
+    /// use schlupf::normal::profile::{Profile, UndeformedDistance};
+    ///
+    /// let y: Vec<f64> = (-80..=80).map(|k| 1e-4 * f64::from(k)).collect();
+    /// let sphere = y.iter().map(|y| y * y / (2.0 * 0.3)).collect();
+    /// let distance = UndeformedDistance::across(y, sphere, 0.3)?;
+    /// let contact = Profile::new(distance, 115e9, 20e3, 32)?.normal_contact(None)?.summary;
+    /// let hertz = (0.75_f64 * 20e3 * 0.3 / 115e9).cbrt();
+    /// assert!((contact.semi_axis_x / hertz - 1.0).abs() < 0.05);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn new(
         distance: UndeformedDistance,
         contact_modulus: f64,

@@ -62,6 +62,7 @@ pub struct RoughContact {
 
 /// A solved normal contact. Fields are row after row, as the heights.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct RoughContactSolution {
     /// Whether the residual is below the tolerance.
     pub is_converged: bool,
@@ -95,6 +96,24 @@ pub struct RoughContactSolution {
 impl RoughContact {
     /// From the undeformed distance (see [`HeightMap::distance_to_plane`]) and the contact modulus E*
     /// (in Pa, see [`crate::material::contact_modulus`]).
+    ///
+    /// ```
+    /// use schlupf::normal::rough_contact::{Boundary, RoughContact};
+    /// use schlupf::reference::westergaard::Westergaard;
+    /// use schlupf::surface::{HeightMap, Lattice};
+    ///
+    /// let wave = Westergaard { amplitude: 1e-6, wavelength: 1e-3, contact_modulus: 115e9 };
+    /// let height = |x: f64| wave.amplitude * (std::f64::consts::TAU * x / wave.wavelength).cos();
+    /// let surface = HeightMap::from_fn(Lattice::square(64, 1e-3), |x, _| height(x))?;
+    /// let distance = surface.into_periodic().distance_to_plane();
+    /// let mut contact = RoughContact::new(distance, 115e9, Boundary::Periodic)?;
+    /// let mean_pressure = 0.3 * wave.closing_pressure();
+    /// let pressed =
+    ///     contact.press(mean_pressure, &Default::default(), &schlupf::unwatched)?;
+    /// let exact = 1e-6 * wave.contact_fraction(0.3 * wave.closing_pressure());
+    /// assert!((pressed.contact_area / exact - 1.0).abs() < 0.1);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     pub fn new(
         distance: HeightMap,
         contact_modulus: f64,

@@ -36,6 +36,20 @@ use super::time_step::{Prescribed, TimeStep};
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
+/// ```
+/// use schlupf::history::History;
+/// use schlupf::{Options, Problem, Transient, rolling::marching::march, unwatched};
+///
+/// let (time, creepage_x) = (vec![0.0, 1e-3], Some(vec![0.0, 0.002]));
+/// let history = History { time, creepage_x, ..History::default() };
+/// let problem = Problem::builder().build()?;
+/// let braking = Transient { history, ..Transient::to_steady_state(&problem) };
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let solution = march(&braking, &options, &unwatched)?;
+/// assert!(solution.history.iter().all(|instant| instant.force.x <= 0.0));
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// Whatever [`Transient::check`] and [`Options::check`] refuse, a state that does not fit, and
 /// [`Error::Stopped`].
@@ -69,6 +83,17 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
 /// velocity, no friction power and no heat; friction is that of the temperature with which the
 /// bodies meet. How far each element has slid, in m, is in the solution's state, from which
 /// marching can go on.
+///
+/// ```
+/// use schlupf::{Options, Problem, rolling::marching::shift, unwatched};
+///
+/// let problem = Problem::builder().load(80e3).build()?;
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let solution = shift(&problem, [1e-3, 0.0], &options, &unwatched)?;
+/// // A millimetre is far more than sticks: friction is all there is.
+/// assert!((solution.force.x + 0.4 * 80e3).abs() < 1e-3 * 80e3);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 ///
 /// # Errors
 /// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] refuse, and

@@ -118,6 +118,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::numerics::root::bisection;
 
     /// Edges that stay: the way is the distance from the leading edge.
     #[test]
@@ -138,11 +139,7 @@ mod tests {
             let motion = Motion { middle: 0.0, passed: 0.1, gain, spacing: 0.1 };
             let outside =
                 |steps: f64| (x + 0.1 * steps).abs() - (1.0 - steps * gain).max(0.0).sqrt();
-            let (mut low, mut high) = (0.0, 1e3);
-            for _ in 0..200 {
-                let middle = 0.5 * (low + high);
-                if outside(middle) > 0.0 { high = middle } else { low = middle }
-            }
+            let [low, _] = bisection([0.0, 1e3], 200, |steps| outside(steps) <= 0.0);
             assert_relative_eq!(motion.way_until_end(x, 1.0), 0.1 * low, max_relative = 1e-9);
             let leads = motion.is_from_leading_edge(x, 0.1 * low);
             assert_eq!(leads, x + 0.1 * low > 0.0, "{gain} {x}");

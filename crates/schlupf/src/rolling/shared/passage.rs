@@ -8,9 +8,9 @@ use crate::patch::{Cell, Patch, Strip};
 pub(crate) struct Passage {
     /// Where the cell is across rolling, in m.
     pub y: f64,
-    /// See [`ways_through`].
+    /// See [`ways_through`]; in m.
     pub ways: [f64; 2],
-    /// See [`flux_over_heat`].
+    /// See [`flux_over_heat`]; dimensionless.
     pub flux_over_heat: f64,
 }
 

@@ -21,6 +21,17 @@ use super::setup::{Search, Setup};
 ///
 /// Where Newton's method fails, the state is marched to instead, and a warning says so.
 ///
+/// ```
+/// use schlupf::{Options, Problem, rolling, unwatched};
+///
+/// let problem = Problem::builder().creepage_x(0.003).build()?;
+/// let options = Options { cells_x: 12, cells_y: 12, ..Options::default() };
+/// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
+/// // What friction dissipates is what the creep forces put in.
+/// assert!((solution.power.friction / solution.power.creep - 1.0).abs() < 1e-3);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// Whatever [`Problem::check`] and [`Options::check`] refuse, and [`Error::Stopped`].
 pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solution, Error> {

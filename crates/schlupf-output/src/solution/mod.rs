@@ -1,5 +1,7 @@
 //! The solution of a case: JSON, CSV, VTK, a summary and figures.
 
+mod summary;
+
 use schlupf::message::Message;
 use schlupf::{Solution, Status};
 
@@ -7,7 +9,7 @@ use crate::contact_law::ContactLaw;
 use crate::figures::{self, Drawing, FigureError};
 use crate::json::{self, Document};
 use crate::report::Report;
-use crate::{summary, table, vtk};
+use crate::{table, vtk};
 
 /// A solution with what it was found for.
 #[derive(Debug, Clone)]

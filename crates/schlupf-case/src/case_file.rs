@@ -1,0 +1,108 @@
+//! A case file: what to solve and how, checked, with nothing solved yet.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::document::{self, Entry};
+use crate::error::{CaseError, CaseErrors, Cause};
+use crate::files::{Files, Folder};
+use crate::names::FieldNames;
+use crate::place::{Place, Source};
+use crate::read::{self, Parts};
+use crate::settings::Settings;
+use crate::template::template;
+
+/// A case file that was read and checked. Nothing is solved before [`Self::pose`].
+#[derive(Debug, Clone)]
+pub struct CaseFile {
+    pub(crate) settings: Settings,
+    /// The text that was read, without overrides.
+    pub(crate) text: String,
+    pub(crate) entries: Vec<Entry>,
+    pub(crate) name: String,
+    pub(crate) files: Arc<dyn Files>,
+    pub(crate) parts: Parts,
+}
+
+impl CaseFile {
+    /// The text of the case that is solved when none is named.
+    pub fn default_text() -> String {
+        template()
+    }
+
+    /// Reads the text of a case. `name` is for messages, `files` finds the files that the case names, and
+    /// each override is `section.field=value`.
+    ///
+    /// ```
+    /// use schlupf_case::{CaseFile, Folder};
+    ///
+    /// let text = "[kinematics]\nspeed = \"72 km/h\"";
+    /// let set = ["normal.load=100 kN".to_owned()];
+    /// let file = CaseFile::from_str(text, "a case", Folder::new(""), &set)?;
+    /// let case = file.pose(&schlupf::unwatched)?;
+    /// assert!((case.problem.kinematics.speed - 20.0).abs() < 1e-12);
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
+    pub fn from_str(
+        text: &str,
+        name: &str,
+        files: Arc<dyn Files>,
+        overrides: &[String],
+    ) -> Result<Self, CaseErrors> {
+        let source = Arc::new(Source { name: name.to_owned(), text: text.to_owned() });
+        let (mut entries, mut errors) = document::parse(&source)?;
+        for text in overrides {
+            errors.extend(document::apply(&mut entries, "--set", text).err());
+        }
+        Self::from_entries(entries, errors, (name, text), files)
+    }
+
+    /// Reads a case file; relative paths start in its folder.
+    pub fn from_path(path: &Path, overrides: &[String]) -> Result<Self, CaseErrors> {
+        let name = path.display().to_string();
+        let bytes = std::fs::read(path).map_err(|error| CaseError {
+            cause: Cause::FileSystem,
+            ..CaseError::new(
+                "",
+                format!("the case file cannot be read: {error}"),
+                Place::File { name: name.clone() },
+            )
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let line = before.split(|byte| *byte == b'\n').count();
+            let message = format!("the case file must be text in UTF-8, but is not in line {line}");
+            CaseError::new("", message, Place::File { name: name.clone() })
+        })?;
+        Self::from_str(&text, &name, Folder::of(path), overrides)
+    }
+
+    /// The same with other fields, each `section.field=value`, that an option of the command line gives.
+    pub fn with(&self, option: &'static str, assignments: &[String]) -> Result<Self, CaseErrors> {
+        let mut entries = self.entries.clone();
+        for assignment in assignments {
+            document::apply(&mut entries, option, assignment)?;
+        }
+        let (name, files) = ((&*self.name, &*self.text), Arc::clone(&self.files));
+        Self::from_entries(entries, Vec::new(), name, files)
+    }
+
+    fn from_entries(
+        entries: Vec<Entry>,
+        mut errors: Vec<CaseError>,
+        (name, text): (&str, &str),
+        files: Arc<dyn Files>,
+    ) -> Result<Self, CaseErrors> {
+        let (settings, wrong_fields) =
+            Settings::read(&entries, name, FieldNames::CASE, Arc::clone(&files));
+        errors.extend(wrong_fields);
+        errors.sort_by_key(|error| error.place.order());
+        CaseErrors::check(errors)?;
+        let parts = Parts::read(&settings)?;
+        read::method(&settings)?;
+        read::options(&settings)?;
+        read::cooling(&settings)?;
+        let (text, name) = (text.to_owned(), name.to_owned());
+        Ok(Self { settings, text, entries, name, files, parts })
+    }
+}

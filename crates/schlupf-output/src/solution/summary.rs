@@ -1,0 +1,166 @@
+//! A summary for people, in engineering units.
+
+use schlupf::Method;
+use schlupf::kinematics::ReferencePoint;
+use schlupf::solution::{Solution, Status};
+
+use super::SolutionReport;
+use crate::number::significant as number;
+use crate::report::{reasons, verdict};
+use crate::summary::{entry, line, without_noise};
+
+/// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work and status.
+pub(crate) fn text(report: &SolutionReport) -> String {
+    let SolutionReport { title, contact_law, solution, .. } = report;
+    let mut text = format!("{title}\n\n");
+    normal_contact(&mut text, solution);
+    if let Some(law) = contact_law {
+        entry(&mut text, "contact stiffness", law.stiffness, "1/m", &law.remark());
+    }
+    text.push('\n');
+    forces(&mut text, solution);
+    heat(&mut text, solution);
+    work(&mut text, report);
+    text
+}
+
+fn normal_contact(text: &mut String, solution: &Solution) {
+    let Solution { normal, kinematics, .. } = solution;
+    let (a, b) = (normal.semi_axis_x / 1e-3, normal.semi_axis_y / 1e-3);
+    entry(text, "load", normal.load / 1e3, "kN", "");
+    entry(text, "semi-axes", a, "mm", &format!("along rolling, {} mm across", number(b)));
+    entry(text, "largest pressure", normal.peak_pressure / 1e6, "MPa", "");
+    if let Some(approach) = normal.approach {
+        entry(text, "approach", approach / 1e-3, "mm", "");
+    }
+    if normal.parts > 1 {
+        let remark = "separate; the semi-axes are half the extent of all together";
+        entry(text, "parts of the patch", normal.parts as f64, "", remark);
+    }
+    if let Some([x, y]) = normal.origin {
+        let (x, y) = (without_noise(x / 1e-3, x / a * 1e-3), without_noise(y / 1e-3, y / b * 1e-3));
+        let remark = format!("along rolling, {} mm across, in the file", number(y));
+        entry(text, "origin", x, "mm", &remark);
+    }
+    let speed = kinematics.speed;
+    entry(text, "speed", speed, "m/s", &format!("{} km/h", number(speed * 3.6)));
+    let creepages = format!(
+        "longitudinal, {} lateral, spin {} 1/m",
+        number(kinematics.creepage_y),
+        number(kinematics.spin)
+    );
+    entry(text, "creepage", kinematics.creepage_x, "", &creepages);
+    if normal.origin.is_some() {
+        reference(text, solution);
+    }
+}
+
+/// Where creepages hold and about which point the moment is taken, and both for the other point.
+fn reference(text: &mut String, solution: &Solution) {
+    let name = |point| match point {
+        ReferencePoint::Patch => "the middle of the patch",
+        ReferencePoint::File => "the origin of the file",
+    };
+    let (here, there) = match solution.reference {
+        ReferencePoint::Patch => (ReferencePoint::Patch, ReferencePoint::File),
+        ReferencePoint::File => (ReferencePoint::File, ReferencePoint::Patch),
+    };
+    line(text, &format!("  creepages and moment are those at {}", name(here)));
+    if let Some((kinematics, force)) = solution.seen_from(there) {
+        let [x, y] = [kinematics.creepage_x, kinematics.creepage_y].map(number);
+        let moment = number(force.moment_z);
+        line(text, &format!("  at {} {x}, {y}, moment {moment} N m", name(there)));
+    }
+}
+
+fn forces(text: &mut String, solution: &Solution) {
+    let Solution { force, normalised, power, t_gamma, .. } = solution;
+    let x = without_noise(force.x, normalised.x);
+    let y = without_noise(force.y, normalised.y);
+    let moment_z = without_noise(force.moment_z, normalised.moment_z);
+    let traction = if x == 0.0 && y == 0.0 { 0.0 } else { solution.traction_coefficient };
+    let over = |value: f64, bound: &str| format!("{} {bound}", number(without_noise(value, value)));
+    line(text, "on the wheel");
+    entry(text, "longitudinal force", x / 1e3, "kN", &over(normalised.x, "μ0 N"));
+    entry(text, "lateral force", y / 1e3, "kN", &over(normalised.y, "μ0 N"));
+    entry(text, "moment", moment_z, "N m", &over(normalised.moment_z, "μ0 N √(ab)"));
+    entry(text, "traction coefficient", traction, "", "|F|/N");
+    entry(
+        text,
+        "T-gamma",
+        t_gamma.without_spin,
+        "N",
+        &format!("{} N with spin", number(t_gamma.with_spin)),
+    );
+    let creep = format!("creep power {} kW", number(power.creep / 1e3));
+    entry(text, "friction power", power.friction / 1e3, "kW", &creep);
+    let rail = format!("into the wheel, {} kW into the rail", number(power.into_rail / 1e3));
+    entry(text, "  heat", power.into_wheel / 1e3, "kW", &rail);
+    text.push('\n');
+}
+
+fn heat(text: &mut String, solution: &Solution) {
+    let Solution { temperature, area, .. } = solution;
+    let mut place = String::new();
+    if temperature.max_rise != 0.0 {
+        let (x, y) = (number(temperature.x / 1e-3), number(temperature.y / 1e-3));
+        place = format!("at x = {x} mm, y = {y} mm");
+    }
+    if solution.status == Status::NotConverged {
+        place.push_str("  (not settled)");
+    }
+    if !solution.method.has_fields() {
+        entry(text, "contact area", area.contact / 1e-6, "mm²", "");
+        text.push('\n');
+        return;
+    }
+    entry(text, "largest temp. rise", temperature.max_rise, "K", &place);
+    let wheel = format!("to {} °C", number(temperature.max_wheel));
+    entry(text, "  wheel", temperature.max_rise_wheel, "K", &wheel);
+    let rail = format!("to {} °C", number(temperature.max_rail));
+    entry(text, "  rail", temperature.max_rise_rail, "K", &rail);
+    let [wheel, rail] = solution.peclet;
+    entry(
+        text,
+        "Péclet number",
+        wheel,
+        "",
+        &format!("v a/κ of the wheel, {} of the rail", number(rail)),
+    );
+    let share = |part: f64| format!("{} % slides", number(100.0 * part / area.contact));
+    entry(text, "contact area", area.contact / 1e-6, "mm²", &share(area.slip));
+    text.push('\n');
+}
+
+fn work(text: &mut String, report: &SolutionReport) {
+    let solution = &report.solution;
+    let work = &solution.work;
+    if solution.method != Method::Full {
+        fast_work(text, solution);
+        return;
+    }
+    let done = format!(
+        "{} cells, {} time steps, {} Newton iterations, {} products",
+        work.cells,
+        work.steps,
+        work.newton_iterations,
+        number(work.operator_products)
+    );
+    let status = verdict(solution.status);
+    line(text, &format!("{status}, relative residual {}", number(solution.residual)));
+    for reason in reasons(&report.warnings) {
+        line(text, &format!("  {reason}"));
+    }
+    line(text, &done);
+}
+
+/// A fast method iterates nothing, so there is nothing that might not converge.
+fn fast_work(text: &mut String, solution: &Solution) {
+    let name = solution.method.name();
+    let cells = solution.work.cells;
+    if cells == 0 {
+        line(text, &format!("by the fast method {name:?}"));
+    } else {
+        line(text, &format!("by the fast method {name:?}, {cells} cells"));
+    }
+}

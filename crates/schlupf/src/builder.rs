@@ -1,0 +1,249 @@
+//! A problem piece by piece: what is not said is as in a case file that does not say it.
+
+use std::sync::Arc;
+
+use crate::elasticity::Elasticity;
+use crate::elasticity::calibrated_layer::CalibratedLayer;
+use crate::error::Error;
+use crate::heat::Heat;
+use crate::interface::contact_law::{ContactLaw, Incremental};
+use crate::interface::friction::temperature_linear::TemperatureLinear;
+use crate::interface::friction::{Friction, FrictionLaw};
+use crate::kinematics::{Kinematics, ReferencePoint};
+use crate::material::{Body, contact_modulus};
+use crate::normal::PressureSource;
+use crate::normal::at_load::AtLoad;
+use crate::normal::hertz::{Hertz, Radii};
+use crate::problem::Problem;
+
+/// Normal load N where none is given, in N.
+const LOAD: f64 = 80e3;
+
+impl Problem {
+    /// A steel wheel that rolls freely over a steel rail; every method changes something about it.
+    ///
+    /// ```
+    /// use schlupf::{Options, Problem, rolling, unwatched};
+    ///
+    /// let problem = Problem::builder().load(80e3).speed(30.0).creepage_x(0.008).build()?;
+    /// let solution = rolling::steady::solve(&problem, &Options::default(), &unwatched)?;
+    /// assert!(solution.force.x < 0.0, "the wheel brakes");
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    pub fn builder() -> ProblemBuilder {
+        ProblemBuilder::default()
+    }
+}
+
+/// A problem in the making; see [`Problem::builder`].
+#[derive(Debug, Clone)]
+#[must_use]
+pub struct ProblemBuilder {
+    kinematics: Kinematics,
+    reference: ReferencePoint,
+    wheel: Body,
+    rail: Body,
+    radii: [Radii; 2],
+    load: Option<f64>,
+    normal: Option<Arc<dyn PressureSource>>,
+    elasticity: Option<Arc<dyn Elasticity>>,
+    contact_law: Option<Arc<dyn ContactLaw>>,
+    friction: Option<Arc<dyn FrictionLaw>>,
+    reference_temperature: Option<f64>,
+    heat: Heat,
+}
+
+impl Default for ProblemBuilder {
+    fn default() -> Self {
+        Self {
+            kinematics: Kinematics::free_rolling(30.0),
+            reference: ReferencePoint::Patch,
+            wheel: Body::STEEL,
+            rail: Body::STEEL,
+            radii: [Radii::along(0.46), Radii::across(0.3)],
+            load: None,
+            normal: None,
+            elasticity: None,
+            contact_law: None,
+            friction: None,
+            reference_temperature: None,
+            heat: Heat::default(),
+        }
+    }
+}
+
+impl ProblemBuilder {
+    /// Speed v0 in m/s; 30 m/s if none is given.
+    pub fn speed(mut self, speed: f64) -> Self {
+        self.kinematics.speed = speed;
+        self
+    }
+
+    /// Longitudinal creepage ξ, dimensionless; positive when braking.
+    pub fn creepage_x(mut self, creepage_x: f64) -> Self {
+        self.kinematics.creepage_x = creepage_x;
+        self
+    }
+
+    /// Lateral creepage η, dimensionless.
+    pub fn creepage_y(mut self, creepage_y: f64) -> Self {
+        self.kinematics.creepage_y = creepage_y;
+        self
+    }
+
+    /// Spin creepage φ, in 1/m.
+    pub fn spin(mut self, spin: f64) -> Self {
+        self.kinematics.spin = spin;
+        self
+    }
+
+    /// Speed, creepages and spin together, such as those of [`Kinematics::from_wheel`].
+    pub fn kinematics(mut self, kinematics: Kinematics) -> Self {
+        self.kinematics = kinematics;
+        self
+    }
+
+    /// Where creepages hold, and about which point the moment is taken; the middle of the patch
+    /// unless another is given.
+    pub fn reference(mut self, reference: ReferencePoint) -> Self {
+        self.reference = reference;
+        self
+    }
+
+    /// The wheel; steel at 20 degC if none is given.
+    pub fn wheel(mut self, wheel: Body) -> Self {
+        self.wheel = wheel;
+        self
+    }
+
+    /// The rail; steel at 20 degC if none is given.
+    pub fn rail(mut self, rail: Body) -> Self {
+        self.rail = rail;
+        self
+    }
+
+    /// Radii of the wheel for Hertz's contact; 0.46 m along rolling and straight across if none are
+    /// given.
+    pub fn wheel_radii(mut self, radii: Radii) -> Self {
+        self.radii[0] = radii;
+        self
+    }
+
+    /// Radii of the rail for Hertz's contact; straight along rolling and 0.3 m across if none are
+    /// given.
+    pub fn rail_radii(mut self, radii: Radii) -> Self {
+        self.radii[1] = radii;
+        self
+    }
+
+    /// Normal load N in N; if none is given, 80 kN, or the own load of a source of pressure.
+    pub fn load(mut self, load: f64) -> Self {
+        self.load = Some(load);
+        self
+    }
+
+    /// Where the pressure comes from, in place of Hertz's contact of the radii.
+    pub fn normal(mut self, source: impl PressureSource + 'static) -> Self {
+        self.normal = Some(Arc::new(source));
+        self
+    }
+
+    /// How the bodies deform tangentially, in place of the [`CalibratedLayer`] of their materials.
+    pub fn elasticity(mut self, model: impl Elasticity + 'static) -> Self {
+        self.elasticity = Some(Arc::new(model));
+        self
+    }
+
+    /// How traction grows with sliding, in place of [`Incremental::default`].
+    pub fn contact_law(mut self, law: impl ContactLaw + 'static) -> Self {
+        self.contact_law = Some(Arc::new(law));
+        self
+    }
+
+    /// The law of friction, in place of [`TemperatureLinear::default`].
+    pub fn friction(mut self, law: impl FrictionLaw + 'static) -> Self {
+        self.friction = Some(Arc::new(law));
+        self
+    }
+
+    /// Temperature in degC from which the law of friction counts; the rail's if none is given.
+    pub fn reference_temperature(mut self, temperature: f64) -> Self {
+        self.reference_temperature = Some(temperature);
+        self
+    }
+
+    /// Frictional heating, in place of [`Heat::default`].
+    pub fn heat(mut self, heat: Heat) -> Self {
+        self.heat = heat;
+        self
+    }
+
+    /// The problem.
+    ///
+    /// # Errors
+    /// A contact that Hertz does not have, materials that the layer is not calibrated for, and
+    /// whatever [`Problem::check`] refuses.
+    pub fn build(self) -> Result<Problem, Error> {
+        let [wheel, rail] = [&self.wheel.material, &self.rail.material];
+        let normal = match (self.normal, self.load) {
+            (Some(source), None) => source,
+            (Some(source), Some(load)) => Arc::new(AtLoad::new(source, load)?),
+            (None, load) => {
+                let [wheel_radii, rail_radii] = self.radii;
+                let modulus = contact_modulus(wheel, rail);
+                Arc::new(Hertz::new(wheel_radii, rail_radii, modulus, load.unwrap_or(LOAD))?)
+            }
+        };
+        let elasticity = match self.elasticity {
+            Some(model) => model,
+            None => Arc::new(CalibratedLayer::new(wheel, rail, None)?),
+        };
+        let friction = self.friction.unwrap_or_else(|| Arc::new(TemperatureLinear::default()));
+        let reference_temperature =
+            self.reference_temperature.unwrap_or(self.rail.bulk_temperature);
+        let problem = Problem {
+            kinematics: self.kinematics,
+            reference: self.reference,
+            wheel: self.wheel,
+            rail: self.rail,
+            normal,
+            elasticity,
+            contact_law: self.contact_law.unwrap_or_else(|| Arc::new(Incremental::default())),
+            friction: Friction::new(friction, reference_temperature),
+            heat: self.heat,
+        };
+        problem.check()?;
+        Ok(problem)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::normal::ellipse::Ellipse;
+
+    #[test]
+    fn a_source_of_pressure_has_its_own_load_unless_another_is_given() {
+        let builder = Problem::builder().normal(Ellipse::from_load(6e-3, 5e-3, 7e4).unwrap());
+        let load = |builder: ProblemBuilder| {
+            builder.build().unwrap().normal.normal_contact(None).unwrap().summary.load
+        };
+        assert_eq!(load(builder.clone()), 7e4);
+        assert_eq!(load(builder.load(9e4)), 9e4);
+    }
+
+    #[test]
+    fn friction_counts_from_the_temperature_of_the_rail() {
+        let rail = Body { bulk_temperature: -10.0, ..Body::STEEL };
+        let problem = Problem::builder().rail(rail).build().unwrap();
+        assert_eq!(problem.friction.reference_temperature, -10.0);
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused() {
+        let error = Problem::builder().load(-1.0).build().unwrap_err();
+        assert!(error.to_string().starts_with("load"), "{error}");
+        let error = Problem::builder().creepage_x(1.5).build().unwrap_err();
+        assert!(error.to_string().contains("a reversed wheel"), "{error}");
+    }
+}
