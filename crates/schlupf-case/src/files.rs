@@ -67,6 +67,11 @@ impl InputFile {
         Self { name: name.into(), files }
     }
 
+    /// A file by its path from the working directory.
+    pub fn at(path: &Path) -> Self {
+        Self::new(path.display().to_string(), Folder::new(""))
+    }
+
     /// Where it lies.
     pub fn path(&self) -> PathBuf {
         self.files.locate(&self.name)

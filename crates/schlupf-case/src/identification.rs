@@ -1,12 +1,11 @@
 //! What `schlupf fit` is given: parameters, and measured points.
 
-use std::path::Path;
-
 use schlupf::identification::{DataPoint, Parameter};
 use schlupf::kinematics::Kinematics;
 
 use crate::error::{CaseError, Cause};
 use crate::fields::closest;
+use crate::files::InputFile;
 use crate::names;
 use crate::place::Place;
 use crate::tables;
@@ -46,11 +45,11 @@ pub fn parameters(option: &'static str, text: &str) -> Result<Vec<Parameter>, Ca
 /// `kinematics` and of the case's load.
 pub fn read_data(
     option: &'static str,
-    path: &Path,
+    file: &InputFile,
     kinematics: &Kinematics,
 ) -> Result<Vec<DataPoint>, CaseError> {
-    let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| CaseError {
+    let name = file.path().display().to_string();
+    let bytes = file.read().map_err(|error| CaseError {
         cause: Cause::FileSystem,
         ..CaseError::new(
             "",

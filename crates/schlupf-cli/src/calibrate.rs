@@ -17,7 +17,7 @@ use schlupf::history::History;
 use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
-use schlupf_case::{Case, CaseErrors, Displacements, FieldNames, read_displacements};
+use schlupf_case::{Case, CaseErrors, Displacements, FieldNames, InputFile, read_displacements};
 use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -77,7 +77,7 @@ impl Task for Calibrate {
     }
 
     fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
-        let read = |path: &PathBuf| read_displacements(DISPLACEMENTS, path);
+        let read = |path: &PathBuf| read_displacements(DISPLACEMENTS, &InputFile::at(path));
         let displacements = self.displacements.iter().map(read).collect::<Result<Vec<_>, _>>();
         Ok(Plan { case, displacements: displacements.map_err(CaseErrors::from)? })
     }

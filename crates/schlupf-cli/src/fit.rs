@@ -11,7 +11,7 @@ use schlupf::message::Message;
 use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
-use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, Folder};
+use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, Folder, InputFile};
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -92,7 +92,7 @@ impl Task for Fit {
 
     fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         let parameters = parameters(FIT, &self.parameters).map_err(CaseErrors::from)?;
-        let data = read_data(DATA, &self.data, &case.problem.kinematics);
+        let data = read_data(DATA, &InputFile::at(&self.data), &case.problem.kinematics);
         let data = data.map_err(CaseErrors::from)?;
         let explain = |error: Error| self.explain(&case, &error);
         case.require_steady("a creep curve is").map_err(CaseErrors::from)?;

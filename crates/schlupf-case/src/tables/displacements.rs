@@ -1,13 +1,12 @@
 //! Displacements under known tractions, such as those of a finite-element model.
 
-use std::path::Path;
-
 use schlupf::calibration::displacements::Sample;
 use schlupf::grid::{Axis, BORDER, Grid};
 
 use super::columns::{Column, Columns};
 use super::lattice::Lattice;
 use crate::error::{CaseError, Cause};
+use crate::files::InputFile;
 use crate::place::Place;
 use crate::units::Measure;
 
@@ -35,9 +34,9 @@ pub struct Displacements {
 
 /// Reads a CSV file that `option` of the command line names: columns x, y and, for one or both components, traction on
 /// the wheel and displacement of the wheel relative to the rail. A component without traction is left out.
-pub fn read(option: &'static str, path: &Path) -> Result<Displacements, CaseError> {
-    let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| CaseError {
+pub fn read(option: &'static str, file: &InputFile) -> Result<Displacements, CaseError> {
+    let name = file.path().display().to_string();
+    let bytes = file.read().map_err(|error| CaseError {
         cause: Cause::FileSystem,
         ..CaseError::new(
             option,
