@@ -79,9 +79,9 @@ impl Part {
             Self::Sources => "the rules of the sources (they are tests of xtask too)",
             Self::Examples => "runs the examples of the library",
             Self::Wasm => "builds the libraries for wasm32-unknown-unknown",
-            Self::Package => "builds the packages from what would be published",
+            Self::Package => "makes the packages that would be published",
             Self::Oldest => "checks the workspace with the oldest Rust of Cargo.toml",
-            Self::Long => "the tests that take long, with optimisation",
+            Self::Long => "what takes long: tests with optimisation, packages that are built",
             Self::Bench => "prints the table of work and times of docs/performance.md",
         }
     }
@@ -113,14 +113,18 @@ impl Part {
                 vec![Step::cargo(&format!("{build}{packages}"))]
             }
             Self::Package => {
-                vec![Step::cargo("publish --workspace --dry-run --allow-dirty")]
+                // Building them from their packages takes minutes: that is among what is long.
+                vec![Step::cargo("publish --workspace --dry-run --allow-dirty --no-verify")]
             }
             Self::Oldest => vec![Step {
                 program: "rustup".into(),
                 arguments: format!("run {} cargo check --workspace", oldest(workspace)?),
                 variable: Some(("CARGO_TARGET_DIR", "target/oldest")),
             }],
-            Self::Long => vec![Step::cargo("test --workspace --release -- --ignored")],
+            Self::Long => vec![
+                Step::cargo("test --workspace --release -- --ignored"),
+                Step::cargo("publish --workspace --dry-run --allow-dirty"),
+            ],
             Self::Bench => vec![Step::cargo("bench --package schlupf --bench table")],
         })
     }
