@@ -69,18 +69,7 @@ const LONGEST: f64 = 1e3;
 
 /// What is no field of a case file but is read as one.
 const fn alone(path: &'static str, measure: &'static Measure, requirement: Requirement) -> Field {
-    let kind = Kind::Quantity(measure);
-    let default = Default::Nothing;
-    Field {
-        path,
-        kind,
-        requirement,
-        default,
-        example: None,
-        used_with: [None; 2],
-        shapes_contact: false,
-        doc: "",
-    }
+    Field::new(path, Kind::Quantity(measure), requirement, Default::Nothing, "")
 }
 
 const fn length_field(requirement: Requirement) -> Field {

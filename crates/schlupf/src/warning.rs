@@ -50,10 +50,10 @@ messages! {
     };
 
     /// Derivatives were not found.
-    "no-sensitivity" NoSensitivity {} Quantity::Sensitivities, |words| {
-        "sensitivity: a linear system at the solution was not solved; the derivatives are left out"
-            .to_owned()
-    };
+    "no-sensitivity" NoSensitivity {} Quantity::Sensitivities, |words| format!(
+        "{}: a linear system at the solution was not solved; the derivatives are left out",
+        words.word(Quantity::Sensitivities)
+    );
 
     /// A pressure that no body stands elastically.
     "beyond-elastic" BeyondElastic {
@@ -62,8 +62,9 @@ messages! {
         /// Contact modulus, in Pa.
         modulus: f64,
     } Quantity::PeakPressure, |words| format!(
-        "normal: the largest pressure is {:.0} MPa, {:.1} % of the contact modulus, and steel has \
+        "{}: the largest pressure is {:.0} MPa, {:.1} % of the contact modulus, and steel has \
          yielded before 2.5 %: are load and shape in their right units?",
+        words.word(Quantity::PeakPressure),
         1e-6 * pressure,
         1e2 * pressure / modulus
     );
@@ -86,9 +87,10 @@ messages! {
         /// Friction power, in W.
         friction: f64,
     } Quantity::ContactStiffness, |words| format!(
-        "contact_law: the bristles return {returned:.3e} W of {friction:.3e} W friction power; that part \
+        "{}: the bristles return {returned:.3e} W of {friction:.3e} W friction power; that part \
          is cut off and does not cool. Where it is large in steady rolling, the grid is too coarse for \
-         the contact law"
+         the contact law",
+        words.word(Quantity::ContactStiffness)
     );
 
     /// Bodies whose pressure displaces their surfaces tangentially against each other.
@@ -172,8 +174,9 @@ messages! {
         limit: HeatLimit,
     } if *body == "wheel" { Quantity::WheelTemperature } else { Quantity::RailTemperature },
     |words| format!(
-        "heat: the surface of the {body} reaches {temperature:.0} degC, {}: constants of material, \
+        "{}: the surface of the {body} reaches {temperature:.0} degC, {}: constants of material, \
          elasticity and friction do not hold there",
+        words.word(Quantity::HeatModel),
         limit.text()
     );
 

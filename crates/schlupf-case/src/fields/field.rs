@@ -140,6 +140,26 @@ fn names(choices: &[Choice]) -> String {
 }
 
 impl Field {
+    /// Without an example, used with any choice.
+    pub(crate) const fn new(
+        path: &'static str,
+        kind: Kind,
+        requirement: Requirement,
+        default: Default,
+        doc: &'static str,
+    ) -> Self {
+        Self {
+            path,
+            kind,
+            requirement,
+            default,
+            example: None,
+            used_with: [None; 2],
+            shapes_contact: false,
+            doc,
+        }
+    }
+
     /// Name of the section it stands in.
     pub fn section(&self) -> &'static str {
         self.path.rsplit_once('.').map_or("", |(section, _)| section)

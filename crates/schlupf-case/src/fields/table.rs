@@ -12,25 +12,6 @@ use crate::units::Measure;
 use schlupf::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 use std::f64::consts::FRAC_PI_2;
 
-const fn field(
-    path: &'static str,
-    kind: Kind,
-    requirement: Requirement,
-    default: Default,
-    doc: &'static str,
-) -> Field {
-    Field {
-        path,
-        kind,
-        requirement,
-        default,
-        example: None,
-        used_with: [None; 2],
-        shapes_contact: false,
-        doc,
-    }
-}
-
 /// The same; normal contact or elasticity may depend on it.
 const fn shaping(
     path: &'static str,
@@ -39,7 +20,7 @@ const fn shaping(
     default: Default,
     doc: &'static str,
 ) -> Field {
-    Field { shapes_contact: true, ..field(path, kind, requirement, default, doc) }
+    Field { shapes_contact: true, ..Field::new(path, kind, requirement, default, doc) }
 }
 
 impl Field {
@@ -93,28 +74,28 @@ macro_rules! body {
                 Text("0.28"),
                 "ν, Poisson's ratio",
             ),
-            field(
+            Field::new(
                 concat!($body, ".conductivity"),
                 quantity(&Measure::CONDUCTIVITY),
                 THERMAL,
                 Text("50 W/(m K)"),
                 "λ, thermal conductivity",
             ),
-            field(
+            Field::new(
                 concat!($body, ".density"),
                 quantity(&Measure::DENSITY),
                 THERMAL,
                 Text("7850 kg/m^3"),
                 "ρ, density",
             ),
-            field(
+            Field::new(
                 concat!($body, ".specific_heat"),
                 quantity(&Measure::SPECIFIC_HEAT),
                 THERMAL,
                 Text("450 J/(kg K)"),
                 "c, specific heat",
             ),
-            field(
+            Field::new(
                 concat!($body, ".bulk_temperature"),
                 quantity(&Measure::TEMPERATURE),
                 TEMPERATURE,
@@ -144,7 +125,7 @@ pub const SECTIONS: &[Section] = &[
     Section {
         name: "",
         doc: "",
-        fields: &[field(
+        fields: &[Field::new(
             "title",
             Kind::Text,
             Finite,
@@ -211,14 +192,14 @@ pub const SECTIONS: &[Section] = &[
 ];
 
 const KINEMATICS: &[Field] = &[
-    field(
+    Field::new(
         "kinematics.speed",
         quantity(&Measure::SPEED),
         SPEED,
         Text("108 km/h"),
         "v0, speed of the vehicle",
     ),
-    field(
+    Field::new(
         "kinematics.creepage_x",
         Kind::Number,
         CREEPAGE,
@@ -226,7 +207,7 @@ const KINEMATICS: &[Field] = &[
         "ξ, longitudinal creepage: positive when braking",
     )
     .example("0.008"),
-    field(
+    Field::new(
         "kinematics.angular_velocity",
         quantity(&Measure::ANGULAR_VELOCITY),
         TURNING,
@@ -234,7 +215,7 @@ const KINEMATICS: &[Field] = &[
         "ω of the wheel, in place of creepage_x",
     )
     .example("64.7 rad/s"),
-    field(
+    Field::new(
         "kinematics.wheel_radius",
         quantity(&Measure::LENGTH),
         ROLLING_RADIUS,
@@ -242,14 +223,14 @@ const KINEMATICS: &[Field] = &[
         "R, rolling radius that goes with angular_velocity",
     )
     .example("0.46 m"),
-    field(
+    Field::new(
         "kinematics.creepage_y",
         Kind::Number,
         Inside(-1.0, 1.0),
         Text("0.0"),
         "η, lateral creepage",
     ),
-    field(
+    Field::new(
         "kinematics.yaw_angle",
         quantity(&Measure::ANGLE),
         Inside(-FRAC_PI_2, FRAC_PI_2),
@@ -257,14 +238,14 @@ const KINEMATICS: &[Field] = &[
         "α, slip angle, in place of creepage_y",
     )
     .example("0.5 deg"),
-    field(
+    Field::new(
         "kinematics.spin",
         quantity(&Measure::PER_LENGTH),
         TURNING,
         Text("0 1/m"),
         "φ, spin creepage",
     ),
-    field(
+    Field::new(
         "kinematics.reference",
         Kind::Choice(Reference::CHOICES),
         Finite,
@@ -351,7 +332,7 @@ const NORMAL: &[Field] = &[
 const FILES: &[&str] = &["tabulated", "profile"];
 
 const HEAT: &[Field] = &[
-    field(
+    Field::new(
         "heat.model",
         Kind::Choice(HeatChoice::CHOICES),
         Finite,
@@ -359,7 +340,7 @@ const HEAT: &[Field] = &[
         "model of the surface temperature",
     )
     .with(solver::METHOD, solver::CELLS),
-    field(
+    Field::new(
         "heat.partition",
         Kind::NumberOr(PartitionChoice::CHOICES),
         Between(0.0, 1.0),
@@ -370,7 +351,7 @@ const HEAT: &[Field] = &[
 ];
 
 const COOLING: &[Field] = &[
-    field(
+    Field::new(
         "cooling.film_coefficient",
         quantity(&Measure::HEAT_TRANSFER),
         THERMAL,
@@ -378,7 +359,7 @@ const COOLING: &[Field] = &[
         "h, heat transfer coefficient between the wheel and the air",
     )
     .example("40 W/(m^2 K)"),
-    field(
+    Field::new(
         "cooling.area",
         quantity(&Measure::AREA),
         COOLED_AREA,
@@ -386,7 +367,7 @@ const COOLING: &[Field] = &[
         "A, surface of the wheel that the air cools",
     )
     .example("1.5 m^2"),
-    field(
+    Field::new(
         "cooling.air_temperature",
         quantity(&Measure::TEMPERATURE),
         TEMPERATURE,
@@ -405,7 +386,7 @@ const HISTORY: &[Field] = &[
         "instants, increasing",
     )
     .example("[\"0 s\", \"1 ms\"]"),
-    field(
+    Field::new(
         "history.creepage_x",
         Kind::Numbers,
         CREEPAGE,
@@ -413,15 +394,15 @@ const HISTORY: &[Field] = &[
         "ξ at these instants; likewise the others",
     )
     .example("[0.0, 0.002]"),
-    field("history.creepage_y", Kind::Numbers, Inside(-1.0, 1.0), Nothing, "η")
+    Field::new("history.creepage_y", Kind::Numbers, Inside(-1.0, 1.0), Nothing, "η")
         .example("[0.0, 0.0]"),
-    field("history.spin", Kind::Quantities(&Measure::PER_LENGTH), TURNING, Nothing, "φ")
+    Field::new("history.spin", Kind::Quantities(&Measure::PER_LENGTH), TURNING, Nothing, "φ")
         .example("[\"0 1/m\", \"0 1/m\"]"),
-    field("history.speed", Kind::Quantities(&Measure::SPEED), SPEED, Nothing, "v0")
+    Field::new("history.speed", Kind::Quantities(&Measure::SPEED), SPEED, Nothing, "v0")
         .example("[\"30 m/s\", \"30 m/s\"]"),
     shaping("history.load", Kind::Quantities(&Measure::FORCE), LOAD, Nothing, "N")
         .example("[\"80 kN\", \"60 kN\"]"),
-    field(
+    Field::new(
         "history.shift_x",
         quantity(&Measure::LENGTH),
         SHIFT,
@@ -429,7 +410,7 @@ const HISTORY: &[Field] = &[
         "shift of the wheel over the rail along rolling, at rest, before it rolls; times may be left out then",
     )
     .example("0.015 mm"),
-    field(
+    Field::new(
         "history.shift_y",
         quantity(&Measure::LENGTH),
         SHIFT,

@@ -1,6 +1,6 @@
 //! `[contact_law]` and `[contact_law.roughness]`.
 
-use super::{field, quantity, solver};
+use super::{quantity, solver};
 use crate::fields::choice::{Choose, ContactLawModel, FormTakenOff};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};
@@ -17,7 +17,7 @@ const CELLS: Requirement = Between(16.0, 16384.0);
 const SEED: Requirement = Between(0.0, 4_294_967_295.0);
 
 pub(super) const FIELDS: &[Field] = &[
-    field(
+    Field::new(
         "contact_law.model",
         Kind::Choice(ContactLawModel::CHOICES),
         Finite,
@@ -25,7 +25,7 @@ pub(super) const FIELDS: &[Field] = &[
         "which sliding counts",
     )
     .with(solver::METHOD, solver::FULL),
-    field(
+    Field::new(
         "contact_law.stiffness",
         quantity(&Measure::PER_LENGTH),
         CONTACT_STIFFNESS,
@@ -42,7 +42,7 @@ const fn of(field: Field, example: &'static str) -> Field {
 }
 
 const fn height(path: &'static str, doc: &'static str, example: &'static str) -> Field {
-    of(field(path, quantity(&Measure::LENGTH), HEIGHT, Nothing, doc), example)
+    of(Field::new(path, quantity(&Measure::LENGTH), HEIGHT, Nothing, doc), example)
 }
 
 pub(super) const ROUGHNESS: &[Field] = &[
@@ -50,7 +50,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
     height("contact_law.roughness.rms_height_wheel", "h_rms of the wheel", "1 um"),
     height("contact_law.roughness.rms_height_rail", "h_rms of the rail", "1 um"),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.slope_factor",
             Kind::Number,
             Between(1e-3, 1e3),
@@ -60,7 +60,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "0.45",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.rms_slope",
             Kind::Number,
             SLOPE,
@@ -83,7 +83,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
     ),
     wavelength("contact_law.roughness.shortest_wavelength", Nothing, "its shortest wave", "5 um"),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.hurst",
             Kind::Number,
             Between(0.0, 1.0),
@@ -93,7 +93,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "0.8",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.file",
             Kind::Path,
             Finite,
@@ -103,7 +103,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "surface.x3p",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.second_file",
             Kind::Path,
             Finite,
@@ -113,7 +113,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "rail.x3p",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.unit",
             Kind::Text,
             Finite,
@@ -123,7 +123,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "um",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.spacing",
             quantity(&Measure::LENGTH),
             AboveUpTo(0.0, 1.0),
@@ -133,7 +133,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "1 um",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.form",
             Kind::Choice(FormTakenOff::CHOICES),
             Finite,
@@ -151,7 +151,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
     flag("contact_law.roughness.fill_holes", "whether points without a height are filled smoothly"),
     flag("contact_law.roughness.square_cells", "whether cells that are not square are made so"),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.cells",
             Kind::Count,
             CELLS,
@@ -161,7 +161,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "512",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.seed",
             Kind::Count,
             SEED,
@@ -171,7 +171,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "1",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.hardness",
             quantity(&Measure::PRESSURE),
             PRESSURE,
@@ -181,7 +181,7 @@ pub(super) const ROUGHNESS: &[Field] = &[
         "2.5 GPa",
     ),
     of(
-        field(
+        Field::new(
             "contact_law.roughness.pressures",
             Kind::Quantities(&Measure::PRESSURE),
             PRESSURE,
@@ -198,9 +198,9 @@ const fn wavelength(
     doc: &'static str,
     example: &'static str,
 ) -> Field {
-    of(field(path, quantity(&Measure::LENGTH), WAVELENGTH, default, doc), example)
+    of(Field::new(path, quantity(&Measure::LENGTH), WAVELENGTH, default, doc), example)
 }
 
 const fn flag(path: &'static str, doc: &'static str) -> Field {
-    of(field(path, Kind::Flag, Finite, Computed("false"), doc), "true")
+    of(Field::new(path, Kind::Flag, Finite, Computed("false"), doc), "true")
 }

@@ -1,6 +1,6 @@
 //! `[friction]`.
 
-use super::{TEMPERATURE, field, quantity};
+use super::{TEMPERATURE, quantity};
 use crate::fields::choice::{Choose, FrictionModel, SpeedModel};
 use crate::fields::field::Default::{Nothing, Same, Text};
 use crate::fields::field::{Field, Kind};
@@ -32,21 +32,21 @@ const fn term(field: Field) -> Field {
 }
 
 pub(super) const FIELDS: &[Field] = &[
-    field(
+    Field::new(
         MODEL,
         Kind::Choice(FrictionModel::CHOICES),
         Finite,
         Text("temperature-linear"),
         "law of friction",
     ),
-    field(
+    Field::new(
         "friction.coefficient",
         Kind::Number,
         COEFFICIENT,
         Text("0.4"),
         "μ0, without slip, at the reference temperature, at y = 0",
     ),
-    field(
+    Field::new(
         "friction.temperature_at_zero_friction",
         quantity(&Measure::TEMPERATURE_DIFFERENCE),
         DIFFERENCE,
@@ -54,7 +54,7 @@ pub(super) const FIELDS: &[Field] = &[
         "T_E, a difference",
     )
     .with(MODEL, LINEAR),
-    field(
+    Field::new(
         "friction.reference_temperature",
         quantity(&Measure::TEMPERATURE),
         TEMPERATURE,
@@ -63,7 +63,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("20 degC")
     .with(MODEL, OF_TEMPERATURE),
-    field(
+    Field::new(
         "friction.minimum_coefficient",
         Kind::Number,
         PART,
@@ -71,7 +71,7 @@ pub(super) const FIELDS: &[Field] = &[
         "floor of μ, before speed_model and the variation over y act",
     )
     .with(MODEL, LINEAR),
-    field(
+    Field::new(
         "friction.hot_coefficient",
         Kind::Number,
         PART,
@@ -80,7 +80,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("0.2")
     .with(MODEL, PIECEWISE),
-    field(
+    Field::new(
         "friction.temperature_range",
         quantity(&Measure::TEMPERATURE_DIFFERENCE),
         DIFFERENCE,
@@ -89,7 +89,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("800 K")
     .with(MODEL, PIECEWISE),
-    field(
+    Field::new(
         SPEED_MODEL,
         Kind::Choice(SpeedModel::CHOICES),
         Finite,
@@ -98,7 +98,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .with(MODEL, COMBINED),
     term(
-        field(
+        Field::new(
             "friction.kinetic_coefficient",
             Kind::Number,
             PART,
@@ -108,7 +108,7 @@ pub(super) const FIELDS: &[Field] = &[
         .example("0.2"),
     ),
     term(
-        field(
+        Field::new(
             "friction.half_speed",
             quantity(&Measure::SPEED),
             SLIP_SPEED,
@@ -118,7 +118,7 @@ pub(super) const FIELDS: &[Field] = &[
         .example("1 m/s"),
     ),
     term(
-        field(
+        Field::new(
             "friction.second_coefficient",
             Kind::Number,
             PART,
@@ -128,7 +128,7 @@ pub(super) const FIELDS: &[Field] = &[
         .example("0.05"),
     ),
     term(
-        field(
+        Field::new(
             "friction.second_half_speed",
             quantity(&Measure::SPEED),
             SLIP_SPEED,
@@ -137,11 +137,11 @@ pub(super) const FIELDS: &[Field] = &[
         )
         .example("0.1 m/s"),
     ),
-    field("friction.limit_ratio", Kind::Number, Between(0.0, 1.0), Nothing, "A, μ(∞)/μ0")
+    Field::new("friction.limit_ratio", Kind::Number, Between(0.0, 1.0), Nothing, "A, μ(∞)/μ0")
         .example("0.40")
         .with(SPEED_MODEL, POLACH)
         .with(MODEL, POLACH),
-    field(
+    Field::new(
         "friction.decay",
         quantity(&Measure::PER_SPEED),
         DECAY,
@@ -151,7 +151,7 @@ pub(super) const FIELDS: &[Field] = &[
     .example("0.60 s/m")
     .with(SPEED_MODEL, POLACH)
     .with(MODEL, POLACH),
-    field(
+    Field::new(
         "friction.memory_distance",
         quantity(&Measure::LENGTH),
         MEMORY_DISTANCE,
@@ -159,7 +159,7 @@ pub(super) const FIELDS: &[Field] = &[
         "d_c, sliding distance over which friction follows its law; at once if left out",
     )
     .example("20 um"),
-    field(
+    Field::new(
         "friction.memory_speed",
         quantity(&Measure::SPEED),
         MEMORY_SPEED,
@@ -167,7 +167,7 @@ pub(super) const FIELDS: &[Field] = &[
         "s0, slip speed below which friction follows as fast as at it; 0 if left out",
     )
     .example("1 mm/s"),
-    field(
+    Field::new(
         "friction.variation_y",
         Kind::Quantities(&Measure::LENGTH),
         POSITION,
@@ -175,7 +175,7 @@ pub(super) const FIELDS: &[Field] = &[
         "positions across the patch, ascending, at which variation_factor is given",
     )
     .example("[\"-5 mm\", \"0 mm\", \"5 mm\"]"),
-    field(
+    Field::new(
         "friction.variation_factor",
         Kind::Numbers,
         PART,
@@ -183,7 +183,7 @@ pub(super) const FIELDS: &[Field] = &[
         "factors on μ, 1 at y = 0; linear in between, constant outside",
     )
     .example("[0.5, 1.0, 1.0]"),
-    field(
+    Field::new(
         "friction.variation_file",
         Kind::Path,
         Finite,

@@ -1,6 +1,5 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
-use super::field;
 use crate::fields::choice::{
     BoundChoice, BranchChoice, Choose, Driver, FlexibilitiesChoice, MethodChoice,
 };
@@ -21,7 +20,7 @@ const MODIFIED: &[&str] = &["modified-fastsim"];
 const PART: Requirement = AboveUpTo(0.0, 1.0);
 
 pub(super) const GRID: &[Field] = &[
-    field(
+    Field::new(
         "grid.cells_x",
         Kind::Count,
         Between(2.0, MAX_CELLS as f64),
@@ -29,7 +28,7 @@ pub(super) const GRID: &[Field] = &[
         "cells along rolling",
     )
     .with(METHOD, CELLS),
-    field(
+    Field::new(
         "grid.cells_y",
         Kind::Count,
         Between(1.0, MAX_CELLS as f64),
@@ -40,7 +39,7 @@ pub(super) const GRID: &[Field] = &[
 ];
 
 pub(super) const FIELDS: &[Field] = &[
-    field(
+    Field::new(
         "solver.driver",
         Kind::Choice(Driver::CHOICES),
         Finite,
@@ -49,7 +48,7 @@ pub(super) const FIELDS: &[Field] = &[
     )
     .example("steady")
     .with(METHOD, FULL),
-    field(
+    Field::new(
         "solver.branch",
         Kind::Choice(BranchChoice::CHOICES),
         Finite,
@@ -57,14 +56,14 @@ pub(super) const FIELDS: &[Field] = &[
         "which steady state where friction falls so fast that there are several",
     )
     .with(METHOD, FULL),
-    field(
+    Field::new(
         "solver.method",
         Kind::Choice(MethodChoice::CHOICES),
         Finite,
         Text("full"),
         "what is solved: all equations, or a fast method",
     ),
-    field(
+    Field::new(
         "solver.tolerance",
         Kind::Number,
         Between(1e-13, 0.1),
@@ -72,7 +71,7 @@ pub(super) const FIELDS: &[Field] = &[
         "largest relative residual",
     )
     .with(METHOD, FULL),
-    field(
+    Field::new(
         "solver.max_iterations",
         Kind::Count,
         AtLeast(1.0),
@@ -80,7 +79,7 @@ pub(super) const FIELDS: &[Field] = &[
         "most Newton steps for one equilibrium",
     )
     .with(METHOD, FULL),
-    field(
+    Field::new(
         "solver.max_steps",
         Kind::Count,
         AtLeast(1.0),
@@ -88,7 +87,7 @@ pub(super) const FIELDS: &[Field] = &[
         "most time steps on the way to the steady state",
     )
     .with(METHOD, FULL),
-    field(
+    Field::new(
         "solver.sensitivity",
         Kind::Flag,
         Finite,
@@ -96,7 +95,7 @@ pub(super) const FIELDS: &[Field] = &[
         "whether to find the derivatives of the forces too, in the steady driver",
     )
     .with(METHOD, FULL),
-    field(
+    Field::new(
         "solver.slip_threshold",
         Kind::Number,
         AboveUpTo(0.0, 0.999),
@@ -104,7 +103,7 @@ pub(super) const FIELDS: &[Field] = &[
         "a cell slides where |t| ≥ this · μ p_n",
     )
     .with(METHOD, CELLS),
-    field(
+    Field::new(
         "solver.polach_area_adhesion",
         Kind::Number,
         PART,
@@ -112,7 +111,7 @@ pub(super) const FIELDS: &[Field] = &[
         "k_A, reduction of the slope in the area of adhesion",
     )
     .with(METHOD, &["polach"]),
-    field(
+    Field::new(
         "solver.polach_area_slip",
         Kind::Number,
         PART,
@@ -123,7 +122,7 @@ pub(super) const FIELDS: &[Field] = &[
 ];
 
 pub(super) const FASTSIM: &[Field] = &[
-    field(
+    Field::new(
         "fastsim.flexibilities",
         Kind::Choice(FlexibilitiesChoice::CHOICES),
         Finite,
@@ -131,7 +130,7 @@ pub(super) const FASTSIM: &[Field] = &[
         "flexibilities L from Kalker's coefficients",
     )
     .with(METHOD, BRISTLES),
-    field(
+    Field::new(
         "fastsim.bound",
         Kind::Choice(BoundChoice::CHOICES),
         Finite,
@@ -139,7 +138,7 @@ pub(super) const FASTSIM: &[Field] = &[
         "what bounds the traction",
     )
     .with(METHOD, BRISTLES),
-    field(
+    Field::new(
         "fastsim.initial_reduction",
         Kind::Number,
         PART,
@@ -147,7 +146,7 @@ pub(super) const FASTSIM: &[Field] = &[
         "k0, reduction of the slope at vanishing creepage: k = k0 ((1 − α)/(1 + β ε) + α)",
     )
     .with(METHOD, MODIFIED),
-    field(
+    Field::new(
         "fastsim.reduction_limit_ratio",
         Kind::Number,
         Between(0.0, 1.0),
@@ -155,7 +154,7 @@ pub(super) const FASTSIM: &[Field] = &[
         "α, part of k0 that is left at large creepages",
     )
     .with(METHOD, MODIFIED),
-    field(
+    Field::new(
         "fastsim.reduction_decay",
         Kind::Number,
         Between(0.0, 1e6),
