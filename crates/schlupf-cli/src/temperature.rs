@@ -178,7 +178,7 @@ fn hottest_point(solution: &Solution) -> Option<[f64; 2]> {
     const ALIKE: f64 = 1e-9;
     let rises = &solution.fields.temperature_rise_rail;
     let least = rises.iter().copied().fold(f64::INFINITY, f64::min);
-    let temperature = &solution.temperature;
+    let temperature = solution.temperature?;
     let spread = temperature.max_rise_rail - least;
     (spread > ALIKE * temperature.max_rise.abs()).then_some([temperature.x, temperature.y])
 }

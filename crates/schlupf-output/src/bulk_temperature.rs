@@ -13,7 +13,7 @@ use crate::figures::{self, Drawing, FigureError};
 use crate::json::{self, PROGRAM};
 use crate::number::significant as number;
 use crate::report::{Report, reasons, verdict};
-use crate::summary::{entry, line, without_noise};
+use crate::summary::{entry, friction_power, line, without_noise};
 use crate::table;
 
 /// The balance of a wheel's heat, with what it was found for.
@@ -139,8 +139,8 @@ fn temperatures(text: &mut String, report: &BulkReport) {
     let remark = "to which both surfaces jump when they meet";
     entry(text, "temp. on entry", balance.entry_temperature, "°C", remark);
     let surface = balance.solution.temperature;
-    let rail = format!("of the rail {} °C", number(surface.max_rail));
-    entry(text, "hottest surface", surface.max_wheel, "°C", &rail);
+    let rail = format!("of the rail {} °C", number(surface.map(|surface| surface.max_rail)));
+    entry(text, "hottest surface", surface.map(|surface| surface.max_wheel), "°C", &rail);
     text.push('\n');
 }
 
@@ -167,8 +167,7 @@ fn forces(text: &mut String, report: &BulkReport) {
     let lateral = format!("lateral {} kN, with the friction of the warm wheel", number(y / 1e3));
     entry(text, "longitudinal force", x / 1e3, "kN", &lateral);
     entry(text, "traction coefficient", solution.traction_coefficient, "", "|F|/N");
-    let creep = format!("creep power {} kW", number(solution.power.creep / 1e3));
-    entry(text, "friction power", solution.power.friction / 1e3, "kW", &creep);
+    friction_power(text, solution);
     text.push('\n');
 }
 

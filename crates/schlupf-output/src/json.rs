@@ -16,7 +16,7 @@ use schlupf::solution::{
 
 use crate::contact_law::ContactLaw;
 use crate::number::without_sign_of_zero;
-use crate::table::Arrays;
+use crate::table::{Arrays, Row};
 
 /// Name and version of the program.
 pub(crate) const PROGRAM: &str = concat!("schlupf ", env!("CARGO_PKG_VERSION"));
@@ -81,7 +81,7 @@ pub(crate) struct Document<'a> {
     force: &'a Resultant,
     normalised: &'a Resultant,
     traction_coefficient: f64,
-    power: &'a Power,
+    power: Row<'a, Power>,
     t_gamma: &'a TGamma,
     temperature: Temperatures<'a>,
     area: &'a Area,
@@ -95,7 +95,7 @@ pub(crate) struct Document<'a> {
 #[derive(Serialize)]
 struct Temperatures<'a> {
     #[serde(flatten)]
-    largest: &'a Temperature,
+    largest: Row<'a, Temperature>,
     peclet_wheel: f64,
     peclet_rail: f64,
 }
@@ -114,7 +114,7 @@ struct SeenFrom {
     creepage_x: f64,
     creepage_y: f64,
     spin: f64,
-    moment_z: f64,
+    moment_z: Option<f64>,
 }
 
 impl Reference {
@@ -148,9 +148,13 @@ impl<'a> Document<'a> {
             force: &solution.force,
             normalised: &solution.normalised,
             traction_coefficient: solution.traction_coefficient,
-            power: &solution.power,
+            power: Row(solution.power.as_ref()),
             t_gamma: &solution.t_gamma,
-            temperature: Temperatures { largest: &solution.temperature, peclet_wheel, peclet_rail },
+            temperature: Temperatures {
+                largest: Row(solution.temperature.as_ref()),
+                peclet_wheel,
+                peclet_rail,
+            },
             area: &solution.area,
             sensitivity: solution.sensitivity.as_ref(),
             history: Arrays(&solution.history),

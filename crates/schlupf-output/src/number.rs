@@ -1,10 +1,11 @@
 //! Numbers for people.
 
-/// Four significant digits without trailing zeros, in powers of ten where digits would not fit.
-pub(crate) fn significant(value: f64) -> String {
-    if !value.is_finite() {
+/// Four significant digits without trailing zeros, in powers of ten where digits would not fit; `n/a`
+/// for what is not known.
+pub(crate) fn significant(value: impl Into<Option<f64>>) -> String {
+    let Some(value) = value.into().filter(|value| value.is_finite()) else {
         return "n/a".to_owned();
-    }
+    };
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     if rounded == 0.0 {
         "0".to_owned()
@@ -28,6 +29,7 @@ mod tests {
     fn four_significant_digits() {
         let numbers = [0.0, -0.0, 80.0, -0.58493, 641.123, 1234.56, 3.2e-7, 1e7, f64::NAN];
         let texts = ["0", "0", "80", "-0.5849", "641.1", "1235", "3.2e-7", "1e7", "n/a"];
-        assert_eq!(numbers.map(significant), texts);
+        assert_eq!(numbers.map(|number| significant(number)), texts);
+        assert_eq!(significant(None), "n/a");
     }
 }

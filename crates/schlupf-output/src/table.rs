@@ -1,7 +1,7 @@
 //! Records as tables: CSV, and the arrays of a JSON document.
 
 use schlupf::Quantity;
-use schlupf::columns::{Record, Value};
+use schlupf::columns::{Column, Record, Value};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::number::without_sign_of_zero;
@@ -102,6 +102,54 @@ impl<R: Record + ?Sized> Serialize for Arrays<'_, R> {
             map.serialize_entry(column.name, &values.collect::<Vec<_>>())?;
         }
         map.end()
+    }
+}
+
+/// The first row of a record; all entries are `null` where there is no record.
+pub(crate) struct Row<'a, R: ?Sized>(pub Option<&'a R>);
+
+impl<R: Record + ?Sized> Serialize for Row<'_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(R::columns().len()))?;
+        for column in R::columns() {
+            let value = self.0.map_or(Value::Unknown, |record| (column.value)(record, 0));
+            map.serialize_entry(column.name, &Entry(value))?;
+        }
+        map.end()
+    }
+}
+
+/// A row of a record, with an object for every vector.
+pub(crate) struct Nested<'a, R: ?Sized>(pub &'a R, pub usize);
+
+impl<R: Record + ?Sized> Serialize for Nested<'_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        let vector = |column: &Column<R>| column.quantity.vector().map(|(vector, _)| vector);
+        for columns in
+            R::columns().chunk_by(|one, next| vector(one).is_some() && vector(one) == vector(next))
+        {
+            let entry = |column: &Column<R>| Entry((column.value)(self.0, self.1));
+            match vector(&columns[0]) {
+                None => map.serialize_entry(columns[0].name, &entry(&columns[0]))?,
+                Some(name) => {
+                    let parts = columns
+                        .iter()
+                        .filter_map(|column| Some((column.quantity.vector()?.1, entry(column))));
+                    map.serialize_entry(name, &Object(parts.collect()))?;
+                }
+            }
+        }
+        map.end()
+    }
+}
+
+/// Entries with their names.
+struct Object(Vec<(&'static str, Entry)>);
+
+impl Serialize for Object {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, entry)| (name, entry)))
     }
 }
 

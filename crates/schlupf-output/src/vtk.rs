@@ -1,5 +1,6 @@
 //! The fields as a legacy VTK file, for `ParaView` and its kin.
 
+use schlupf::Quantity;
 use schlupf::columns::Record;
 use schlupf::solution::{Fields, Solution};
 
@@ -8,12 +9,12 @@ use schlupf::solution::{Fields, Solution};
 pub fn structured_points(title: &str, solution: &Solution) -> Vec<u8> {
     let fields = &solution.fields;
     let mut file = header(title, fields).into_bytes();
-    let columns = Fields::columns().iter().filter(|column| !POSITION.contains(&column.name));
+    let columns = Fields::columns().iter().filter(|column| !POSITION.contains(&column.quantity));
     for column in columns {
         let number = |cell| (column.value)(fields, cell).number().unwrap_or_default();
-        match column.name.strip_suffix("_x") {
-            Some(name) => vectors(&mut file, fields, name),
-            None if column.name.ends_with("_y") => {}
+        match column.quantity.vector() {
+            Some((name, "x")) => vectors(&mut file, fields, name),
+            Some(_) => {}
             None => scalars(&mut file, fields, column.name, number),
         }
     }
@@ -22,12 +23,12 @@ pub fn structured_points(title: &str, solution: &Solution) -> Vec<u8> {
 }
 
 /// Columns that the grid gives.
-const POSITION: [&str; 2] = ["x", "y"];
+const POSITION: [Quantity; 2] = [Quantity::X, Quantity::Y];
 
 /// The column of a component.
-fn component(fields: &Fields, name: &str, axis: char) -> impl Fn(usize) -> f64 {
-    let name = format!("{name}_{axis}");
-    let column = Fields::columns().iter().find(|column| column.name == name);
+fn component(fields: &Fields, vector: &str, name: &str) -> impl Fn(usize) -> f64 {
+    let wanted = Some((vector, name));
+    let column = Fields::columns().iter().find(|column| column.quantity.vector() == wanted);
     move |cell| column.and_then(|column| (column.value)(fields, cell).number()).unwrap_or_default()
 }
 
@@ -62,7 +63,7 @@ fn scalars(file: &mut Vec<u8>, fields: &Fields, name: &str, value: impl Fn(usize
 }
 
 fn vectors(file: &mut Vec<u8>, fields: &Fields, name: &str) {
-    let [x, y] = ['x', 'y'].map(|axis| component(fields, name, axis));
+    let [x, y] = ["x", "y"].map(|axis| component(fields, name, axis));
     file.extend(format!("VECTORS {name} double\n").bytes());
     append(file, &on_grid(fields, |cell| [x(cell), y(cell), 0.0]));
 }

@@ -18,9 +18,8 @@ fn comparison() -> Comparison {
         method: Method::Fast(FastMethod::Polach(AreaReduction::DRY)),
         ..solution(RECIPE)
     };
-    polach.force.moment_z = f64::NAN;
-    polach.normalised.moment_z = f64::NAN;
-    polach.temperature = Temperature { max_rise: f64::NAN, ..polach.temperature };
+    (polach.force.moment_z, polach.normalised.moment_z) = (None, None);
+    polach.temperature = None;
     let entry = |name, method, elasticity, solution| Entry {
         name,
         method,

@@ -28,20 +28,20 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
         let size = bound * slip / (1.0 + slip * slip).sqrt() * (1.0 - 3.0 * abscissa.abs());
         let [x, y] = [kinematics.creepage_x, kinematics.creepage_y + 0.002 * kinematics.spin];
         let length = x.hypot(y).max(1e-300);
-        let force = Resultant {
-            x: -LOAD * size.abs() * x / length,
-            y: -LOAD * size.abs() * y / length,
-            moment_z: -40.0 * size * f64::from(kinematics.spin != 0.0),
-        };
+        let force = Resultant::new(
+            -LOAD * size.abs() * x / length,
+            -LOAD * size.abs() * y / length,
+            -40.0 * size * f64::from(kinematics.spin != 0.0),
+        );
         Point {
             abscissa,
             kinematics,
             force,
             normalised: normalised(&force),
             traction_coefficient: size.abs(),
-            power: Power { friction: 1.0, creep: 1.0, ..Power::default() },
-            max_rise: 2e3 * abscissa.abs(),
-            area: Area { contact: 1e-4, stick: 4e-5, slip: 6e-5 },
+            power: Some(Power { friction: 1.0, creep: 1.0, ..Power::default() }),
+            max_rise: Some(2e3 * abscissa.abs()),
+            area: Area { contact: 1e-4, stick: Some(4e-5), slip: Some(6e-5) },
             status: Status::Converged,
             residual: 1e-8,
             work: Work { newton_iterations: 5, operator_products: 40.5, ..Work::default() },
@@ -57,7 +57,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
         traction_coefficient: 1.01 * bound,
         is_saturated: false,
     };
-    let force = Resultant { x: -200.0 * bound * LOAD, y: -1.0, moment_z: 0.0 };
+    let force = Resultant::new(-200.0 * bound * LOAD, -1.0, 0.0);
     CreepCurve {
         method: Method::Full,
         path,
@@ -67,7 +67,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
         initial_slope: Some(InitialSlope {
             force,
             normalised: normalised(&force),
-            kalker: Some(Resultant { x: 4.2, y: 0.0, moment_z: 0.0 }),
+            kalker: Some(Resultant::new(4.2, 0.0, 0.0)),
         }),
         maxima: vec![maximum],
         warnings: Vec::new(),
@@ -77,7 +77,8 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
 
 fn normalised(force: &Resultant) -> Resultant {
     let limit = 0.4 * LOAD;
-    Resultant { x: force.x / limit, y: force.y / limit, moment_z: force.moment_z / (limit * 5e-3) }
+    let moment_z = force.moment_z.map(|moment| moment / (limit * 5e-3));
+    Resultant { x: force.x / limit, y: force.y / limit, moment_z }
 }
 
 fn over_x(from: f64, to: f64) -> Path {
@@ -324,14 +325,14 @@ fn numbers_that_are_none_do_not_spoil_the_rest() {
     let mut family = family_of(over_x(0.0, 0.05), &["<&>", "\u{0}"]);
     let curve = &mut family.members[0].curve;
     curve.points[4].force.x = f64::NAN;
-    curve.points[5].max_rise = f64::INFINITY;
+    curve.points[5].max_rise = None;
     curve.points[6].status = Status::NotConverged;
     curve.points[6].force.y = f64::NAN;
     curve.initial_slope.as_mut().unwrap().force.x = f64::NAN;
     curve.maxima[0].force.x = f64::NAN;
     assert!(text_of(&drawing(&family)).contains(&"<&>".to_owned()));
     for point in family.members.iter_mut().flat_map(|member| &mut member.curve.points) {
-        point.force = Resultant { x: f64::NAN, y: f64::NAN, moment_z: f64::NAN };
+        point.force = Resultant { x: f64::NAN, y: f64::NAN, moment_z: None };
     }
     assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
     family.members.clear();

@@ -3,7 +3,8 @@
 use schlupf::Status;
 use schlupf::creep_curve::Abscissa;
 use schlupf::identification::{
-    Component, Condition, DataPoint, Estimate, Fit, FittedCurves, FittedPoint, Parameter, Series,
+    Component, Condition, DataPoint, Estimate, Fit, FittedCurves, FittedPoint, ModelPoint, Parameter,
+    Series,
 };
 use schlupf::interface::friction::constants::FrictionConstant;
 use schlupf::kinematics::Kinematics;
@@ -15,6 +16,10 @@ use schlupf_output::identification::{FitReport, FittedRoughness};
 
 const SPEEDS: [f64; 2] = [10.0, 30.0];
 const CREEPAGES: [f64; 4] = [-0.01, 0.002, 0.01, 0.05];
+
+fn model_point(creepage: f64, curve: impl Fn(f64) -> f64) -> ModelPoint {
+    ModelPoint { creepage, force_ratio: Some(curve(creepage)) }
+}
 
 fn condition(speed: f64, creepage_x: f64) -> Condition {
     let kinematics = Kinematics { speed, creepage_x, creepage_y: 0.0, spin: 0.0 };
@@ -43,7 +48,7 @@ fn report(status: Status) -> FitReport {
             component: Component::Longitudinal,
             condition: condition(speed, 0.0),
             members: (first..points.len()).collect(),
-            curve: (-10..=50).map(|k| 1e-3 * f64::from(k)).map(|x| [x, curve(x)]).collect(),
+            curve: (-10..=50).map(|k| model_point(1e-3 * f64::from(k), &curve)).collect(),
         });
     }
     let cold = Parameter::Friction(FrictionConstant::ColdCoefficient);
@@ -51,8 +56,8 @@ fn report(status: Status) -> FitReport {
         parameter,
         start: 1.5 * value,
         value,
-        standard_error: 0.01 * value,
-        half_width: 0.02 * value,
+        standard_error: Some(0.01 * value),
+        half_width: Some(0.02 * value),
     };
     let fit = Fit {
         status,
@@ -60,7 +65,7 @@ fn report(status: Status) -> FitReport {
         correlation: vec![vec![1.0, -0.25], vec![-0.25, 1.0]],
         points,
         rms_residual: 1.1e-3,
-        r_squared: 0.999,
+        r_squared: Some(0.999),
         reduced_chi_squared: Some(0.4),
         degrees_of_freedom: 6,
         iterations: 5,
@@ -160,7 +165,11 @@ fn two_components() -> FitReport {
                 points.push(point);
             }
             let members = (first..points.len()).collect();
-            let curve = one.curve.iter().map(|[x, y]| [*x, share * y]).collect();
+            let scaled = |point: &ModelPoint| ModelPoint {
+                force_ratio: point.force_ratio.map(|ratio| share * ratio),
+                ..*point
+            };
+            let curve = one.curve.iter().map(scaled).collect();
             series.push(Series { component, condition: one.condition, members, curve });
         }
     }

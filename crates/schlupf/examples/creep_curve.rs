@@ -22,7 +22,8 @@ fn main() -> Result<(), Error> {
         println!("{speed} m/s\n  creepage_x   |F|/N   rise (K)");
         for point in &curve.points {
             let (creepage, traction) = (point.abscissa, point.traction_coefficient);
-            println!("  {creepage:10.6}  {traction:.4}  {:9.2}", point.max_rise);
+            let rise = point.max_rise.unwrap_or(0.0);
+            println!("  {creepage:10.6}  {traction:.4}  {rise:9.2}");
         }
         if let Some(maximum) = curve.maximum() {
             println!("  largest traction {:.4}", maximum.traction_coefficient);

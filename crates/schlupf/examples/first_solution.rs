@@ -8,7 +8,9 @@ fn main() -> Result<(), schlupf::Error> {
     println!("status            {}", solution.status.name());
     println!("longitudinal      {:.2} kN", solution.force.x / 1e3);
     println!("traction          {:.4} of the load", solution.traction_coefficient);
-    println!("friction power    {:.3} kW", solution.power.friction / 1e3);
-    println!("temperature rise  {:.1} K", solution.temperature.max_rise);
+    if let (Some(power), Some(hottest)) = (solution.power, solution.temperature) {
+        println!("friction power    {:.3} kW", power.friction / 1e3);
+        println!("temperature rise  {:.1} K", hottest.max_rise);
+    }
     Ok(())
 }

@@ -52,7 +52,8 @@ fn main() -> Result<(), Error> {
     println!("{} after {} iterations", found.status.name(), found.iterations);
     for estimate in &found.estimates {
         let symbol = estimate.parameter.quantity().symbol();
-        println!("{symbol} = {:.4} ± {:.4}", estimate.value, estimate.half_width);
+        let half_width = estimate.half_width.unwrap_or(f64::INFINITY);
+        println!("{symbol} = {:.4} ± {half_width:.4}", estimate.value);
     }
     Ok(())
 }

@@ -33,6 +33,8 @@ fn main() -> Result<(), schlupf::Error> {
     println!("largest pressure   {:.0} MPa", solution.normal.peak_pressure / 1e6);
     println!("longitudinal       {:.2} kN", solution.force.x / 1e3);
     println!("lateral            {:.2} kN", solution.force.y / 1e3);
-    println!("moment             {:.2} N m", solution.force.moment_z);
+    if let Some(moment) = solution.force.moment_z {
+        println!("moment             {moment:.2} N m");
+    }
     Ok(())
 }

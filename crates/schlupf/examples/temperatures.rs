@@ -10,7 +10,7 @@ fn main() -> Result<(), schlupf::Error> {
     let mut solver = SteadySolver::new(&Options::default());
     let solution = solver.solve(&problem, &unwatched)?;
 
-    let hottest = solution.temperature;
+    let hottest = solution.temperature.unwrap_or_default();
     println!("{:.1} degC on the wheel at x = {:.2} mm", hottest.max_wheel, 1e3 * hottest.x);
     let field = TemperatureField::new(&problem, &solution)?;
     for micrometres in [0.0, 20.0, 50.0, 100.0, 200.0] {

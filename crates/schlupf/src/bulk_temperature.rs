@@ -107,11 +107,6 @@ pub fn bulk_temperature(
     watch: Watch,
 ) -> Result<BulkTemperature, Error> {
     check(problem, cooling)?;
-    let method = solver.method();
-    if !method.has_fields() {
-        let reason = "the wheel warms by frictional heat, which needs a method with temperatures";
-        return Err(Error::OtherMethod { reason, method: method.name() });
-    }
     let at = AtPatch::new(problem, watch)?;
     let mut balance =
         Balance { problem: at.problem.clone(), cooling: *cooling, solver, watch, iterations: 0 };
@@ -159,13 +154,19 @@ impl Balance<'_> {
         let progress = Progress::count(Stage::BulkTemperature, self.iterations);
         let solution = self.solver.solve(&self.problem, &within(self.watch, progress))?;
         self.iterations += 1;
-        let conduction = self.problem.conduction(&solution.kinematics);
+        let known = solution.power.and_then(|power| Some((power.into_wheel, power.exchanged?)));
+        let Some((frictional_heat, conduction)) = known else {
+            let reason =
+                "the wheel warms by frictional heat, which needs a method with temperatures";
+            return Err(Error::OtherMethod { reason, method: solution.method.name() });
+        };
+        let partition = self.problem.conduction(&solution.kinematics);
         Ok(BulkTemperature {
             temperature,
-            entry_temperature: conduction.entry_temperature,
-            frictional_heat: solution.power.into_wheel,
+            entry_temperature: partition.entry_temperature,
+            frictional_heat,
             convection: self.convection(temperature),
-            conduction: solution.power.exchanged,
+            conduction,
             solution,
             iterations: self.iterations,
         })

@@ -7,7 +7,7 @@ use crate::creep_curve::CreepCurve;
 use crate::interface::roughness::load_curve::LoadCurve;
 use crate::interface::roughness::tangential_curve::TangentialCurve;
 use crate::quantity::Quantity;
-use crate::solution::{Fields, Instant, Status};
+use crate::solution::{Fields, Instant, Power, Status, Temperature};
 
 /// An entry of a column.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -141,6 +141,43 @@ impl Record for Fields {
     }
 }
 
+/// The powers of a solution, one row.
+impl Record for Power {
+    fn rows(&self) -> usize {
+        1
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Power:
+            FrictionPower "friction" => |power, _| power.friction,
+            CreepPower "creep" => |power, _| power.creep,
+            ReturnedPower "returned" => |power, _| power.returned,
+            HeatIntoWheel "into_wheel" => |power, _| power.into_wheel,
+            HeatIntoRail "into_rail" => |power, _| power.into_rail,
+            HeatExchanged "exchanged" => |power, _| power.exchanged,
+        }
+    }
+}
+
+/// The largest temperatures of a solution, one row.
+impl Record for Temperature {
+    fn rows(&self) -> usize {
+        1
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Temperature:
+            MaxRise => |largest, _| largest.max_rise,
+            MaxRiseWheel => |largest, _| largest.max_rise_wheel,
+            MaxRiseRail => |largest, _| largest.max_rise_rail,
+            MaxTemperatureWheel "max_wheel" => |largest, _| largest.max_wheel,
+            MaxTemperatureRail "max_rail" => |largest, _| largest.max_rail,
+            X => |largest, _| largest.x,
+            Y => |largest, _| largest.y,
+        }
+    }
+}
+
 /// Time steps; forces on the wheel.
 impl Record for [Instant] {
     fn rows(&self) -> usize {
@@ -186,8 +223,8 @@ impl Record for CreepCurve {
             NormalisedY => |curve, k| curve.points[k].normalised.y,
             NormalisedMomentZ => |curve, k| curve.points[k].normalised.moment_z,
             TractionCoefficient => |curve, k| curve.points[k].traction_coefficient,
-            FrictionPower => |curve, k| curve.points[k].power.friction,
-            CreepPower => |curve, k| curve.points[k].power.creep,
+            FrictionPower => |curve, k| curve.points[k].power.map(|power| power.friction),
+            CreepPower => |curve, k| curve.points[k].power.map(|power| power.creep),
             MaxRise => |curve, k| curve.points[k].max_rise,
             ContactArea => |curve, k| curve.points[k].area.contact,
             StickArea => |curve, k| curve.points[k].area.stick,
@@ -255,6 +292,8 @@ mod tests {
     fn no_record_has_two_columns_of_one_name() {
         check::<Fields>();
         check::<[Instant]>();
+        check::<Power>();
+        check::<Temperature>();
         check::<CreepCurve>();
         check::<LoadCurve>();
         check::<TangentialCurve>();

@@ -183,9 +183,17 @@ quantities! {
     TractionCoefficient "traction_coefficient" "|F|/N" "" "tangential force over the load"
     FrictionPower "friction_power" "P" "W" "friction power"
     CreepPower "creep_power" "P_c" "W" "power of the creep forces"
+    ReturnedPower "returned_power" "" "W" "friction power that the bristles of the contact law return"
+    HeatIntoWheel "heat_into_wheel" "" "W" "part of the heat that goes into the wheel"
+    HeatIntoRail "heat_into_rail" "" "W" "part of the heat that goes into the rail"
+    HeatExchanged "heat_exchanged" "" "W" "heat from the wheel into the rail as their bulk temperatures differ"
     StoredEnergy "stored_energy" "E" "J" "elastic energy of the tangential deformation"
     Distance "distance" "s" "m" "distance rolled"
     MaxRise "max_rise" "ΔT" "K" "largest temperature rise"
+    MaxRiseWheel "max_rise_wheel" "ΔT_w" "K" "largest temperature rise of the wheel's surface"
+    MaxRiseRail "max_rise_rail" "ΔT_r" "K" "largest temperature rise of the rail's surface"
+    MaxTemperatureWheel "max_temperature_wheel" "T_w" "degC" "largest temperature of the wheel's surface"
+    MaxTemperatureRail "max_temperature_rail" "T_r" "degC" "largest temperature of the rail's surface"
     WheelTemperature "temperature_wheel" "T_w" "degC" "temperature of the wheel"
     RailTemperature "temperature_rail" "T_r" "degC" "temperature of the rail"
     Depth "depth" "z" "m" "depth below the surface"
@@ -218,6 +226,26 @@ quantities! {
 }
 
 impl Quantity {
+    /// The vector of which it is a component, and the name of the component.
+    pub fn vector(self) -> Option<(&'static str, &'static str)> {
+        let [x, y] = ["x", "y"];
+        Some(match self {
+            Self::TractionX => ("traction", x),
+            Self::TractionY => ("traction", y),
+            Self::SlipX => ("slip", x),
+            Self::SlipY => ("slip", y),
+            Self::DisplacementX => ("displacement", x),
+            Self::DisplacementY => ("displacement", y),
+            Self::ForceX => ("force", x),
+            Self::ForceY => ("force", y),
+            Self::MomentZ => ("force", "moment_z"),
+            Self::NormalisedX => ("normalised", x),
+            Self::NormalisedY => ("normalised", y),
+            Self::NormalisedMomentZ => ("normalised", "moment_z"),
+            _ => return None,
+        })
+    }
+
     /// A value (in its unit, or dimensionless) of six digits with its unit.
     pub fn six_digits(self, value: f64) -> String {
         let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);

@@ -28,8 +28,8 @@ impl Status {
     }
 }
 
-/// A solved rolling contact. The fields belong to the last instant. What the method does not know is NaN,
-/// and its fields have no cells: see [`Method`].
+/// A solved rolling contact. The fields belong to the last instant. What the method does not know is
+/// `None`, and its fields have no cells: see [`Method`].
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Solution {
@@ -54,12 +54,12 @@ pub struct Solution {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
-    /// Power of friction and of the creep forces.
-    pub power: Power,
+    /// Power of friction and of the creep forces; `None` where they take a moment that is not known.
+    pub power: Option<Power>,
     /// Wear number.
     pub t_gamma: TGamma,
-    /// Largest temperatures.
-    pub temperature: Temperature,
+    /// Largest temperatures, where the method has fields.
+    pub temperature: Option<Temperature>,
     /// Péclet numbers v a/κ of wheel and rail, dimensionless: v is the speed with which their
     /// material passes the contact in the temperatures above.
     pub peclet: [f64; 2],
@@ -96,7 +96,7 @@ impl Solution {
 }
 
 /// Tangential force and moment on the wheel.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Resultant {
     /// Longitudinal force Fx, in N (or normalised, dimensionless).
@@ -104,28 +104,51 @@ pub struct Resultant {
     /// Lateral force Fy, in N (or normalised, dimensionless).
     pub y: f64,
     /// Moment Mz about the reference point, by default the middle of the patch, in N m (or
-    /// normalised, dimensionless).
-    pub moment_z: f64,
+    /// normalised, dimensionless); `None` where the method does not give it.
+    pub moment_z: Option<f64>,
+}
+
+/// Zero, its moment, too.
+impl Default for Resultant {
+    fn default() -> Self {
+        Self::new(0.0, 0.0, 0.0)
+    }
 }
 
 impl Resultant {
-    /// The mean of two.
-    pub(crate) fn mean(&self, other: &Self) -> Self {
-        Self::default().plus(0.5, self).plus(0.5, other)
+    /// Forces (in N) with a moment (in N m).
+    pub const fn new(x: f64, y: f64, moment_z: f64) -> Self {
+        Self { x, y, moment_z: Some(moment_z) }
+    }
+
+    /// |F|, in the unit of the forces.
+    pub fn tangential(&self) -> f64 {
+        self.x.hypot(self.y)
+    }
+
+    /// Forces and moment times a factor each.
+    pub(crate) fn scaled(&self, factor: f64, moment_factor: f64) -> Self {
+        Self {
+            x: factor * self.x,
+            y: factor * self.y,
+            moment_z: self.moment_z.map(|moment| moment_factor * moment),
+        }
     }
 
     /// The same with the moment about another point, which lies at (x, y) (in m) from the one about
     /// which this is taken: Mz' = Mz − (x Fy − y Fx).
     #[must_use]
     pub fn about(&self, [x, y]: [f64; 2]) -> Self {
-        Self { moment_z: self.moment_z - (x * self.y - y * self.x), ..*self }
+        let moment_z = self.moment_z.map(|moment| moment - (x * self.y - y * self.x));
+        Self { moment_z, ..*self }
     }
 
-    fn plus(&self, factor: f64, other: &Self) -> Self {
+    /// The sum with a multiple of another; a moment only where both have one.
+    pub(crate) fn plus(&self, factor: f64, other: &Self) -> Self {
         Self {
             x: self.x + factor * other.x,
             y: self.y + factor * other.y,
-            moment_z: self.moment_z + factor * other.moment_z,
+            moment_z: self.moment_z.zip(other.moment_z).map(|(one, two)| one + factor * two),
         }
     }
 }
@@ -187,8 +210,8 @@ pub struct Power {
     /// returned.
     pub into_rail: f64,
     /// Heat that flows from the wheel through the contact into the rail besides, because their bulk
-    /// temperatures differ, in W.
-    pub exchanged: f64,
+    /// temperatures differ, in W; `None` where the method has no fields.
+    pub exchanged: Option<f64>,
 }
 
 /// T-gamma, the wear number of the railways.
@@ -197,8 +220,8 @@ pub struct Power {
 pub struct TGamma {
     /// |ξ Fx| + |η Fy|, in N.
     pub without_spin: f64,
-    /// |ξ Fx| + |η Fy| + |φ Mz|, in N.
-    pub with_spin: f64,
+    /// |ξ Fx| + |η Fy| + |φ Mz|, in N; `None` where that moment is not known.
+    pub with_spin: Option<f64>,
 }
 
 /// Largest temperatures in the contact.
@@ -227,10 +250,10 @@ pub struct Temperature {
 pub struct Area {
     /// Contact area, in m².
     pub contact: f64,
-    /// Where the elements stick, in m².
-    pub stick: f64,
-    /// Where they slide, in m².
-    pub slip: f64,
+    /// Where the elements stick, in m²; `None` where the method has no fields.
+    pub stick: Option<f64>,
+    /// Where they slide, in m²; `None` where the method has no fields.
+    pub slip: Option<f64>,
 }
 
 /// One entry for each contact cell, strip by strip from the leading to the trailing edge.
@@ -299,15 +322,16 @@ pub struct Instant {
     pub load: f64,
     /// Forces and moment at the end of the step.
     pub force: Resultant,
-    /// Friction power, mean over the step, in W.
-    pub friction_power: f64,
+    /// Friction power, mean over the step, in W. Here and below, `None` is what the method does not
+    /// know.
+    pub friction_power: Option<f64>,
     /// Power of the creep forces −v0 (ξ Fx + η Fy + φ Mz), mean over the step, in W: the friction power
     /// and the change of the stored energy over the duration of the step.
-    pub creep_power: f64,
+    pub creep_power: Option<f64>,
     /// Elastic energy ½ ∫ p·u dA of the tangential tractions at the end of the step, in J.
-    pub stored_energy: f64,
+    pub stored_energy: Option<f64>,
     /// Largest temperature rise, in K.
-    pub max_rise: f64,
+    pub max_rise: Option<f64>,
     /// Newton steps of this time step.
     pub newton_iterations: usize,
     /// Relative residual of this time step's equilibrium, dimensionless.

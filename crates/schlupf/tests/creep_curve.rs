@@ -120,7 +120,7 @@ fn kalker_1967_initial_slopes() {
         let path = Path::new(Creepages::default(), end).unwrap();
         let curve = curve(&smooth, &cells(cells_across), &path, 2);
         let kalker = curve.initial_slope.unwrap().kalker.unwrap();
-        [kalker.x, kalker.y, kalker.moment_z]
+        [kalker.x, kalker.y, kalker.moment_z.unwrap()]
     };
     let extrapolated = |end: Creepages| {
         let [coarse, fine] = [on(16, end), on(32, end)];

@@ -86,9 +86,10 @@ fn creepages_in_one_direction_are_a_curve_over_the_total_one() {
     for series in &curves.series {
         assert_eq!(series.members.len(), TOTALS.len());
         for point in series.members.iter().map(|k| &data[*k]) {
-            let there = series.curve.iter().find(|[x, _]| *x == curves.place(point)).unwrap();
+            let place = curves.place(point);
+            let there = series.curve.iter().find(|there| there.creepage == place).unwrap();
             // The digits turn the direction by up to 3 mrad.
-            assert_relative_eq!(there[1], point.force_ratio, epsilon = 1e-3);
+            assert_relative_eq!(there.force_ratio.unwrap(), point.force_ratio, epsilon = 1e-3);
         }
     }
     // Five points and the four of the data, of which the first and the last are the ends of the five.

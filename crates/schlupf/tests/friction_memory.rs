@@ -118,7 +118,8 @@ fn the_steady_state_is_the_end_of_marching() {
             assert!(steady.work.operator_products < 60.0, "{:?}", steady.work);
             assert_relative_eq!(steady.force.x, marched.force.x, max_relative = 1e-6);
             assert_relative_eq!(steady.force.y, marched.force.y, max_relative = 1e-6);
-            let (one, two) = (steady.temperature.max_rise, marched.temperature.max_rise);
+            let (one, two) =
+                (steady.temperature.unwrap().max_rise, marched.temperature.unwrap().max_rise);
             assert_relative_eq!(one, two, max_relative = 1e-6);
         }
     }

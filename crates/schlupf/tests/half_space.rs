@@ -58,7 +58,7 @@ impl Reference {
     /// Largest error of Fx, Fy (over μN) and Mz (over μN √(ab)) on a grid of `across` cells.
     fn error(&self, across: usize) -> f64 {
         let force = solve(self.semi_axes, self.creepage, across).normalised;
-        let pairs = [force.x, force.y, force.moment_z].into_iter().zip(self.force);
+        let pairs = [force.x, force.y, force.moment_z.unwrap()].into_iter().zip(self.force);
         pairs.map(|(got, expected)| (got - expected).abs()).fold(0.0, f64::max)
     }
 }

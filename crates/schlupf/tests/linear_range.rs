@@ -46,7 +46,7 @@ fn at_once(problem: &Problem, options: &Options) -> Solution {
 /// Fx, Fy and Mz over √(ab), over the size of the motion, in N.
 fn per_size(force: &Resultant, size: f64) -> [f64; 3] {
     let lever = (6e-3_f64 * 5e-3).sqrt();
-    [force.x, force.y, force.moment_z / lever].map(|component| component / size)
+    [force.x, force.y, force.moment_z.unwrap() / lever].map(|component| component / size)
 }
 
 fn length(v: [f64; 3]) -> f64 {

@@ -121,7 +121,7 @@ fn wheel_and_rail_carry_away_the_friction_power() {
         sliding.wheel.bulk_temperature = bulk;
         let (solution, field) = solve(&sliding);
         let [wheel, rail] = carried_away(&sliding, &solution, &field);
-        let power = solution.power;
+        let power = solution.power.unwrap();
         assert_relative_eq!(power.into_wheel + power.into_rail, power.friction + power.returned);
         assert_relative_eq!(power.friction, power.creep, max_relative = 1e-5);
         println!("{partition:?} {bulk}: {wheel} {rail} {power:?}");

@@ -226,18 +226,22 @@ fn powers_of_every_step_balance() {
             let solution = solve_over(&rolls, history, &cells(24));
             for pair in solution.history.windows(2) {
                 let duration = pair[1].time - pair[0].time;
-                let stored = (pair[1].stored_energy - pair[0].stored_energy) / duration;
-                let off = pair[1].creep_power - pair[1].friction_power - stored;
+                let stored =
+                    (pair[1].stored_energy.unwrap() - pair[0].stored_energy.unwrap()) / duration;
+                let off = pair[1].creep_power.unwrap() - pair[1].friction_power.unwrap() - stored;
                 assert!(off.abs() < 1e-4 * LIMIT * 0.002 * 25.0, "at {} s: {off} W", pair[1].time);
             }
             // In between the power is not that of the steady state, and not zero.
             let step = &solution.history[8];
-            assert!((step.creep_power - step.friction_power).abs() > 1e-2 * step.creep_power.abs());
+            assert!(
+                (step.creep_power.unwrap() - step.friction_power.unwrap()).abs()
+                    > 1e-2 * step.creep_power.unwrap().abs()
+            );
             // The whole result has the powers of the instant.
             let (force, motion) = (solution.force, solution.kinematics);
             let along = motion.creepage_x * force.x + motion.creepage_y * force.y;
-            let creep = -motion.speed * (along + motion.spin * force.moment_z);
-            assert_relative_eq!(solution.power.creep, creep, max_relative = 1e-12);
+            let creep = -motion.speed * (along + motion.spin * force.moment_z.unwrap());
+            assert_relative_eq!(solution.power.unwrap().creep, creep, max_relative = 1e-12);
         }
     }
 }
@@ -249,8 +253,13 @@ fn mindlin_1949_stored_energy() {
     let by = 2e-7;
     let shifted = run(History { shift: Some([by, 0.0]), ..History::default() }, 40);
     let instant = &shifted.history[0];
-    assert_relative_eq!(instant.stored_energy, -0.5 * instant.force.x * by, max_relative = 0.03);
-    assert_eq!((instant.distance, instant.friction_power, shifted.history.len()), (0.0, 0.0, 1));
+    assert_relative_eq!(
+        instant.stored_energy.unwrap(),
+        -0.5 * instant.force.x * by,
+        max_relative = 0.03
+    );
+    assert_eq!((instant.distance, instant.friction_power), (0.0, Some(0.0)));
+    assert_eq!(shifted.history.len(), 1);
 }
 
 /// Creepages, speed and load of an instant are those of the history at its time.

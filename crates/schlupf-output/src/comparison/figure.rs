@@ -28,29 +28,29 @@ const NOTE: f64 = 20.0;
 /// A quantity with a bar for every method.
 struct Column {
     label: &'static str,
-    value: fn(&Answer) -> f64,
+    value: fn(&Answer) -> Option<f64>,
     color: &'static str,
 }
 
 const COLUMNS: [Column; 4] = [
     Column {
         label: "\u{2212}$F$_x/$N$",
-        value: |answer| -answer.solution.force.x / answer.solution.normal.load,
+        value: |answer| Some(-answer.solution.force.x / answer.solution.normal.load),
         color: BLUE,
     },
     Column {
         label: "\u{2212}$F$_y/$N$",
-        value: |answer| -answer.solution.force.y / answer.solution.normal.load,
+        value: |answer| Some(-answer.solution.force.y / answer.solution.normal.load),
         color: VERMILION,
     },
     Column {
         label: "\u{2212}$M$_z (N m)",
-        value: |answer| -answer.solution.force.moment_z,
+        value: |answer| Some(-answer.solution.force.moment_z?),
         color: "#8a5aa3",
     },
     Column {
         label: "largest temp. rise (K)",
-        value: |answer| answer.solution.temperature.max_rise,
+        value: |answer| Some(answer.solution.temperature?.max_rise),
         color: GREEN,
     },
 ];
@@ -179,15 +179,20 @@ impl Scale {
 }
 
 impl Column {
+    /// Size of the number of an answer, 0 where it is not given.
+    fn size(&self, answer: &Answer) -> f64 {
+        (self.value)(answer).unwrap_or(0.0).abs()
+    }
+
     fn is_seen(&self, comparison: &Comparison) -> bool {
         let scale = |answer: &Answer| {
             let bound = answer.solution.force.x / answer.solution.normalised.x;
             if bound.is_finite() { bound / answer.solution.normal.load } else { 1.0 }
         };
-        comparison.answers().any(|answer| (self.value)(answer).abs() > INVISIBLE * scale(answer))
+        comparison.answers().any(|answer| self.size(answer) > INVISIBLE * scale(answer))
     }
 
-    /// All values, each with whether its size counts for the axis. Of the linear theory, which knows no bound, only
+    /// All values, NaN for one that is not given, each with whether its size counts for the axis. Of the linear theory, which knows no bound, only
     /// the direction counts where it would dwarf all others.
     fn values(&self, answers: &[&Answer]) -> Vec<(f64, bool)> {
         /// Over the largest of the others.
@@ -195,10 +200,10 @@ impl Column {
         let is_bounded =
             |answer: &Answer| answer.solution.method != Method::Fast(FastMethod::KalkerLinear);
         let bounded = answers.iter().filter(|answer| is_bounded(answer));
-        let largest = bounded.map(|answer| (self.value)(answer).abs()).fold(0.0, f64::max);
+        let largest = bounded.map(|answer| self.size(answer)).fold(0.0, f64::max);
         let value = |answer: &&Answer| {
-            let value = (self.value)(answer);
-            let is_small = largest == 0.0 || value.abs() < DWARFING * largest;
+            let value = (self.value)(answer).unwrap_or(f64::NAN);
+            let is_small = largest == 0.0 || self.size(answer) < DWARFING * largest;
             (value, is_bounded(answer) || is_small)
         };
         answers.iter().map(value).collect()

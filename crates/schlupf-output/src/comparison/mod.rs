@@ -74,8 +74,8 @@ impl Comparison {
     }
 
     /// A number of the answer of an entry (in its unit, or dimensionless), if it has one.
-    fn of(&self, row: usize, number: fn(&Answer) -> f64) -> Value {
-        self.entries[row].answer.as_ref().map(number).ok().into()
+    fn of<N: Into<Value>>(&self, row: usize, number: fn(&Answer) -> N) -> Value {
+        self.entries[row].answer.as_ref().map_or(Value::Unknown, |answer| number(answer).into())
     }
 }
 
@@ -98,8 +98,12 @@ impl Record for Comparison {
             TractionCoefficient => |methods, k| {
                 methods.of(k, |answer| answer.solution.traction_coefficient)
             },
-            CreepPower => |methods, k| methods.of(k, |answer| answer.solution.power.creep),
-            MaxRise => |methods, k| methods.of(k, |answer| answer.solution.temperature.max_rise),
+            CreepPower => |methods, k| {
+                methods.of(k, |answer| answer.solution.power.map(|power| power.creep))
+            },
+            MaxRise => |methods, k| {
+                methods.of(k, |answer| answer.solution.temperature.map(|largest| largest.max_rise))
+            },
             ComputingTime "time" => |methods, k| methods.of(k, |answer| answer.time),
             ComputingTimeAgain "time_again" => |methods, k| methods.of(k, |answer| answer.time_again),
         }

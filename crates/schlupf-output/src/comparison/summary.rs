@@ -6,19 +6,19 @@ use schlupf::kinematics::ReferencePoint;
 
 use super::{Answer, Comparison};
 use crate::number::significant as number;
-use crate::summary::without_noise;
+use crate::summary::{moment, without_noise};
 
 /// Heading of a column, and how to get its number.
-type Column = (&'static str, fn(&Answer) -> f64);
+type Column = (&'static str, fn(&Answer) -> Option<f64>);
 
 const COLUMNS: [Column; 7] = [
-    ("Fx (kN)", |a| without_noise(a.solution.force.x, a.solution.normalised.x) / 1e3),
-    ("Fy (kN)", |a| without_noise(a.solution.force.y, a.solution.normalised.y) / 1e3),
-    ("Mz (N m)", |a| without_noise(a.solution.force.moment_z, a.solution.normalised.moment_z)),
-    ("|F|/N", |a| a.solution.traction_coefficient),
-    ("rise (K)", |a| a.solution.temperature.max_rise),
-    ("time (ms)", |a| a.time * 1e3),
-    ("again (ms)", |a| a.time_again * 1e3),
+    ("Fx (kN)", |a| Some(without_noise(a.solution.force.x, a.solution.normalised.x) / 1e3)),
+    ("Fy (kN)", |a| Some(without_noise(a.solution.force.y, a.solution.normalised.y) / 1e3)),
+    ("Mz (N m)", |a| moment(&a.solution.force, &a.solution.normalised)),
+    ("|F|/N", |a| Some(a.solution.traction_coefficient)),
+    ("rise (K)", |a| Some(a.solution.temperature?.max_rise)),
+    ("time (ms)", |a| Some(a.time * 1e3)),
+    ("again (ms)", |a| Some(a.time_again * 1e3)),
 ];
 
 /// Width of the names, in characters.
@@ -41,7 +41,7 @@ pub(super) fn text(comparison: &Comparison) -> String {
             }
         };
         let remark = if entry.is_unconverged() { "  NOT CONVERGED" } else { "" };
-        let shown = |value: f64| if value.is_nan() { "–".to_owned() } else { number(value) };
+        let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
         row(&mut text, entry.name, COLUMNS.iter().map(|(_, value)| shown(value(answer))), remark);
     }
     text.push_str(

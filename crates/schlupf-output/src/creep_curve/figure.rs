@@ -10,7 +10,7 @@ use crate::figures::color::{INK, MUTED};
 use crate::figures::frame::{Frame, TICK_SIZE};
 use crate::figures::label::{Anchor, TextStyle};
 use crate::figures::marks::{self, ALARM, Entry, HEADING, Sample, short};
-use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO};
+use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO, known};
 use crate::figures::smooth::smooth;
 use crate::figures::svg::Drawing;
 use crate::report::Report;
@@ -238,18 +238,18 @@ impl<'a> Picture<'a> {
     /// Nothing where there is none and none is asked for.
     fn moments(&self) -> Option<MarkedPanel> {
         let is_seen = self.abscissa == Abscissa::Spin
-            || self.largest(|point| point.normalised.moment_z) > INVISIBLE;
-        let value = |point: &Point| -point.force.moment_z;
+            || self.largest(|point| point.normalised.moment_z.unwrap_or(0.0)) > INVISIBLE;
+        let value = |point: &Point| -known(point.force.moment_z);
         let mut panel = self.panel("moment \u{2212}$M$_z (N m)", value);
         if self.abscissa == Abscissa::Spin {
-            panel.tangents = self.tangents(|_, force| -force.moment_z);
+            panel.tangents = self.tangents(|_, force| -known(force.moment_z));
         }
         is_seen.then_some(panel)
     }
 
     /// Nothing where there is no heat.
     fn temperatures(&self) -> Option<MarkedPanel> {
-        let value = |point: &Point| point.max_rise;
+        let value = |point: &Point| known(point.max_rise);
         (self.largest(value) > 0.0).then(|| self.panel("largest temp. rise (K)", value))
     }
 

@@ -9,7 +9,7 @@ use schlupf::{Method, Status};
 
 use super::{CurveFamily, Member};
 use crate::number::significant as number;
-use crate::summary::without_noise;
+use crate::summary::{self, without_noise};
 
 /// What creepages and moments refer to where that is not the middle of the patch.
 const FROM_THE_FILE: &str = "creepages and moment at the origin of the file";
@@ -77,7 +77,7 @@ fn conditions(text: &mut String, curve: &CreepCurve) {
 }
 
 /// A column of the table: its heading, and how to get its number.
-type Column = (String, fn(&Point) -> f64);
+type Column = (String, fn(&Point) -> Option<f64>);
 
 fn table(text: &mut String, curve: &CreepCurve) {
     let points = &curve.points;
@@ -86,21 +86,22 @@ fn table(text: &mut String, curve: &CreepCurve) {
         other => other.quantity().name().to_owned(),
     };
     let mut columns: Vec<Column> = vec![
-        (abscissa, |point| point.abscissa),
-        ("Fx (kN)".to_owned(), |point| without_noise(point.force.x, point.normalised.x) / 1e3),
-        ("Fy (kN)".to_owned(), |point| without_noise(point.force.y, point.normalised.y) / 1e3),
+        (abscissa, |point| Some(point.abscissa)),
+        ("Fx (kN)".to_owned(), |point| {
+            Some(without_noise(point.force.x, point.normalised.x) / 1e3)
+        }),
+        ("Fy (kN)".to_owned(), |point| {
+            Some(without_noise(point.force.y, point.normalised.y) / 1e3)
+        }),
         ("|F|/N".to_owned(), |point| {
-            without_noise(point.traction_coefficient, point.traction_coefficient)
+            Some(without_noise(point.traction_coefficient, point.traction_coefficient))
         }),
     ];
-    let moment: Column = ("Mz (N m)".to_owned(), |point| {
-        without_noise(point.force.moment_z, point.normalised.moment_z)
-    });
+    let moment: Column =
+        ("Mz (N m)".to_owned(), |point| summary::moment(&point.force, &point.normalised));
     let rise: Column = ("rise (K)".to_owned(), |point| point.max_rise);
     for column in [moment, rise] {
-        // What a method does not know is NaN throughout.
-        let is_seen = |value: f64| value != 0.0 && !value.is_nan();
-        if points.iter().any(|point| is_seen((column.1)(point))) {
+        if points.iter().any(|point| (column.1)(point).is_some_and(|value| value != 0.0)) {
             columns.push(column);
         }
     }
@@ -137,15 +138,15 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
         Abscissa::Spin => ("φ", ["", "C23", "C33"], "kN m", "N m²", "m μ0 N"),
         Abscissa::Total { .. } => ("ν", ["", "", ""], "kN", "N m", "μ0 N"),
     };
-    let kalker = |component: fn(&Resultant) -> f64| slope.kalker.as_ref().map(component);
+    let kalker = |component: fn(&Resultant) -> Option<f64>| component(slope.kalker.as_ref()?);
     let components = [
-        ("dFx", slope.force.x / 1e3, force_unit, slope.normalised.x, kalker(|k| k.x)),
-        ("dFy", slope.force.y / 1e3, force_unit, slope.normalised.y, kalker(|k| k.y)),
+        ("dFx", slope.force.x / 1e3, force_unit, slope.normalised.x, kalker(|k| Some(k.x))),
+        ("dFy", slope.force.y / 1e3, force_unit, slope.normalised.y, kalker(|k| Some(k.y))),
         (
             "dMz",
-            slope.force.moment_z,
+            slope.force.moment_z.unwrap_or(0.0),
             moment_unit,
-            slope.normalised.moment_z,
+            slope.normalised.moment_z.unwrap_or(0.0),
             kalker(|k| k.moment_z),
         ),
     ];
@@ -155,7 +156,7 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
         components.into_iter().zip(coefficients)
     {
         // What is left of the tolerance of the solutions, or unknown.
-        if normalised.is_nan() || normalised.abs() <= 1e-5 * largest {
+        if normalised.abs() <= 1e-5 * largest {
             continue;
         }
         let bound = if what == "dMz" { format!("{bound} √(ab)") } else { bound.to_owned() };

@@ -4,7 +4,7 @@ use schlupf::solution::Instant;
 
 use super::color::{BLUE, GREEN, VERMILION};
 use super::marks::{self, HEADING};
-use super::panels::{Curve, Panel, Stack};
+use super::panels::{Curve, Panel, Stack, known};
 use super::patch::Patch;
 use super::units;
 
@@ -68,8 +68,9 @@ fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
 
 /// Nothing where there is no heat.
 fn temperature(history: &[Instant], x: &[f64]) -> Option<Panel> {
-    let hot = history.iter().any(|instant| instant.max_rise != 0.0);
-    let curves = vec![Curve::solid(points(x, history, |instant| instant.max_rise), GREEN, "")];
+    let hot = history.iter().any(|instant| instant.max_rise.is_some_and(|rise| rise != 0.0));
+    let curves =
+        vec![Curve::solid(points(x, history, |instant| known(instant.max_rise)), GREEN, "")];
     let label = "largest rise (K)".to_owned();
     hot.then_some(Panel { label, height: 180.0, curves })
 }

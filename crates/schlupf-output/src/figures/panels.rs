@@ -6,6 +6,11 @@ use super::marks::{self, Entry, HEADING, Sample};
 use super::svg::Drawing;
 use super::ticks::round_axis;
 
+/// A coordinate; one that is not known interrupts its curve.
+pub(crate) fn known(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
+}
+
 /// A curve.
 #[derive(Debug)]
 pub(crate) struct Curve {

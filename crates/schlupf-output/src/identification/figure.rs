@@ -9,7 +9,7 @@ use super::{FitReport, in_usual_unit, with_uncertainty};
 use crate::figures::color::{BLUE, INK, LEVELS, Palette, paint};
 use crate::figures::frame::Frame;
 use crate::figures::marks::{self, Entry, HEADING, Sample, short};
-use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH};
+use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, known};
 use crate::figures::svg::Drawing;
 
 /// Height of the panel of forces where there is one, and of each where there are two.
@@ -250,7 +250,7 @@ impl<'a> Picture<'a> {
         let all = self.report.curves.series.iter();
         for series in all.filter(|series| series.component == component) {
             panel.panel.curves.push(Curve {
-                points: series.curve.clone(),
+                points: series.curve.iter().map(|p| [p.creepage, known(p.force_ratio)]).collect(),
                 stroke: curve_stroke(&self.color(&series.condition)),
                 text: String::new(),
             });
@@ -306,7 +306,7 @@ fn ratio(component: Component) -> &'static str {
 fn result(estimate: &Estimate) -> String {
     let parameter = estimate.parameter;
     let (value, unit) = in_usual_unit(parameter, estimate.value);
-    let (half_width, _) = in_usual_unit(parameter, estimate.half_width);
+    let half_width = estimate.half_width.map(|width| in_usual_unit(parameter, width).0);
     let [value, half_width] = with_uncertainty(value, half_width);
     let number = format!("{value} ± {half_width} {unit}").replace('-', "\u{2212}");
     format!("{} = {}", symbol(parameter.quantity().symbol()), number.trim_end())

@@ -45,7 +45,7 @@ struct Document<'a> {
     correlation: &'a [Vec<f64>],
     roughness: Option<Roughness>,
     rms_residual: f64,
-    r_squared: f64,
+    r_squared: Option<f64>,
     reduced_chi_squared: Option<f64>,
     degrees_of_freedom: usize,
     iterations: usize,
@@ -61,8 +61,8 @@ struct Parameter<'a> {
     unit: &'static str,
     start: f64,
     value: f64,
-    standard_error: f64,
-    half_width_95: f64,
+    standard_error: Option<f64>,
+    half_width_95: Option<f64>,
 }
 
 impl<'a> Parameter<'a> {

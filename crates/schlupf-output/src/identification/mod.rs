@@ -140,11 +140,11 @@ pub(crate) fn in_usual_unit(parameter: Parameter, number: f64) -> (f64, &'static
 
 /// A value with the digits that its uncertainty leaves, and the uncertainty with two; without an
 /// uncertainty to speak of, the value with six.
-pub(crate) fn with_uncertainty(value: f64, half_width: f64) -> [String; 2] {
-    let is_known = half_width > 1e-5 * value.abs() && half_width.is_finite();
-    if !is_known || value == 0.0 {
+pub(crate) fn with_uncertainty(value: f64, half_width: Option<f64>) -> [String; 2] {
+    let is_large = |width: &f64| *width > 1e-5 * value.abs() && value != 0.0;
+    let Some(half_width) = half_width.filter(is_large) else {
         return [six_digits(value), significant(half_width)];
-    }
+    };
     // Decimal places of the second digit of the uncertainty.
     let last = half_width.abs().log10().floor() as i32 - 1;
     if value.abs() >= 1e5 {
@@ -180,10 +180,10 @@ mod tests {
             (15_853.087, 542.9, ["15850", "540"]),
             (4.871_23e6, 1.234e5, ["4.87e6", "0.12e6"]),
             (0.33, 1e-9, ["0.33", "1e-9"]),
-            (0.45, f64::NAN, ["0.45", "n/a"]),
         ];
         for (value, half_width, expected) in rows {
-            assert_eq!(with_uncertainty(value, half_width), expected);
+            assert_eq!(with_uncertainty(value, Some(half_width)), expected);
         }
+        assert_eq!(with_uncertainty(0.45, None), ["0.45", "n/a"]);
     }
 }

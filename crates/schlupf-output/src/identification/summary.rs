@@ -39,7 +39,8 @@ fn parameter(text: &mut String, estimate: &Estimate, name: &str) {
     let parameter = estimate.parameter;
     let usual = |value| in_usual_unit(parameter, value);
     let (value, unit) = usual(estimate.value);
-    let (half_width, start) = (usual(estimate.half_width).0, usual(estimate.start).0);
+    let half_width = estimate.half_width.map(|width| usual(width).0);
+    let start = usual(estimate.start).0;
     let [value, half_width] = with_uncertainty(value, half_width);
     line(
         text,
@@ -78,7 +79,8 @@ fn quality(text: &mut String, report: &FitReport) {
             number(largest)
         ),
     );
-    line(text, &format!("R²                      {:.5}", fit.r_squared));
+    let r_squared = fit.r_squared.map_or_else(|| "n/a".to_owned(), |value| format!("{value:.5}"));
+    line(text, &format!("R²                      {r_squared}"));
     if let Some(reduced) = fit.reduced_chi_squared {
         let freedom = fit.degrees_of_freedom;
         line(text, &format!("χ² over {freedom} degrees of freedom  {}", number(reduced)));

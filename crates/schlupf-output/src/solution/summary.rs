@@ -2,12 +2,12 @@
 
 use schlupf::Method;
 use schlupf::kinematics::ReferencePoint;
-use schlupf::solution::{Solution, Status};
+use schlupf::solution::{Power, Solution, Status};
 
 use super::SolutionReport;
 use crate::number::significant as number;
 use crate::report::{reasons, verdict};
-use crate::summary::{entry, line, without_noise};
+use crate::summary::{entry, friction_power, line, moment, without_noise};
 
 /// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work and status.
 pub(crate) fn text(report: &SolutionReport) -> String {
@@ -74,16 +74,18 @@ fn reference(text: &mut String, solution: &Solution) {
 }
 
 fn forces(text: &mut String, solution: &Solution) {
-    let Solution { force, normalised, power, t_gamma, .. } = solution;
+    let Solution { force, normalised, t_gamma, .. } = solution;
     let x = without_noise(force.x, normalised.x);
     let y = without_noise(force.y, normalised.y);
-    let moment_z = without_noise(force.moment_z, normalised.moment_z);
     let traction = if x == 0.0 && y == 0.0 { 0.0 } else { solution.traction_coefficient };
-    let over = |value: f64, bound: &str| format!("{} {bound}", number(without_noise(value, value)));
+    let over = |value: Option<f64>, bound: &str| {
+        format!("{} {bound}", number(value.map(|value| without_noise(value, value))))
+    };
     line(text, "on the wheel");
-    entry(text, "longitudinal force", x / 1e3, "kN", &over(normalised.x, "μ0 N"));
-    entry(text, "lateral force", y / 1e3, "kN", &over(normalised.y, "μ0 N"));
-    entry(text, "moment", moment_z, "N m", &over(normalised.moment_z, "μ0 N √(ab)"));
+    entry(text, "longitudinal force", x / 1e3, "kN", &over(Some(normalised.x), "μ0 N"));
+    entry(text, "lateral force", y / 1e3, "kN", &over(Some(normalised.y), "μ0 N"));
+    let remark = over(normalised.moment_z, "μ0 N √(ab)");
+    entry(text, "moment", moment(force, normalised), "N m", &remark);
     entry(text, "traction coefficient", traction, "", "|F|/N");
     entry(
         text,
@@ -92,15 +94,21 @@ fn forces(text: &mut String, solution: &Solution) {
         "N",
         &format!("{} N with spin", number(t_gamma.with_spin)),
     );
-    let creep = format!("creep power {} kW", number(power.creep / 1e3));
-    entry(text, "friction power", power.friction / 1e3, "kW", &creep);
-    let rail = format!("into the wheel, {} kW into the rail", number(power.into_rail / 1e3));
-    entry(text, "  heat", power.into_wheel / 1e3, "kW", &rail);
+    friction_power(text, solution);
+    let into = |heat: fn(&Power) -> f64| solution.power.as_ref().map(|power| heat(power) / 1e3);
+    let rail = number(into(|power| power.into_rail));
+    let remark = format!("into the wheel, {rail} kW into the rail");
+    entry(text, "  heat", into(|power| power.into_wheel), "kW", &remark);
     text.push('\n');
 }
 
 fn heat(text: &mut String, solution: &Solution) {
-    let Solution { temperature, area, .. } = solution;
+    let area = &solution.area;
+    let Some(temperature) = &solution.temperature else {
+        entry(text, "contact area", area.contact / 1e-6, "mm²", "");
+        text.push('\n');
+        return;
+    };
     let mut place = String::new();
     if temperature.max_rise != 0.0 {
         let (x, y) = (number(temperature.x / 1e-3), number(temperature.y / 1e-3));
@@ -108,11 +116,6 @@ fn heat(text: &mut String, solution: &Solution) {
     }
     if solution.status == Status::NotConverged {
         place.push_str("  (not settled)");
-    }
-    if !solution.method.has_fields() {
-        entry(text, "contact area", area.contact / 1e-6, "mm²", "");
-        text.push('\n');
-        return;
     }
     entry(text, "largest temp. rise", temperature.max_rise, "K", &place);
     let wheel = format!("to {} °C", number(temperature.max_wheel));
@@ -127,8 +130,9 @@ fn heat(text: &mut String, solution: &Solution) {
         "",
         &format!("v a/κ of the wheel, {} of the rail", number(rail)),
     );
-    let share = |part: f64| format!("{} % slides", number(100.0 * part / area.contact));
-    entry(text, "contact area", area.contact / 1e-6, "mm²", &share(area.slip));
+    let share = area.slip.map(|slip| 100.0 * slip / area.contact);
+    let slides = format!("{} % slides", number(share));
+    entry(text, "contact area", area.contact / 1e-6, "mm²", &slides);
     text.push('\n');
 }
 

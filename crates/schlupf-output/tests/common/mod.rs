@@ -40,7 +40,7 @@ pub fn solution(recipe: Recipe) -> Solution {
     }
     let load = 2.0 / 3.0 * std::f64::consts::PI * a * b * PEAK;
     let sum = |field: &[f64]| field.iter().sum::<f64>() * grid.cell_area();
-    let force = Resultant { x: sum(&fields.traction_x), y: sum(&fields.traction_y), moment_z: 3.0 };
+    let force = Resultant::new(sum(&fields.traction_x), sum(&fields.traction_y), 3.0);
     let scale = FRICTION * load;
     let hottest = fields.temperature_rise_wheel.iter().copied().fold(0.0, f64::max);
     Solution {
@@ -59,18 +59,18 @@ pub fn solution(recipe: Recipe) -> Solution {
         reference: ReferencePoint::Patch,
         kinematics: kinematics(recipe),
         force,
-        normalised: Resultant { x: force.x / scale, y: force.y / scale, moment_z: 0.01 },
+        normalised: Resultant::new(force.x / scale, force.y / scale, 0.01),
         traction_coefficient: force.x.hypot(force.y) / load,
-        power: Power {
+        power: Some(Power {
             friction: sum(&fields.friction_power),
             creep: 6.1e3,
             returned: 1.2,
             into_wheel: 3e3,
             into_rail: 3.1e3,
-            exchanged: 0.0,
-        },
-        t_gamma: TGamma { without_spin: 210.0, with_spin: 210.0 },
-        temperature: Temperature {
+            exchanged: Some(0.0),
+        }),
+        t_gamma: TGamma { without_spin: 210.0, with_spin: Some(210.0) },
+        temperature: Some(Temperature {
             max_rise: hottest,
             max_rise_wheel: hottest,
             max_rise_rail: hottest,
@@ -78,14 +78,14 @@ pub fn solution(recipe: Recipe) -> Solution {
             max_rail: 20.0 + hottest,
             x: -a,
             y: 0.0,
-        },
+        }),
         peclet: [2.5e3, 2.6e3],
-        area: Area { contact: 194.7e-6, stick: 60e-6, slip: 134.7e-6 },
+        area: Area { contact: 194.7e-6, stick: Some(60e-6), slip: Some(134.7e-6) },
         history: history(recipe, force, hottest),
         sensitivity: Some(Sensitivity {
-            creepage_x: Resultant { x: -2.5e6, y: 1e3, moment_z: -3.0 },
+            creepage_x: Resultant::new(-2.5e6, 1e3, -3.0),
             load: None,
-            friction_coefficient: Resultant { x: -1.2e4, y: 0.0, moment_z: 0.0 },
+            friction_coefficient: Resultant::new(-1.2e4, 0.0, 0.0),
             ..Sensitivity::default()
         }),
         warnings: Vec::new(),
@@ -180,11 +180,11 @@ fn history(recipe: Recipe, force: Resultant, hottest: f64) -> Vec<Instant> {
                 distance: kinematics(recipe).speed * time,
                 kinematics: kinematics(recipe),
                 load: 80e3,
-                force: Resultant { x: force.x * grown, y: force.y * grown, moment_z: grown },
-                friction_power: 5e3 * grown,
-                creep_power: 5e3 * grown,
-                stored_energy: 1e-2 * grown,
-                max_rise: hottest * grown,
+                force: Resultant::new(force.x * grown, force.y * grown, grown),
+                friction_power: Some(5e3 * grown),
+                creep_power: Some(5e3 * grown),
+                stored_energy: Some(1e-2 * grown),
+                max_rise: Some(hottest * grown),
                 newton_iterations: 3,
                 residual: 1e-8,
             }

@@ -76,11 +76,7 @@ fn along(path: &Path, sensitivity: &Sensitivity) -> Resultant {
     let length = path.range()[1] - path.range()[0];
     let parts = [sensitivity.creepage_x, sensitivity.creepage_y, sensitivity.spin];
     let rates = (0..3).map(|c| (other[c] - one[c]) / length);
-    parts.iter().zip(rates).fold(Resultant::default(), |sum, (part, rate)| Resultant {
-        x: sum.x + rate * part.x,
-        y: sum.y + rate * part.y,
-        moment_z: sum.moment_z + rate * part.moment_z,
-    })
+    parts.iter().zip(rates).fold(Resultant::default(), |sum, (part, rate)| sum.plus(rate, part))
 }
 
 /// Half the range of a central difference, over the abscissa at which the linear force would be
@@ -93,12 +89,8 @@ fn difference(solver: &mut Points, scale: &Scale) -> Result<Resultant, Error> {
     let typical = scale.limit / (modulus * scale.lever.powi(2) * scale.per_creepage(solver.path));
     let step = STEP * typical;
     let [more, less] = [solver.solve(step)?.force, solver.solve(-step)?.force];
-    let rate = |more: f64, less: f64| (more - less) / (2.0 * step);
-    Ok(Resultant {
-        x: rate(more.x, less.x),
-        y: rate(more.y, less.y),
-        moment_z: rate(more.moment_z, less.moment_z),
-    })
+    let rate = (2.0 * step).recip();
+    Ok(more.plus(-1.0, &less).scaled(rate, rate))
 }
 
 /// What forces are measured in.
@@ -112,13 +104,13 @@ struct Scale {
 
 impl Scale {
     fn normalised(&self, force: &Resultant) -> Resultant {
-        scaled(force, 1.0 / self.limit, 1.0 / (self.limit * self.lever))
+        force.scaled(self.limit.recip(), (self.limit * self.lever).recip())
     }
 
     fn kalker(&self, slope: &Resultant, problem: &Problem, path: &Path) -> Resultant {
         let per_force =
             -1.0 / (Self::modulus(problem) * self.lever.powi(2) * self.per_creepage(path));
-        scaled(slope, per_force, per_force / self.lever)
+        slope.scaled(per_force, per_force / self.lever)
     }
 
     /// Shear modulus of both bodies, in Pa.
@@ -131,8 +123,4 @@ impl Scale {
     fn per_creepage(&self, path: &Path) -> f64 {
         if path.abscissa() == Abscissa::Spin { self.lever } else { 1.0 }
     }
-}
-
-fn scaled(force: &Resultant, factor: f64, moment_factor: f64) -> Resultant {
-    Resultant { x: force.x * factor, y: force.y * factor, moment_z: force.moment_z * moment_factor }
 }

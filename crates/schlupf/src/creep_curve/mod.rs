@@ -87,10 +87,10 @@ pub struct Point {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
-    /// Power of friction and of the creep forces.
-    pub power: Power,
-    /// Largest temperature rise, in K.
-    pub max_rise: f64,
+    /// Power of friction and of the creep forces, if the method knows it.
+    pub power: Option<Power>,
+    /// Largest temperature rise, in K, if the method knows it.
+    pub max_rise: Option<f64>,
     /// Contact, stick and slip areas.
     pub area: Area,
     /// Whether to trust it.
@@ -110,7 +110,7 @@ impl Point {
             normalised: solution.normalised,
             traction_coefficient: solution.traction_coefficient,
             power: solution.power,
-            max_rise: solution.temperature.max_rise,
+            max_rise: solution.temperature.map(|largest| largest.max_rise),
             area: solution.area,
             status: solution.status,
             residual: solution.residual,

@@ -33,9 +33,17 @@ pub struct Series {
     pub condition: Condition,
     /// Which of the data they are.
     pub members: Vec<usize>,
-    /// The model: creepage (dimensionless, or in 1/m for spin) and force over load (dimensionless). Empty
-    /// where there is but one point; a force that was not found is NaN.
-    pub curve: Vec<[f64; 2]>,
+    /// The model between them. Empty where there is but one point.
+    pub curve: Vec<ModelPoint>,
+}
+
+/// A point of a fitted model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModelPoint {
+    /// Its creepage, dimensionless, or in 1/m for spin.
+    pub creepage: f64,
+    /// Force over load, dimensionless; `None` where the model found none.
+    pub force_ratio: Option<f64>,
 }
 
 /// Most conditions that are computed: beyond it every point has one of its own.
@@ -76,8 +84,8 @@ pub fn sample_curves(
             let mut condition = one.condition;
             set(abscissa, &mut condition.kinematics, at);
             let force = model.force_ratio(&condition, watch)?;
-            let ratio = force.map_or(f64::NAN, |force| force.value[one.component.index()]);
-            one.curve.push([at, ratio]);
+            let force_ratio = force.map(|force| force.value[one.component.index()]);
+            one.curve.push(ModelPoint { creepage: at, force_ratio });
         }
     }
     Ok(FittedCurves { abscissa, series })

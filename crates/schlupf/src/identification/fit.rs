@@ -37,10 +37,11 @@ pub struct Estimate {
     pub start: f64,
     /// Its value, in its SI unit, if it is not dimensionless.
     pub value: f64,
-    /// Standard error, in its SI unit, if it is not dimensionless.
-    pub standard_error: f64,
+    /// Standard error, in its SI unit, if it is not dimensionless. `None`, like the interval, for a
+    /// parameter at its bound of which the data say nothing.
+    pub standard_error: Option<f64>,
     /// Half-width of its 95 % confidence interval, in its SI unit, if it is not dimensionless.
-    pub half_width: f64,
+    pub half_width: Option<f64>,
 }
 
 /// A fit.
@@ -57,8 +58,9 @@ pub struct Fit {
     pub points: Vec<FittedPoint>,
     /// Root of the mean squared residual of F/N, dimensionless.
     pub rms_residual: f64,
-    /// R², the part of the variance of the data that the model explains; dimensionless.
-    pub r_squared: f64,
+    /// R², the part of the variance of the data that the model explains; dimensionless, and `None`
+    /// where all data are the same.
+    pub r_squared: Option<f64>,
     /// χ² over the degrees of freedom where standard deviations are given, dimensionless.
     pub reduced_chi_squared: Option<f64>,
     /// Points less parameters.
@@ -172,12 +174,13 @@ pub fn fit(
         let stop = found.stop(failure.as_ref());
         warnings.insert(0, Warning::of(Unconverged::Fit { stop }));
     }
+    let known = |number: f64| number.is_finite().then_some(number);
     let estimates = (0..coordinates.len()).map(|k| Estimate {
         parameter: coordinates[k].parameter,
         start: coordinates[k].start,
         value: found.parameters[k].1,
-        standard_error: errors[k],
-        half_width: quantile * errors[k],
+        standard_error: known(errors[k]),
+        half_width: known(quantile * errors[k]),
     });
     let estimates = estimates.collect();
     let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
@@ -426,7 +429,7 @@ impl Found<'_> {
         let points = self.points();
         let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
         let measured: Vec<f64> = self.data.iter().map(|point| point.force_ratio).collect();
-        let r_squared = r_squared(&measured, &residuals);
+        let r_squared = r_squared(&measured, &residuals)?;
         (r_squared < LITTLE).then_some(Warning::Unexplained { r_squared })
     }
 

@@ -3,12 +3,12 @@
 use crate::numerics::vector::dot;
 
 /// Sum of the squared residuals over that of the data about their mean, taken from one; dimensionless.
-/// NaN where all data are the same.
-pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> f64 {
+/// `None` where all data are the same.
+pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> Option<f64> {
     let mean = data.iter().sum::<f64>() / data.len() as f64;
     let total: f64 = data.iter().map(|value| (value - mean).powi(2)).sum();
     let rounding = f64::EPSILON * dot(data, data);
-    if total <= rounding { f64::NAN } else { 1.0 - dot(residuals, residuals) / total }
+    (total > rounding).then(|| 1.0 - dot(residuals, residuals) / total)
 }
 
 /// Correlation of each residual with the next one in its series, dimensionless: near zero where they are scatter.
@@ -37,10 +37,9 @@ mod tests {
     #[test]
     fn r_squared_is_one_for_a_perfect_fit_and_zero_for_the_mean() {
         let data = [1.0, 2.0, 3.0];
-        assert_eq!(r_squared(&data, &[0.0; 3]), 1.0);
-        assert_eq!(r_squared(&data, &[-1.0, 0.0, 1.0]), 0.0);
-        assert!(
-            r_squared(&[0.2; 6], &[0.01; 6]).is_nan() && r_squared(&[0.0; 3], &[0.1; 3]).is_nan()
-        );
+        assert_eq!(r_squared(&data, &[0.0; 3]), Some(1.0));
+        assert_eq!(r_squared(&data, &[-1.0, 0.0, 1.0]), Some(0.0));
+        assert_eq!(r_squared(&[0.2; 6], &[0.01; 6]), None);
+        assert_eq!(r_squared(&[0.0; 3], &[0.1; 3]), None);
     }
 }

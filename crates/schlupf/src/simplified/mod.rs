@@ -29,9 +29,7 @@ use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell, unwatched};
 use crate::reference_point::AtPatch;
-use crate::solution::{
-    Area, Fields, Instant, Power, Resultant, Solution, Status, Temperature, Work,
-};
+use crate::solution::{Area, Fields, Instant, Power, Resultant, Solution, Status, Work};
 use crate::solver::Solver;
 use crate::state::State;
 use crate::summary::{self, snapshot::View};
@@ -40,9 +38,6 @@ pub use elliptic_contact::{EllipticContact, friction_state};
 
 use elliptic_contact::friction_limit;
 use fastsim::Fastsim;
-
-/// What a method does not give.
-const UNKNOWN: f64 = f64::NAN;
 
 /// A contact that is set up for one of the fast methods.
 #[derive(Debug)]
@@ -153,7 +148,7 @@ impl FastContact {
     }
 
     /// Forces and moment on the wheel that moves like this; a moment that the method does not give is
-    /// NaN. Allocates nothing.
+    /// `None`. Allocates nothing.
     ///
     /// # Errors
     /// Whatever [`Kinematics::check`] refuses.
@@ -177,7 +172,7 @@ impl FastContact {
     }
 
     /// The solution of the problem. Where the method has no fields there are no cells, and temperatures,
-    /// areas of stick and slip, and whatever else it does not know are NaN.
+    /// areas of stick and slip, and whatever else it does not know are `None`.
     pub fn solution(&mut self) -> Solution {
         let solution = self.solution_at_patch();
         self.at.back(solution)
@@ -209,22 +204,23 @@ impl FastContact {
             force,
             friction_power: creep_power,
             creep_power,
-            stored_energy: UNKNOWN,
-            max_rise: f64::NAN,
+            stored_energy: None,
+            max_rise: None,
             newton_iterations: 0,
             residual: 0.0,
         };
         if let Kernel::Fastsim(fastsim) = &mut self.kernel {
             let now = fastsim.snapshot(problem);
-            instant.max_rise = summary::temperature(&fastsim.patch, &now).max_rise;
-            instant.friction_power = summary::power(&fastsim.patch, &now, &force).friction;
+            instant.max_rise = Some(summary::temperature(&fastsim.patch, &now).max_rise);
+            let power = summary::power(&fastsim.patch, &now, &force);
+            instant.friction_power = power.map(|power| power.friction);
             account.history = vec![instant];
             let view = View { normal, patch: &fastsim.patch, now: &now };
             account.warnings.extend(summary::caveats::of_temperatures(problem, view));
             account.work.cells = fastsim.patch.len();
             let mut solution = summary::solution(problem, &self.options, view, account);
             if problem.heat.model.is_some() {
-                solution.warnings.extend(warnings::of_power(&solution.power));
+                solution.warnings.extend(solution.power.and_then(warnings::of_power));
             }
             return solution;
         }
@@ -237,9 +233,11 @@ impl FastContact {
         let motion = problem.kinematics;
         let contact_area = PI * normal.semi_axis_x * normal.semi_axis_y;
         // What is dissipated in steady rolling is what the creep forces put in.
-        let creep = summary::creep_power(&motion, &force);
-        let shares = problem.conduction(&motion).shares();
-        let [into_wheel, into_rail] = shares.map(|share| share * creep);
+        let power = summary::creep_power(&motion, &force).map(|creep| {
+            let shares = problem.conduction(&motion).shares();
+            let [into_wheel, into_rail] = shares.map(|share| share * creep);
+            Power { friction: creep, creep, returned: 0.0, into_wheel, into_rail, exchanged: None }
+        });
         Solution {
             method: account.method,
             status: account.status,
@@ -249,27 +247,12 @@ impl FastContact {
             kinematics: motion,
             force,
             normalised: summary::normalised(problem, &normal, &force),
-            traction_coefficient: force.x.hypot(force.y) / normal.load,
-            power: Power {
-                friction: creep,
-                creep,
-                returned: 0.0,
-                into_wheel,
-                into_rail,
-                exchanged: UNKNOWN,
-            },
+            traction_coefficient: force.tangential() / normal.load,
+            power,
             t_gamma: summary::t_gamma(&motion, &force),
-            temperature: Temperature {
-                max_rise: UNKNOWN,
-                max_rise_wheel: UNKNOWN,
-                max_rise_rail: UNKNOWN,
-                max_wheel: UNKNOWN,
-                max_rail: UNKNOWN,
-                x: UNKNOWN,
-                y: UNKNOWN,
-            },
+            temperature: None,
             peclet: problem.peclet(&motion, semi_axes(&normal)).numbers,
-            area: Area { contact: contact_area, stick: UNKNOWN, slip: UNKNOWN },
+            area: Area { contact: contact_area, stick: None, slip: None },
             fields: Fields::default(),
             history: account.history,
             warnings: account.warnings,

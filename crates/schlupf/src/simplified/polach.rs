@@ -36,12 +36,12 @@ pub fn force(
     let eta_c = if with_spin.abs() > eta.abs() { with_spin } else { eta };
     let (nu, nu_c) = (xi.hypot(eta), xi.hypot(eta_c));
     if nu_c == 0.0 {
-        return Resultant { x: 0.0, y: 0.0, moment_z: f64::NAN };
+        return Resultant { x: 0.0, y: 0.0, moment_z: None };
     }
     let gradient = contact.stress_gradient(kinematics, limit);
     let force = if nu > 0.0 { limit * curve(gradient * nu_c / nu, reduction) } else { 0.0 };
     let spin_force = limit * spin_share(contact, eta_c, limit) * spin;
-    Resultant { x: -force * xi / nu_c, y: -(force * eta + spin_force) / nu_c, moment_z: f64::NAN }
+    Resultant { x: -force * xi / nu_c, y: -(force * eta + spin_force) / nu_c, moment_z: None }
 }
 
 /// The forces with their derivatives, for identification.

@@ -17,12 +17,8 @@ use super::EllipticContact;
 /// forces, which the sources leave open.
 pub fn force(contact: &EllipticContact, kinematics: &Kinematics, limit: f64) -> Resultant {
     let linear = contact.linear_force(kinematics);
-    let saturation = reduction(linear.x.hypot(linear.y) / limit);
-    Resultant {
-        x: saturation * linear.x,
-        y: saturation * linear.y,
-        moment_z: saturation * linear.moment_z,
-    }
+    let saturation = reduction(linear.tangential() / limit);
+    linear.scaled(saturation, saturation)
 }
 
 /// |F|/|F_lin| for ρ = |F_lin|/μN, both dimensionless.

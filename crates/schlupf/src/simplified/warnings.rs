@@ -28,12 +28,12 @@ pub(super) fn of(
     if method.has_fields() {
         return warnings;
     }
-    let has_moment = !force.moment_z.is_nan();
+    let has_moment = force.moment_z.is_some();
     warnings.push(Warning::ForcesOnly { method: name, has_moment });
     if method != FastMethod::KalkerLinear && depends_on_temperature(problem) {
         warnings.push(Warning::ColdFriction { method: name });
     }
-    let total = force.x.hypot(force.y);
+    let total = force.tangential();
     if total > limit * (1.0 + ROUNDING) {
         warnings.push(Warning::BeyondFriction { method: name, ratio: total / limit });
     }
@@ -58,7 +58,7 @@ fn of_shape(problem: &Problem, method: &'static str) -> Option<Warning> {
 const LARGEST_GAP: f64 = 0.05;
 
 /// FASTSIM with three flexibilities cannot close the balance of power where spin takes part.
-pub(super) fn of_power(power: &Power) -> Option<Warning> {
+pub(super) fn of_power(power: Power) -> Option<Warning> {
     let gap = (power.friction - power.creep).abs();
     let (friction, creep, part) = (power.friction, power.creep, LARGEST_GAP);
     (gap > part * creep.abs()).then_some(Warning::PowerGap { friction, creep, part })

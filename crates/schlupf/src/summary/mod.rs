@@ -49,10 +49,11 @@ pub(crate) fn solution(
         kinematics: now.kinematics,
         force,
         normalised: normalised(problem, normal, &force),
-        traction_coefficient: force.x.hypot(force.y) / normal.load,
-        power: Power { exchanged: exchanged(problem, patch, now), ..power(patch, now, &force) },
+        traction_coefficient: force.tangential() / normal.load,
+        power: power(patch, now, &force)
+            .map(|power| Power { exchanged: Some(exchanged(problem, patch, now)), ..power }),
         t_gamma: t_gamma(&now.kinematics, &force),
-        temperature: temperature(patch, now),
+        temperature: Some(temperature(patch, now)),
         peclet: problem.peclet(&now.kinematics, semi_axes(normal)).numbers,
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
@@ -72,7 +73,7 @@ pub(crate) fn normalised(
 ) -> Resultant {
     let limit = problem.friction.cold_coefficient() * normal.load;
     let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
-    Resultant { x: force.x / limit, y: force.y / limit, moment_z: force.moment_z / (limit * lever) }
+    force.scaled(limit.recip(), (limit * lever).recip())
 }
 
 /// Forces and moment on the wheel.
@@ -83,24 +84,24 @@ pub(crate) fn force(patch: &Patch, now: &Snapshot) -> Resultant {
 /// Forces and moment on the wheel of a traction on the rail.
 pub(crate) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
     let area = patch.grid.cell_area();
-    let mut sum = Resultant::default();
+    let [mut x, mut y, mut moment_z] = [0.0; 3];
     for (k, cell) in patch.cells.iter().enumerate() {
         let [px, py] = [traction[2 * k], traction[2 * k + 1]];
-        sum.x -= px * area;
-        sum.y -= py * area;
-        sum.moment_z -= (cell.x * py - cell.y * px) * area;
+        x -= px * area;
+        y -= py * area;
+        moment_z -= (cell.x * py - cell.y * px) * area;
     }
-    sum
+    Resultant::new(x, y, moment_z)
 }
 
-pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Power {
+pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Option<Power> {
     let area = patch.grid.cell_area();
     let friction = now.friction_power.iter().sum::<f64>() * area;
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
     let shared = || now.conduction.shares().map(|share| share * (friction + returned));
     let [into_wheel, into_rail] = now.surfaces.as_ref().map_or_else(shared, |found| found.into);
-    let creep = creep_power(&now.kinematics, force);
-    Power { friction, creep, returned, into_wheel, into_rail, exchanged: 0.0 }
+    let creep = creep_power(&now.kinematics, force)?;
+    Some(Power { friction, creep, returned, into_wheel, into_rail, exchanged: None })
 }
 
 /// What is kept of an instant at a time (in s) and after a distance (in m), with its own powers.
@@ -117,10 +118,10 @@ pub(crate) fn instant(
         kinematics: now.kinematics,
         load: normal.load,
         force,
-        friction_power: power.friction,
-        creep_power: power.creep,
-        stored_energy: now.stored_energy,
-        max_rise: temperature(patch, now).max_rise,
+        friction_power: power.map(|power| power.friction),
+        creep_power: power.map(|power| power.creep),
+        stored_energy: Some(now.stored_energy),
+        max_rise: Some(temperature(patch, now).max_rise),
         newton_iterations: outcome.iterations,
         residual: outcome.residual,
     }
@@ -149,16 +150,21 @@ pub(crate) fn chill(problem: &Problem, patch: &Patch, wheel_speed: f64) -> f64 {
     2.0 * problem.wheel.material.effusivity() * patch.grid.spacing_y * sum
 }
 
-/// −v0 (ξ Fx + η Fy + φ Mz), in W. Without spin the moment does not count, not even an unknown one.
-pub(crate) fn creep_power(motion: &Kinematics, force: &Resultant) -> f64 {
-    let turning = if motion.spin == 0.0 { 0.0 } else { motion.spin * force.moment_z };
-    -motion.speed * (motion.creepage_x * force.x + motion.creepage_y * force.y + turning)
+/// −v0 (ξ Fx + η Fy + φ Mz), in W, if the moment is known where there is spin.
+pub(crate) fn creep_power(motion: &Kinematics, force: &Resultant) -> Option<f64> {
+    let along = motion.creepage_x * force.x + motion.creepage_y * force.y;
+    Some(-motion.speed * (along + turning(motion, force)?))
+}
+
+/// φ Mz, in N. Without spin the moment does not count, not even an unknown one.
+fn turning(motion: &Kinematics, force: &Resultant) -> Option<f64> {
+    if motion.spin == 0.0 { Some(0.0) } else { Some(motion.spin * force.moment_z?) }
 }
 
 pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
     let without_spin = (motion.creepage_x * force.x).abs() + (motion.creepage_y * force.y).abs();
-    let turning = if motion.spin == 0.0 { 0.0 } else { (motion.spin * force.moment_z).abs() };
-    TGamma { without_spin, with_spin: without_spin + turning }
+    let with_spin = turning(motion, force).map(|turning| without_spin + turning.abs());
+    TGamma { without_spin, with_spin }
 }
 
 /// Largest temperatures, in the cells and at the trailing edges.
@@ -203,17 +209,12 @@ fn is_sliding(patch: &Patch, now: &Snapshot, k: usize, threshold: f64) -> bool {
 }
 
 fn area(patch: &Patch, now: &Snapshot, threshold: f64) -> Area {
-    let mut area = Area::default();
+    let [mut stick, mut slip] = [0.0; 2];
     for (k, cell) in patch.cells.iter().enumerate() {
-        let covered = cell.covered * patch.grid.cell_area();
-        area.contact += covered;
-        if is_sliding(patch, now, k, threshold) {
-            area.slip += covered;
-        } else {
-            area.stick += covered;
-        }
+        let part = if is_sliding(patch, now, k, threshold) { &mut slip } else { &mut stick };
+        *part += cell.covered * patch.grid.cell_area();
     }
-    area
+    Area { contact: stick + slip, stick: Some(stick), slip: Some(slip) }
 }
 
 fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {

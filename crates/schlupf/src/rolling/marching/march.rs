@@ -462,7 +462,7 @@ impl<'a> March<'a> {
             View { normal: &self.contact.normal, patch: &self.contact.patch, now: &self.now };
         let instant = summary::instant(view, [self.time, distance], &self.outcome);
         self.instants.push(self.powers.map_or(instant, |powers| Instant {
-            friction_power: powers.friction,
+            friction_power: Some(powers.friction),
             creep_power: powers.creep,
             ..instant
         }));

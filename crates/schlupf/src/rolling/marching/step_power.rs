@@ -33,8 +33,8 @@ pub(super) struct Start {
 pub(super) struct StepPower {
     /// Friction power, in W.
     pub friction: f64,
-    /// Power of the creep forces, in W.
-    pub creep: f64,
+    /// Power of the creep forces, in W, if their moment is known.
+    pub creep: Option<f64>,
 }
 
 impl Start {
@@ -83,7 +83,7 @@ impl Start {
         };
         let friction = half(&now.traction, patch, interpolation)
             + half(&self.traction, before, interpolation_before);
-        let force = summary::force(&contact.patch, now).mean(&self.force);
+        let force = summary::force(&contact.patch, now).plus(1.0, &self.force).scaled(0.5, 0.5);
         StepPower { friction, creep: summary::creep_power(&now.over_step, &force) }
     }
 

@@ -42,12 +42,13 @@ pub(crate) fn warnings(
     if edge > LARGEST_EDGE_DISPLACEMENT {
         warnings.push(Warning::SmallMargin { edge });
     }
-    let power = summary::power(&contact.patch, now, &summary::force(&contact.patch, now));
+    let force = summary::force(&contact.patch, now);
     let limit = problem.friction.cold_coefficient() * contact.normal.load;
     let noise = options.tolerance * limit * now.kinematics.speed;
-    if power.returned > (LARGEST_RETURNED_POWER * power.friction.abs()).max(noise) {
+    warnings.extend(summary::power(&contact.patch, now, &force).and_then(|power| {
         let (returned, friction) = (power.returned, power.friction);
-        warnings.push(Warning::ReturnedPower { returned, friction });
-    }
+        (returned > (LARGEST_RETURNED_POWER * friction.abs()).max(noise))
+            .then_some(Warning::ReturnedPower { returned, friction })
+    }));
     warnings
 }

@@ -245,11 +245,7 @@ impl<'a> Derivatives<'a> {
         let Level { contact, traction, .. } = &self.levels[0];
         let whole = summary::resultant(&contact.patch, traction);
         // The area of the cells grows as well, and the levers.
-        let grown = Resultant {
-            x: moved.x + 2.0 * growth * whole.x,
-            y: moved.y + 2.0 * growth * whole.y,
-            moment_z: moved.moment_z + 3.0 * growth * whole.moment_z,
-        };
+        let grown = moved.plus(growth, &whole.scaled(2.0, 3.0));
         Some(scaled(&grown, contact.normal.load.recip()))
     }
 
@@ -294,11 +290,7 @@ fn standing(problem: &Problem) -> Kinematics {
 }
 
 fn scaled(resultant: &Resultant, factor: f64) -> Resultant {
-    Resultant {
-        x: factor * resultant.x,
-        y: factor * resultant.y,
-        moment_z: factor * resultant.moment_z,
-    }
+    resultant.scaled(factor, factor)
 }
 
 impl Direct {

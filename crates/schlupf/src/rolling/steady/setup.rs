@@ -160,8 +160,8 @@ impl Setup {
         let normal = &self.levels[0].contact.normal;
         let limit = problem.friction.cold_coefficient() * normal.load;
         let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
-        let turned = (force.moment_z - other.moment_z) / lever;
-        let apart = (force.x - other.x).hypot(force.y - other.y).hypot(turned);
+        let change = force.plus(-1.0, &other).scaled(1.0, lever.recip());
+        let apart = change.tangential().hypot(change.moment_z.unwrap_or(0.0));
         let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
             let tangential = |force: Resultant| [force.x, force.y];
             Warning::SeveralStates {

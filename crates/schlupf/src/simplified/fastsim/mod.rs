@@ -187,14 +187,14 @@ impl Fastsim {
     }
 
     fn resultant(&self) -> Resultant {
-        let mut sum = Resultant::default();
+        let [mut x, mut y, mut moment_z] = [0.0; 3];
         for (cell, [px, py]) in self.patch.cells.iter().zip(&self.traction) {
-            sum.x -= cell.covered * px;
-            sum.y -= cell.covered * py;
-            sum.moment_z -= cell.covered * (cell.x * py - cell.y * px);
+            x -= cell.covered * px;
+            y -= cell.covered * py;
+            moment_z -= cell.covered * (cell.x * py - cell.y * px);
         }
         let area = self.patch.grid.cell_area();
-        Resultant { x: area * sum.x, y: area * sum.y, moment_z: area * sum.moment_z }
+        Resultant::new(area * x, area * y, area * moment_z)
     }
 
     /// Everything in the cells after the last pass.
