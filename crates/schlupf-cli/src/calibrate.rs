@@ -97,7 +97,12 @@ impl Task for Calibrate {
         let Plan { case, displacements } = plan;
         let report = Patch::of(&case)
             .and_then(|patch| patch.report(self, &displacements, &case, &progress.watch()));
-        let report = report.map_err(|error| Failure::Case(case.explain(&error).into()))?;
+        let names: Vec<&str> = displacements.iter().map(|file| file.name.as_str()).collect();
+        let report = report.map_err(|error| {
+            let sources = matches!(error, Error::UnlikeALayer { .. })
+                .then(|| format!("the displacements are those of {}", names.join(", ")));
+            Failure::Case(case.explain(&error).help(sources).into())
+        })?;
         Ok(report.into())
     }
 }
@@ -227,7 +232,7 @@ fn fitted(displacements: &[Displacements]) -> Result<Option<Fitted>, Error> {
         let files: Vec<String> = files.into_iter().map(|file| file.name.clone()).collect();
         let fit = fit(&samples)?;
         if fit.largest_deviation() > UNLIKE {
-            return Err(unlike(&fit, k, &files));
+            return Err(unlike(&fit, k));
         }
         Ok(Some(FittedComponent { fit, files }))
     };
@@ -242,11 +247,10 @@ const UNLIKE: f64 = 0.5;
 const FOREIGN: f64 = 30.0;
 
 /// An error that no layer has such displacements.
-fn unlike(fit: &DisplacementFit, component: usize, files: &[String]) -> Error {
+fn unlike(fit: &DisplacementFit, component: usize) -> Error {
     Error::UnlikeALayer {
         quantity: [Quantity::DisplacementX, Quantity::DisplacementY][component],
         deviation: fit.largest_deviation(),
-        sources: files.join(", "),
     }
 }
 

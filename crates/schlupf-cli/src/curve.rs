@@ -141,13 +141,13 @@ fn found(
 ) -> Result<Vec<output::Member>, Failure> {
     let watch = progress.watch();
     let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
-    let total = Some(members.len() * sampling.points);
+    let total = members.len() * sampling.points;
     let each = members.iter().zip(&done).collect();
     parallel::try_map(each, |(member, own): (&Member, &AtomicUsize)| {
         let curve = member.trace(sampling, &|progress| {
             own.store(progress.done, Ordering::Relaxed);
             let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
-            watch(schlupf::Progress { done, total, ..progress })
+            watch(progress.of(done, total))
         })?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
         let warnings = member.case.notices.iter().cloned().chain(of_curve).collect();

@@ -7,7 +7,6 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use schlupf::progress::Stage;
 
 const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(100);
@@ -91,7 +90,7 @@ fn update(bar: &ProgressBar, message: Message) {
         Message::Doing(name) => return bar.set_message(name),
         Message::Got(progress) => progress,
     };
-    let (name, done) = (name(progress.stage), progress.done);
+    let (name, done) = (progress.stage.counted(), progress.done);
     if let Some(total) = progress.total {
         if bar.length().is_none() {
             bar.set_style(style_of_known_length());
@@ -102,20 +101,6 @@ fn update(bar: &ProgressBar, message: Message) {
     } else {
         let change = progress.change.map(|change| format!(", relative change {change:.1e}"));
         bar.set_message(format!("{name} {done}{}", change.unwrap_or_default()));
-    }
-}
-
-/// What is counted.
-fn name(stage: Stage) -> &'static str {
-    match stage {
-        Stage::NormalContact => "normal contact, iterations",
-        Stage::LoadCurve => "loads",
-        Stage::Steady => "Newton steps",
-        Stage::Marching => "time steps",
-        Stage::Curve => "points",
-        Stage::BulkTemperature => "steady states",
-        Stage::Fit => "fitting, forces",
-        Stage::Calibration => "calibrating, motions",
     }
 }
 

@@ -29,7 +29,7 @@ mod tests {
     fn four_significant_digits() {
         let numbers = [0.0, -0.0, 80.0, -0.58493, 641.123, 1234.56, 3.2e-7, 1e7, f64::NAN];
         let texts = ["0", "0", "80", "-0.5849", "641.1", "1235", "3.2e-7", "1e7", "n/a"];
-        assert_eq!(numbers.map(|number| significant(number)), texts);
+        assert_eq!(numbers.map(significant), texts);
         assert_eq!(significant(None), "n/a");
     }
 }

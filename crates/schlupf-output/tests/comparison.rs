@@ -5,7 +5,6 @@ mod common;
 use common::{RECIPE, solution};
 use schlupf::message::Message;
 use schlupf::method::{AreaReduction, FastMethod};
-use schlupf::solution::Temperature;
 use schlupf::{Method, Solution, Status};
 use schlupf_output::Report;
 use schlupf_output::comparison::{Answer, Comparison, Entry};

@@ -3,8 +3,8 @@
 use schlupf::Status;
 use schlupf::creep_curve::Abscissa;
 use schlupf::identification::{
-    Component, Condition, DataPoint, Estimate, Fit, FittedCurves, FittedPoint, ModelPoint, Parameter,
-    Series,
+    Component, Condition, DataPoint, Estimate, Fit, FittedCurves, FittedPoint, ModelPoint,
+    Parameter, Series,
 };
 use schlupf::interface::friction::constants::FrictionConstant;
 use schlupf::kinematics::Kinematics;
@@ -48,7 +48,7 @@ fn report(status: Status) -> FitReport {
             component: Component::Longitudinal,
             condition: condition(speed, 0.0),
             members: (first..points.len()).collect(),
-            curve: (-10..=50).map(|k| model_point(1e-3 * f64::from(k), &curve)).collect(),
+            curve: (-10..=50).map(|k| model_point(1e-3 * f64::from(k), curve)).collect(),
         });
     }
     let cold = Parameter::Friction(FrictionConstant::ColdCoefficient);

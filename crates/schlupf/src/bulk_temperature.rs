@@ -17,7 +17,7 @@
 //! Limits: the wheel has one temperature outside of a thin skin; friction that falls with the temperature is
 //! that of the warm wheel; heat by radiation, brake blocks or bearings is left out.
 
-use crate::error::{Error, require_finite, require_positive};
+use crate::error::{Error, HeatPurpose, require_finite, require_positive};
 use crate::grid::Grid;
 use crate::patch::Patch;
 use crate::problem::Problem;
@@ -156,9 +156,8 @@ impl Balance<'_> {
         self.iterations += 1;
         let known = solution.power.and_then(|power| Some((power.into_wheel, power.exchanged?)));
         let Some((frictional_heat, conduction)) = known else {
-            let reason =
-                "the wheel warms by frictional heat, which needs a method with temperatures";
-            return Err(Error::OtherMethod { reason, method: solution.method.name() });
+            let (purpose, method) = (HeatPurpose::BulkTemperature, solution.method.name());
+            return Err(Error::OtherMethod { purpose, method });
         };
         let partition = self.problem.conduction(&solution.kinematics);
         Ok(BulkTemperature {

@@ -61,6 +61,33 @@ impl Default for Material {
     }
 }
 
+/// Wheel or rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// The wheel.
+    Wheel,
+    /// The rail.
+    Rail,
+}
+
+impl Side {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wheel => "wheel",
+            Self::Rail => "rail",
+        }
+    }
+
+    /// Its temperature, as a quantity.
+    pub fn temperature(self) -> Quantity {
+        match self {
+            Self::Wheel => Quantity::WheelTemperature,
+            Self::Rail => Quantity::RailTemperature,
+        }
+    }
+}
+
 /// Wheel or rail: its material and its temperature far from the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {

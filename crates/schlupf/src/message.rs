@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 
 use crate::quantity::Quantity;
+use crate::requirement::readable;
 
 /// What a face calls quantities: paths in a case file, options of a command, keywords of a function.
 pub trait Words {
@@ -29,6 +30,7 @@ impl Words for Names {
 /// An error or a warning in the words of a face.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Message {
     /// Which kind; a word that stays the same in every version.
     pub code: &'static str,
@@ -61,18 +63,19 @@ impl Message {
 
 /// A number with its unit, if it has one.
 pub(crate) fn with_unit(value: f64, unit: &str) -> String {
-    format!("{value} {unit}").trim_end().to_owned()
+    format!("{} {unit}", readable(value)).trim_end().to_owned()
 }
 
 /// Declares an enum of messages: for each kind its code, its values, the quantity that it is about and
-/// its sentence in given [`Words`].
+/// its sentence in given [`Words`]. The code of a kind that holds another message is that of the other:
+/// `"code" [field]`.
 macro_rules! messages {
     (
         $(#[$about:meta])*
         $name:ident: $(
             $(#[$doc:meta])*
-            $code:literal $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
-            $quantity:expr, |$words:ident| $text:expr;
+            $code:literal $([$inner:ident])? $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
+            $quantity:expr, |$subject:ident, $words:ident| $text:expr;
         )*
     ) => {
         $(#[$about])*
@@ -82,14 +85,16 @@ macro_rules! messages {
             $($(#[$doc])* $kind { $($(#[$field_doc])* $field: $type),* }),*
         }
 
-        #[allow(unused_variables, clippy::use_self)]
+        #[allow(unused_variables, unreachable_code, clippy::use_self)]
         impl $name {
             /// The codes of all kinds, in the order of their declaration.
             pub const CODES: &[&str] = &[$($code),*];
 
             /// Which kind it is, as a word that stays the same in every version.
             pub fn code(&self) -> &'static str {
-                match self { $(Self::$kind { .. } => $code),* }
+                match self {
+                    $(Self::$kind { $($field),* } => { $(return $inner.code();)? $code })*
+                }
             }
 
             /// The quantity that it is about.
@@ -100,7 +105,10 @@ macro_rules! messages {
             /// It as a sentence in the words of a face.
             pub fn text(&self, words: &dyn $crate::message::Words) -> String {
                 match self {
-                    $(Self::$kind { $($field),* } => { let $words = words; $text })*
+                    $(Self::$kind { $($field),* } => {
+                        let ($subject, $words) = (words.word($quantity), words);
+                        $text
+                    })*
                 }
             }
 

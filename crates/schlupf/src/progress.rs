@@ -6,6 +6,7 @@ use crate::error::Error;
 
 /// What goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Stage {
     /// Iterations of a normal contact.
     NormalContact,
@@ -25,8 +26,25 @@ pub enum Stage {
     Calibration,
 }
 
+impl Stage {
+    /// What is counted, for people.
+    pub fn counted(self) -> &'static str {
+        match self {
+            Self::NormalContact => "normal contact, iterations",
+            Self::LoadCurve => "loads",
+            Self::Steady => "Newton steps",
+            Self::Marching => "time steps",
+            Self::Curve => "points",
+            Self::BulkTemperature => "steady states",
+            Self::Fit => "fitting, forces",
+            Self::Calibration => "calibrating, motions",
+        }
+    }
+}
+
 /// How far something has got.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Progress {
     /// What goes on.
     pub stage: Stage,
@@ -43,6 +61,12 @@ impl Progress {
     /// So many of something done, of an unknown number.
     pub fn count(stage: Stage, done: usize) -> Self {
         Self { stage, done, total: None, change: None }
+    }
+
+    /// The same with so many done of a known number.
+    #[must_use]
+    pub fn of(self, done: usize, total: usize) -> Self {
+        Self { done, total: Some(total), ..self }
     }
 }
 

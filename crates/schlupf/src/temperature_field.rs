@@ -8,25 +8,17 @@
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
-use crate::error::Error;
+use crate::error::{Error, HeatPurpose};
 use crate::heat::HeatStep;
 use crate::heat::peclet::semi_axes;
 use crate::kinematics::ReferencePoint;
 use crate::material::Body;
+pub use crate::material::Side;
 use crate::method::Method;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::warning::Warning;
-
-/// Wheel or rail.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// The wheel.
-    Wheel,
-    /// The rail.
-    Rail,
-}
 
 /// The temperatures that belong to a solution.
 ///
@@ -100,8 +92,8 @@ impl TemperatureField {
     /// [`crate::normal::PressureSource::normal_contact`] refuses.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
         if solution.method != Method::Full {
-            let reason = "temperatures below the surface need the heat record of \"full\"";
-            return Err(Error::OtherMethod { reason, method: solution.method.name() });
+            let method = solution.method.name();
+            return Err(Error::OtherMethod { purpose: HeatPurpose::Field, method });
         }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;

@@ -1,8 +1,11 @@
-//! Whatever the reader of numbers must know.
+//! What a reader of results must know.
 
 use crate::error::FitStop;
+use crate::material::Side;
 use crate::message::messages;
+use crate::problem::Branch;
 use crate::quantity::Quantity;
+use crate::requirement::readable;
 
 messages! {
     /// A warning.
@@ -12,7 +15,7 @@ messages! {
     "not-converged" NotConverged {
         /// Why.
         cause: Unconverged,
-    } cause.quantity(), |words| cause.text(words);
+    } cause.quantity(), |name, words| cause.text(words);
 
     /// The steady state was marched to.
     "marched" Marched {
@@ -20,52 +23,55 @@ messages! {
         residual: f64,
         /// Newton steps that were done.
         newton_steps: usize,
-    } Quantity::Driver, |words| format!(
-        "the steady equilibrium was not found at once (residual {residual:.1e} after {newton_steps} \
+    } Quantity::Driver, |name, words| format!(
+        "the steady equilibrium was not found directly (residual {residual:.1e} after {newton_steps} \
          Newton steps); this is the end of a march, without derivatives"
     );
 
     /// There are several steady states.
     "several-states" SeveralStates {
         /// From where this one is reached.
-        branch: &'static str,
+        branch: Branch,
         /// Its tangential force, in N.
         force: [f64; 2],
-        /// From where the other one is reached.
-        other_branch: &'static str,
-        /// The tangential force of that, in N.
+        /// The tangential force of the state that is reached from the other side, in N.
         other_force: [f64; 2],
-    } Quantity::Branch, |words| format!(
-        "friction falls so fast that there are several steady states: this one is reached from {branch} \
-         slip, with Fx = {:.6e} N and Fy = {:.6e} N; from {other_branch} slip they are {:.6e} N and \
-         {:.6e} N",
-        force[0], force[1], other_force[0], other_force[1]
-    );
+    } Quantity::Branch, |name, words| {
+        let [here, there] = match branch {
+            Branch::LowSlip => ["low", "high"],
+            Branch::HighSlip => ["high", "low"],
+        };
+        let [x, y] = force;
+        let [other_x, other_y] = other_force;
+        format!(
+            "friction falls so fast that there are several steady states: this one is reached from \
+             {here} slip, with Fx = {x:.6e} N and Fy = {y:.6e} N; from {there} slip they are \
+             {other_x:.6e} N and {other_y:.6e} N"
+        )
+    };
 
     /// There may be several steady states.
-    "branch-lost" BranchLost {} Quantity::Branch, |words| {
+    "branch-lost" BranchLost {} Quantity::Branch, |name, words| {
         "friction falls so fast that there may be several steady states; they could not be followed \
-         along the creepage, so it is open which one this is"
+         along the creepage, so it is unknown which one this is"
             .to_owned()
     };
 
     /// Derivatives were not found.
-    "no-sensitivity" NoSensitivity {} Quantity::Sensitivities, |words| format!(
-        "{}: a linear system at the solution was not solved; the derivatives are left out",
-        words.word(Quantity::Sensitivities)
+    "no-sensitivity" NoSensitivity {} Quantity::Sensitivities, |name, words| format!(
+        "{name}: a linear system at the solution was not solved; the derivatives are left out"
     );
 
-    /// A pressure that no body stands elastically.
+    /// A pressure beyond the elastic range of any metal.
     "beyond-elastic" BeyondElastic {
         /// Largest pressure, in Pa.
         pressure: f64,
         /// Contact modulus, in Pa.
         modulus: f64,
-    } Quantity::PeakPressure, |words| format!(
-        "{}: the largest pressure is {:.0} MPa, {:.1} % of the contact modulus, and steel has \
-         yielded before 2.5 %: are load and shape in their right units?",
-        words.word(Quantity::PeakPressure),
-        1e-6 * pressure,
+    } Quantity::PeakPressure, |name, words| format!(
+        "{name}: the largest pressure is {} MPa, {:.1} % of the contact modulus, and metals yield below \
+         2.5 %: check load and radii and their units",
+        readable(1e-6 * pressure),
         1e2 * pressure / modulus
     );
 
@@ -73,10 +79,9 @@ messages! {
     "small-margin" SmallMargin {
         /// Displacement at their outer edge over the largest one, dimensionless.
         edge: f64,
-    } Quantity::Margin, |words| format!(
-        "{}: the displacement at the outer edge of the layer is {:.1} % of the largest; a larger margin \
-         is needed where that exceeds 1 %",
-        words.word(Quantity::Margin),
+    } Quantity::Margin, |name, words| format!(
+        "{name}: the displacement at the outer edge of the layer is {:.1} % of the largest; above 1 % \
+         a larger margin is needed",
         100.0 * edge
     );
 
@@ -86,37 +91,35 @@ messages! {
         returned: f64,
         /// Friction power, in W.
         friction: f64,
-    } Quantity::ContactStiffness, |words| format!(
-        "{}: the bristles return {returned:.3e} W of {friction:.3e} W friction power; that part \
-         is cut off and does not cool. Where it is large in steady rolling, the grid is too coarse for \
-         the contact law",
-        words.word(Quantity::ContactStiffness)
+    } Quantity::ContactStiffness, |name, words| format!(
+        "{name}: the bristles return {returned:.3e} W of {friction:.3e} W friction power; that part \
+         is discarded and does not cool the surfaces. Where it is large in steady rolling, the grid \
+         is too coarse for the contact law"
     );
 
     /// Bodies whose pressure displaces their surfaces tangentially against each other.
     "dissimilar-bodies" DissimilarBodies {
         /// Dundurs' or Kalker's constant K, dimensionless.
         constant: f64,
-    } Quantity::Elasticity, |words| format!(
-        "{}: wheel and rail differ in their elastic constants (K = {constant:.3}); the tangential \
-         displacement under the normal pressure is neglected",
-        words.word(Quantity::Elasticity)
+    } Quantity::Elasticity, |name, words| format!(
+        "{name}: wheel and rail differ in their elastic constants (K = {constant:.3}); the tangential \
+         displacement caused by the normal pressure is neglected"
     );
 
     /// A calibrated layer for a patch of several parts.
     "layer-of-parts" LayerOfParts {
         /// How many.
         parts: usize,
-    } Quantity::Calibration, |words| format!(
-        "{}: the layer is calibrated for one elliptic patch; for the {parts} separate parts of this one \
-         it takes the ellipse of their common extent, which is too soft; {} needs no calibration",
-        words.word(Quantity::Calibration),
+    } Quantity::Calibration, |name, words| format!(
+        "{name}: the layer is calibrated for one elliptic patch; for the {parts} separate parts of this \
+         one it takes the ellipse of their common extent, which is too compliant; {} needs no \
+         calibration",
         words.choice(Quantity::Elasticity, "half-space")
     );
 
     /// A patch that a calibration takes for an ellipse.
-    "taken-for-an-ellipse" TakenForAnEllipse {} Quantity::Calibration, |words| {
-        "the patch is treated like the ellipse with the same extent".to_owned()
+    "taken-for-an-ellipse" TakenForAnEllipse {} Quantity::Calibration, |name, words| {
+        "the patch is treated like the ellipse of the same extent".to_owned()
     };
 
     /// A distance of the bodies of few points.
@@ -127,11 +130,10 @@ messages! {
         parts: usize,
         /// Points that each part needs.
         fewest: usize,
-    } Quantity::UndeformedDistance, |words| format!(
-        "{}: number of points of the distance across the patch: {points}. Its shape between them is a \
-         guess; give {fewest} or more for each part (there {})",
-        words.word(Quantity::UndeformedDistance),
-        if *parts == 1 { "is 1".to_owned() } else { format!("are {parts}") }
+    } Quantity::UndeformedDistance, |name, words| format!(
+        "{name}: the distance is given at {points} points across the patch, too few to determine its \
+         shape between them; give at least {fewest}{}",
+        if *parts == 1 { String::new() } else { format!(" in each of its {parts} parts") }
     );
 
     /// Rolling so slowly that heat also flows along the surface.
@@ -142,7 +144,7 @@ messages! {
         is_narrow: bool,
         /// Whether it is about temperatures below the surface and in the wake.
         is_field: bool,
-    } Quantity::HeatModel, |words| {
+    } Quantity::HeatModel, |name, words| {
         let what = if *is_field {
             "Temperatures below the surface and in the wake, unlike those in the contact,".to_owned()
         } else {
@@ -153,38 +155,35 @@ messages! {
                 words.choice(Quantity::HeatModel, "duhamel")
             )
         };
+        let [wheel, rail] = peclet;
         format!(
-            "{}: the Péclet numbers v a/κ are {:.3e} (wheel) and {:.3e} (rail). {what} assume conduction \
-             perpendicular to the surface only, which is too hot by about 1 % at a Péclet number of \
-             100, by 10 % at 10 and without bound below{}",
-            words.word(Quantity::HeatModel),
-            peclet[0],
-            peclet[1],
+            "{name}: the Péclet numbers v a/κ are {wheel:.3e} (wheel) and {rail:.3e} (rail). {what} \
+             assume conduction perpendicular to the surface only, which overestimates them by about \
+             1 % at a Péclet number of 100, by 10 % at 10 and without bound below{}",
             if *is_narrow { " (less on a narrower patch)" } else { "" }
         )
     };
 
-    /// A surface so hot that constants of material do not hold.
+    /// A surface so hot that material constants do not hold.
     "hot-surface" HotSurface {
-        /// `wheel` or `rail`.
-        body: &'static str,
-        /// Largest temperature of its surface, in degC.
+        /// Which one.
+        body: Side,
+        /// Its largest temperature, in degC.
         temperature: f64,
         /// What happens there.
         limit: HeatLimit,
-    } if *body == "wheel" { Quantity::WheelTemperature } else { Quantity::RailTemperature },
-    |words| format!(
-        "{}: the surface of the {body} reaches {temperature:.0} degC, {}: constants of material, \
-         elasticity and friction do not hold there",
+    } body.temperature(), |name, words| format!(
+        "{}: the surface of the {} reaches {temperature:.0} degC, {}: material constants, elasticity \
+         and friction are not valid there",
         words.word(Quantity::HeatModel),
+        body.name(),
         limit.text()
     );
 
     /// Temperatures below the surface by another heat model than in the cells.
-    "heat-model-of-cells" HeatModelOfCells {} Quantity::HeatModel, |words| format!(
-        "{}: below the surface and in the wake temperatures follow from the heat that is released, by \
-         Duhamel's theorem; the heat model of the case holds for the cells only",
-        words.word(Quantity::HeatModel)
+    "heat-model-of-cells" HeatModelOfCells {} Quantity::HeatModel, |name, words| format!(
+        "{name}: below the surface and in the wake temperatures follow from the heat released, by \
+         Duhamel's theorem; the heat model of the case applies to the cells only"
     );
 
     /// Kalker's coefficients beyond their table.
@@ -193,11 +192,10 @@ messages! {
         method: &'static str,
         /// a/b, dimensionless.
         axis_ratio: f64,
-    } Quantity::Method, |words| format!(
-        "{}: {method:?} takes Kalker's coefficients beyond their table, a/b = {axis_ratio:.4} where it \
-         spans 1/10 to 10, from Kalker's limits: C11, C22 and C23 are off by up to 7 % at 1/30 and 30, \
-         C33 is a limit only",
-        words.word(Quantity::Method)
+    } Quantity::Method, |name, words| format!(
+        "{name}: {method:?} needs Kalker's coefficients at a/b = {axis_ratio:.4}, beyond their table \
+         (1/10 to 10), and takes them from Kalker's limits: C11, C22 and C23 are off by up to 7 % at \
+         1/30 and 30, C33 is a limit only"
     );
 
     /// A patch that is no ellipse but counts as one.
@@ -206,19 +204,15 @@ messages! {
         method: &'static str,
         /// Separate parts of the patch.
         parts: usize,
-    } Quantity::Method, |words| {
+    } Quantity::Method, |name, words| {
         let apart = if *parts > 1 {
-            format!(
-                "; here that ellipse spans {parts} separate parts, and the gaps between them count as \
-                 contact"
-            )
+            format!("; that ellipse spans {parts} separate parts and counts the gaps as contact")
         } else {
             String::new()
         };
         format!(
-            "{}: {method:?} takes Kalker's coefficients of the ellipse with the length and width of the \
-             patch{apart}",
-            words.word(Quantity::Method)
+            "{name}: {method:?} takes Kalker's coefficients of the ellipse with the length and width of \
+             the patch{apart}"
         )
     };
 
@@ -226,9 +220,8 @@ messages! {
     "no-memory" NoMemory {
         /// The method.
         method: &'static str,
-    } Quantity::MemoryDistance, |words| format!(
-        "{}: {method:?} knows no memory; friction follows its law at once",
-        words.word(Quantity::MemoryDistance)
+    } Quantity::MemoryDistance, |name, words| format!(
+        "{name}: {method:?} has no friction memory; friction follows its law instantly"
     );
 
     /// A method without fields.
@@ -237,9 +230,8 @@ messages! {
         method: &'static str,
         /// Whether it gives the moment.
         has_moment: bool,
-    } Quantity::Method, |words| format!(
-        "{}: {method:?} gives {} only, no fields and no temperatures",
-        words.word(Quantity::Method),
+    } Quantity::Method, |name, words| format!(
+        "{name}: {method:?} gives {} only, no fields and no temperatures",
         if *has_moment { "forces and moment" } else { "forces" }
     );
 
@@ -247,9 +239,9 @@ messages! {
     "cold-friction" ColdFriction {
         /// The method.
         method: &'static str,
-    } Quantity::FrictionModel, |words| format!(
-        "{}: {method:?} knows no temperatures, so friction is that of material as warm as it enters",
-        words.word(Quantity::FrictionModel)
+    } Quantity::FrictionModel, |name, words| format!(
+        "{name}: {method:?} has no temperatures, so friction is that at the temperature of the \
+         entering material"
     );
 
     /// A force above the friction limit.
@@ -258,10 +250,9 @@ messages! {
         method: &'static str,
         /// The force over the limit, dimensionless.
         ratio: f64,
-    } Quantity::Method, |words| format!(
-        "{}: the force of {method:?} is {ratio:.3} times the friction limit μN, and not to be trusted: \
-         the method does not cut it off",
-        words.word(Quantity::Method)
+    } Quantity::Method, |name, words| format!(
+        "{name}: the force of {method:?} is {ratio:.3} times the friction limit μN, which the method \
+         does not enforce; do not use it"
     );
 
     /// A balance of power that is not closed.
@@ -272,10 +263,9 @@ messages! {
         creep: f64,
         /// Part by which they differ at least, dimensionless.
         part: f64,
-    } Quantity::Method, |words| format!(
-        "{}: the friction power of FASTSIM, {friction:.4e} W, differs from the creep power, {creep:.4e} \
-         W, by more than {} %: temperatures are uncertain by as much",
-        words.word(Quantity::Method),
+    } Quantity::Method, |name, words| format!(
+        "{name}: the friction power of FASTSIM, {friction:.4e} W, differs from the creep power, \
+         {creep:.4e} W, by more than {} %; temperatures are as uncertain",
         100.0 * part
     );
 
@@ -283,10 +273,9 @@ messages! {
     "no-initial-slope" NoInitialSlope {
         /// What the curve is drawn over.
         abscissa: Quantity,
-    } *abscissa, |words| format!(
-        "no initial slope: the derivatives at {} = 0 were not found",
-        abscissa.name()
-    );
+    } *abscissa, |name, words| {
+        format!("no initial slope: the derivatives at {name} = 0 were not found")
+    };
 
     /// Fitted parameters that go together.
     "correlated" Correlated {
@@ -296,9 +285,9 @@ messages! {
         other: Quantity,
         /// Their correlation, dimensionless.
         correlation: f64,
-    } *one, |words| format!(
-        "{} and {} go together (correlation {correlation:.3}): each by itself is less certain than both",
-        words.word(*one),
+    } *one, |name, words| format!(
+        "{name} and {} are correlated ({correlation:.3}): each by itself is less certain than both \
+         together",
         words.word(*other)
     );
 
@@ -308,10 +297,10 @@ messages! {
         parameter: Quantity,
         /// Its value, in its unit if it has one.
         value: f64,
-    } *parameter, |words| format!(
-        "{} is at the end of its range, {value}: the data would have it beyond, and its interval counts \
-         to one side only",
-        words.word(*parameter)
+    } *parameter, |name, words| format!(
+        "{name} is at the end of its range, {}: the data favour a value beyond it, and its interval is \
+         one-sided",
+        readable(*value)
     );
 
     /// Polach's reductions as no case can have them.
@@ -320,17 +309,16 @@ messages! {
         slip: f64,
         /// k_A, dimensionless.
         adhesion: f64,
-    } Quantity::PolachAreaSlip, |words| format!(
-        "{} is {slip:.4}, but must not exceed {} = {adhesion:.4}: no case can have them; hold one of \
-         them",
-        words.word(Quantity::PolachAreaSlip),
+    } Quantity::PolachAreaSlip, |name, words| format!(
+        "{name} is {slip:.4}, but must not exceed {} = {adhesion:.4}: no case accepts them; fit only \
+         one of the two",
         words.word(Quantity::PolachAreaAdhesion)
     );
 
     /// Residuals of a fit that are no scatter.
-    "systematic-residuals" SystematicResiduals {} Quantity::ForceRatio, |words| {
-        "the residuals are no scatter, neighbours have the same sign: the model does not follow the \
-         data, and the parameters are less certain than their intervals say"
+    "systematic-residuals" SystematicResiduals {} Quantity::ForceRatio, |name, words| {
+        "the residuals are not random, neighbours have the same sign: the model does not follow the \
+         data, and the parameters are less certain than their intervals suggest"
             .to_owned()
     };
 
@@ -338,8 +326,8 @@ messages! {
     "unexplained" Unexplained {
         /// R², dimensionless.
         r_squared: f64,
-    } Quantity::ForceRatio, |words| format!(
-        "the model explains {:.0} % of the variance of the data only",
+    } Quantity::ForceRatio, |name, words| format!(
+        "the model explains only {:.0} % of the variance of the data",
         100.0 * r_squared.max(0.0)
     );
 
@@ -347,9 +335,9 @@ messages! {
     "excess-scatter" ExcessScatter {
         /// How many times they are, dimensionless.
         factor: f64,
-    } Quantity::StandardDeviation, |words| format!(
-        "the residuals are {factor:.1} times what the standard deviations of the data allow: the \
-         intervals are widened by that"
+    } Quantity::StandardDeviation, |name, words| format!(
+        "the residuals are {factor:.1} times what the standard deviations of the data allow; the \
+         intervals are widened accordingly"
     );
 }
 
@@ -372,7 +360,7 @@ messages! {
         residual: f64,
         /// Tolerance, dimensionless.
         tolerance: f64,
-    } Quantity::Tolerance, |words| format!(
+    } Quantity::Tolerance, |name, words| format!(
         "after {newton_steps} Newton steps the equilibrium has a residual of {residual:.1e}, above the \
          tolerance {tolerance:.1e}"
     );
@@ -383,7 +371,7 @@ messages! {
         residual: f64,
         /// Tolerance, dimensionless.
         tolerance: f64,
-    } Quantity::Tolerance, |words| format!(
+    } Quantity::Tolerance, |name, words| format!(
         "the worst equilibrium of a time step has a residual of {residual:.1e}, above the tolerance \
          {tolerance:.1e}"
     );
@@ -392,7 +380,7 @@ messages! {
     "short-march" ShortMarch {
         /// Time steps that were done.
         steps: usize,
-    } Quantity::MaxSteps, |words| format!(
+    } Quantity::MaxSteps, |name, words| format!(
         "the march ends after {steps} time steps, before the material has passed the patch twice"
     );
 
@@ -404,15 +392,15 @@ messages! {
         change: f64,
         /// Tolerance, dimensionless.
         tolerance: f64,
-    } Quantity::MaxSteps, |words| format!(
-        "after {steps} time steps traction or temperature still change by {change:.1e} within a passage \
-         of the patch, above the tolerance {tolerance:.1e}"
+    } Quantity::MaxSteps, |name, words| format!(
+        "after {steps} time steps traction or temperature still changes by {change:.1e} within a \
+         passage of the patch, above the tolerance {tolerance:.1e}"
     );
 
     /// Surfaces that are not equally hot.
-    "heat-exchange" HeatExchange {} Quantity::HeatModel, |words| {
-        "the exchange of heat between wheel and rail that makes their surfaces equally hot was not \
-         found; temperatures are wrong"
+    "heat-exchange" HeatExchange {} Quantity::HeatModel, |name, words| {
+        "the exchange of heat that makes the surfaces of wheel and rail equally hot was not found; \
+         temperatures are wrong"
             .to_owned()
     };
 
@@ -422,8 +410,8 @@ messages! {
         states: usize,
         /// Heat that the wheel receives more than it gives, in W.
         surplus: f64,
-    } Quantity::WheelBulkTemperature, |words| format!(
-        "after {states} steady states the wheel still receives {surplus:.1e} W more than it gives"
+    } Quantity::WheelBulkTemperature, |name, words| format!(
+        "after {states} steady states the wheel still receives {surplus:.1e} W more than it gives off"
     );
 
     /// Points of a curve.
@@ -436,21 +424,20 @@ messages! {
         failed: usize,
         /// All points.
         count: usize,
-    } *abscissa, |words| {
+    } *abscissa, |name, words| {
         let named: Vec<String> = places.iter().map(|place| abscissa.six_digits(*place)).collect();
         let rest = match failed.saturating_sub(places.len()) {
             0 => String::new(),
             rest => format!(" and {rest} more"),
         };
-        let (name, named) = (abscissa.name(), named.join(", "));
-        format!("{failed} of {count} points, at {name} = {named}{rest}")
+        format!("{failed} of {count} points, at {name} = {}{rest}", named.join(", "))
     };
 
     /// A fit that is at no minimum.
     "fit" Fit {
         /// Why it stopped.
         stop: FitStop,
-    } Quantity::FitParameters, |words| stop.text(words);
+    } Quantity::FitParameters, |name, words| stop.text(words);
 }
 
 /// What a surface is too hot for.

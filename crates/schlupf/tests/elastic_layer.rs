@@ -122,7 +122,11 @@ fn bounds_hold_in_every_cell() {
     assert_relative_eq!(load, solution.normal.load, max_relative = 1e-12);
     let area = solution.area;
     assert_relative_eq!(area.contact, std::f64::consts::PI * 30e-6, max_relative = 1e-10);
-    assert_relative_eq!(area.stick.unwrap() + area.slip.unwrap(), area.contact, max_relative = 1e-12);
+    assert_relative_eq!(
+        area.stick.unwrap() + area.slip.unwrap(),
+        area.contact,
+        max_relative = 1e-12
+    );
 }
 
 /// Odd in (ξ, η, φ), and mirrored in y: η, φ, Fy and Mz change sign, Fx does not.

@@ -122,21 +122,17 @@ fn assert_same_contact(file: &Solution, patch: &Solution) {
     let (motion, force) = file.seen_from(ReferencePoint::Patch).unwrap();
     assert_relative_eq!(motion.creepage_x, patch.kinematics.creepage_x, epsilon = 1e-12);
     assert_relative_eq!(motion.creepage_y, patch.kinematics.creepage_y, epsilon = 1e-12);
-    if patch.force.moment_z.is_some() {
-        assert_relative_eq!(
-            force.moment_z.unwrap(),
-            patch.force.moment_z.unwrap(),
-            epsilon = 5e-3 * scale
-        );
+    if let (Some(at_patch), Some(at_file)) = (patch.force.moment_z, file.force.moment_z) {
+        assert_relative_eq!(force.moment_z.unwrap(), at_patch, epsilon = 5e-3 * scale);
         let lever = (patch.normal.semi_axis_x * patch.normal.semi_axis_y).sqrt();
-        let moment = file.force.moment_z.unwrap() / (0.4 * patch.normal.load * lever);
+        let moment = at_file / (0.4 * patch.normal.load * lever);
         assert_relative_eq!(file.normalised.moment_z.unwrap(), moment, max_relative = 1e-9);
     }
     let Kinematics { creepage_x, creepage_y, spin, .. } = file.kinematics;
     let expected = (creepage_x * file.force.x).abs() + (creepage_y * file.force.y).abs();
     assert_relative_eq!(file.t_gamma.without_spin, expected, max_relative = 1e-9);
-    if file.force.moment_z.is_some() {
-        let whole = expected + (spin * file.force.moment_z.unwrap()).abs();
+    if let Some(moment) = file.force.moment_z {
+        let whole = expected + (spin * moment).abs();
         assert_relative_eq!(file.t_gamma.with_spin.unwrap(), whole, max_relative = 1e-9);
     }
 }

@@ -194,7 +194,7 @@ impl Side<'_, '_> {
             if next.status == Status::NotConverged {
                 return Ok(None);
             }
-            three = with(three, next);
+            three = with(&three, &next);
             narrowed = width(&three) < 0.5 * before;
         }
         Ok(Some(Maximum::at(&three[1])))
@@ -218,14 +218,15 @@ fn next_abscissa(three: &[Point; 3], narrowed: bool, precision: f64) -> f64 {
 }
 
 /// Three points about the highest of these four.
-fn with([before, middle, after]: [Point; 3], next: Point) -> [Point; 3] {
+fn with([before, middle, after]: &[Point; 3], next: &Point) -> [Point; 3] {
     let is_before = (next.abscissa < middle.abscissa) == (before.abscissa < middle.abscissa);
-    match (is_before, force(&next) > force(&middle)) {
+    let three = match (is_before, force(next) > force(middle)) {
         (true, true) => [before, next, middle],
         (true, false) => [next, middle, after],
         (false, true) => [middle, next, after],
         (false, false) => [before, middle, next],
-    }
+    };
+    three.map(|point| *point)
 }
 
 /// Where the parabola through three points has its top, the middle one being the highest.

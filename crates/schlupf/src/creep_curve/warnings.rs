@@ -35,7 +35,7 @@ impl CurveWarning {
     pub fn message(&self, words: &dyn Words) -> Message {
         let message = self.warning.message(words);
         let Some(Points { abscissa, first, count }) = self.at else { return message };
-        let first = abscissa.equation(first);
+        let first = format!("{} = {}", words.word(abscissa), abscissa.six_digits(first));
         message.about(&match count {
             1 => first,
             2 => format!("{first} and one further point"),

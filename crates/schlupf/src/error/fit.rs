@@ -3,14 +3,15 @@
 use super::Error;
 use crate::message::{Words, messages, with_unit};
 use crate::quantity::Quantity;
+use crate::requirement::readable;
 
 messages! {
     /// Why parameters cannot be fitted to data.
     FitError:
 
     /// Nothing to be fitted.
-    "nothing-to-fit" NothingToFit {} Quantity::FitParameters, |words| {
-        format!("{}: there is nothing to fit", words.word(Quantity::FitParameters))
+    "nothing-to-fit" NothingToFit {} Quantity::FitParameters, |name, words| {
+        format!("{name}: there is nothing to fit")
     };
 
     /// Fewer points than parameters.
@@ -19,19 +20,18 @@ messages! {
         parameters: Vec<Quantity>,
         /// Measured forces.
         points: usize,
-    } first(parameters), |words| {
+    } first(parameters), |name, words| {
         let count = parameters.len();
         let names: Vec<_> = parameters.iter().map(|name| words.word(*name)).collect();
         let why = if *points == count {
-            ": with as many points as parameters nothing is left to tell the scatter from, unless the \
-             data have standard deviations"
+            ": with as many points as parameters the scatter cannot be estimated unless the data have \
+             standard deviations"
         } else {
             ""
         };
         let plural = |count: usize| if count == 1 { "" } else { "s" };
         format!(
-            "{}: {count} parameter{} ({}) cannot be determined from {points} measured force{}{why}",
-            words.word(first(parameters)),
+            "{name}: {count} parameter{} ({}) cannot be determined from {points} measured force{}{why}",
             plural(count),
             names.join(", "),
             plural(*points)
@@ -46,10 +46,9 @@ messages! {
         value: f64,
         /// Least and largest value, in its unit if it has one.
         bounds: [f64; 2],
-    } *quantity, |words| format!(
-        "{} must be between {} and {} for a fit to start from, but is {}",
-        words.word(*quantity),
-        bounds[0],
+    } *quantity, |name, words| format!(
+        "{name} must start a fit between {} and {}, but is {}",
+        readable(bounds[0]),
         with_unit(bounds[1], quantity.unit()),
         with_unit(*value, quantity.unit())
     );
@@ -60,27 +59,27 @@ messages! {
         known: usize,
         /// All points.
         count: usize,
-    } Quantity::StandardDeviation, |words| format!(
-        "{}: all points or none must have a standard deviation, but {known} of {count} have one",
-        words.word(Quantity::StandardDeviation)
+    } Quantity::StandardDeviation, |name, words| format!(
+        "{name}: all points or none need a standard deviation, but {known} of {count} have one"
     );
 
     /// Measured forces with the wrong sign.
     "wrong-sign" WrongSign {
-        /// `longitudinal` or `lateral`.
-        component: &'static str,
+        /// Which forces.
+        component: Quantity,
         /// Where, if not everywhere: speed in m/s.
         speed: Option<f64>,
         /// Load of those points (in N), if they have one of their own.
         load: Option<f64>,
-    } Quantity::ForceRatio, |words| {
-        let load = load.map_or(String::new(), |load| format!(" under {load} N"));
-        let place = speed.map_or(String::new(), |speed| format!(" at some {speed} m/s{load}"));
+    } Quantity::ForceRatio, |name, words| {
+        let load = load.map_or(String::new(), |load| format!(" under {} N", readable(load)));
+        let place = speed
+            .map_or(String::new(), |speed| format!(" at some {} m/s{load}", readable(speed)));
         format!(
-            "{}: the {component} forces{place} have the opposite sign of those that creepages and spin \
-             give: they must be those on the rail, -Fx/N over creepage_x and -Fy/N over creepage_y, as \
-             creep curves show them",
-            words.word(Quantity::ForceRatio)
+            "{name}: the {}s{place} have the opposite sign of those that creepages and spin give: they \
+             must be those on the rail, -Fx/N over creepage_x and -Fy/N over creepage_y, as creep \
+             curves show them",
+            component.description()
         )
     };
 
@@ -91,18 +90,12 @@ messages! {
         /// The motion at which no force was found, each number in its unit or dimensionless; `None`
         /// where the forces have no derivatives.
         at: Option<Vec<(Quantity, f64)>>,
-    } *quantity, |words| {
-        let name = words.word(*quantity);
-        match at {
-            Some(motion) => {
-                let place = listed(motion);
-                format!(
-                    "{name}: with the values to start from no force was found at {place}: start from \
-                     others"
-                )
-            }
-            None => format!("{name}: the forces have no derivatives at the values to start from"),
-        }
+    } *quantity, |name, words| match at {
+        Some(motion) => format!(
+            "{name}: with the start values no force was found at {}; start from others",
+            listed(motion)
+        ),
+        None => format!("{name}: the forces have no derivatives at the start values"),
     };
 
     /// A fit that got stuck where nothing follows.
@@ -111,9 +104,8 @@ messages! {
         quantity: Quantity,
         /// Why it stopped.
         stop: FitStop,
-    } *quantity, |words| format!(
-        "{}: {}, and where it stopped the forces do not depend enough on the parameters to go on",
-        words.word(*quantity),
+    } *quantity, |name, words| format!(
+        "{name}: {}, and there the forces do not depend enough on the parameters to go on",
         stop.text(words)
     );
 
@@ -123,9 +115,8 @@ messages! {
         quantity: Quantity,
         /// Its value, in its unit if it has one.
         value: f64,
-    } *quantity, |words| format!(
-        "{}: the data do not determine it: near {} no measured force depends on it; {}",
-        words.word(*quantity),
+    } *quantity, |name, words| format!(
+        "{name}: the data do not determine it: near {} no measured force depends on it; {}",
         shown(*value, *quantity),
         where_it_shows(*quantity)
     );
@@ -134,12 +125,11 @@ messages! {
     "inseparable" Inseparable {
         /// Which.
         parameters: Vec<Quantity>,
-    } first(parameters), |words| {
+    } first(parameters), |name, words| {
         let names: Vec<_> = parameters.iter().map(|name| words.word(*name)).collect();
         format!(
-            "{}: the data do not tell {} apart: another choice of them gives the same forces; fit one \
-             of them less, or add points at other creepages or speeds",
-            words.word(first(parameters)),
+            "{name}: the data do not distinguish {}: another choice of them gives the same forces; fit \
+             one of them less, or add points at other creepages or speeds",
             names.join(" and ")
         )
     };
@@ -148,10 +138,9 @@ messages! {
     "linear-range" LinearRange {
         /// Largest force over μ0 N, dimensionless.
         largest: f64,
-    } Quantity::FrictionCoefficient, |words| format!(
-        "{}: the data do not determine it: all forces are in proportion to the creepage, the largest is \
-         {largest:.2} μ0 N; {}",
-        words.word(Quantity::FrictionCoefficient),
+    } Quantity::FrictionCoefficient, |name, words| format!(
+        "{name}: the data do not determine it: all forces are proportional to the creepage, the largest \
+         is {largest:.2} μ0 N; {}",
         where_it_shows(Quantity::FrictionCoefficient)
     );
 
@@ -165,7 +154,7 @@ messages! {
         relative: f64,
         /// What it goes together with, and the correlation, dimensionless.
         related: Vec<(Quantity, f64)>,
-    } *quantity, |words| {
+    } *quantity, |name, words| {
         let related: Vec<String> = related
             .iter()
             .map(|(name, r)| format!("{} (correlation {r:.3})", words.word(*name)))
@@ -181,9 +170,8 @@ messages! {
             "more than ±100000 %".to_owned()
         };
         format!(
-            "{}: the data do not determine it{with}: at {} its 95 % interval is {width}; {}; add such \
+            "{name}: the data do not determine it{with}: at {} its 95 % interval is {width}; {}; add such \
              points, or do not fit it",
-            words.word(*quantity),
             shown(*value, *quantity),
             where_it_shows(*quantity)
         )
@@ -195,11 +183,10 @@ messages! {
         quantity: Quantity,
         /// The constants of the law.
         constants: Vec<Quantity>,
-    } *quantity, |words| {
+    } *quantity, |name, words| {
         let names: Vec<_> = constants.iter().map(|name| words.word(*name)).collect();
         let names = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
-        let name = words.word(*quantity);
-        format!("{name}: it is no constant of the friction law in use, which has {names}")
+        format!("{name}: it is not a constant of the friction law in use, which has {names}")
     };
 
     /// A parameter that shows only where there is heat.
@@ -208,13 +195,12 @@ messages! {
         quantity: Quantity,
         /// The method that has no heat; `None` where the heat model is none.
         method: Option<&'static str>,
-    } *quantity, |words| {
+    } *quantity, |name, words| {
         let why = match method {
             Some(method) => format!("{} has no heat", words.choice(Quantity::Method, method)),
-            None => format!("{} is \"none\"", words.word(Quantity::HeatModel)),
+            None => words.choice(Quantity::HeatModel, "none"),
         };
-        let name = words.word(*quantity);
-        format!("{name}: it shows where friction makes the contact hot, but {why}")
+        format!("{name}: it affects the forces only where friction heats the contact, but {why}")
     };
 
     /// A parameter that the method does not have.
@@ -223,11 +209,9 @@ messages! {
         quantity: Quantity,
         /// The method in use.
         method: &'static str,
-    } *quantity, |words| {
-        let name = words.word(*quantity);
-        let is_polach = *method == "polach";
+    } *quantity, |name, words| {
         let polach = words.choice(Quantity::Method, "polach");
-        if is_polach {
+        if *method == "polach" {
             format!(
                 "{name}: {polach} has no contact law; its slope is reduced by {} and {}",
                 words.word(Quantity::PolachAreaAdhesion),
@@ -239,16 +223,14 @@ messages! {
     };
 
     /// k_c of a contact law that has none.
-    "no-stiffness" NoStiffness {} Quantity::ContactStiffness, |words| format!(
-        "{}: the contact law in use has no such constant",
-        words.word(Quantity::ContactStiffness)
-    );
+    "no-stiffness" NoStiffness {} Quantity::ContactStiffness, |name, words| {
+        format!("{name}: the contact law in use has no such constant")
+    };
 
     /// k_c together with the roughness that determines it.
-    "stiffness-and-roughness" StiffnessAndRoughness {} Quantity::ContactStiffness, |words| format!(
-        "{}: it cannot be fitted together with the roughness that determines it",
-        words.word(Quantity::ContactStiffness)
-    );
+    "stiffness-and-roughness" StiffnessAndRoughness {} Quantity::ContactStiffness, |name, words| {
+        format!("{name}: it cannot be fitted together with the roughness that determines it")
+    };
 }
 
 impl std::error::Error for FitError {}
@@ -258,15 +240,15 @@ impl std::error::Error for FitError {}
 pub struct FitStop {
     /// Steps that were done.
     pub steps: usize,
-    /// What was in the way.
+    /// What stopped it.
     pub cause: FitCause,
 }
 
-/// What was in the way of a fit.
+/// What stopped a fit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FitCause {
-    /// A parameter ran to the end of the range that is looked at.
+    /// A parameter reached its search bound.
     RanOut {
         /// Which.
         quantity: Quantity,
@@ -286,16 +268,12 @@ impl FitStop {
     pub fn text(&self, words: &dyn Words) -> String {
         let cause = match &self.cause {
             FitCause::RanOut { quantity, value } => {
-                let (name, unit) = (words.word(*quantity), quantity.unit());
-                let end = format!("{value:.4e} {unit}");
-                let end = end.trim_end();
-                format!("{name}: it ran to the end of the range that is looked at, {end}")
+                let end = with_unit(*value, quantity.unit());
+                format!("{} reached its search bound, {end}", words.word(*quantity))
             }
-            FitCause::NotFound(motion) => {
-                format!("in its way was a force that was not found, at {}", listed(motion))
-            }
-            FitCause::Refused(error) => format!("in its way was: {}", error.text(words)),
-            FitCause::Steps => "more steps or other values to start from may help".to_owned(),
+            FitCause::NotFound(motion) => format!("no force was found at {}", listed(motion)),
+            FitCause::Refused(error) => error.text(words),
+            FitCause::Steps => "more steps or other start values may help".to_owned(),
         };
         format!("after {} steps the fit is at no minimum; {cause}", self.steps)
     }
@@ -320,9 +298,7 @@ fn where_it_shows(parameter: Quantity) -> &'static str {
         Quantity::TemperatureAtZeroFriction
         | Quantity::MinimumCoefficient
         | Quantity::HotCoefficient
-        | Quantity::TemperatureRange => {
-            "it shows at creepages and speeds that make the contact hot"
-        }
+        | Quantity::TemperatureRange => "it shows at creepages and speeds that heat the contact",
         Quantity::ContactStiffness | Quantity::ContactRoughness | Quantity::PolachAreaAdhesion => {
             "it shows at small creepages and where the force bends over"
         }

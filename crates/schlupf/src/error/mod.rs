@@ -5,7 +5,9 @@ mod fit;
 mod place;
 mod surface;
 
-use crate::message::{messages, with_unit};
+use std::borrow::Cow;
+
+use crate::message::{Words, messages, with_unit};
 use crate::quantity::Quantity;
 use crate::requirement::{Requirement, readable};
 
@@ -31,10 +33,13 @@ messages! {
         value: f64,
         /// Where.
         place: Place,
-    } *quantity, |words| {
-        let (name, unit) = (words.word(*quantity), quantity.unit());
+    } *quantity, |name, words| {
+        let unit = quantity.unit();
+        let rounded = readable(*value);
+        let is_misleading = rounded.parse().is_ok_and(|rounded| requirement.holds(rounded));
+        let value = if is_misleading { value.to_string() } else { rounded };
+        let value = format!("{value} {unit}");
         let requirement = requirement.text(unit, words);
-        let value = format!("{} {unit}", readable(*value));
         format!("{name} must be {requirement}, but is {}{}", value.trim_end(), place.text())
     };
 
@@ -44,22 +49,21 @@ messages! {
         creepage_x: f64,
         /// Circumferential speed of the wheel, in m/s.
         rolling: f64,
-    } Quantity::CreepageX, |words| format!(
-        "{} must be smaller: the wheel must roll, with a positive circumferential speed, but \
-         {creepage_x} is a {} wheel with a circumferential speed of {rolling} m/s",
-        words.word(Quantity::CreepageX),
-        if *rolling == 0.0 { "locked" } else { "reversed" }
+    } Quantity::CreepageX, |name, words| format!(
+        "{name} must be smaller: the wheel must roll forwards, but {creepage_x} gives a {} wheel with a \
+         circumferential speed of {} m/s",
+        if *rolling == 0.0 { "locked" } else { "reversed" },
+        readable(*rolling)
     );
 
     /// Something that is wrong at a time of a history.
-    "at-time" AtTime {
+    "at-time" [error] AtTime {
         /// What.
         error: Box<Error>,
         /// When, in s.
         time: f64,
-    } over_time(error.quantity()), |words| {
-        let history = words.word(over_time(error.quantity()));
-        format!("{history}: at {time} s, {}", error.text(words))
+    } over_time(error.quantity()), |name, words| {
+        format!("at {} s, {}", readable(*time), error.text(&OverTime(words)))
     };
 
     /// Something is listed fewer times than needed.
@@ -70,9 +74,8 @@ messages! {
         fewest: usize,
         /// How many there are.
         count: usize,
-    } *quantity, |words| {
-        let name = words.word(*quantity);
-        format!("{name} must have at least {fewest} entries, but has {count}")
+    } *quantity, |name, words| {
+        format!("{name} needs at least {fewest} entries, got {count}")
     };
 
     /// A table has fewer positions than needed.
@@ -85,9 +88,8 @@ messages! {
         fewest: usize,
         /// How many there are.
         count: usize,
-    } *quantity, |words| {
-        let name = words.word(*quantity);
-        format!("{name} must have at least {fewest} values of {axis}, but has {count}")
+    } *quantity, |name, words| {
+        format!("{name} needs at least {fewest} values of {axis}, got {count}")
     };
 
     /// Another number of values than there are places for.
@@ -98,9 +100,8 @@ messages! {
         expected: usize,
         /// How many there are.
         count: usize,
-    } *quantity, |words| {
-        let name = words.word(*quantity);
-        format!("{name} must have {expected} values, but has {count}")
+    } *quantity, |name, words| {
+        format!("{name} needs {expected} values, got {count}")
     };
 
     /// Numbers that must ascend do not.
@@ -113,10 +114,10 @@ messages! {
         before: f64,
         /// The one after it, in the same unit.
         after: f64,
-    } *quantity, |words| {
+    } *quantity, |name, words| {
         let unit = if axis.is_empty() { quantity.unit() } else { "m" };
-        let [before, after] = [before, after].map(|value| with_unit(*value, unit));
-        let name = words.word(*quantity);
+        let [before, after] = [before, after].map(|value| format!("{value} {unit}"));
+        let (before, after) = (before.trim_end(), after.trim_end());
         let of = if axis.is_empty() { String::new() } else { format!(" in {axis}") };
         format!("{name} must ascend strictly{of}, but {after} comes after {before}")
     };
@@ -129,10 +130,9 @@ messages! {
         position: f64,
         /// Where it was expected, in m.
         expected: f64,
-    } Quantity::PressureTable, |words| format!(
-        "{} must have ascending, equidistant positions {axis}, but has {position} m where {expected} m \
-         was expected",
-        words.word(Quantity::PressureTable)
+    } Quantity::PressureTable, |name, words| format!(
+        "{name} must have ascending, equidistant positions {axis}, but has {position} m where \
+         {expected} m was expected"
     );
 
     /// The pressures of a table are not those of a contact.
@@ -141,16 +141,16 @@ messages! {
         peak: f64,
         /// Least and largest that it may be, in Pa.
         range: [f64; 2],
-    } Quantity::PressureTable, |words| format!(
-        "{} must have a largest pressure between {:e} and {:e} Pa, but has {peak:e} Pa",
-        words.word(Quantity::PressureTable),
-        range[0],
-        range[1]
+    } Quantity::PressureTable, |name, words| format!(
+        "{name} must have a largest pressure between {} and {} Pa, but has {} Pa",
+        readable(range[0]),
+        readable(range[1]),
+        readable(*peak)
     );
 
     /// A table of the pressure has no area.
-    "no-area" NoArea {} Quantity::PressureTable, |words| {
-        format!("{} must cover an area, but has none", words.word(Quantity::PressureTable))
+    "no-area" NoArea {} Quantity::PressureTable, |name, words| {
+        format!("{name} must cover an area, but has none")
     };
 
     /// More cells than can be solved for.
@@ -161,31 +161,31 @@ messages! {
         rows: usize,
         /// Most of them together.
         most: usize,
-    } Quantity::CellsX, |words| format!(
-        "{}: {columns} × {rows} cells are {}, more than {most}",
-        words.word(Quantity::CellsX),
+    } Quantity::CellsX, |name, words| format!(
+        "{name}: {columns} × {rows} cells are {}, more than {most}",
         *columns as u128 * *rows as u128
     );
 
     /// A reference point that the normal contact does not have.
-    "no-origin" NoOrigin {} Quantity::Reference, |words| format!(
-        "{}: \"file\" needs a normal contact from a file, but this one has none, and so no other \
-         origin than the middle of the patch, \"patch\"",
-        words.word(Quantity::Reference)
-    );
+    "no-origin" NoOrigin {} Quantity::Reference, |name, words| {
+        let [file, patch] = ["file", "patch"].map(|point| words.choice(Quantity::Reference, point));
+        format!(
+            "{file} needs a normal contact read from a file; the only reference point of this one is \
+             the middle of the patch, {patch}"
+        )
+    };
 
     /// The motion at the middle of the patch is no rolling.
-    "no-rolling-at-patch" NoRollingAtPatch {
+    "no-rolling-at-patch" [error] NoRollingAtPatch {
         /// Where the reference point lies from the middle of the patch, x and y in m.
         place: [f64; 2],
         /// What is wrong there.
         error: Box<Error>,
-    } Quantity::Reference, |words| format!(
-        "{}: creepages at the middle of the patch, {:e} m and {:e} m from the origin of the file, \
+    } Quantity::Reference, |name, words| format!(
+        "{name}: creepages at the middle of the patch, {} m and {} m from the origin of the file, \
          follow from those at the origin and from the spin: {}",
-        words.word(Quantity::Reference),
-        place[0],
-        place[1],
+        readable(place[0]),
+        readable(place[1]),
         error.text(words)
     );
 
@@ -195,12 +195,12 @@ messages! {
         axis_ratio: f64,
         /// Least and largest of the table, dimensionless.
         range: [f64; 2],
-    } Quantity::Calibration, |words| format!(
-        "{}: the patch has a/b = {axis_ratio:.4}, but the layer is calibrated for ratios between {} and \
-         {}; give its stiffnesses, or take the half-space",
-        words.word(Quantity::Calibration),
+    } Quantity::Calibration, |name, words| format!(
+        "{name}: the patch has a/b = {axis_ratio:.4}, but the layer is calibrated for ratios between \
+         {} and {}; give its stiffnesses, or choose {}",
         range[0],
-        range[1]
+        range[1],
+        words.choice(Quantity::Elasticity, "half-space")
     );
 
     /// A layer with more cells than can be solved for.
@@ -211,10 +211,11 @@ messages! {
         cells: f64,
         /// Most of them, dimensionless.
         most: f64,
-    } Quantity::Margin, |words| format!(
-        "{}: a margin of {margin} m on this grid makes a layer of {cells} cells in one direction, more \
-         than {most}",
-        words.word(Quantity::Margin)
+    } Quantity::Margin, |name, words| format!(
+        "{name}: a margin of {} m on this grid makes a layer of {} cells in one direction, more than \
+         {most}",
+        readable(*margin),
+        readable(*cells)
     );
 
     /// Two laws of a product with different cold coefficients.
@@ -223,10 +224,8 @@ messages! {
         one: f64,
         /// That of the other, dimensionless.
         other: f64,
-    } Quantity::FrictionCoefficient, |words| format!(
-        "{}: both laws of a product must have the same μ0, but it is {one} of one and {other} of the \
-         other",
-        words.word(Quantity::FrictionCoefficient)
+    } Quantity::FrictionCoefficient, |name, words| format!(
+        "{name}: both laws of a product must have the same μ0, but one has {one} and the other {other}"
     );
 
     /// Friction has vanished before the material enters.
@@ -237,23 +236,26 @@ messages! {
         reference: f64,
         /// Rise at which friction vanishes, in K.
         limit: f64,
-    } Quantity::ReferenceTemperature, |words| format!(
-        "{}: the material enters the contact at {entry} degC, but friction vanishes {limit} K above the \
-         reference temperature, at {reference} + {limit} = {} degC",
-        words.word(Quantity::ReferenceTemperature),
-        reference + limit
+    } Quantity::ReferenceTemperature, |name, words| format!(
+        "{name}: the material enters the contact at {} degC, but friction vanishes {} K above the \
+         reference temperature of {} degC, at {} degC",
+        readable(*entry),
+        readable(*limit),
+        readable(*reference),
+        readable(reference + limit)
     );
 
     /// Friction that varies across rolling is not that of the law in the middle.
     "off-centre-factor" OffCentreFactor {
         /// The factor at y = 0, dimensionless.
         factor: f64,
-    } Quantity::VariationFactor, |words| format!(
-        "{}: the factor must be 1 at y = 0, where friction is {coefficient}, but is {factor} there: \
-         divide all factors by it, and multiply {coefficient}",
-        words.word(Quantity::VariationFactor),
-        coefficient = words.word(Quantity::FrictionCoefficient)
-    );
+    } Quantity::VariationFactor, |name, words| {
+        let coefficient = words.word(Quantity::FrictionCoefficient);
+        format!(
+            "{name}: the factor must be 1 at y = 0, where friction is {coefficient}, but is {factor} \
+             there: divide all factors by it, and multiply {coefficient} by it"
+        )
+    };
 
     /// The second term of friction is larger than what is left for it.
     "second-term" SecondTerm {
@@ -263,9 +265,8 @@ messages! {
         coefficient: f64,
         /// Kinetic coefficient of friction, dimensionless.
         kinetic: f64,
-    } Quantity::SecondCoefficient, |words| format!(
-        "{} must be between 0 and {} - {} = {coefficient} - {kinetic}, but is {second}",
-        words.word(Quantity::SecondCoefficient),
+    } Quantity::SecondCoefficient, |name, words| format!(
+        "{name} must be between 0 and {} - {} = {coefficient} - {kinetic}, but is {second}",
         words.word(Quantity::FrictionCoefficient),
         words.word(Quantity::KineticCoefficient)
     );
@@ -276,12 +277,11 @@ messages! {
         curvatures: [f64; 2],
         /// Largest ratio of both, dimensionless.
         most: f64,
-    } flatter(curvatures), |words| format!(
-        "{}: the curvature sums along and across rolling are {} and {} 1/m; a ratio beyond {most} is a \
-         line contact, which has no elliptic patch",
-        words.word(flatter(curvatures)),
-        curvatures[0],
-        curvatures[1]
+    } flatter(curvatures), |name, words| format!(
+        "{name}: the curvature sums along and across rolling are {} and {} 1/m; beyond a ratio of \
+         {most} the contact is a line, without an elliptic patch",
+        readable(curvatures[0]),
+        readable(curvatures[1])
     );
 
     /// Radii of two bodies that do not touch in a point.
@@ -290,15 +290,15 @@ messages! {
         radii: [Quantity; 2],
         /// The sum of curvatures, in 1/m.
         sum: f64,
-    } radii[0], |words| {
+    } radii[0], |name, words| {
         let [wheel, rail] = radii.map(|radius| words.word(radius));
         let is_along = radii[0] == Quantity::WheelRadiusX;
         let plane = if is_along { "along" } else { "across" };
         let requirement = if *sum == 0.0 {
-            "is zero: a line contact, which has no elliptic patch; at least one radius must be finite"
+            "is zero, a line contact without an elliptic patch; at least one radius must be finite"
                 .to_owned()
         } else {
-            format!("must be positive, but is {sum} 1/m")
+            format!("must be positive, but is {} 1/m", readable(*sum))
         };
         format!("{wheel}: the sum of curvatures {plane} rolling ({wheel}, {rail}) {requirement}")
     };
@@ -311,11 +311,11 @@ messages! {
         axis: char,
         /// Position of the edge, in m.
         edge: f64,
-    } Quantity::UndeformedDistance, |words| format!(
-        "{}: under {load} N the contact reaches the edge of the distance that is given, at {axis} = \
-         {:.6} mm: it must go on until the bodies are clear of each other (or its sign is wrong: it is \
-         wheel minus rail, largest where they are farthest apart)",
-        words.word(Quantity::UndeformedDistance),
+    } Quantity::UndeformedDistance, |name, words| format!(
+        "{name}: under {} N the contact reaches the edge of the given distance, at {axis} = {:.6} mm: \
+         the distance must extend until the bodies are clear of each other (or its sign is wrong: it \
+         is wheel minus rail, largest where they are farthest apart)",
+        readable(*load),
         1e3 * edge
     );
 
@@ -327,10 +327,9 @@ messages! {
         residual: f64,
         /// Tolerance, dimensionless.
         tolerance: f64,
-    } Quantity::UndeformedDistance, |words| format!(
-        "{}: the normal contact does not converge: after {iterations} iterations its residual is \
-         {residual:.1e}, above {tolerance:.1e}",
-        words.word(Quantity::UndeformedDistance)
+    } Quantity::UndeformedDistance, |name, words| format!(
+        "{name}: the normal contact does not converge: after {iterations} iterations its residual is \
+         {residual:.1e}, above {tolerance:.1e}"
     );
 
     /// The place of the contact was not found.
@@ -341,10 +340,9 @@ messages! {
         x: [f64; 2],
         /// Where the last one looked, y in m.
         y: [f64; 2],
-    } Quantity::UndeformedDistance, |words| format!(
-        "{}: the contact was not found in {rounds} rounds; the last one looked at x = {:.6} to {:.6} \
-         mm, y = {:.6} to {:.6} mm",
-        words.word(Quantity::UndeformedDistance),
+    } Quantity::UndeformedDistance, |name, words| format!(
+        "{name}: the contact was not found in {rounds} rounds; the last one searched x = {:.6} to \
+         {:.6} mm, y = {:.6} to {:.6} mm",
         1e3 * x[0],
         1e3 * x[1],
         1e3 * y[0],
@@ -357,25 +355,24 @@ messages! {
         load: f64,
         /// Semi-axes, in m.
         semi_axes: [f64; 2],
-    } Quantity::Load, |words| format!(
-        "{}: a load of {load:e} N on semi-axes of {:e} m and {:e} m leaves no pressure that a computer \
-         can hold",
-        words.word(Quantity::Load),
-        semi_axes[0],
-        semi_axes[1]
+    } Quantity::Load, |name, words| format!(
+        "{name}: a load of {} N on semi-axes of {} m and {} m gives a pressure beyond the range of \
+         floating-point numbers",
+        readable(*load),
+        readable(semi_axes[0]),
+        readable(semi_axes[1])
     );
 
     /// A rough surface that cannot be.
-    "surface" Surface {
+    "surface" [error] Surface {
         /// Why.
         error: SurfaceError,
-    } error.quantity(), |words| error.text(words);
+    } error.quantity(), |name, words| error.text(words);
 
     /// A bound of FASTSIM that a pressure does not have.
-    "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |words| format!(
-        "{}: the pressure of a table or a profile has no paraboloid: it needs {}, with which it bounds \
-         the traction itself",
-        words.word(Quantity::TractionBound),
+    "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |name, words| format!(
+        "{name}: the pressure of a table or a profile is no paraboloid; choose {}, where the pressure \
+         itself bounds the traction",
         words.choice(Quantity::TractionBound, "elliptic")
     );
 
@@ -387,19 +384,19 @@ messages! {
         steps: f64,
         /// Most of them, dimensionless.
         most: f64,
-    } Quantity::Time, |words| format!(
-        "{}: from {:e} s to {:e} s the wheel rolls over up to {steps:.3e} cells, one a time step; at \
-         most {most:e} are allowed, and time must resolve them",
-        words.word(Quantity::Time),
-        span[0],
-        span[1]
+    } Quantity::Time, |name, words| format!(
+        "{name}: from {} s to {} s the wheel rolls over up to {} cells, one per time step; at most {} \
+         are allowed, and no time step may be lost in rounding",
+        readable(span[0]),
+        readable(span[1]),
+        readable(*steps),
+        readable(*most)
     );
 
     /// A state to start from that cannot be.
-    "impossible-state" ImpossibleState {} Quantity::InitialState, |words| format!(
-        "{}: the state has an element outside the grid, two in one cell, one with more traction than \
-         friction allows, or one whose slip speed, friction or heat cannot be",
-        words.word(Quantity::InitialState)
+    "impossible-state" ImpossibleState {} Quantity::InitialState, |name, words| format!(
+        "{name}: the state has an element outside the grid, two in one cell, one with more traction \
+         than friction allows, or one with an impossible slip speed, friction or heat"
     );
 
     /// A state to start from that was left on another grid.
@@ -408,33 +405,33 @@ messages! {
         cells: [[usize; 2]; 2],
         /// Size of the cells of both, in m.
         spacings: [[f64; 2]; 2],
-    } Quantity::InitialState, |words| {
+    } Quantity::InitialState, |name, words| {
         let grid = |k: usize| {
-            let ([columns, rows], [x, y]) = (cells[k], spacings[k]);
-            format!("{columns} × {rows} cells of {x:e} × {y:e} m")
+            let ([columns, rows], [x, y]) = (cells[k], spacings[k].map(readable));
+            format!("{columns} × {rows} cells of {x} × {y} m")
         };
-        let name = words.word(Quantity::InitialState);
         let [left, here] = [grid(0), grid(1)];
         format!("{name}: the state was left on a grid of {left}, but this problem has {here}")
     };
 
     /// The caller stopped it.
-    "stopped" Stopped {} Quantity::MaxIterations, |words| "stopped before the end".to_owned();
+    "stopped" Stopped {} Quantity::MaxIterations, |name, words| "stopped before the end".to_owned();
 
-    /// A method that does not do what is asked for.
+    /// A method without temperatures where they are needed.
     "method" OtherMethod {
-        /// What is needed of the method.
-        reason: &'static str,
-        /// Its name.
+        /// For what.
+        purpose: HeatPurpose,
+        /// The method.
         method: &'static str,
-    } Quantity::Method, |words| {
-        format!("{}: {reason}, but the method is {method:?}", words.word(Quantity::Method))
+    } Quantity::Method, |name, words| {
+        let purpose = purpose.text();
+        format!("{name}: {purpose} need a method with temperatures; {method:?} has none")
     };
 
     /// No heat where something follows from it.
-    "no-heat" NoHeat {} Quantity::HeatModel, |words| format!(
-        "{}: the wheel warms by frictional heat only, but the heat model is \"none\"",
-        words.word(Quantity::HeatModel)
+    "no-heat" NoHeat {} Quantity::HeatModel, |name, words| format!(
+        "{name}: the wheel is heated by friction only, but {}",
+        words.choice(Quantity::HeatModel, "none")
     );
 
     /// A curve from a creepage to the same.
@@ -443,10 +440,9 @@ messages! {
         quantity: Quantity,
         /// Its value, in its unit if it has one.
         value: f64,
-    } *quantity, |words| format!(
-        "{} must be another at the end of a creep curve than at its start, as no other creepage varies, \
-         but is {}",
-        words.word(*quantity),
+    } *quantity, |name, words| format!(
+        "{name} must differ between start and end of a creep curve, as no other creepage varies, but \
+         is {} at both",
         with_unit(*value, quantity.unit())
     );
 
@@ -456,32 +452,27 @@ messages! {
         quantity: Quantity,
         /// Where the wheel no longer rolls, in the unit of the creepage if it has one.
         value: f64,
-    } quantity.own_component(), |words| format!(
-        "{}: the wheel must roll throughout a creep curve, but at {} it does not",
-        words.word(quantity.own_component()),
-        quantity.equation(*value)
-    );
+    } quantity.own_component(), |name, words| {
+        let value = with_unit(*value, quantity.unit());
+        format!("{name}: the wheel must roll throughout a creep curve, but at {value} it does not")
+    };
 
     /// Motions of a calibration that were not solved.
     "calibration-not-converged" CalibrationNotConverged {
         /// a/b, dimensionless.
         axis_ratio: f64,
-    } Quantity::Calibration, |words| format!(
-        "{}: the motions of a/b = {axis_ratio} could not be solved",
-        words.word(Quantity::Calibration)
+    } Quantity::Calibration, |name, words| format!(
+        "{name}: the motions of a/b = {} could not be solved",
+        readable(*axis_ratio)
     );
 
     /// Displacements for which no layer could be set up.
-    "no-layer" NoLayer {} Quantity::SampleDisplacement, |words| format!(
-        "{}: no layer could be set up on its grid",
-        words.word(Quantity::SampleDisplacement)
-    );
+    "no-layer" NoLayer {} Quantity::SampleDisplacement, |name, words| format!("{name}: no layer could be set up on its grid");
 
     /// Displacements against their load.
-    "against-load" AgainstLoad {} Quantity::SampleDisplacement, |words| format!(
-        "{}: the displacements run against their load: both are those of the wheel, the displacement \
-         less that of the rail",
-        words.word(Quantity::SampleDisplacement)
+    "against-load" AgainstLoad {} Quantity::SampleDisplacement, |name, words| format!(
+        "{name}: the displacements oppose their load: tractions must be those on the wheel, \
+         displacements those of the wheel minus those of the rail"
     );
 
     /// Displacements that no layer has.
@@ -490,20 +481,17 @@ messages! {
         quantity: Quantity,
         /// Deviation of the nearest layer, dimensionless.
         deviation: f64,
-        /// Where they come from.
-        sources: String,
-    } *quantity, |words| format!(
-        "{}: no elastic layer has the displacements of {sources}: the nearest is {:.0} % of them away; \
-         check that tractions and displacements belong together, and their units",
-        words.word(*quantity),
+    } *quantity, |name, words| format!(
+        "{name}: no elastic layer has such displacements: the nearest is {:.0} % of them away; check \
+         that tractions and displacements belong together, and their units",
         100.0 * deviation
     );
 
     /// Data and parameters that do not go together.
-    "fit" Fit {
+    "fit" [error] Fit {
         /// Why.
         error: FitError,
-    } error.quantity(), |words| error.text(words);
+    } error.quantity(), |name, words| error.text(words);
 }
 
 impl std::error::Error for Error {}
@@ -532,12 +520,46 @@ fn flatter(curvatures: &[f64; 2]) -> Quantity {
     if curvatures[0] > curvatures[1] { Quantity::WheelRadiusY } else { Quantity::WheelRadiusX }
 }
 
-/// The history of a quantity.
+/// What temperatures are needed for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum HeatPurpose {
+    /// The bulk temperature of a wheel that friction heats.
+    BulkTemperature,
+    /// Temperatures below the surface.
+    Field,
+}
+
+impl HeatPurpose {
+    fn text(self) -> &'static str {
+        match self {
+            Self::BulkTemperature => "bulk temperatures",
+            Self::Field => "temperatures below the surface",
+        }
+    }
+}
+
+/// Words for quantities that vary over time.
+struct OverTime<'a>(&'a dyn Words);
+
+impl Words for OverTime<'_> {
+    fn word(&self, quantity: Quantity) -> Cow<'static, str> {
+        self.0.word(over_time(quantity))
+    }
+
+    fn choice(&self, quantity: Quantity, name: &str) -> String {
+        self.0.choice(quantity, name)
+    }
+}
+
+/// The history of a quantity, if it has one.
 fn over_time(quantity: Quantity) -> Quantity {
     match quantity {
         Quantity::Speed => Quantity::HistorySpeed,
+        Quantity::CreepageX => Quantity::HistoryCreepageX,
         Quantity::CreepageY => Quantity::HistoryCreepageY,
         Quantity::Spin => Quantity::HistorySpin,
-        _ => Quantity::HistoryCreepageX,
+        Quantity::Load => Quantity::HistoryLoad,
+        other => other,
     }
 }

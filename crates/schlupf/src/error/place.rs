@@ -1,5 +1,7 @@
 //! Where among several a value stands.
 
+use crate::requirement::readable;
+
 /// Where among several a value stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -28,9 +30,11 @@ impl Place {
     pub(super) fn text(self) -> String {
         match self {
             Self::Only => String::new(),
-            Self::Time(time) => format!(" at {time} s"),
-            Self::Position([x, y]) => format!(" at x = {x} m, y = {y} m"),
-            Self::Across(y) => format!(" at y = {y} m"),
+            Self::Time(time) => format!(" at {} s", readable(time)),
+            Self::Position([x, y]) => {
+                format!(" at x = {} m, y = {} m", readable(x), readable(y))
+            }
+            Self::Across(y) => format!(" at y = {} m", readable(y)),
             Self::Index(index) => format!(" in place {index}"),
             Self::Cell { row, column } => format!(" in row {row}, column {column}"),
         }

@@ -14,9 +14,10 @@ messages! {
         load: f64,
         /// What the hardness can carry, in N.
         largest: f64,
-    } Quantity::Load, |words| format!(
-        "{} must be positive and below what the hardness can carry, {largest} N, but is {load} N",
-        words.word(Quantity::Load)
+    } Quantity::Load, |name, words| format!(
+        "{name} must be positive and below what the hardness can carry, {} N, but is {} N",
+        readable(*largest),
+        readable(*load)
     );
 
     /// Waves that are too short for the cells.
@@ -25,9 +26,8 @@ messages! {
         shortest: f64,
         /// Two cells, in m.
         two_cells: f64,
-    } Quantity::ShortestWavelength, |words| format!(
-        "{} must be at least two cells, {} m, but is {} m",
-        words.word(Quantity::ShortestWavelength),
+    } Quantity::ShortestWavelength, |name, words| format!(
+        "{name} must be at least two cells, {} m, but is {} m",
         readable(*two_cells),
         readable(*shortest)
     );
@@ -38,30 +38,27 @@ messages! {
         holes: usize,
         /// All points.
         count: usize,
-    } Quantity::Heights, |words| format!(
-        "{}: at most half of the points may be holes, but {holes} of {count} are",
-        words.word(Quantity::Heights)
+    } Quantity::Heights, |name, words| format!(
+        "{name}: at most half of the points may be holes, but {holes} of {count} are"
     );
 
     /// Holes that were not filled.
     "holes-not-filled" HolesNotFilled {
         /// Iterations that were done.
         iterations: usize,
-    } Quantity::Heights, |words| format!(
-        "{}: the holes are not filled after {iterations} iterations",
-        words.word(Quantity::Heights)
-    );
+    } Quantity::Heights, |name, words| {
+        format!("{name}: the holes are not filled after {iterations} iterations")
+    };
 
     /// A surface or a profile that is flat.
     "flat" Flat {
         /// The height everywhere (in m); `None` of a profile on a straight line.
         height: Option<f64>,
-    } Quantity::Heights, |words| {
-        let name = words.word(Quantity::Heights);
-        match height {
-            Some(height) => format!("{name} must not be flat, but every height is {height} m"),
-            None => format!("{name} must not be flat, but its points lie on a straight line"),
+    } Quantity::Heights, |name, words| match height {
+        Some(height) => {
+            format!("{name} must not be flat, but every height is {} m", readable(*height))
         }
+        None => format!("{name} must not be flat, but its points lie on a straight line"),
     };
 
     /// Two surfaces on different lattices.
@@ -70,13 +67,12 @@ messages! {
         cells: [[usize; 2]; 2],
         /// Distances of their points, in m.
         spacings: [[f64; 2]; 2],
-    } Quantity::Heights, |words| {
+    } Quantity::Heights, |name, words| {
         let lattice = |k: usize| {
-            let ([columns, rows], [x, y]) = (cells[k], spacings[k]);
-            format!("{columns} x {rows} cells of {x} m x {y} m")
+            let ([columns, rows], [x, y]) = (cells[k], spacings[k].map(readable));
+            format!("{columns} × {rows} cells of {x} × {y} m")
         };
         let [one, other] = [lattice(0), lattice(1)];
-        let name = words.word(Quantity::Heights);
         format!("{name}: two surfaces must have the same lattice, but have {one} and {other}")
     };
 
@@ -84,18 +80,15 @@ messages! {
     "no-form" NoForm {
         /// Its name.
         form: &'static str,
-    } Quantity::Form, |words| {
-        format!("{}: no {form} fits the surface", words.word(Quantity::Form))
-    };
+    } Quantity::Form, |name, words| format!("{name}: no {form} fits the surface");
 
     /// Approach and pressure that do not grow together.
     "load-curve" LoadCurve {
         /// Points of the curve.
         points: usize,
-    } Quantity::Heights, |words| format!(
-        "{}: approach and mean pressure must be positive and grow over at least three points, but do \
-         not over {points} points",
-        words.word(Quantity::Heights)
+    } Quantity::Heights, |name, words| format!(
+        "{name}: approach and mean pressure must be positive and increase over at least three points, \
+         but do not over {points} points"
     );
 
     /// A surface that is in contact everywhere.
@@ -106,20 +99,19 @@ messages! {
         largest: f64,
         /// Hardness, in Pa; infinite for elastic bodies.
         hardness: f64,
-    } Quantity::Heights, |words| {
+    } Quantity::Heights, |name, words| {
         let cause = if hardness.is_finite() {
             format!(
-                "{:.4} MPa flatten it with a hardness of {:.4} MPa, or its heights are in another unit",
-                1e-6 * largest,
-                1e-6 * hardness
+                "{} MPa flatten it with a hardness of {} MPa, or its heights are in another unit",
+                readable(1e-6 * largest),
+                readable(1e-6 * hardness)
             )
         } else {
-            "it is too smooth for that, the pressures are too large, or its heights are in another unit"
+            "it is too smooth, the pressures are too large, or its heights are in another unit"
                 .to_owned()
         };
-        let name = words.word(Quantity::Heights);
-        let pressure = 1e-6 * pressure;
-        format!("{name}: all of the surface is in contact under {pressure:.4} MPa: {cause}")
+        let pressure = readable(1e-6 * pressure);
+        format!("{name}: all of the surface is in contact under {pressure} MPa: {cause}")
     };
 }
 

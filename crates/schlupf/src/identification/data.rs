@@ -142,8 +142,8 @@ pub(super) fn check_signs(data: &[DataPoint], computed: &[f64]) -> Result<(), Er
 fn wrong_sign(data: &[DataPoint], points: &[usize]) -> Error {
     let first = &data[points[0]];
     let component = match first.component {
-        Component::Longitudinal => "longitudinal",
-        Component::Lateral => "lateral",
+        Component::Longitudinal => Quantity::ForceX,
+        Component::Lateral => Quantity::ForceY,
     };
     let of = data.iter().filter(|point| point.component == first.component).count();
     let is_part = of != points.len();

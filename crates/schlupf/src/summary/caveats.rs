@@ -1,7 +1,7 @@
 //! What the reader of temperatures must know.
 
 use crate::heat::peclet::semi_axes;
-use crate::material::Material;
+use crate::material::{Material, Side};
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::warning::{HeatLimit, Unconverged, Warning};
@@ -25,8 +25,8 @@ pub(crate) fn of_temperatures(
 ) -> Vec<Warning> {
     let mut caveats = Vec::from_iter(of_slow_rolling(problem, normal, now));
     let temperature = super::temperature(patch, now);
-    let wheel = ("wheel", temperature.max_wheel, &problem.wheel.material);
-    let rail = ("rail", temperature.max_rail, &problem.rail.material);
+    let wheel = (Side::Wheel, temperature.max_wheel, &problem.wheel.material);
+    let rail = (Side::Rail, temperature.max_rail, &problem.rail.material);
     caveats.extend([wheel, rail].into_iter().filter_map(of_hot_body));
     if now.surfaces.as_ref().is_some_and(|surfaces| !surfaces.is_found) {
         caveats.push(Warning::of(Unconverged::HeatExchange {}));
@@ -45,7 +45,7 @@ fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) ->
     problem.peclet(&now.kinematics, semi_axes(normal)).caveat(false)
 }
 
-fn of_hot_body((body, temperature, material): (&'static str, f64, &Material)) -> Option<Warning> {
+fn of_hot_body((body, temperature, material): (Side, f64, &Material)) -> Option<Warning> {
     let known = &Material::STEEL;
     let is_near = |value: f64, of_steel: f64| (value / of_steel - 1.0).abs() < STEEL_RANGE;
     let is_steel = is_near(material.young_modulus, known.young_modulus)

@@ -17,6 +17,7 @@ use crate::numerics::vector::norm;
 
 /// A nominal form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Form {
     /// A tilted plane.
     Plane,

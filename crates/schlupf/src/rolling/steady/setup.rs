@@ -147,9 +147,9 @@ impl Setup {
         search: &mut Search,
     ) -> Result<(Outcome, Option<Warning>), Error> {
         let options = search.options;
-        let (other, [here, there]) = match options.branch {
-            Branch::LowSlip => (Branch::HighSlip, ["low", "high"]),
-            Branch::HighSlip => (Branch::LowSlip, ["high", "low"]),
+        let other = match options.branch {
+            Branch::LowSlip => Branch::HighSlip,
+            Branch::HighSlip => Branch::LowSlip,
         };
         let elsewhere = self.follow(problem, other, search)?;
         let here_found = self.follow(problem, options.branch, search)?;
@@ -165,9 +165,8 @@ impl Setup {
         let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
             let tangential = |force: Resultant| [force.x, force.y];
             Warning::SeveralStates {
-                branch: here,
+                branch: options.branch,
                 force: tangential(force),
-                other_branch: there,
                 other_force: tangential(other),
             }
         });
