@@ -1,5 +1,8 @@
 //! The quantities that are shown over the patch.
 
+use schlupf::columns::Record;
+use schlupf::solution::Fields;
+
 use super::color::{ColorScale, Palette};
 use super::patch::Patch;
 use super::units::{self, Unit};
@@ -70,121 +73,146 @@ pub(crate) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
     }
 }
 
+/// A field of the cells as maps show it: its length, if it is a vector.
+struct Map {
+    name: &'static str,
+    title: &'static str,
+    /// In the markup of labels.
+    symbol: &'static str,
+    units: &'static [Unit],
+    /// Its components.
+    of: &'static [schlupf::Quantity],
+    vanishes_at_rim: bool,
+    palette: Palette,
+}
+
+const PRESSURE: Map = Map {
+    name: "pressure",
+    title: "Normal pressure",
+    symbol: "$p$_n",
+    units: units::PRESSURE,
+    of: &[schlupf::Quantity::Pressure],
+    vanishes_at_rim: true,
+    palette: Palette::Mechanical,
+};
+
+const TRACTION: Map = Map {
+    name: "traction",
+    title: "Tangential traction on the rail",
+    symbol: "|$t$|",
+    units: units::PRESSURE,
+    of: &[schlupf::Quantity::TractionX, schlupf::Quantity::TractionY],
+    vanishes_at_rim: true,
+    palette: Palette::Mechanical,
+};
+
+const SLIP: Map = Map {
+    name: "slip",
+    title: "Slip velocity of the wheel over the rail",
+    symbol: "|$v$_s|",
+    units: units::VELOCITY,
+    of: &[schlupf::Quantity::SlipX, schlupf::Quantity::SlipY],
+    vanishes_at_rim: false,
+    palette: Palette::Mechanical,
+};
+
+const POWER: Map = Map {
+    name: "friction_power",
+    title: "Friction power per area",
+    symbol: "$q$",
+    units: units::POWER_PER_AREA,
+    of: &[schlupf::Quantity::FrictionPowerDensity],
+    vanishes_at_rim: true,
+    palette: Palette::Thermal,
+};
+
+const RISE: Map = Map {
+    name: "temperature",
+    title: "Temperature rise of the surface",
+    symbol: "Δ$T$",
+    units: units::TEMPERATURE_RISE,
+    of: &[schlupf::Quantity::RiseWheel],
+    vanishes_at_rim: false,
+    palette: Palette::Thermal,
+};
+
+impl Map {
+    /// The field in engineering units.
+    fn physical(&self, patch: &Patch) -> Quantity {
+        let components: Vec<Vec<f64>> = self.of.iter().map(|of| column(patch, *of)).collect();
+        let values = match components.as_slice() {
+            [x, y] => x.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect(),
+            _ => components.concat(),
+        };
+        let (unit, values) = scaled(&values, self.units);
+        Quantity {
+            name: self.name,
+            title: self.title.to_owned(),
+            label: format!("{} ({})", self.symbol, unit.symbol),
+            values,
+            vanishes_at_rim: self.vanishes_at_rim,
+            normalised: false,
+            palette: self.palette,
+        }
+    }
+}
+
+/// A column of the fields.
+fn column(patch: &Patch, quantity: schlupf::Quantity) -> Vec<f64> {
+    let fields = patch.fields();
+    let column = Fields::columns().iter().find(|column| column.quantity == quantity);
+    let value = |cell| column.and_then(|column| (column.value)(fields, cell).number());
+    (0..fields.rows()).map(|cell| value(cell).unwrap_or_default()).collect()
+}
+
 /// The quantities of the flat maps, in engineering units.
 pub(crate) fn physical(patch: &Patch) -> Vec<Quantity> {
-    vec![pressure(patch), traction(patch), slip(patch), friction_power(patch), temperature(patch)]
+    let maps = [PRESSURE, TRACTION, SLIP, POWER].map(|map| map.physical(patch));
+    maps.into_iter().chain([temperature(patch)]).collect()
 }
 
 /// The quantities of the paper's Figures 4 to 7; pressure and traction normalised by Eqs. (24), (25).
 pub(crate) fn of_the_paper(patch: &Patch) -> Vec<Quantity> {
     let peak = patch.solution.normal.peak_pressure;
     let limit = patch.cold_friction * peak;
-    let fields = patch.fields();
-    let force = |name, direction: &str, label: &str, traction: &[f64]| Quantity {
+    let normalised = |of, bound: f64| finite(column(patch, of).iter().map(|value| value / bound));
+    let force = |name, direction: &str, label: &str, of| Quantity {
         name,
         title: format!("Tangential force on the rail, {direction}"),
         label: label.to_owned(),
-        values: finite(traction.iter().map(|t| -t / limit)),
-        vanishes_at_rim: true,
+        values: normalised(of, -limit),
         normalised: true,
-        palette: Palette::Mechanical,
+        ..TRACTION.physical(patch)
     };
+    let [along, across] = [schlupf::Quantity::TractionX, schlupf::Quantity::TractionY];
     vec![
         Quantity {
             label: "$p$*".to_owned(),
-            values: finite(fields.pressure.iter().map(|p| p / peak)),
+            values: normalised(schlupf::Quantity::Pressure, peak),
             normalised: true,
-            ..pressure(patch)
+            ..PRESSURE.physical(patch)
         },
-        force("force_x", "along rolling", "Δ$F$_{Tx}*", &fields.traction_x).upright(),
-        force("force_y", "across rolling", "Δ$F$_{Ty}*", &fields.traction_y).upright(),
-        slip(patch),
-        friction_power(patch),
+        force("force_x", "along rolling", "Δ$F$_{Tx}*", along).upright(),
+        force("force_y", "across rolling", "Δ$F$_{Ty}*", across).upright(),
+        SLIP.physical(patch),
+        POWER.physical(patch),
         temperature(patch),
     ]
 }
 
-fn pressure(patch: &Patch) -> Quantity {
-    let (unit, values) = scaled(&patch.fields().pressure, units::PRESSURE);
-    Quantity {
-        name: "pressure",
-        title: "Normal pressure".to_owned(),
-        label: format!("$p$_n ({})", unit.symbol),
-        values,
-        vanishes_at_rim: true,
-        normalised: false,
-        palette: Palette::Mechanical,
-    }
-}
-
-fn traction(patch: &Patch) -> Quantity {
-    let fields = patch.fields();
-    let (unit, values) =
-        scaled(&magnitude(&fields.traction_x, &fields.traction_y), units::PRESSURE);
-    Quantity {
-        name: "traction",
-        title: "Tangential traction on the rail".to_owned(),
-        label: format!("|$t$| ({})", unit.symbol),
-        values,
-        vanishes_at_rim: true,
-        normalised: false,
-        palette: Palette::Mechanical,
-    }
-}
-
-fn slip(patch: &Patch) -> Quantity {
-    let fields = patch.fields();
-    let (unit, values) = scaled(&magnitude(&fields.slip_x, &fields.slip_y), units::VELOCITY);
-    Quantity {
-        name: "slip",
-        title: "Slip velocity of the wheel over the rail".to_owned(),
-        label: format!("|$v$_s| ({})", unit.symbol),
-        values,
-        vanishes_at_rim: false,
-        normalised: false,
-        palette: Palette::Mechanical,
-    }
-}
-
-fn friction_power(patch: &Patch) -> Quantity {
-    let (unit, values) = scaled(&patch.fields().friction_power, units::POWER_PER_AREA);
-    Quantity {
-        name: "friction_power",
-        title: "Friction power per area".to_owned(),
-        label: format!("$q$ ({})", unit.symbol),
-        values,
-        vanishes_at_rim: true,
-        normalised: false,
-        palette: Palette::Thermal,
-    }
-}
-
 /// The rise of the hotter body over its bulk temperature.
 fn temperature(patch: &Patch) -> Quantity {
-    let fields = patch.fields();
-    let (wheel, rail) = (&fields.temperature_rise_wheel, &fields.temperature_rise_rail);
-    let largest =
-        |field: &[f64]| field.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
-    let (body, field) = match (largest(wheel), largest(rail)) {
-        (w, r) if (w - r).abs() <= 1e-6 * w.max(r) => ("wheel and rail", wheel),
-        (w, r) if w > r => ("wheel", wheel),
-        _ => ("rail", rail),
+    let largest = |of| finite(column(patch, of).into_iter()).into_iter().fold(0.0, f64::max);
+    let [wheel, rail] = [schlupf::Quantity::RiseWheel, schlupf::Quantity::RiseRail].map(largest);
+    let (body, of): (_, &[_]) = if (wheel - rail).abs() <= 1e-6 * wheel.max(rail) {
+        ("wheel and rail", RISE.of)
+    } else if wheel > rail {
+        ("wheel", RISE.of)
+    } else {
+        ("rail", &[schlupf::Quantity::RiseRail])
     };
-    let (unit, values) = scaled(field, units::TEMPERATURE_RISE);
-    Quantity {
-        name: "temperature",
-        title: format!("Temperature rise of the surface, {body}"),
-        label: format!("Δ$T$ ({})", unit.symbol),
-        values,
-        vanishes_at_rim: false,
-        normalised: false,
-        palette: Palette::Thermal,
-    }
-}
-
-/// Lengths of vectors given by their components.
-pub(crate) fn magnitude(x: &[f64], y: &[f64]) -> Vec<f64> {
-    x.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect()
+    let title = format!("{}, {body}", RISE.title);
+    Quantity { title, ..Map { of, ..RISE }.physical(patch) }
 }
 
 /// A field in the unit that suits its largest value.
