@@ -118,7 +118,8 @@ impl Flows {
     }
 }
 
-/// The balance on a terminal: temperatures, what the wheel receives and gives, forces, status and warnings.
+/// The balance on a terminal: temperatures, what the wheel receives and gives, forces, status and
+/// warnings.
 fn text(report: &BulkReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     temperatures(&mut text, report);

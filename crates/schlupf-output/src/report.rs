@@ -33,8 +33,9 @@ pub trait Report {
     /// For people, on a terminal.
     fn summary(&self) -> String;
 
-    /// As a table: a comment line (`#`) with the units, a header line, then one row per record. Every
-    /// number has the digits that give back the same number when read; what is not known is empty.
+    /// As a table: a comment line (`#`) with the units, a header line, then one row per record.
+    /// Every number has the digits that give back the same number when read; what is not known is
+    /// empty.
     fn csv(&self) -> Option<String> {
         None
     }

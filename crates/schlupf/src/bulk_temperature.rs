@@ -1,21 +1,21 @@
 //! The bulk temperature that a wheel takes on in the long run.
 //!
-//! A wheel point passes the contact once in a revolution, far too short to warm more than a skin; over
-//! minutes the whole wheel warms until it loses what it receives. In the steady state (Ertz and Knothe,
-//! *A comparison of analytical and numerical methods for the calculation of temperatures in wheel/rail
-//! contact*, Wear 253, 2002)
+//! A wheel point passes the contact once in a revolution, far too short to warm more than a skin;
+//! over minutes the whole wheel warms until it loses what it receives. In the steady state (Ertz
+//! and Knothe, *A comparison of analytical and numerical methods for the calculation of
+//! temperatures in wheel/rail contact*, Wear 253, 2002)
 //!
 //! α_w ∫ q dA = h A (T_w − T_air) + 2 β_w (T_w − T_m) ∫ √(v_w L/π) dy:
 //!
-//! the wheel's part of the frictional heat leaves by convection from its surface and through the contact
-//! into the cold rail. L is the length of the contact in a line y, v_w the speed of the wheel's material in
-//! it, and T_m the temperature to which both surfaces jump when they meet, the mean of the bulk
-//! temperatures weighted by β√v. A half-space whose surface is held by T_w − T_m below its bulk gives
-//! 2 β_w (T_w − T_m) √(t/π) over area in a time t = L/v_w (Carslaw and Jaeger 1959, §2.5), and
-//! v_w dy of its surface passes through the contact every second.
+//! the wheel's part of the frictional heat leaves by convection from its surface and through the
+//! contact into the cold rail. L is the length of the contact in a line y, v_w the speed of the
+//! wheel's material in it, and T_m the temperature to which both surfaces jump when they meet, the
+//! mean of the bulk temperatures weighted by β√v. A half-space whose surface is held by T_w − T_m
+//! below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t = L/v_w (Carslaw and Jaeger
+//! 1959, §2.5), and v_w dy of its surface passes through the contact every second.
 //!
-//! Limits: the wheel has one temperature outside of a thin skin; friction that falls with the temperature is
-//! that of the warm wheel; heat by radiation, brake blocks or bearings is left out.
+//! Limits: the wheel has one temperature outside of a thin skin; friction that falls with the
+//! temperature is that of the warm wheel; heat by radiation, brake blocks or bearings is left out.
 
 use crate::error::{Error, HeatPurpose, require_finite, require_positive};
 use crate::grid::Grid;
@@ -62,8 +62,8 @@ pub struct BulkTemperature {
     pub conduction: f64,
     /// Temperature to which both surfaces jump when they meet, in degC.
     pub entry_temperature: f64,
-    /// The steady rolling at that temperature; not converged where it is not, or where the balance was
-    /// not found.
+    /// The steady rolling at that temperature; not converged where it is not, or where the balance
+    /// was not found.
     pub solution: Solution,
     /// Steady states that were solved.
     pub iterations: usize,
@@ -82,8 +82,8 @@ const BALANCED: f64 = 1e-6;
 /// Most steady states until the balance must be found.
 const ITERATIONS: usize = 60;
 
-/// The bulk temperature of the wheel in steady rolling, in place of the one that the problem gives. The
-/// rail keeps its own: every piece of it meets the wheel once.
+/// The bulk temperature of the wheel in steady rolling, in place of the one that the problem gives.
+/// The rail keeps its own: every piece of it meets the wheel once.
 ///
 /// ```
 /// use schlupf::bulk_temperature::{Cooling, bulk_temperature};
@@ -187,8 +187,8 @@ impl Balance<'_> {
         Ok(summary::chill(&self.problem, &Patch::new(&normal, grid), wheel_speed))
     }
 
-    /// A temperature at which the wheel gives more than it receives with the friction of a cold wheel;
-    /// short of that at which friction vanishes.
+    /// A temperature at which the wheel gives more than it receives with the friction of a cold
+    /// wheel; short of that at which friction vanishes.
     fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
         let weight = self.problem.conduction(&self.problem.kinematics).wheel_weight();
         let through = (1.0 - weight) * self.chill()?;
@@ -202,8 +202,8 @@ impl Balance<'_> {
         Ok((given / (air + through)).min(vanishing - 1e-6 * (vanishing - rail).abs()))
     }
 
-    /// A temperature with a surplus and one without, from a guess of the latter. Where friction rises
-    /// with the temperature the wheel gets hotter than with the friction of a cold one.
+    /// A temperature with a surplus and one without, from a guess of the latter. Where friction
+    /// rises with the temperature the wheel gets hotter than with the friction of a cold one.
     fn bracket(
         &mut self,
         mut low: BulkTemperature,

@@ -1,7 +1,7 @@
 //! Results as columns: for every record what each of its numbers is, and how to get it.
 //!
-//! CSV, JSON, VTK and whatever else shows results reads these tables, so a new number stands in all of
-//! them as soon as it stands here.
+//! CSV, JSON, VTK and whatever else shows results reads these tables, so a new number stands in all
+//! of them as soon as it stands here.
 
 use crate::creep_curve::CreepCurve;
 use crate::interface::roughness::load_curve::LoadCurve;
@@ -25,7 +25,8 @@ pub enum Value {
 }
 
 impl Value {
-    /// It as a number (in the unit of the quantity, or dimensionless), where it is one; a flag is 0 or 1.
+    /// It as a number (in the unit of the quantity, or dimensionless), where it is one; a flag is 0
+    /// or 1.
     pub fn number(self) -> Option<f64> {
         match self {
             Self::Number(number) => Some(number),
@@ -99,8 +100,8 @@ pub trait Record: 'static {
     fn columns() -> &'static [Column<Self>];
 }
 
-/// The columns of a record: `quantity => |record, row| entry`, with another name in quotes where the
-/// quantity has one that says too much.
+/// The columns of a record: `quantity => |record, row| entry`, with another name in quotes where
+/// the quantity has one that says too much.
 #[macro_export]
 macro_rules! columns {
     ($record:ty: $($quantity:ident $($name:literal)? => |$r:pat_param, $k:pat_param| $value:expr),* $(,)?) => {{

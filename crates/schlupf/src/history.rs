@@ -212,8 +212,8 @@ mod tests {
         assert_eq!(at(0.5).creepage_y, 0.001);
     }
 
-    /// Means of a piecewise linear function are exact, over kinks too, and a step lasts as long as the
-    /// wheel takes: v = 30 + 10 t for a second covers 35 m.
+    /// Means of a piecewise linear function are exact, over kinks too, and a step lasts as long as
+    /// the wheel takes: v = 30 + 10 t for a second covers 35 m.
     #[test]
     fn means_are_exact_and_steps_take_their_time() {
         let history = History {

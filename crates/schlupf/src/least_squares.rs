@@ -9,8 +9,8 @@ use crate::numerics::vector::dot;
 
 /// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
 pub trait Residuals: Send + Sync {
-    /// The residuals (dimensionless) at some parameters within their bounds; `None` where the model cannot be
-    /// evaluated: a step there is shortened.
+    /// The residuals (dimensionless) at some parameters within their bounds; `None` where the model
+    /// cannot be evaluated: a step there is shortened.
     ///
     /// # Errors
     /// Whatever ends the fit.
@@ -21,8 +21,8 @@ pub trait Residuals: Send + Sync {
         [f64::NEG_INFINITY, f64::INFINITY]
     }
 
-    /// Derivatives of the residuals (rows) with respect to the parameters (columns), dimensionless; by
-    /// default by differences with [`Self::difference_step`].
+    /// Derivatives of the residuals (rows) with respect to the parameters (columns), dimensionless;
+    /// by default by differences with [`Self::difference_step`].
     ///
     /// # Errors
     /// Whatever ends the fit.
@@ -72,17 +72,18 @@ pub trait Residuals: Send + Sync {
     }
 }
 
-/// When to stop: at the first of these. All are about the step of Gauss and Newton, undamped, of the parameters
-/// that are not held by a bound; a step that damping has made short says nothing.
+/// When to stop: at the first of these. All are about the step of Gauss and Newton, undamped, of
+/// the parameters that are not held by a bound; a step that damping has made short says nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Largest change of a parameter, relative to a parameter of at least one; dimensionless.
     pub tolerance: f64,
-    /// Part of the sum of squares that the step would still take away (the relative offset of Bates and Watts 1981,
-    /// squared), dimensionless: parameters that hardly matter need not come to rest.
+    /// Part of the sum of squares that the step would still take away (the relative offset of Bates
+    /// and Watts 1981, squared), dimensionless: parameters that hardly matter need not come to
+    /// rest.
     pub reducible: f64,
-    /// What the step would still take away from the sum of squares where that is rounding of the model,
-    /// dimensionless.
+    /// What the step would still take away from the sum of squares where that is rounding of the
+    /// model, dimensionless.
     pub negligible: f64,
     /// Most steps.
     pub max_iterations: usize,
@@ -111,8 +112,9 @@ impl Minimum {
         dot(&self.residuals, &self.residuals)
     }
 
-    /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters. `None` where it is
-    /// singular to rounding: some combination of the parameters changes no residual.
+    /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters.
+    /// `None` where it is singular to rounding: some combination of the parameters changes no
+    /// residual.
     pub fn covariance(&self) -> Option<Mat<f64>> {
         let scale = column_norms(&self.jacobian);
         if scale.iter().any(|norm| *norm == 0.0 || !norm.is_finite()) {
@@ -138,10 +140,11 @@ const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-12;
 const LARGEST_DAMPING: f64 = 1e10;
 
-/// Fits the parameters from a start within the bounds. `None` where the model cannot be evaluated there.
+/// Fits the parameters from a start within the bounds. `None` where the model cannot be evaluated
+/// there.
 ///
-/// Steps beyond a bound end there (Kanzow, Yamashita and Fukushima 2004), and a parameter at a bound beyond which
-/// the sum would fall takes no part in the next one.
+/// Steps beyond a bound end there (Kanzow, Yamashita and Fukushima 2004), and a parameter at a
+/// bound beyond which the sum would fall takes no part in the next one.
 ///
 /// # Errors
 /// Whatever the model ends the fit with.
@@ -347,8 +350,8 @@ mod tests {
         assert!(minimise(&mut Sum, &[0.0, 0.0], &LIMITS).unwrap().unwrap().covariance().is_none());
     }
 
-    /// Of a falling line with a slope that must not be negative the best is the mean; the bound holds it, and lets
-    /// go where the line rises.
+    /// Of a falling line with a slope that must not be negative the best is the mean; the bound
+    /// holds it, and lets go where the line rises.
     #[test]
     fn a_bound_holds_a_parameter() {
         let falling = vec![[0.0, 1.0], [1.0, 0.0], [2.0, -1.0]];
@@ -362,8 +365,8 @@ mod tests {
         assert_relative_eq!(found.parameters[1], 1.0, epsilon = 1e-8);
     }
 
-    /// Where the model cannot be evaluated between start and minimum, damping makes the steps short. That is no
-    /// minimum, and is not called one.
+    /// Where the model cannot be evaluated between start and minimum, damping makes the steps
+    /// short. That is no minimum, and is not called one.
     #[test]
     fn a_short_step_is_no_minimum() {
         struct Walled;

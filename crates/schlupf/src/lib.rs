@@ -6,8 +6,8 @@
 //! solution; each uses only what stands above it.
 //!
 //! All quantities are SI, temperatures are in degC and their differences in K. The contact frame
-//! moves with the patch: x along rolling, the leading edge at larger x, y to the left, z up into the
-//! wheel. Tractions, forces and moments act on the wheel.
+//! moves with the patch: x along rolling, the leading edge at larger x, y to the left, z up into
+//! the wheel. Tractions, forces and moments act on the wheel.
 
 #![forbid(unsafe_code)]
 

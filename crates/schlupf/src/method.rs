@@ -1,7 +1,7 @@
 //! Which method solves a problem: all equations, or one of the fast methods of vehicle dynamics.
 //!
-//! The fast methods are of steady rolling of an elastic half-space: elasticity and contact law of the
-//! problem do not count, only the elastic constants of the bodies do.
+//! The fast methods are of steady rolling of an elastic half-space: elasticity and contact law of
+//! the problem do not count, only the elastic constants of the bodies do.
 
 use crate::error::{Error, require};
 use crate::quantity::Quantity;
@@ -93,8 +93,8 @@ impl Brush {
 }
 
 impl SlopeReduction {
-    /// k0 = 1, α = 0.025, β = 0.85: with these and the parabolic bound longitudinal forces are those of
-    /// Polach's formula with k_A = 1, k_S = 0.4, within 4 % of μN (root mean square 2 %).
+    /// k0 = 1, α = 0.025, β = 0.85: with these and the parabolic bound longitudinal forces are
+    /// those of Polach's formula with k_A = 1, k_S = 0.4, within 4 % of μN (root mean square 2 %).
     pub const DRY: Self = Self { initial: 1.0, limit_ratio: 0.025, decay: 0.85 };
 }
 
@@ -129,7 +129,8 @@ impl FastMethod {
         }
     }
 
-    /// Whether it solves for the traction in every point, with temperatures, rather than for forces only.
+    /// Whether it solves for the traction in every point, with temperatures, rather than for forces
+    /// only.
     pub fn has_fields(self) -> bool {
         matches!(self, Self::Fastsim(_) | Self::ModifiedFastsim(..))
     }

@@ -124,10 +124,10 @@ pub struct Options {
     /// Cells across rolling over the patch.
     pub cells_y: usize,
     /// Largest residual ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, dimensionless, the friction being that of the
-    /// temperatures found. Where ‖p‖₂ is less than a hundredth of ‖μ pₙ‖₂, less is left: (100 ‖p‖₂)²/‖μ pₙ‖₂
-    /// takes the place of ‖μ pₙ‖₂, and below 1e-4 of it ‖p‖₂. Marching to the steady state ends when the passage of the material
-    /// through the whole patch also changes the traction by less, and the temperature by less than
-    /// this part of its largest rise.
+    /// temperatures found. Where ‖p‖₂ is less than a hundredth of ‖μ pₙ‖₂, less is left: (100
+    /// ‖p‖₂)²/‖μ pₙ‖₂ takes the place of ‖μ pₙ‖₂, and below 1e-4 of it ‖p‖₂. Marching to the steady
+    /// state ends when the passage of the material through the whole patch also changes the
+    /// traction by less, and the temperature by less than this part of its largest rise.
     pub tolerance: f64,
     /// Most Newton steps for one equilibrium.
     pub max_iterations: usize,

@@ -34,8 +34,8 @@ pub(crate) struct AtPatch {
 
 impl AtPatch {
     /// # Errors
-    /// A reference point that the normal contact does not have, a motion that is no rolling at the middle
-    /// of the patch, whatever [`Problem::check`] refuses, and [`Error::Stopped`].
+    /// A reference point that the normal contact does not have, a motion that is no rolling at the
+    /// middle of the patch, whatever [`Problem::check`] refuses, and [`Error::Stopped`].
     pub fn new(problem: &Problem, watch: Watch) -> Result<Self, Error> {
         problem.check()?;
         problem.normal.prepare(None, watch)?;

@@ -28,8 +28,8 @@ impl Status {
     }
 }
 
-/// A solved rolling contact. The fields belong to the last instant. What the method does not know is
-/// `None`, and its fields have no cells: see [`Method`].
+/// A solved rolling contact. The fields belong to the last instant. What the method does not know
+/// is `None`, and its fields have no cells: see [`Method`].
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Solution {
@@ -54,7 +54,8 @@ pub struct Solution {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
-    /// Power of friction and of the creep forces; `None` where they take a moment that is not known.
+    /// Power of friction and of the creep forces; `None` where they take a moment that is not
+    /// known.
     pub power: Option<Power>,
     /// Wear number.
     pub t_gamma: TGamma,
@@ -153,8 +154,8 @@ impl Resultant {
     }
 }
 
-/// Derivatives of the steady forces and moment on the wheel, everything else staying. Where a law has
-/// a kink they are those of one of its sides.
+/// Derivatives of the steady forces and moment on the wheel, everything else staying. Where a law
+/// has a kink they are those of one of its sides.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sensitivity {
@@ -164,9 +165,9 @@ pub struct Sensitivity {
     pub creepage_y: Resultant,
     /// By the spin φ, in N m and N m².
     pub spin: Resultant,
-    /// By the normal load N (dimensionless, and in m), if the elasticity knows how it grows with the
-    /// patch. The patch grows as its description says: with the curvatures of the bodies, or not at
-    /// all where its size is given.
+    /// By the normal load N (dimensionless, and in m), if the elasticity knows how it grows with
+    /// the patch. The patch grows as its description says: with the curvatures of the bodies, or
+    /// not at all where its size is given.
     pub load: Option<Resultant>,
     /// By the cold coefficient of friction μ0, in N and N m.
     pub friction_coefficient: Resultant,
@@ -206,8 +207,8 @@ pub struct Power {
     pub returned: f64,
     /// Part of the heat that goes into the wheel, in W.
     pub into_wheel: f64,
-    /// Part of the heat that goes into the rail, in W; both together are the friction power and what is
-    /// returned.
+    /// Part of the heat that goes into the rail, in W; both together are the friction power and
+    /// what is returned.
     pub into_rail: f64,
     /// Heat that flows from the wheel through the contact into the rail besides, because their bulk
     /// temperatures differ, in W; `None` where the method has no fields.
@@ -325,8 +326,8 @@ pub struct Instant {
     /// Friction power, mean over the step, in W. Here and below, `None` is what the method does not
     /// know.
     pub friction_power: Option<f64>,
-    /// Power of the creep forces −v0 (ξ Fx + η Fy + φ Mz), mean over the step, in W: the friction power
-    /// and the change of the stored energy over the duration of the step.
+    /// Power of the creep forces −v0 (ξ Fx + η Fy + φ Mz), mean over the step, in W: the friction
+    /// power and the change of the stored energy over the duration of the step.
     pub creep_power: Option<f64>,
     /// Elastic energy ½ ∫ p·u dA of the tangential tractions at the end of the step, in J.
     pub stored_energy: Option<f64>,
@@ -344,7 +345,8 @@ pub struct Instant {
 pub struct Work {
     /// Newton steps, all together.
     pub newton_iterations: usize,
-    /// Products with the compliance A, dimensionless; one on a coarser grid of n' cells counts n'/n.
+    /// Products with the compliance A, dimensionless; one on a coarser grid of n' cells counts
+    /// n'/n.
     pub operator_products: f64,
     /// Products more for the derivatives.
     pub sensitivity_products: usize,

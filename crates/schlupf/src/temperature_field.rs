@@ -1,10 +1,10 @@
-//! Temperatures of wheel and rail on and below their surfaces, in the contact and in the wake behind
-//! it.
+//! Temperatures of wheel and rail on and below their surfaces, in the contact and in the wake
+//! behind it.
 //!
-//! At the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt 1995),
-//! so below every point lies a half-space that has received what its point has: the frictional heat
-//! since the leading edge, and the heat that the two bodies exchange because they meet at different
-//! temperatures. After the contact no heat passes the surface.
+//! At the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt
+//! 1995), so below every point lies a half-space that has received what its point has: the
+//! frictional heat since the leading edge, and the heat that the two bodies exchange because they
+//! meet at different temperatures. After the contact no heat passes the surface.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -22,9 +22,9 @@ use crate::warning::Warning;
 
 /// The temperatures that belong to a solution.
 ///
-/// They are exact for the heat that is released, whatever the heat model: with the constant source of
-/// the paper the surface is not as hot here as its cells say. Without a heat model the bodies still
-/// exchange heat where their bulk temperatures differ.
+/// They are exact for the heat that is released, whatever the heat model: with the constant source
+/// of the paper the surface is not as hot here as its cells say. Without a heat model the bodies
+/// still exchange heat where their bulk temperatures differ.
 #[derive(Debug, Clone)]
 pub struct TemperatureField {
     tracks: Vec<Track>,
@@ -139,8 +139,8 @@ impl TemperatureField {
         })
     }
 
-    /// Where the material on the line y (in m) enters the contact, and where it leaves it (x in m), for each
-    /// piece of contact that it passes, the first one first. None beside the patch.
+    /// Where the material on the line y (in m) enters the contact, and where it leaves it (x in m),
+    /// for each piece of contact that it passes, the first one first. None beside the patch.
     pub fn passages(&self, y: f64) -> Vec<[f64; 2]> {
         let on_line = self.tracks.iter().filter(|track| track.holds(y));
         let mut passages: Vec<_> = on_line.map(|track| [track.entry_x, track.exit_x]).collect();
@@ -209,9 +209,10 @@ impl Conductor {
 /// Parts into which a step of a record is divided.
 const PARTS: usize = 8;
 
-/// A record in finer steps, each step keeping its mean: with one flux for a whole cell the surface temperature
-/// would bend at the edge of every cell. Inside, the flux runs linearly through that of the neighbours; in the
-/// first and the last step as A√s + B, s counting from the edge, as under Hertz's pressure.
+/// A record in finer steps, each step keeping its mean: with one flux for a whole cell the surface
+/// temperature would bend at the edge of every cell. Inside, the flux runs linearly through that of
+/// the neighbours; in the first and the last step as A√s + B, s counting from the edge, as under
+/// Hertz's pressure.
 fn smooth(record: &[HeatStep]) -> Vec<HeatStep> {
     let finer = |k: usize| {
         let means = match (k, record.len() - 1) {
@@ -229,8 +230,8 @@ fn smooth(record: &[HeatStep]) -> Vec<HeatStep> {
     (0..record.len()).flat_map(finer).collect()
 }
 
-/// Mean fluxes (in W/m²) in the parts of a step, from the edge inwards: A√s + B with the means of the step and of its
-/// neighbour. Where B would be negative it is zero.
+/// Mean fluxes (in W/m²) in the parts of a step, from the edge inwards: A√s + B with the means of
+/// the step and of its neighbour. Where B would be negative it is zero.
 fn at_edge(step: &HeatStep, neighbour: &HeatStep) -> [f64; PARTS] {
     // ∫ √s ds is two thirds of this.
     let power = |s: f64| s * s.sqrt();
@@ -247,7 +248,8 @@ fn at_edge(step: &HeatStep, neighbour: &HeatStep) -> [f64; PARTS] {
     })
 }
 
-/// Mean fluxes (in W/m²) in the parts of a step between two others, with the smaller of the slopes to both.
+/// Mean fluxes (in W/m²) in the parts of a step between two others, with the smaller of the slopes
+/// to both.
 fn inside(record: &[HeatStep], k: usize) -> [f64; PARTS] {
     let HeatStep { flux, duration } = record[k];
     let slope_to = |other: Option<&HeatStep>| {
@@ -265,10 +267,10 @@ fn ierfc(x: f64) -> f64 {
     (-x * x).exp() / PI.sqrt() - x * libm::erfc(x)
 }
 
-/// How far a body has come to the common surface temperature at a depth (in m), dimensionless, a time
-/// t after entry of which it spent t_c in contact: erfc(z/2√(κt)) in contact, and behind it, where
-/// no heat passes the surface, (2/π) ∫ exp(−z²/(4κt cos²θ)) dθ from 0 to asin √(t_c/t). On the surface
-/// that is (2/π) asin √(t_c/t).
+/// How far a body has come to the common surface temperature at a depth (in m), dimensionless, a
+/// time t after entry of which it spent t_c in contact: erfc(z/2√(κt)) in contact, and behind it,
+/// where no heat passes the surface, (2/π) ∫ exp(−z²/(4κt cos²θ)) dθ from 0 to asin √(t_c/t). On
+/// the surface that is (2/π) asin √(t_c/t).
 fn mixing(depth: f64, diffusivity: f64, time: f64, in_contact: f64) -> f64 {
     if time <= 0.0 {
         return 0.0;
@@ -292,7 +294,8 @@ mod tests {
 
     use super::*;
 
-    /// Heat stays, step by step, and no part is negative; a linear course inside is met exactly, and A√s + B at an edge.
+    /// Heat stays, step by step, and no part is negative; a linear course inside is met exactly,
+    /// and A√s + B at an edge.
     #[test]
     fn finer_steps_keep_the_heat() {
         let step = |flux| HeatStep { flux, duration: 2.0 };

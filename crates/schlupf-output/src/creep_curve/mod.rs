@@ -42,8 +42,8 @@ pub struct Member {
 }
 
 impl CurveFamily {
-    /// Curves with their warnings: one that all of them have once, the others with the name of their
-    /// curve.
+    /// Curves with their warnings: one that all of them have once, the others with the name of
+    /// their curve.
     pub fn new(
         title: String,
         over: Option<String>,

@@ -1,5 +1,5 @@
-//! Temperatures of wheel and rail below a point, and along its row with the wake: CSV, JSON and a summary. The
-//! figure is among the figures.
+//! Temperatures of wheel and rail below a point, and along its row with the wake: CSV, JSON and a
+//! summary. The figure is among the figures.
 
 mod figure;
 mod json;

@@ -1,8 +1,8 @@
 //! Stiffnesses of the layer from displacements under known tractions: of the half-space, or of a
 //! finite-element model.
 //!
-//! A rigid displacement of the whole surface does not matter in rolling, and what it is far from the
-//! patch is different in every model; so each sample may be shifted as a whole.
+//! A rigid displacement of the whole surface does not matter in rolling, and what it is far from
+//! the patch is different in every model; so each sample may be shifted as a whole.
 
 use crate::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use crate::elasticity::{Compliance, Elasticity};
@@ -77,8 +77,8 @@ pub struct DisplacementFit {
     pub coupling_along_y: f64,
     /// ‖u − u_given‖₂/‖u_given‖₂ of each sample, each less its mean; dimensionless.
     pub deviation: Vec<f64>,
-    /// Whether the displacements leave the reach of the coupling along and across rolling open: it is at an end of the
-    /// range that is looked at.
+    /// Whether the displacements leave the reach of the coupling along and across rolling open: it
+    /// is at an end of the range that is looked at.
     pub is_open: [bool; 2],
     /// Whether the fit converged.
     pub converged: bool,
@@ -101,8 +101,8 @@ const REACH: [f64; 2] = [-6.0, 0.5];
 /// Decay lengths that are tried for a start, the same along and across.
 const STARTS: usize = 14;
 
-/// Fits bedding and couplings to samples. It starts at the best of some decay lengths, each with the bedding that suits it
-/// best: displacements go with its inverse.
+/// Fits bedding and couplings to samples. It starts at the best of some decay lengths, each with
+/// the bedding that suits it best: displacements go with its inverse.
 ///
 /// # Errors
 /// No samples; displacements that run against their load; or a layer that cannot be set up.
@@ -166,7 +166,8 @@ impl Fit<'_> {
                 along += dot(&unit, &given);
                 squares += dot(&unit, &unit);
             }
-            // The sum of squares with the best bedding squares/along is this less than without a layer.
+            // The sum of squares with the best bedding squares/along is this less than without a
+            // layer.
             let gain = along * along.abs() / squares;
             if along > 0.0 && best.as_ref().is_none_or(|(most, _)| gain > *most) {
                 best = Some((gain, vec![(squares / along).ln(), reach, reach]));
@@ -175,8 +176,8 @@ impl Fit<'_> {
         best.map(|(_, start)| start).ok_or(Error::AgainstLoad {})
     }
 
-    /// Displacements of the layer and those known, each less its mean and over the size of the known ones;
-    /// dimensionless.
+    /// Displacements of the layer and those known, each less its mean and over the size of the
+    /// known ones; dimensionless.
     fn displacements(&self, sample: &Sample, parameters: &[f64]) -> Option<[Vec<f64>; 2]> {
         let stiffness = self.stiffness(parameters);
         let layer = ElasticLayer::new(stiffness, stiffness, None).ok()?;

@@ -2,11 +2,12 @@
 //! and Sextro (2014) leave
 //! them open.
 //!
-//! First the displacements are fitted that the half-space has under the tractions of sticking and of full
-//! sliding ([`displacements`]), which is a good start; then creep forces and tractions of rolling
-//! under longitudinal, lateral and spin creepage, single and combined, in the limit of a stiff contact
-//! law. In units of the patch's size √(ab) and the shear modulus G the result depends on a/b and ν
-//! alone. The coupling along rolling and that across rolling are two constants for each component.
+//! First the displacements are fitted that the half-space has under the tractions of sticking and
+//! of full sliding ([`displacements`]), which is a good start; then creep forces and tractions of
+//! rolling under longitudinal, lateral and spin creepage, single and combined, in the limit of a
+//! stiff contact law. In units of the patch's size √(ab) and the shear modulus G the result depends
+//! on a/b and ν alone. The coupling along rolling and that across rolling are two constants for
+//! each component.
 
 pub mod displacements;
 mod kalker_bed;
@@ -53,12 +54,13 @@ pub struct Calibration {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Deviation {
-    /// Largest difference of the forces over μN under longitudinal and lateral creepage, dimensionless.
+    /// Largest difference of the forces over μN under longitudinal and lateral creepage,
+    /// dimensionless.
     pub force: f64,
     /// The same where spin takes part, dimensionless.
     pub force_with_spin: f64,
-    /// Difference of the tractions relative to those of the half-space, ‖t − t_h‖₂/‖t_h‖₂, mean over
-    /// the motions without spin; dimensionless.
+    /// Difference of the tractions relative to those of the half-space, ‖t − t_h‖₂/‖t_h‖₂, mean
+    /// over the motions without spin; dimensionless.
     pub field: f64,
     /// The same where spin takes part, dimensionless.
     pub field_with_spin: f64,
@@ -152,8 +154,8 @@ fn relative(parameters: &[f64]) -> [RelativeStiffness; 2] {
 /// Logarithms of the shortest and the longest reach that is tried.
 const REACH: [f64; 2] = [-4.0, 0.4];
 
-/// Residual of a difference of the two reaches' logarithms. It decides where forces and fields hardly
-/// depend on it, so that the stiffnesses change smoothly with a/b.
+/// Residual of a difference of the two reaches' logarithms. It decides where forces and fields
+/// hardly depend on it, so that the stiffnesses change smoothly with a/b.
 const EVENNESS: f64 = 0.3;
 
 const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];

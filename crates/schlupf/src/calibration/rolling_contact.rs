@@ -1,4 +1,5 @@
-//! The contact on which half-space and stand-ins are compared: an ellipse, a stiff contact law, constant friction.
+//! The contact on which half-space and stand-ins are compared: an ellipse, a stiff contact law,
+//! constant friction.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -60,7 +61,8 @@ impl RollingContact {
         Ok(Self { bodies, coefficients, semi_axes, problem })
     }
 
-    /// Creepages as parts of those that Kalker's linear theory needs for the force μN: along, across, spin.
+    /// Creepages as parts of those that Kalker's linear theory needs for the force μN: along,
+    /// across, spin.
     pub fn motion(&self, [along, across, spin]: [f64; 3]) -> Kinematics {
         // μN over C G s² and C G s³, N = (2/3) π s² p0.
         let strain = FRICTION * 2.0 / 3.0 * PI * PEAK_PRESSURE / self.bodies.shear_modulus();

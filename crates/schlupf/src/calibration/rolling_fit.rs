@@ -19,8 +19,8 @@ use super::displacements::{Sample, fit};
 use super::kalker_bed::bedding;
 use super::rolling_contact::{RollingContact, SIZE};
 
-/// Motions that stiffnesses are fitted to: creepages as parts of those that Kalker's linear theory needs for the
-/// force μN, along, across, spin.
+/// Motions that stiffnesses are fitted to: creepages as parts of those that Kalker's linear theory
+/// needs for the force μN, along, across, spin.
 pub(super) const FITTED: [[f64; 3]; 24] = [
     [0.3, 0.0, 0.0],
     [0.7, 0.0, 0.0],
@@ -122,8 +122,8 @@ impl<'a> Motions<'a> {
         bedding(&self.contact.coefficients, SIZE, self.contact.semi_axes[0])
     }
 
-    /// Logarithms of the relative stiffnesses (dimensionless) that fit the half-space's displacements under the tractions of
-    /// nearly full stick and of full sliding.
+    /// Logarithms of the relative stiffnesses (dimensionless) that fit the half-space's
+    /// displacements under the tractions of nearly full stick and of full sliding.
     pub fn start(&self) -> Result<Vec<f64>, Error> {
         let sliding = [(0, 4), (5, 9)];
         let mut start = Vec::with_capacity(6);

@@ -1,5 +1,6 @@
-//! The half-space, and what stands in for it, side by side: forces over growing creepage, and the traction
-//! along the middle of the patch. The contact law is stiff and friction constant, as for the calibration.
+//! The half-space, and what stands in for it, side by side: forces over growing creepage, and the
+//! traction along the middle of the patch. The contact law is stiff and friction constant, as for
+//! the calibration.
 
 use std::sync::Arc;
 
@@ -36,7 +37,8 @@ pub struct Answer {
     pub model: Model,
     /// Force on the rail over μN for each creepage, dimensionless.
     pub force: Vec<f64>,
-    /// Traction on the rail along the row nearest to y = 0, over μp0: x/a and traction, both dimensionless.
+    /// Traction on the rail along the row nearest to y = 0, over μp0: x/a and traction, both
+    /// dimensionless.
     pub traction: Vec<[f64; 2]>,
     /// Whether all solutions converged.
     pub converged: bool,
@@ -45,7 +47,8 @@ pub struct Answer {
 /// A creepage that grows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
-    /// Creepages, as parts of that with which Kalker's linear theory gives the force μN; dimensionless.
+    /// Creepages, as parts of that with which Kalker's linear theory gives the force μN;
+    /// dimensionless.
     pub creepage: Vec<f64>,
     /// The creepage of the traction, in the same way; dimensionless.
     pub traction_at: f64,
@@ -78,8 +81,8 @@ const TRACTION_AT: f64 = 0.6;
 /// Cells across the patch: the odd number has a row at y = 0.
 const CELLS: [usize; 2] = [48, 31];
 
-/// Compares the models for an axes ratio a/b and a combined Poisson's ratio ν (both dimensionless), the layer with
-/// these stiffnesses for displacements along and across rolling.
+/// Compares the models for an axes ratio a/b and a combined Poisson's ratio ν (both dimensionless),
+/// the layer with these stiffnesses for displacements along and across rolling.
 ///
 /// # Errors
 /// An axes ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].

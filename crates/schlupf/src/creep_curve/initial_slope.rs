@@ -9,8 +9,8 @@ use crate::warning::Warning;
 
 use super::{Abscissa, Creepages, Path, Points};
 
-/// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where everything
-/// that varies is zero; what does not vary keeps its value.
+/// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where
+/// everything that varies is zero; what does not vary keeps its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InitialSlope {
@@ -18,12 +18,12 @@ pub struct InitialSlope {
     pub force: Resultant,
     /// d(F/(μ0 N), Mz/(μ0 N √(ab)))/dν: dimensionless over a creepage, in m over spin.
     pub normalised: Resultant,
-    /// The same in the form of Kalker's coefficients, dimensionless and positive where the force opposes
-    /// the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), over spin each over another c.
-    /// Over ξ it is C11, over η C22 (and −C23), over φ C23 and C33 of a half-space with the shear
-    /// modulus G of both bodies that would have this slope, moments about the middle of the patch.
-    /// `None` where another creepage is not zero: then something slides already; and over a spin
-    /// about another point than that middle.
+    /// The same in the form of Kalker's coefficients, dimensionless and positive where the force
+    /// opposes the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), over spin each over
+    /// another c. Over ξ it is C11, over η C22 (and −C23), over φ C23 and C33 of a half-space with
+    /// the shear modulus G of both bodies that would have this slope, moments about the middle of
+    /// the patch. `None` where another creepage is not zero: then something slides already; and
+    /// over a spin about another point than that middle.
     pub kalker: Option<Resultant>,
 }
 
@@ -34,8 +34,8 @@ pub(super) struct Finding {
     pub warning: Option<Warning>,
 }
 
-/// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian of
-/// the equilibrium there; of a fast method, from a difference.
+/// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian
+/// of the equilibrium there; of a fast method, from a difference.
 pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Finding, Error> {
     let path = solver.path;
     if !path.has_origin() {

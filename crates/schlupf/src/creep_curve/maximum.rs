@@ -21,8 +21,9 @@ pub struct Maximum {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
-    /// Whether |F| does not fall behind it: everything slides. The abscissa is the first of the curve
-    /// from which on |F| stays within [`PLATEAU`] of its largest value; forces are those of that value.
+    /// Whether |F| does not fall behind it: everything slides. The abscissa is the first of the
+    /// curve from which on |F| stays within [`PLATEAU`] of its largest value; forces are those of
+    /// that value.
     #[cfg_attr(feature = "serde", serde(rename = "saturated"))]
     pub is_saturated: bool,
 }
@@ -30,8 +31,8 @@ pub struct Maximum {
 /// Part of the largest force within which it counts as reached, dimensionless.
 pub const PLATEAU: f64 = 1e-3;
 
-/// A force that still rises comes within [`PLATEAU`] of its largest value at the very end; one that is
-/// saturated does so before this part of the last creepage.
+/// A force that still rises comes within [`PLATEAU`] of its largest value at the very end; one that
+/// is saturated does so before this part of the last creepage.
 const LATEST_SATURATION: f64 = 0.8;
 
 /// The creepage at which saturation begins is found to this part of it.
@@ -43,7 +44,8 @@ const NOISE: f64 = 10.0;
 /// Most solutions to find one maximum.
 const MAX_SOLUTIONS: usize = 60;
 
-/// The creepage of a maximum is found to this part of it; the force then to far less, as it is flat.
+/// The creepage of a maximum is found to this part of it; the force then to far less, as it is
+/// flat.
 const PRECISION: f64 = 1e-3;
 
 /// Where the slope at an end is looked at, as a part of the way to the next point.
@@ -115,8 +117,8 @@ impl Side<'_, '_> {
         }
     }
 
-    /// Whether no point failed from one abscissa to the other, nor where it may have been higher than
-    /// the highest.
+    /// Whether no point failed from one abscissa to the other, nor where it may have been higher
+    /// than the highest.
     fn is_known(&self, from: f64, to: f64, highest: &Point) -> bool {
         self.failed.iter().all(|point| {
             let is_outside = point.abscissa < from.min(to) || point.abscissa > from.max(to);
@@ -124,8 +126,8 @@ impl Side<'_, '_> {
         })
     }
 
-    /// Three points with the highest in the middle, if |F| rises from the highest point, an end of the
-    /// curve, towards the next one: then there is a maximum between those.
+    /// Three points with the highest in the middle, if |F| rises from the highest point, an end of
+    /// the curve, towards the next one: then there is a maximum between those.
     fn probe(&mut self, end: &Point, next: &Point) -> Result<Option<[Point; 3]>, Error> {
         let step = (next.abscissa - end.abscissa).abs().min(end.abscissa.abs()) * PROBE;
         let towards = (next.abscissa - end.abscissa).signum();
@@ -178,8 +180,9 @@ impl Side<'_, '_> {
         Ok(force(&point) >= level && point.status == Status::Converged)
     }
 
-    /// The maximum within three points of which the middle one is the highest (Brent 1973): at the top
-    /// of the parabola through them, or, where that narrows the range too slowly, in the larger part.
+    /// The maximum within three points of which the middle one is the highest (Brent 1973): at the
+    /// top of the parabola through them, or, where that narrows the range too slowly, in the larger
+    /// part.
     fn highest(&mut self, mut three: [Point; 3]) -> Result<Option<Maximum>, Error> {
         let width = |three: &[Point; 3]| (three[2].abscissa - three[0].abscissa).abs();
         let mut narrowed = true;
@@ -201,8 +204,8 @@ impl Side<'_, '_> {
     }
 }
 
-/// Where to look next: on the side of the top of the parabola, at least half the precision away from the
-/// middle point, so that the range closes on both sides of it.
+/// Where to look next: on the side of the top of the parabola, at least half the precision away
+/// from the middle point, so that the range closes on both sides of it.
 fn next_abscissa(three: &[Point; 3], narrowed: bool, precision: f64) -> f64 {
     let [before, middle, after] = three.map(|point| point.abscissa);
     let larger = if (before - middle).abs() > (after - middle).abs() { before } else { after };

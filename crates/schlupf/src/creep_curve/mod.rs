@@ -1,9 +1,9 @@
 //! Creep curves: forces over creepage in steady rolling.
 //!
-//! A [`Path`] says which creepages vary, a [`Sampling`] at how many points, and [`trace`] solves there,
-//! from zero creepage outwards, so that every solution is close to the one before. The slope at zero
-//! creepage is exact, from the Jacobian of the equilibrium there; the maximum of the force has solutions of
-//! its own.
+//! A [`Path`] says which creepages vary, a [`Sampling`] at how many points, and [`trace`] solves
+//! there, from zero creepage outwards, so that every solution is close to the one before. The slope
+//! at zero creepage is exact, from the Jacobian of the equilibrium there; the maximum of the force
+//! has solutions of its own.
 
 mod initial_slope;
 mod maximum;
@@ -42,8 +42,8 @@ pub struct CreepCurve {
     pub reference: ReferencePoint,
     /// The points in the order of the path.
     pub points: Vec<Point>,
-    /// Slope where everything that varies is zero. `None` where the path does not go there, or where
-    /// a solution that it takes did not converge, of which there is a warning then.
+    /// Slope where everything that varies is zero. `None` where the path does not go there, or
+    /// where a solution that it takes did not converge, of which there is a warning then.
     pub initial_slope: Option<InitialSlope>,
     /// Maxima of |F|, in the order of the path: one on each side of zero creepage, unless |F| still
     /// rises at the outer end of that side, or is largest at its inner end.
@@ -55,8 +55,8 @@ pub struct CreepCurve {
 }
 
 impl CreepCurve {
-    /// The maximum of |F| over the curve. `None` where it lies at an end of the curve: the curve says
-    /// nothing about what is beyond.
+    /// The maximum of |F| over the curve. `None` where it lies at an end of the curve: the curve
+    /// says nothing about what is beyond.
     pub fn maximum(&self) -> Option<&Maximum> {
         let higher = |one: &&Maximum, other: &&Maximum| {
             one.traction_coefficient.total_cmp(&other.traction_coefficient)
@@ -73,7 +73,8 @@ impl CreepCurve {
     }
 }
 
-/// A point of a creep curve: the results of one solution, without its fields. Forces act on the wheel.
+/// A point of a creep curve: the results of one solution, without its fields. Forces act on the
+/// wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Point {
@@ -119,8 +120,8 @@ impl Point {
     }
 }
 
-/// Computes a creep curve of a problem, whose own creepages count only where the path keeps them: see
-/// [`Path::new`].
+/// Computes a creep curve of a problem, whose own creepages count only where the path keeps them:
+/// see [`Path::new`].
 ///
 /// The solver may go from curve to curve: they share its set-up where they have the normal contact
 /// and the elasticity in common. Points that do not converge are kept and marked, and a warning

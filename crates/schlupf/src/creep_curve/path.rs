@@ -79,8 +79,8 @@ impl Path {
     /// together, each linearly.
     ///
     /// The abscissa is the creepage that varies. Where ξ and η vary in a fixed direction, it is the
-    /// total creepage, positive towards the larger end; where creepages vary otherwise, the first of
-    /// ξ, η, φ that does.
+    /// total creepage, positive towards the larger end; where creepages vary otherwise, the first
+    /// of ξ, η, φ that does.
     pub fn new(start: Creepages, end: Creepages) -> Result<Self, Error> {
         for creepages in [&start, &end] {
             require_finite(Quantity::CreepageX, creepages.x)?;
@@ -111,8 +111,8 @@ impl Path {
         Ok(Self { start, end, abscissa, range })
     }
 
-    /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards y),
-    /// with a spin creepage (in 1/m) that is constant or varies along.
+    /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards
+    /// y), with a spin creepage (in 1/m) that is constant or varies along.
     pub fn in_direction(range: [f64; 2], direction: f64, spin: [f64; 2]) -> Result<Self, Error> {
         require_finite(Quantity::Direction, direction)?;
         if range[0] == range[1] {
@@ -186,15 +186,16 @@ impl Path {
             })
     }
 
-    /// The first abscissa (dimensionless, or in 1/m for spin) from the start on at which the wheel no
-    /// longer rolls: where it is locked, or η is ±1. `None` where it always rolls.
+    /// The first abscissa (dimensionless, or in 1/m for spin) from the start on at which the wheel
+    /// no longer rolls: where it is locked, or η is ±1. `None` where it always rolls.
     pub fn locks_at(&self) -> Option<f64> {
         let rolls = |abscissa: f64| self.at(abscissa).at_speed(1.0).check().is_ok();
         let [from, to] = self.range;
         if !rolls(from) {
             return Some(from);
         }
-        // The creepages of a rolling wheel are a convex set: what rolls at both ends rolls throughout.
+        // The creepages of a rolling wheel are a convex set: what rolls at both ends rolls
+        // throughout.
         if rolls(to) {
             return None;
         }

@@ -16,8 +16,9 @@ pub struct Sampling {
 /// How the points of a curve are spaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spacing {
-    /// Even in u with an abscissa ∝ sinh 5u, |u| ≤ 1: steps grow from zero outwards, evenly near zero
-    /// and by an even factor far from it. From zero on, the last of 41 steps is some 70 times the first.
+    /// Even in u with an abscissa ∝ sinh 5u, |u| ≤ 1: steps grow from zero outwards, evenly near
+    /// zero and by an even factor far from it. From zero on, the last of 41 steps is some 70 times
+    /// the first.
     Refined,
     /// Even in the abscissa.
     Even,

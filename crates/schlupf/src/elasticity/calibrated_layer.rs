@@ -14,8 +14,8 @@ use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 use crate::warning::Warning;
 
-/// Stiffness of the layer for one displacement component, relative to the patch: s = √(ab) its size, G
-/// the combined shear modulus of the bodies.
+/// Stiffness of the layer for one displacement component, relative to the patch: s = √(ab) its
+/// size, G the combined shear modulus of the bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RelativeStiffness {
     /// Bedding c s/G, dimensionless.
@@ -41,9 +41,9 @@ impl RelativeStiffness {
 /// Axes ratios a/b for which the table holds, dimensionless.
 pub const AXIS_RATIO_RANGE: [f64; 2] = [0.1, 10.0];
 
-/// Stiffnesses for displacements along and across rolling, for an axes ratio a/b and a combined Poisson's
-/// ratio ν (both dimensionless): cubic in ln(a/b) and in ν between the entries of the table, whose
-/// logarithms are interpolated.
+/// Stiffnesses for displacements along and across rolling, for an axes ratio a/b and a combined
+/// Poisson's ratio ν (both dimensionless): cubic in ln(a/b) and in ν between the entries of the
+/// table, whose logarithms are interpolated.
 ///
 /// ```
 /// use schlupf::elasticity::calibrated_layer::tabulated_stiffness;
@@ -84,9 +84,8 @@ pub fn tabulated_stiffness(
 /// A layer that in steady rolling answers like the half-space of two bodies, whatever the patch.
 ///
 /// Its stiffnesses follow from the size of the grid: a = half its length, b = half its width. On
-/// elliptic patches forces agree with those of the half-space as
-/// [`crate::calibration`] says; others, and several parts together, are treated like the ellipse with the same
-/// extent.
+/// elliptic patches forces agree with those of the half-space as [`crate::calibration`] says;
+/// others, and several parts together, are treated like the ellipse with the same extent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CalibratedLayer {
     half_space: HalfSpace,
@@ -94,15 +93,15 @@ pub struct CalibratedLayer {
 }
 
 impl CalibratedLayer {
-    /// For two bodies, with at least `margin` (in m) of surroundings on each side; eight decay lengths
-    /// if none.
+    /// For two bodies, with at least `margin` (in m) of surroundings on each side; eight decay
+    /// lengths if none.
     pub fn new(wheel: &Material, rail: &Material, margin: Option<f64>) -> Result<Self, Error> {
         let half_space = HalfSpace::new(wheel, rail)?;
         Ok(Self { half_space, margin })
     }
 
-    /// Stiffnesses for displacements along and across rolling, for a patch with these semi-axes along and
-    /// across rolling (in m).
+    /// Stiffnesses for displacements along and across rolling, for a patch with these semi-axes
+    /// along and across rolling (in m).
     pub fn stiffness(&self, semi_axes: [f64; 2]) -> Result<[LayerStiffness; 2], Error> {
         let [a, b] = semi_axes;
         let size = (a * b).sqrt();

@@ -78,8 +78,8 @@ impl HalfSpace {
         self.influence_of(size, [columns as f64 * size[0], rows as f64 * size[1]])
     }
 
-    /// A_xx, A_yy and A_xy (in m/Pa) of a cell of the given size (in m) on the point at the distance
-    /// `[x, y]` (in m) from its middle.
+    /// A_xx, A_yy and A_xy (in m/Pa) of a cell of the given size (in m) on the point at the
+    /// distance `[x, y]` (in m) from its middle.
     pub fn influence_of(&self, size: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
         let corner =
             |side_x: f64, side_y: f64| self.corner([x + side_x * size[0], y + side_y * size[1]]);
@@ -102,7 +102,8 @@ impl HalfSpace {
 }
 
 /// The influences on a grid with the mean over the cell undone to second order: a cell's constant
-/// traction stands for a smooth one, whose displacement differs by −h²∇²u/12 from that of its means.
+/// traction stands for a smooth one, whose displacement differs by −h²∇²u/12 from that of its
+/// means.
 ///
 /// Each corner of the cells counts once, and influences at distances of both signs follow from the
 /// first quadrant, because A_xx and A_yy are even in x and in y, and A_xy is odd in both.

@@ -52,8 +52,8 @@ pub struct Limits {
     pub tolerance: f64,
     /// Most Newton steps.
     pub max_iterations: usize,
-    /// Whether the residual norm must fall in every step: where there may be several solutions, one that
-    /// rises can lead to another than the one that is followed.
+    /// Whether the residual norm must fall in every step: where there may be several solutions, one
+    /// that rises can lead to another than the one that is followed.
     pub is_monotone: bool,
 }
 
@@ -72,10 +72,10 @@ pub struct Outcome {
     pub safe_steps: usize,
 }
 
-/// What a residual is measured against, in Pa, for ‖μ pₙ‖₂ (`bound`) and ‖p‖₂ (`traction`), both in Pa:
-/// the former, where the traction is a hundredth of it or more; the traction itself below 1e-4, where
-/// the contact sticks and all is proportional to the motion, however slow it is; and what lies between.
-/// Without friction it is 1 Pa.
+/// What a residual is measured against, in Pa, for ‖μ pₙ‖₂ (`bound`) and ‖p‖₂ (`traction`), both in
+/// Pa: the former, where the traction is a hundredth of it or more; the traction itself below 1e-4,
+/// where the contact sticks and all is proportional to the motion, however slow it is; and what
+/// lies between. Without friction it is 1 Pa.
 pub(crate) fn measure(bound: f64, traction: f64) -> f64 {
     if bound == 0.0 {
         return 1.0;

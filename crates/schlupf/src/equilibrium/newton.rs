@@ -1,6 +1,6 @@
-//! Inexact Newton's method with a line search on the residual norm (Eisenstat and Walker 1996), where that
-//! leaves only short steps a non-monotone one (Grippo, Lampariello and Lucidi 1986): near Coulomb's law F has
-//! kinks, and a norm that must fall in every step creeps along them.
+//! Inexact Newton's method with a line search on the residual norm (Eisenstat and Walker 1996),
+//! where that leaves only short steps a non-monotone one (Grippo, Lampariello and Lucidi 1986):
+//! near Coulomb's law F has kinks, and a norm that must fall in every step creeps along them.
 
 use super::{Equilibrium, Gmres, Limits, Outcome};
 use crate::error::Error;
@@ -174,8 +174,8 @@ impl Newton {
         self.krylov.solve(system, &self.residual, forcing, target)
     }
 
-    /// Goes along the step as far as the residual norm falls enough, and returns it; where that is less
-    /// than a half of it, as far as the norm falls below the largest of the recent ones.
+    /// Goes along the step as far as the residual norm falls enough, and returns it; where that is
+    /// less than a half of it, as far as the norm falls below the largest of the recent ones.
     fn line_search(
         &mut self,
         system: &mut impl Equilibrium,
@@ -188,8 +188,8 @@ impl Newton {
             .or_else(|| self.go_along(system, p, largest, MAX_HALVINGS))
     }
 
-    /// Halves the step until the residual norm falls enough below `length`. A trial costs no product,
-    /// because L is linear.
+    /// Halves the step until the residual norm falls enough below `length`. A trial costs no
+    /// product, because L is linear.
     fn go_along(
         &mut self,
         system: &mut impl Equilibrium,
@@ -234,7 +234,8 @@ impl Newton {
     }
 }
 
-/// The smallest residual so far. Rounding, amplified by a very stiff contact law, can hide the rest.
+/// The smallest residual so far. Rounding, amplified by a very stiff contact law, can hide the
+/// rest.
 struct Best {
     length: f64,
     iteration: usize,

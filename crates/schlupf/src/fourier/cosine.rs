@@ -1,8 +1,8 @@
 //! The cosine transform of two real lines at once.
 //!
-//! D_k = 2 Σ z_j cos(π k (j + ½)/n), of z = x + i y: its real part is the transform of x, its imaginary part that of y,
-//! because the transform is real. By one complex Fourier transform of the same length (Makhoul 1980): of the even points
-//! upwards, then the odd ones downwards.
+//! D_k = 2 Σ z_j cos(π k (j + ½)/n), of z = x + i y: its real part is the transform of x, its
+//! imaginary part that of y, because the transform is real. By one complex Fourier transform of the
+//! same length (Makhoul 1980): of the even points upwards, then the odd ones downwards.
 
 use std::f64::consts::PI;
 use std::fmt;

@@ -1,8 +1,8 @@
 //! The Fourier transform of a real field on a regular lattice, padded with zeros if asked.
 //!
 //! F(k) = Σ f(x) exp(−i k·x), of which half is kept: the transform of a real field at −k is the
-//! conjugate of that at k. Every line is transformed on its own, in a fixed order, so the same field
-//! gives the same bits.
+//! conjugate of that at k. Every line is transformed on its own, in a fixed order, so the same
+//! field gives the same bits.
 
 pub(crate) mod cosine;
 

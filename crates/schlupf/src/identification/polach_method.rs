@@ -14,8 +14,8 @@ use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
 
-/// Polach's method (1999, 2005) with unknown reductions k_A, k_S and constants of friction, which follows the
-/// slip speed of the contact as a whole.
+/// Polach's method (1999, 2005) with unknown reductions k_A, k_S and constants of friction, which
+/// follows the slip speed of the contact as a whole.
 #[derive(Debug)]
 pub struct PolachModel {
     problem: Problem,

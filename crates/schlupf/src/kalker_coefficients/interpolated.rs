@@ -9,13 +9,14 @@ use crate::error::Error;
 /// Semi-axes' ratios that the table spans: from 1/10 to 10.
 const LARGEST_RATIO: f64 = 10.0;
 
-/// The same as [`creep_coefficients`](super::creep_coefficients) within a microsecond and without memory
-/// of its own: from a table of it, made by the program, in Chebyshev polynomials of ln(a/b) and ν.
+/// The same as [`creep_coefficients`](super::creep_coefficients) within a microsecond and without
+/// memory of its own: from a table of it, made by the program, in Chebyshev polynomials of ln(a/b)
+/// and ν.
 ///
 /// For a/b (dimensionless) from 0.1 to 10 and any ν (dimensionless) it is within 0.1 % of the
-/// computation it is made from, and so within 1 % of the half-space. More slender ellipses go on from
-/// the ends of the table as Kalker's limits do (1967; 1990, Table E.3): C11, C22 and C23 are within 7 % of
-/// the computation at a/b = 1/30 and 30; of C33 there is only the limit.
+/// computation it is made from, and so within 1 % of the half-space. More slender ellipses go on
+/// from the ends of the table as Kalker's limits do (1967; 1990, Table E.3): C11, C22 and C23 are
+/// within 7 % of the computation at a/b = 1/30 and 30; of C33 there is only the limit.
 pub fn interpolated_coefficients(
     axis_ratio: f64,
     poisson_ratio: f64,
@@ -63,8 +64,8 @@ fn polynomials<const N: usize>(x: f64) -> [f64; N] {
     values
 }
 
-/// C11, C22, C23, C33 of slender ellipses, in leading order and one more (Kalker 1967; 1990, Table E.3), with g the smaller of
-/// a/b and b/a and Λ = ln(16/g²).
+/// C11, C22, C23, C33 of slender ellipses, in leading order and one more (Kalker 1967; 1990, Table
+/// E.3), with g the smaller of a/b and b/a and Λ = ln(16/g²).
 fn slender(axis_ratio: f64, nu: f64) -> [f64; 4] {
     let g = axis_ratio.min(axis_ratio.recip());
     let lambda = (16.0 / (g * g)).ln();

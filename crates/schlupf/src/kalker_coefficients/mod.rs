@@ -1,11 +1,12 @@
-//! Kalker's creep coefficients: rolling of an elliptic contact on the half-space without any sliding,
-//! solved as the linear problem it is (Kalker 1990).
+//! Kalker's creep coefficients: rolling of an elliptic contact on the half-space without any
+//! sliding, solved as the linear problem it is (Kalker 1990).
 //!
-//! Nothing slides where the displacement of a point on the rail, relative to where it entered, equals
-//! the rigid slip on its way: A p − (A p)_lead = D. The patch is cut into strips along rolling, narrow
-//! towards the tips (y = b sin θ), and each strip into cells that become short towards its own two
-//! edges (x = h cos φ), where the traction rises steeply. So there are no partly covered cells, and
-//! what is left of the error falls regularly with the grid, which is extrapolated away.
+//! Nothing slides where the displacement of a point on the rail, relative to where it entered,
+//! equals the rigid slip on its way: A p − (A p)_lead = D. The patch is cut into strips along
+//! rolling, narrow towards the tips (y = b sin θ), and each strip into cells that become short
+//! towards its own two edges (x = h cos φ), where the traction rises steeply. So there are no
+//! partly covered cells, and what is left of the error falls regularly with the grid, which is
+//! extrapolated away.
 
 mod interpolated;
 mod table;
@@ -26,9 +27,9 @@ pub use interpolated::interpolated_coefficients;
 
 pub(crate) use interpolated::is_tabulated;
 
-/// Creep coefficients of an ellipse of the semi-axes' ratio a/b (dimensionless, a along rolling) for
-/// the combined Poisson's ratio ν (dimensionless). For a/b from 0.1 to 10 they are exact to 0.5 %, C33
-/// to 0.9 %.
+/// Creep coefficients of an ellipse of the semi-axes' ratio a/b (dimensionless, a along rolling)
+/// for the combined Poisson's ratio ν (dimensionless). For a/b from 0.1 to 10 they are exact to 0.5
+/// %, C33 to 0.9 %.
 ///
 /// C23 is that of the moment under lateral creepage, to which the force under spin is equal.
 ///
@@ -64,8 +65,8 @@ fn check(axis_ratio: f64, poisson_ratio: f64) -> Result<(), Error> {
 /// Cells along and strips across the patch, of the two grids that are solved on.
 const GRIDS: [usize; 2] = [24, 32];
 
-/// With which power of the cell's size the error falls: between 1.4 and 1.8, as measured on grids of 8
-/// to 48 cells.
+/// With which power of the cell's size the error falls: between 1.4 and 1.8, as measured on grids
+/// of 8 to 48 cells.
 const ORDER: f64 = 1.5;
 
 /// A cell, in units of √(ab).

@@ -59,7 +59,8 @@ impl PressureTable {
         Ok(table.seen_from([0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])]))
     }
 
-    /// The same with positions that count from where they were given, not from the middle of the patch.
+    /// The same with positions that count from where they were given, not from the middle of the
+    /// patch.
     pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
         let (x, y) = (axis('x', x)?, axis('y', y)?);
         let (quantity, expected, count) =
@@ -94,7 +95,8 @@ impl PressureTable {
         self.origin
     }
 
-    /// Number of separate parts of the positive pressure; samples that touch at a corner belong together.
+    /// Number of separate parts of the positive pressure; samples that touch at a corner belong
+    /// together.
     pub fn parts(&self) -> usize {
         let (columns, rows) = (self.x.count, self.y.count);
         let mut is_open: Vec<bool> = self.pressure.iter().map(|p| *p > 0.0).collect();
@@ -181,7 +183,8 @@ impl PressureTable {
     }
 
     /// Square of the pressure at column `i` and row `j`, in Pa²; where it is zero there but not in
-    /// the row `beside`, the square continued from that row and the next one beyond, not above zero.
+    /// the row `beside`, the square continued from that row and the next one beyond, not above
+    /// zero.
     fn square(&self, i: usize, j: usize, beside: usize) -> f64 {
         let (here, inside) = (self.at(i, j).powi(2), self.at(i, beside).powi(2));
         if here > 0.0 || inside == 0.0 {

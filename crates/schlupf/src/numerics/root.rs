@@ -94,7 +94,8 @@ mod tests {
         assert!((least - 0.3).abs() < 1e-8, "{least}");
     }
 
-    /// Mild and steep falls, a rise, a jump, and a root near zero; in few evaluations where it is smooth.
+    /// Mild and steep falls, a rise, a jump, and a root near zero; in few evaluations where it is
+    /// smooth.
     #[test]
     fn roots_are_found() {
         let count = |answer: &dyn Fn(f64) -> f64, root: f64| {

@@ -1,5 +1,5 @@
-//! Fast methods for the forces of steady rolling, with the problems and solutions of the full solver: for
-//! multibody codes, and to compare with.
+//! Fast methods for the forces of steady rolling, with the problems and solutions of the full
+//! solver: for multibody codes, and to compare with.
 //!
 //! | method | gives | cost |
 //! |---|---|---|
@@ -126,8 +126,8 @@ impl FastContact {
         Ok(())
     }
 
-    /// Takes over another load (in N); the patch grows as its source says. Allocates nothing, unless that
-    /// changes its shape.
+    /// Takes over another load (in N); the patch grows as its source says. Allocates nothing,
+    /// unless that changes its shape.
     pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
         let problem = &self.at.problem;
         let contact = problem.normal.normal_contact(Some(load))?;
@@ -147,8 +147,8 @@ impl FastContact {
         Ok(())
     }
 
-    /// Forces and moment on the wheel that moves like this; a moment that the method does not give is
-    /// `None`. Allocates nothing.
+    /// Forces and moment on the wheel that moves like this; a moment that the method does not give
+    /// is `None`. Allocates nothing.
     ///
     /// # Errors
     /// Whatever [`Kinematics::check`] refuses.
@@ -171,8 +171,8 @@ impl FastContact {
         }
     }
 
-    /// The solution of the problem. Where the method has no fields there are no cells, and temperatures,
-    /// areas of stick and slip, and whatever else it does not know are `None`.
+    /// The solution of the problem. Where the method has no fields there are no cells, and
+    /// temperatures, areas of stick and slip, and whatever else it does not know are `None`.
     pub fn solution(&mut self) -> Solution {
         let solution = self.solution_at_patch();
         self.at.back(solution)

@@ -170,7 +170,8 @@ pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
 /// Largest temperatures, in the cells and at the trailing edges.
 pub(crate) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
     let bulk = now.conduction.bulk_temperatures();
-    // Both surfaces follow from the rise, of which less is lost by rounding, or are found on their own.
+    // Both surfaces follow from the rise, of which less is lost by rounding, or are found on their
+    // own.
     let key = |rise: f64, surfaces: [f64; 2]| {
         if now.surfaces.is_some() { surfaces } else { [rise; 2] }
     };

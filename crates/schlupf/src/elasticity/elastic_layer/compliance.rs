@@ -16,8 +16,8 @@ pub struct LayerCompliance {
     grid: Grid,
     surroundings: Surroundings,
     couples_cells: bool,
-    /// The power of the grid's size with which displacements go, dimensionless; if it is not that of
-    /// stiffnesses per area that stay.
+    /// The power of the grid's size with which displacements go, dimensionless; if it is not that
+    /// of stiffnesses per area that stay.
     growth: Option<f64>,
     lattice: Lattice,
     /// The systems along y, the rows beyond the grid condensed.
@@ -43,7 +43,8 @@ struct Lattice {
 /// A chain of elements beyond a row.
 #[derive(Debug, Clone, Copy)]
 struct Chain {
-    /// Stiffness that it adds to the row, in N/m³, and its change with the logarithm of the grid's size.
+    /// Stiffness that it adds to the row, in N/m³, and its change with the logarithm of the grid's
+    /// size.
     stiffness: f64,
     stiffness_by_size: f64,
     /// Displacement of its end over that of the row, dimensionless.
@@ -51,8 +52,8 @@ struct Chain {
 }
 
 /// The chain of `rows` elements, each on its bedding c + `along` and coupled by g to the next: from
-/// the free end inwards s ← e g/(g + s), e = c + `along` + s. Both couplings go with the inverse square
-/// of the size.
+/// the free end inwards s ← e g/(g + s), e = c + `along` + s. Both couplings go with the inverse
+/// square of the size.
 fn condensed(bedding: f64, along: f64, coupling: f64, rows: usize) -> Chain {
     let end = Chain { stiffness: 0.0, stiffness_by_size: 0.0, to_edge: 1.0 };
     (0..rows).fold(end, |beyond, _| {
@@ -227,8 +228,8 @@ impl LayerCompliance {
     }
 }
 
-/// A component without traction does not move. The transform of both at once leaves it the rounding of
-/// the other one, which a Krylov method for a stiff contact law would take for a second problem.
+/// A component without traction does not move. The transform of both at once leaves it the rounding
+/// of the other one, which a Krylov method for a stiff contact law would take for a second problem.
 fn clear_at_rest(traction: &VectorField, displacement: &mut VectorField) {
     for (t, u) in [(&traction.x, &mut displacement.x), (&traction.y, &mut displacement.y)] {
         if t.iter().all(|t| *t == 0.0) {
@@ -303,7 +304,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     impl LayerCompliance {
-        /// Displacement on the total area, row after row, as pairs of x and y in m; without condensation.
+        /// Displacement on the total area, row after row, as pairs of x and y in m; without
+        /// condensation.
         fn total_displacement(&mut self, traction: &VectorField) -> Vec<Pair> {
             let Surroundings { columns, rows_beyond, .. } = self.surroundings;
             self.transform_rows(traction);
@@ -375,7 +377,8 @@ mod tests {
         }
         assert_relative_eq!(compliance.edge_displacement(&traction), 1.0, max_relative = 1e-12);
     }
-    /// Both components are transformed at once, and yet one without traction stays at zero to the last bit.
+    /// Both components are transformed at once, and yet one without traction stays at zero to the
+    /// last bit.
     #[test]
     fn a_component_without_traction_does_not_move() {
         let mut compliance = compliance(5e-3);

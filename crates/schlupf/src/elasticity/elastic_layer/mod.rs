@@ -2,10 +2,11 @@
 //! rigid wheel and to each other, on the contact area and its surroundings; Eqs. (4)–(7).
 //!
 //! Per area the lattice is c u − g_x δ²u/Δx² − g_y δ²u/Δy² = t with free edges, for u_x and u_y
-//! each with its own c and g. Along x a cosine transform (DCT-II) diagonalises it exactly, both components at once; along y
-//! a tridiagonal system remains for each wave number. Rows outside the contact carry no traction,
-//! so they are condensed beforehand into the stiffness of the outermost contact rows: the static
-//! condensation (6), (7) of the paper, done once. A product costs O(n log n).
+//! each with its own c and g. Along x a cosine transform (DCT-II) diagonalises it exactly, both
+//! components at once; along y a tridiagonal system remains for each wave number. Rows outside the
+//! contact carry no traction, so they are condensed beforehand into the stiffness of the outermost
+//! contact rows: the static condensation (6), (7) of the paper, done once. A product costs O(n log
+//! n).
 
 mod compliance;
 mod tridiagonal;

@@ -19,8 +19,8 @@ pub(super) struct Tridiagonal {
 }
 
 impl Tridiagonal {
-    /// Systems of `rows` rows with the off-diagonal −`coupling`. `bedding` is the diagonal without the
-    /// coupling between the rows, `outside` what lies beyond the first and the last one.
+    /// Systems of `rows` rows with the off-diagonal −`coupling`. `bedding` is the diagonal without
+    /// the coupling between the rows, `outside` what lies beyond the first and the last one.
     pub(super) fn new(bedding: &[Pair], coupling: Pair, rows: usize, outside: &[Pair]) -> Self {
         let waves = bedding.len();
         let mut inverse_pivot: Vec<Pair> = Vec::with_capacity(rows * waves);

@@ -30,8 +30,8 @@ pub struct SlipTerms {
 }
 
 impl SlipTerms {
-    /// μ0 and μ_kin, dimensionless; s1, in m/s; the second term, if any. Friction cannot become negative: μ_kin ≥ 0, and both
-    /// terms are at least zero.
+    /// μ0 and μ_kin, dimensionless; s1, in m/s; the second term, if any. Friction cannot become
+    /// negative: μ_kin ≥ 0, and both terms are at least zero.
     pub fn new(
         coefficient: f64,
         kinetic_coefficient: f64,

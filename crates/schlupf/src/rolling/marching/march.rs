@@ -239,7 +239,8 @@ impl<'a> March<'a> {
         self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
     }
 
-    /// The wheel is shifted at rest (in m), with the friction of the temperature that the material has.
+    /// The wheel is shifted at rest (in m), with the friction of the temperature that the material
+    /// has.
     fn shift(&mut self, distance: [f64; 2], watch: Watch) -> Result<(), Error> {
         let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
         self.now.conduction = self.problem.conduction(&at_rest);

@@ -1,4 +1,5 @@
-//! One of the nested grids on which a steady state is found, from the coarsest to the one asked for.
+//! One of the nested grids on which a steady state is found, from the coarsest to the one asked
+//! for.
 
 use crate::error::Error;
 use crate::grid::Grid;
