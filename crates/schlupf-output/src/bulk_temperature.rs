@@ -29,7 +29,7 @@ pub struct BulkReport {
     pub wheel_radius: Option<f64>,
     /// The balance.
     pub balance: BulkTemperature,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

@@ -21,10 +21,10 @@ use crate::figures::{self, Drawing, Figure, FigureError};
 /// # Ok::<(), schlupf::Error>(())
 /// ```
 pub trait Report {
-    /// Whether to trust it.
+    /// Whether the solution converged.
     fn status(&self) -> Status;
 
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     fn warnings(&self) -> &[Message];
 
     /// For other programs; a number that is not known is `null`.

@@ -26,7 +26,7 @@ pub struct CurveFamily {
     pub sampling: Sampling,
     /// At least one curve.
     pub members: Vec<Member>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

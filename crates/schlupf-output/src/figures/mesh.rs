@@ -174,7 +174,7 @@ mod tests {
         }
     }
 
-    /// (−0.6, 0.8) lies on the circle but for rounding.
+    /// (−0.6, 0.8) lies on the circle except for rounding error.
     #[test]
     fn a_corner_on_the_rim_is_no_spike() {
         let (inside, _) = within_ellipse([[-0.65, 0.75], [-0.6, 0.75], [-0.6, 0.8], [-0.65, 0.8]]);

@@ -45,7 +45,7 @@ pub struct RoughnessReport {
     pub spots: Option<Spots>,
     /// How the surface was made of what was given.
     pub remarks: Vec<String>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

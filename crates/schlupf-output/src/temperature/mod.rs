@@ -88,7 +88,7 @@ pub struct Temperatures {
     pub profile: Line,
     /// Along the row: on the surface, and below it.
     pub rows: Vec<Row>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

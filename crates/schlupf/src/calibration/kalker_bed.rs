@@ -1,5 +1,5 @@
-//! The bed of springs with Kalker's flexibilities: under small creepages its forces are those of
-//! the half-space.
+//! Winkler bedding with Kalker's flexibilities: under small creepages its forces are those of the
+//! half-space.
 
 use crate::elasticity::half_space::HalfSpace;
 use crate::elasticity::winkler::Winkler;
@@ -7,13 +7,13 @@ use crate::error::Error;
 use crate::kalker_coefficients::interpolated_coefficients;
 use crate::reference::kalker_linear::CreepCoefficients;
 
-/// The bed of springs for an elliptic patch of these semi-axes along and across rolling (in m):
+/// The Winkler bedding for an elliptic patch with these semi-axes along and across rolling (in m):
 ///
 /// c_x = 3 C11 G/(8a),  c_y = 3 C22 G/(8a),
 ///
-/// with which a patch that nowhere slides has the forces of Kalker's linear theory under
-/// longitudinal and lateral creepage (Kalker, A fast algorithm for the simplified theory of rolling
-/// contact, Vehicle System Dynamics 11 (1982) 1–13). Under spin it has not: that would need a third
+/// with which a patch without sliding has the forces of Kalker's linear theory under longitudinal
+/// and lateral creepage (Kalker, A fast algorithm for the simplified theory of rolling contact,
+/// Vehicle System Dynamics 11 (1982) 1–13). This does not hold under spin, which would need a third
 /// constant.
 ///
 /// ```

@@ -48,7 +48,7 @@ pub struct Estimate {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fit {
-    /// Whether to trust it: `NotConverged` is no minimum.
+    /// Whether the solution converged: `NotConverged` is no minimum.
     pub status: Status,
     /// The parameters.
     pub estimates: Vec<Estimate>,
@@ -67,7 +67,7 @@ pub struct Fit {
     pub degrees_of_freedom: usize,
     /// Steps of the fit.
     pub iterations: usize,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Warning>,
     /// How much work all solutions were.
     pub work: Work,
@@ -128,7 +128,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// ```
 ///
 /// # Errors
-/// [`Error::Stopped`]; whatever [`check`] refuses; start values without a solution; forces of the
+/// [`Error::Stopped`]; whatever [`check`] rejects; start values without a solution; forces of the
 /// wrong sign; and data that leave a parameter open: no force depends on it, μ0 is looked for in
 /// forces that are in proportion to the creepage, its 95 % interval is wider than itself on each
 /// side (for a parameter that may be zero, at least 0.1), or it goes with another one at a

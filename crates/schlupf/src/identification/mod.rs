@@ -4,7 +4,7 @@
 //! (Levenberg–Marquardt). A [`CreepForceModel`] gives forces with their exact derivatives;
 //! [`RollingContactModel`] is that of the steady solver, [`PolachModel`] that of Polach's method.
 //! What is found comes with confidence intervals and correlations, and data that leave a parameter
-//! open are refused.
+//! open are rejected.
 
 mod adjustment;
 mod confidence;

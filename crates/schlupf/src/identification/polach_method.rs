@@ -31,7 +31,7 @@ impl PolachModel {
     ///
     /// # Errors
     /// A parameter that neither the method nor the friction law has, reductions that cannot be, and
-    /// whatever [`Problem::check`] refuses.
+    /// whatever [`Problem::check`] rejects.
     pub fn new(
         problem: &Problem,
         reduction: AreaReduction,

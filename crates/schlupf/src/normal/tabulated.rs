@@ -17,7 +17,7 @@ const PEAK_RANGE: [f64; 2] = [1.0, 1e14];
 
 /// Normal pressure sampled on an equidistant rectangular lattice, linear in between in each
 /// direction, falling to zero within one spacing outside the lattice. Positions count from the
-/// middle of the patch, whatever the origin of the table was.
+/// centre of the patch, whatever the origin of the table was.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PressureTable {
     x: Axis,
@@ -59,7 +59,7 @@ impl PressureTable {
         Ok(table.seen_from([0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])]))
     }
 
-    /// The same with positions that count from where they were given, not from the middle of the
+    /// The same with positions that count from where they were given, not from the centre of the
     /// patch.
     pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
         let (x, y) = (axis('x', x)?, axis('y', y)?);
@@ -328,7 +328,7 @@ mod tests {
         assert_relative_eq!(extent.y[0], -4e-3, max_relative = 0.01);
     }
 
-    /// Noise around the patch is no contact, and the origin is the middle of the patch.
+    /// Noise around the patch is no contact, and the origin is the centre of the patch.
     #[test]
     fn noise_is_cut_and_the_patch_is_centred() {
         let clean = hertz_table(37);

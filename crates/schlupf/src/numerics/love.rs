@@ -42,8 +42,8 @@ pub(crate) fn cells<const N: usize>(
 mod tests {
     use super::*;
 
-    /// Love 1929: ∫ dA/r over a square of half-side 1 about its centre is 8 asinh 1, and the sum
-    /// over adjacent rectangles equals the integral over each alone.
+    /// Love 1929: ∫ dA/r over a square of half-side 1 about its centre is 8 asinh 1, and cells
+    /// evaluated together give the same integrals as each on its own.
     #[test]
     fn love_1929_a_square() {
         let potential = |at: [f64; 2]| [corner(at).iter().sum::<f64>()];

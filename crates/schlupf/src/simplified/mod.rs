@@ -94,7 +94,7 @@ impl FastContact {
     /// ```
     ///
     /// # Errors
-    /// Whatever [`FastMethod::check`], [`Problem::check`] and [`Options::check`] refuse.
+    /// Whatever [`FastMethod::check`], [`Problem::check`] and [`Options::check`] reject.
     pub fn new(problem: &Problem, method: FastMethod, options: &Options) -> Result<Self, Error> {
         options.check()?;
         method.check()?;
@@ -151,7 +151,7 @@ impl FastContact {
     /// is `None`. Allocates nothing.
     ///
     /// # Errors
-    /// Whatever [`Kinematics::check`] refuses.
+    /// Whatever [`Kinematics::check`] rejects.
     pub fn force(&mut self, motion: &Kinematics) -> Result<Resultant, Error> {
         motion.check()?;
         self.at.set_motion(motion);
@@ -178,7 +178,7 @@ impl FastContact {
         self.at.back(solution)
     }
 
-    /// The same with the middle of the patch as its reference point.
+    /// The same with the centre of the patch as its reference point.
     fn solution_at_patch(&mut self) -> Solution {
         let force = self.present_force();
         let (problem, normal) = (&self.at.problem, &self.contact.normal);

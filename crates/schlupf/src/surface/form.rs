@@ -247,7 +247,8 @@ mod tests {
         assert_eq!(removal.radius.abs(), f64::INFINITY);
     }
 
-    /// A ball of radius 2 mm whose summit lies beside the middle, and a cup: exact to rounding.
+    /// A ball of radius 2 mm whose summit lies beside the middle, and a cup: exact to rounding
+    /// error.
     #[test]
     fn a_sphere_is_taken_off() {
         for sign in [1.0, -1.0] {

@@ -42,7 +42,7 @@ impl HeightMap {
     /// are smoother than the surface, so the more there are the less rough is what comes out.
     ///
     /// # Errors
-    /// As [`HeightMap::new`] where holes are refused; holes in more than half of the cells.
+    /// As [`HeightMap::new`] where holes are rejected; holes in more than half of the cells.
     pub fn with_holes(lattice: Lattice, heights: Vec<f64>, holes: Holes) -> Result<Self, Error> {
         if holes == Holes::Refuse {
             return Self::new(lattice, heights);

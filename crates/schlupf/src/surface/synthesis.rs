@@ -6,7 +6,7 @@
 //! lattice gives the same surface with more detail.
 //!
 //! Phases come from a PCG XSL 128/64 generator (O'Neill 2014), the same on every machine; heights
-//! are the same to rounding of the Fourier transform.
+//! are the same to rounding error of the Fourier transform.
 
 use std::f64::consts::TAU;
 
@@ -129,7 +129,7 @@ impl SelfAffine {
     }
 }
 
-/// Wavelengths that a whole number of waves makes exactly must not be lost to rounding.
+/// Wavelengths that a whole number of waves makes exactly must not be lost to rounding error.
 const ROUNDING: f64 = 1e-9;
 
 /// A surface whose spectral density is C(q) (in m⁴, of q in rad/m), alike in all directions, with

@@ -5,7 +5,8 @@ use super::{FrictionResponse, require_below, require_coefficient};
 use crate::error::{Error, require_positive};
 use crate::quantity::Quantity;
 
-/// Sums of coefficients may exceed μ0 by this part of it: decimal numbers add up to rounding only.
+/// Sums of coefficients may exceed μ0 by this part of it: decimal numbers add up to rounding error
+/// only.
 const ROUNDING: f64 = 1e-12;
 
 /// The second term of a law μ_kin + μ1 f1(s/s1) + μ2 f2(s/s2) of the slip speed s.

@@ -79,7 +79,7 @@ impl ContactStiffness {
     }
 }
 
-/// Steps of the golden section: to rounding.
+/// Steps of the golden section: to rounding error.
 const STEPS: u32 = 60;
 
 /// The k_c with the least sum of squares.

@@ -40,7 +40,7 @@ pub enum Boundary {
 pub struct RoughContactOptions {
     /// Relative error of the energy to reach, dimensionless; in practice that of the pressure.
     pub tolerance: f64,
-    /// Most iterations.
+    /// Maximum number of iterations.
     pub max_iterations: usize,
 }
 

@@ -24,7 +24,7 @@ pub(super) struct Level {
     pub response: Vec<f64>,
     /// The same of the points before, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
-    /// Its first guess from those before alone, in Pa.
+    /// Its initial guess from those before alone, in Pa.
     pub foreseen: Vec<f64>,
     pub room: Room,
 }

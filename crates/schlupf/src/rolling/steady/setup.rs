@@ -194,7 +194,7 @@ impl Setup {
         Ok(end.map(|outcome| (outcome, force)))
     }
 
-    /// The first guess on a level: what extrapolation along the earlier solutions gives, and the
+    /// The initial guess on a level: what extrapolation along the earlier solutions gives, and the
     /// part of the next coarser solution that this did not foresee.
     fn guess(&mut self, depth: usize, ahead: f64) {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
