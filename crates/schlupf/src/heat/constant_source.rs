@@ -1,4 +1,5 @@
-//! The paper's heat model: each step as if its source had always been constant; Eqs. (21), (22).
+//! The paper's heat model: each step is treated as if its source had always been constant; Eqs.
+//! (21), (22).
 
 use std::f64::consts::FRAC_2_SQRT_PI;
 
@@ -26,7 +27,7 @@ impl HeatModel for ConstantSource {
     fn derivatives(&self, record: &[HeatStep], by_flux: &mut [f64]) {
         let rise = self.rise_times_effusivity(record);
         for (step, derivative) in record.iter().zip(by_flux) {
-            // No source, no rise: its derivative has no direction there.
+            // Without a source there is no rise, and the derivative has no direction.
             let over_rise = if rise > 0.0 { step.flux / rise } else { 0.0 };
             *derivative = FRAC_2_SQRT_PI.powi(2) * over_rise * step.duration;
         }

@@ -1,14 +1,14 @@
 //! Steady conduction in wheel and rail where heat also flows along the surface: slow rolling, and a
 //! wheel that spins near standstill.
 //!
-//! Each body is a half-space that moves with its own speed under the patch, and both surfaces
-//! touch: with the partition from the velocities q_w + q_r = q and T_w + G_w q_w = T_r + G_r q_r
-//! hold in every cell. So the heat that goes into the wheel has one part by a fixed share, and an
-//! exchange e of which
+//! Each body is a half-space that moves at its own speed under the patch, and the two surfaces
+//! touch: with the partition from the velocities, q_w + q_r = q and T_w + G_w q_w = T_r + G_r q_r
+//! hold in every cell. The heat into the wheel is split into a fixed share ε of q and an exchange e
+//! with
 //!
 //! (G_w + G_r) e = T_r − T_w + G_r (1 − ε) q − G_w ε q.
 //!
-//! With a given partition e is that of the bulk temperatures alone.
+//! With a prescribed partition, e is due to the bulk temperatures alone.
 
 use std::fmt;
 
@@ -23,7 +23,7 @@ use crate::patch::{Interpolation, Patch};
 use super::moving_half_space::MovingHalfSpace;
 use super::partition::Conduction;
 
-/// What conducts heat, and on which scale.
+/// Conducting bodies and their length scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Conductors {
     /// Partition, bulk temperatures and speeds.
@@ -32,20 +32,20 @@ pub(crate) struct Conductors {
     pub materials: [Material; 2],
     /// Speed of the rail v0, in m/s.
     pub speed: f64,
-    /// Size of all lengths over those of the patch, dimensionless.
+    /// Ratio of all lengths to those of the patch, dimensionless.
     pub scale: f64,
 }
 
-/// Temperatures of both surfaces, and the heat that the bodies take.
+/// Temperatures of both surfaces, and the heat received by the bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Surfaces {
-    /// Of wheel and rail in every cell, in degC.
+    /// Surface temperatures of wheel and rail in every cell, in degC.
     pub cells: Vec<[f64; 2]>,
     /// At the trailing edge of every strip, in degC.
     pub exits: Vec<[f64; 2]>,
     /// Frictional heat into wheel and rail, in W.
     pub into: [f64; 2],
-    /// Heat from the wheel into the rail because of their bulk temperatures, in W.
+    /// Heat from the wheel into the rail due to their bulk temperatures, in W.
     pub exchanged: f64,
     /// Whether the exchange between the bodies was found.
     pub is_found: bool,
@@ -56,37 +56,39 @@ pub(crate) struct ContactConduction {
     pub conductors: Conductors,
     /// Shares of wheel and rail without the exchange, dimensionless.
     shares: [f64; 2],
-    /// Symbols of wheel and rail and of both together, over the number of points of the lattice.
+    /// Symbols of wheel and rail and of both together, divided by the number of points of the
+    /// lattice.
     symbols: [Vec<Complex<f64>>; 3],
     /// The inverse of the last one.
     inverse: Vec<Complex<f64>>,
-    /// Contact temperature over the flux of a cell, by columns downstream, in K m²/W.
+    /// Contact temperature per unit flux of a cell, by columns downstream, in K m²/W.
     downstream: Vec<f64>,
     transform: RealTransform,
     interpolation: Interpolation,
     /// Position of each cell on the grid.
     index: Vec<usize>,
-    /// Cells in which the surfaces are made equally hot: those of which the patch covers half. So
-    /// its area is right on the mean, which counts for the heat that flows in at its edge.
+    /// Cells in which the surfaces are made equally hot: those at least half covered by the patch.
+    /// This makes their area right on average, which matters for the heat that flows in at the
+    /// edge.
     joined: Vec<usize>,
-    /// Exchange by the bulk temperatures: flux into wheel and rail of each cell, in W/m².
+    /// Exchange due to the bulk temperatures: flux into wheel and rail of each cell, in W/m².
     bulk_flux: Vec<f64>,
     /// Contact temperature without friction in each cell, in degC.
     pub unheated: Vec<f64>,
-    /// Whether it was found, and all that was asked for since.
+    /// Whether it was found, and whether everything requested since was found.
     is_found: [bool; 2],
     grid: Grid,
     source: VectorField,
     field: VectorField,
 }
 
-/// A kernel in [`ContactConduction::symbols`].
+/// Index of the kernel of both bodies in [`ContactConduction::symbols`].
 const TOGETHER: usize = 2;
 
-/// Largest difference of the surface temperatures over that without exchange, dimensionless.
+/// Largest difference of the surface temperatures relative to that without exchange, dimensionless.
 const ACCURACY: f64 = 1e-10;
 
-/// The same below which the exchange is rounding.
+/// The relative difference below which the exchange is rounding error.
 const ROUNDING: f64 = 1e-13;
 
 /// Maximum number of iterations; some twelve are enough on any grid.
@@ -136,8 +138,8 @@ impl ContactConduction {
         found
     }
 
-    /// Shares with which little is left to the exchange: equal mean temperatures under a flux like
-    /// the pressure.
+    /// Chooses shares that leave little to the exchange: those with equal mean temperatures under a
+    /// flux proportional to the pressure.
     fn divide(&mut self, patch: &Patch) {
         if !self.conductors.conduction.has_equal_surfaces() {
             return;
@@ -164,14 +166,14 @@ impl ContactConduction {
         [wheel, 1.0 - wheel]
     }
 
-    /// Contact temperature (in K m²/W) over the flux of a cell of the same row so many columns
+    /// Contact temperature (in K m²/W) per unit flux of a cell of the same row so many columns
     /// upstream, without the change of the exchange.
     pub fn downstream(&self, columns: usize) -> f64 {
         self.downstream[columns]
     }
 
-    /// Surface temperature rises of wheel and rail in each cell (in K) under the fluxes into them
-    /// (in W/m²). Those of the whole grid are left in the field.
+    /// Surface temperature rises of wheel and rail in each cell (in K) under the given fluxes into
+    /// them (in W/m²). Those of the whole grid are left in the field.
     fn rises(&mut self, flux: &[f64]) -> Vec<f64> {
         self.interpolation.spread(flux, &mut self.source);
         conduct(&mut self.transform, &self.symbols[0], &self.source.x, &mut self.field.x);
@@ -194,8 +196,8 @@ impl ContactConduction {
         self.joined.iter().map(|k| flux[2 * k]).collect()
     }
 
-    /// About the exchange that makes the surfaces differ by so much in the joined cells: that of
-    /// bodies which touch everywhere.
+    /// Estimates the exchange that makes the surfaces differ by the given amount in the joined
+    /// cells: that of bodies which touch everywhere.
     fn estimate(&mut self, parting: &[f64]) -> Vec<f64> {
         self.source.x.fill(0.0);
         for (k, value) in self.joined.iter().zip(parting) {
@@ -232,7 +234,7 @@ impl ContactConduction {
             add_scaled(&mut residual, -step, &product);
             past.push([direction, product]);
         }
-        // Not so where a number is none.
+        // False if a number is NaN.
         self.is_found[1] &= norm(&residual) <= ACCURACY * start;
         exchange
     }
@@ -265,7 +267,8 @@ impl ContactConduction {
         wheel * surfaces[0] + rail * surfaces[1]
     }
 
-    /// Fluxes into wheel and rail of a friction power over area, mean over each cell (in W/m²).
+    /// Fluxes into wheel and rail for a friction power per unit area, mean over each cell (in
+    /// W/m²).
     fn divided(&mut self, power: &[f64]) -> Vec<f64> {
         let shares = self.shares;
         let mut flux: Vec<f64> = power.iter().flat_map(|q| shares.map(|share| share * q)).collect();
@@ -281,8 +284,8 @@ impl ContactConduction {
         flux
     }
 
-    /// Rise of the contact temperature (in K) by a friction power over area, mean over each cell
-    /// (in W/m²).
+    /// Rise of the contact temperature (in K) due to a friction power per unit area, mean over each
+    /// cell (in W/m²).
     pub fn contact_rise(&mut self, power: &[f64], rise: &mut [f64]) {
         let flux = self.divided(power);
         let rises = self.rises(&flux);
@@ -291,7 +294,7 @@ impl ContactConduction {
         }
     }
 
-    /// Both surfaces under a friction power over area, mean over each cell (in W/m²).
+    /// Both surfaces under a friction power per unit area, mean over each cell (in W/m²).
     pub fn surfaces(&mut self, patch: &Patch, power: &[f64]) -> Surfaces {
         self.is_found[1] = self.is_found[0];
         let flux = self.divided(power);
@@ -341,7 +344,7 @@ impl fmt::Debug for ContactConduction {
     }
 }
 
-/// The transform of an influence on a lattice of `size` points, over their number.
+/// The transform of an influence on a lattice of `size` points, divided by their number.
 fn symbol(influence: &[f64], [columns, rows]: [usize; 2], size: [usize; 2]) -> Vec<Complex<f64>> {
     let points = (size[0] * size[1]) as f64;
     let mut periodic = vec![0.0; size[0] * size[1]];
@@ -386,8 +389,8 @@ mod tests {
 
     const RADIUS: f64 = 5e-3;
 
-    /// Rises of the rail in every cell over q a/λ, all of a uniform flux q over a circle going into
-    /// it, and the patch; at a Péclet number v a/κ.
+    /// Rises of the rail in every cell relative to q a/λ, with a uniform flux q over a circle going
+    /// entirely into the rail, and the patch; at a Péclet number v a/κ.
     fn under_uniform_circle(peclet: f64, cells: usize) -> (Vec<f64>, Patch) {
         let source = Ellipse::from_peak_pressure(RADIUS, RADIUS, 1e9).unwrap();
         let contact = source.normal_contact(None).unwrap();
@@ -410,8 +413,8 @@ mod tests {
         (surfaces.cells.iter().map(rise).collect(), patch)
     }
 
-    /// Carslaw and Jaeger 1959, §10.5: under a uniform flux over a circle at rest the centre has q
-    /// a/λ and the mean is 8 q a/(3πλ); the mean converges with the cells.
+    /// Carslaw and Jaeger 1959, §10.5: under a uniform flux over a circle at rest the rise is q a/λ
+    /// at the centre and 8 q a/(3πλ) on average; the mean converges with the cells.
     #[test]
     fn carslaw_jaeger_1959_uniform_circle_at_rest() {
         for (cells, allowed) in [(11, 1e-2), (21, 4e-3), (41, 1.5e-3)] {
@@ -427,7 +430,7 @@ mod tests {
     }
 
     /// Tian and Kennedy 1994: a moving uniform circle, at most 2 q a/(λ √(π (1.273 + v a/2κ))), an
-    /// interpolation between the limits that is good to 2.5 %.
+    /// interpolation between the limits that is accurate to 2.5 %.
     #[test]
     fn tian_kennedy_1994_moving_uniform_circle() {
         for peclet in [0.2, 1.0, 4.0, 10.0, 40.0, 100.0, 400.0] {

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 use super::{HeatModel, HeatStep};
 
 /// T β = (1/√π) ∫ q(t') dt'/√(t − t'), with q constant within each step and the kernel integrated
-/// exactly: a step from s₁ to s₂ before now weighs (2/√π)(√s₂ − √s₁).
+/// exactly: a step from s₁ to s₂ before now has the weight (2/√π)(√s₂ − √s₁).
 ///
 /// ```
 /// use schlupf::heat::{HeatModel, HeatStep, duhamel::Duhamel};
@@ -59,7 +59,7 @@ mod tests {
     use super::*;
     use crate::heat::constant_source::ConstantSource;
 
-    /// Carslaw and Jaeger 1959, §2.9 (7): constant flux, T = (2/√π) q √t/β; both models exact.
+    /// Carslaw and Jaeger 1959, §2.9 (7): constant flux, T = (2/√π) q √t/β; exact for both models.
     #[test]
     fn carslaw_jaeger_1959_constant_flux() {
         let record = vec![HeatStep { flux: 3e8, duration: 1e-5 }; 40];

@@ -1,9 +1,9 @@
 //! Frictional heating and surface temperatures, Eqs. (17)–(22).
 //!
 //! A material point carries the record of the heat it has received since it entered the contact. At
-//! the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt 1995),
-//! so this record determines the temperature of the point. In slow rolling it flows along the
-//! surface too; then the steady driver solves for the temperatures of the whole patch
+//! rolling speeds, heat flows perpendicular to the surface only (Knothe and Liebelt 1995), so this
+//! record determines the temperature of the point. In slow rolling heat also flows along the
+//! surface; then the steady driver solves for the temperatures of the whole patch
 //! (`contact_conduction`).
 
 pub mod constant_source;
@@ -26,26 +26,27 @@ use partition::Partition;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HeatStep {
-    /// Heat per area and time, both bodies together, in W/m².
+    /// Heat flux, both bodies together, in W/m².
     pub flux: f64,
-    /// How long the step lasted, in s.
+    /// Duration of the step, in s.
     pub duration: f64,
 }
 
 /// A model of the temperature of a heated surface. Extension point.
 pub trait HeatModel: Debug + Send + Sync {
-    /// Temperature rise times the effusivity β = √(λρc) (in W √s/m²) of a half-space that took all
-    /// of the heat in `record`, the latest step first.
+    /// Temperature rise times the effusivity β = √(λρc) (in W √s/m²) of a half-space that received
+    /// all the heat in `record`, the latest step first.
     fn rise_times_effusivity(&self, record: &[HeatStep]) -> f64;
 
-    /// Its derivatives with respect to the flux of each step, in √s, in the order of the record.
+    /// Derivatives of the rise with respect to the flux of each step, in √s, in the order of the
+    /// record.
     fn derivatives(&self, record: &[HeatStep], by_flux: &mut [f64]);
 
-    /// Whether the derivatives do not depend on the fluxes.
+    /// Whether the derivatives are independent of the fluxes.
     fn is_linear(&self) -> bool;
 
-    /// Whether it is the exact conduction perpendicular to the surface, in whose place that in all
-    /// directions is taken where they differ.
+    /// Whether it is exact conduction perpendicular to the surface, which is replaced by conduction
+    /// in all directions where the two differ.
     fn is_conduction(&self) -> bool {
         false
     }
@@ -61,21 +62,21 @@ pub trait HeatModel: Debug + Send + Sync {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Heat {
-    /// The model; `None` leaves the material at the temperature with which it enters.
+    /// The model; `None` leaves the material at its entry temperature.
     pub model: Option<Arc<dyn HeatModel>>,
-    /// Which body takes how much.
+    /// How the heat is divided between the bodies.
     pub partition: Partition,
 }
 
 impl Default for Heat {
-    /// Conduction perpendicular to the surface, with equal temperatures of both.
+    /// Conduction perpendicular to the surface, with equal surface temperatures of both bodies.
     fn default() -> Self {
         Self { model: Some(Arc::new(duhamel::Duhamel)), partition: Partition::Velocity }
     }
 }
 
 impl Heat {
-    /// No heating: the material keeps the temperature with which it enters.
+    /// No heating: the material keeps its entry temperature.
     pub fn none() -> Self {
         Self { model: None, ..Self::default() }
     }

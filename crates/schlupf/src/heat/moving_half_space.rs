@@ -1,20 +1,21 @@
-//! Surface temperature of a half-space that moves under sources of heat which stay in place: steady
-//! conduction in all three directions (Jaeger 1942; Carslaw and Jaeger 1959, §10.7).
+//! Surface temperature of a half-space that moves under stationary heat sources: steady conduction
+//! in all three directions (Jaeger 1942; Carslaw and Jaeger 1959, §10.7).
 
 use std::f64::consts::PI;
 
 use crate::grid::Grid;
 use crate::numerics::vector::add_scaled;
 
-/// A half-space that moves against x under a grid of cells, each of which releases heat evenly.
+/// A half-space that moves in the −x direction under a grid of cells, each of which releases heat
+/// uniformly.
 ///
-/// What a rectangular cell of flux q released a time t ago has been carried a way v t downstream
-/// and has spread in x and y as F = ½ erf((X + ½Δ)/√(4κt)) − ½ erf((X − ½Δ)/√(4κt)), and into the
-/// depth, so
+/// Heat that a rectangular cell of flux q released a time t ago has been carried a distance v t
+/// downstream and has spread in x and y as F = ½ erf((X + ½Δ)/√(4κt)) − ½ erf((X − ½Δ)/√(4κt)), and
+/// into the depth, so
 ///
 /// T = (2q/(β√π)) ∫ F_x(x + v τ²) F_y(y) dτ,    τ = √t from 0 to ∞,
 ///
-/// of which F = 1 is the conduction perpendicular to the surface.
+/// where F = 1 gives conduction perpendicular to the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MovingHalfSpace {
     /// Speed v, in m/s.
@@ -25,14 +26,13 @@ pub(crate) struct MovingHalfSpace {
     pub effusivity: f64,
 }
 
-/// Steps of √t grow by this part of it, as long as
+/// Steps of √t grow by this fraction, as long as
 const GROWTH: f64 = 0.5;
 
-/// they do not exceed this times √κ/v: within that what has been released moves on by as much as it
-/// has spread.
+/// they do not exceed this times √κ/v: within that, the released heat moves as far as it spreads.
 const STEP: f64 = 1.0;
 
-/// Nodes and weights of Gauss and Legendre on (−1, 1), the positive half.
+/// Nodes and weights of Gauss–Legendre quadrature on (−1, 1), the positive half.
 const GAUSS: [[f64; 2]; 4] = [
     [0.183_434_642_495_649_8, 0.362_683_783_378_362],
     [0.525_532_409_916_329, 0.313_706_645_877_887_3],
@@ -40,16 +40,17 @@ const GAUSS: [[f64; 2]; 4] = [
     [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
 ];
 
-/// Where exp(−s²) is rounding.
+/// Value of s at which exp(−s²) is rounding error.
 const NEGLIGIBLE: f64 = 6.0;
 
-/// Farthest spreading that counts, over the length of the grid: under a body at rest what is left
-/// to come falls as its inverse.
+/// Farthest spreading considered, relative to the length of the grid: under a body at rest the
+/// remainder decreases as its inverse.
 const FARTHEST: f64 = 1e8;
 
 impl MovingHalfSpace {
-    /// Temperature rise over the flux of a cell (in K m²/W) at centres of cells: i columns upstream
-    /// of it and j rows beside it at `[(i + columns − 1) · rows + j]`, i from −(columns − 1) on.
+    /// Temperature rise per unit flux of a cell (in K m²/W) at the centres of cells: i columns
+    /// upstream of it and j rows beside it at `[(i + columns − 1) · rows + j]`, starting from i =
+    /// −(columns − 1).
     pub fn influence(&self, grid: &Grid) -> Vec<f64> {
         let (columns, rows) = (grid.columns, grid.rows);
         let size = [grid.spacing_x, grid.spacing_y];
@@ -74,7 +75,7 @@ impl MovingHalfSpace {
     }
 
     /// Nodes and weights for the integral over √t (in √s), for cells of `smallest` size on a grid
-    /// that reaches as far as `reach` (in m).
+    /// of extent `reach` (in m).
     fn nodes(&self, smallest: f64, reach: f64) -> Vec<[f64; 2]> {
         let root = self.diffusivity.sqrt();
         let longest = STEP * root / self.speed;
@@ -98,9 +99,9 @@ impl MovingHalfSpace {
     }
 }
 
-/// Parts of what a cell of some size has released that are now over cells of its size, the first at
-/// a distance and each one `size` farther, over the part that would be without spreading (all in
-/// m).
+/// Fractions of the heat released by a cell that are now over cells of the same size, the first at
+/// a given distance and each further one `size` away, relative to the fraction without spreading
+/// (all in m).
 fn shares([first, size]: [f64; 2], spread: f64, shares: &mut [f64]) {
     let edge = |k: usize| (first + (k as f64 - 0.5) * size) / spread;
     let mut lower = edge(0);
@@ -141,17 +142,17 @@ mod tests {
         MovingHalfSpace { speed, diffusivity: 0.5, effusivity: 2.0_f64.sqrt() }
     }
 
-    /// Carslaw and Jaeger 1959, §10.5: the centre of a square source of half-length l on a body at
-    /// rest has (1/(2πλ)) ∫∫ q dA/R = (4 q l/(πλ)) asinh 1.
+    /// Carslaw and Jaeger 1959, §10.5: at the centre of a square source of half-length l on a body
+    /// at rest the rise is (1/(2πλ)) ∫∫ q dA/R = (4 q l/(πλ)) asinh 1.
     #[test]
     fn carslaw_jaeger_1959_square_source_at_rest() {
         let influence = body(0.0).influence(&grid(3, 3));
         assert_relative_eq!(influence[2 * 3], 4.0 / PI * 1.0_f64.asinh(), max_relative = 1e-7);
     }
 
-    /// Jaeger 1942: a moving square source, against (1/2πλ) ∫∫ exp(−v(R + X)/2κ)/R dA by adaptive
-    /// cubature (SciPy's dblquad, to 1e-9), one cell downstream, beside that, and upstream and
-    /// beside.
+    /// Jaeger 1942: a moving square source, compared with (1/2πλ) ∫∫ exp(−v(R + X)/2κ)/R dA by
+    /// adaptive cubature (SciPy's dblquad, to 1e-9), one cell downstream, beside that, and upstream
+    /// and beside.
     #[test]
     fn jaeger_1942_moving_square_source() {
         for (speed, expected) in [
@@ -166,8 +167,8 @@ mod tests {
         }
     }
 
-    /// The limit of high speed: the own half cell gives (2q/(β√π)) √(Δx/2v), the cell k upstream
-    /// the difference of two such roots, and rows beside it nothing.
+    /// The limit of high speed: the cell's own half contributes (2q/(β√π)) √(Δx/2v), the cell k
+    /// upstream the difference of two such roots, and adjacent rows nothing.
     #[test]
     fn a_fast_body_conducts_perpendicular_to_its_surface() {
         let (body, grid) = (body(1e6), grid(5, 3));

@@ -1,4 +1,4 @@
-//! How the heat divides between wheel and rail, and the temperatures that result.
+//! Partition of heat between wheel and rail, and the resulting temperatures.
 
 use crate::kinematics::Kinematics;
 use crate::material::Body;
@@ -6,15 +6,15 @@ use crate::material::Body;
 /// Share of the wheel in the frictional heat.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Partition {
-    /// Given, dimensionless, between 0 and 1 (0.5 in the paper). Both bodies then pass through the
-    /// contact with the speed v0.
+    /// Prescribed, dimensionless, between 0 and 1 (0.5 in the paper). Both bodies then pass through
+    /// the contact at the speed v0.
     Given(f64),
-    /// From equal surface temperatures: β_w √(ωR) / (β_w √(ωR) + β_r √v0). Each body passes with
-    /// its own speed.
+    /// From equal surface temperatures: β_w √(ωR) / (β_w √(ωR) + β_r √v0). Each body passes at its
+    /// own speed.
     Velocity,
 }
 
-/// What a pair of bodies makes of heat, at given speeds.
+/// Response of a pair of bodies to heat, at given speeds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conduction {
     /// Temperature of both surfaces on entry, in degC: the mean of the bulk temperatures, weighted
@@ -22,7 +22,7 @@ pub struct Conduction {
     pub entry_temperature: f64,
     /// Bulk temperatures of wheel and rail, in degC.
     bulk: [f64; 2],
-    /// Rise of wheel and rail over the rise times effusivity, in m² √s K/W.
+    /// Ratio of the rises of wheel and rail to the rise times effusivity, in m² √s K/W.
     factor: [f64; 2],
     /// Weight of the wheel's surface in the contact temperature, dimensionless.
     wheel_weight: f64,
@@ -36,10 +36,10 @@ impl Conduction {
     /// Conduction in wheel and rail at the speeds of `kinematics`.
     pub fn new(partition: Partition, wheel: &Body, rail: &Body, kinematics: &Kinematics) -> Self {
         let effusivity = [wheel.material.effusivity(), rail.material.effusivity()];
-        // Time in contact of the wheel's material over that of the rail's.
+        // Ratio of the contact times of the materials of wheel and rail.
         let slowness = match partition {
             Partition::Given(_) => 1.0,
-            // A ratio of speeds, also of bodies at rest.
+            // A ratio of speeds, also for bodies at rest.
             Partition::Velocity => {
                 Kinematics { speed: 1.0, ..*kinematics }.circumferential_speed().recip()
             }
@@ -62,7 +62,7 @@ impl Conduction {
         }
     }
 
-    /// Parts of wheel and rail in the frictional heat, dimensionless.
+    /// Shares of wheel and rail in the frictional heat, dimensionless.
     pub fn shares(&self) -> [f64; 2] {
         [self.share, 1.0 - self.share]
     }
@@ -77,12 +77,12 @@ impl Conduction {
         self.follows_speed
     }
 
-    /// Weight of the wheel's bulk temperature in that of material that enters, dimensionless.
+    /// Weight of the wheel's bulk temperature in the entry temperature, dimensionless.
     pub fn wheel_weight(&self) -> f64 {
         self.wheel_weight
     }
 
-    /// Time in contact of the wheel's material over that of the rail's, dimensionless.
+    /// Ratio of the contact times of the materials of wheel and rail, dimensionless.
     pub fn slowness(&self) -> f64 {
         self.slowness
     }
@@ -92,14 +92,14 @@ impl Conduction {
         self.factor.map(|factor| self.entry_temperature + factor * rise_times_effusivity)
     }
 
-    /// Rises of the surfaces of wheel and rail over their own bulk temperatures, in K.
+    /// Rises of the surfaces of wheel and rail above their own bulk temperatures, in K.
     pub fn rises(&self, rise_times_effusivity: f64) -> [f64; 2] {
         let surface = self.surface_temperatures(rise_times_effusivity);
         [surface[0] - self.bulk[0], surface[1] - self.bulk[1]]
     }
 
-    /// Change of the contact temperature (in K) with the logarithm of v0/(ωR), for a rise times
-    /// effusivity in W √s/m² that stays.
+    /// Derivative of the contact temperature (in K) with respect to ln(v0/(ωR)), at constant rise
+    /// times effusivity in W √s/m².
     pub fn contact_temperature_by_slowness(&self, rise_times_effusivity: f64) -> f64 {
         if !self.follows_speed {
             return 0.0;
@@ -116,8 +116,8 @@ impl Conduction {
         self.wheel_weight * self.factor[0] + (1.0 - self.wheel_weight) * self.factor[1]
     }
 
-    /// The temperature that friction depends on, in degC: the mean of the two surfaces, weighted by
-    /// β√v.
+    /// The temperature on which friction depends, in degC: the mean of the two surfaces, weighted
+    /// by β√v.
     pub fn contact_temperature(&self, rise_times_effusivity: f64) -> f64 {
         let surface = self.surface_temperatures(rise_times_effusivity);
         self.wheel_weight * surface[0] + (1.0 - self.wheel_weight) * surface[1]
@@ -135,8 +135,8 @@ mod tests {
         Kinematics { speed: 30.0, creepage_x, creepage_y: 0.0, spin: 0.0 }
     }
 
-    /// With the partition from the velocities both surfaces are equally hot, whatever they are made
-    /// of, and a hot wheel on a cold rail of the same steel enters at the mean.
+    /// With the partition from the velocities both surfaces are equally hot, whatever their
+    /// materials, and a hot wheel on a cold rail of the same steel enters at the mean.
     #[test]
     fn velocity_partition_makes_equal_surfaces() {
         let mut wheel = Body { bulk_temperature: 150.0, ..Body::STEEL };
@@ -150,7 +150,7 @@ mod tests {
         assert_relative_eq!(conduction.contact_temperature(2e6), hot, max_relative = 1e-14);
     }
 
-    /// With a given partition each body takes its share, at the speed v0.
+    /// With a prescribed partition each body takes its share, at the speed v0.
     #[test]
     fn given_partition_is_taken_as_it_is() {
         let conduction =

@@ -1,4 +1,5 @@
-//! How fast a body is carried through the contact, over how fast heat spreads in it.
+//! Péclet numbers: speed of a body through the contact relative to the speed at which heat spreads
+//! in it.
 
 use crate::grid::{BORDER, Grid};
 use crate::normal::NormalSummary;
@@ -6,7 +7,8 @@ use crate::warning::Warning;
 
 /// The Péclet number v a/κ below which, times (b/a)² on patches that are longer than wide, heat
 /// also flows along the surface. At this number a flux like Hertz's pressure gives 0.2 % less than
-/// with conduction perpendicular to the surface only; the difference falls as its inverse.
+/// with conduction perpendicular to the surface only; the difference is inversely proportional to
+/// it.
 const FAST: f64 = 500.0;
 
 /// Péclet numbers of wheel and rail in a contact of semi-axes a along and b across rolling.
@@ -19,8 +21,8 @@ pub struct Peclet {
 }
 
 impl Peclet {
-    /// For semi-axes `a`, `b` (in m), speeds of the material of wheel and rail through the contact
-    /// (in m/s), and diffusivities κ (in m²/s).
+    /// Péclet numbers for semi-axes `a`, `b` (in m), speeds of the material of wheel and rail
+    /// through the contact (in m/s), and diffusivities κ (in m²/s).
     pub fn new([a, b]: [f64; 2], speeds: [f64; 2], diffusivities: [f64; 2]) -> Self {
         let number = |body: usize| speeds[body] * a / diffusivities[body];
         Self { numbers: [number(0), number(1)], aspect: b / a }
@@ -33,7 +35,7 @@ impl Peclet {
         self.numbers.iter().all(|number| number * narrow >= FAST)
     }
 
-    /// A warning about temperatures that rely on that, if it is not so: those of the contact, or
+    /// A warning if this does not hold, for temperatures that assume it: those of the contact, or
     /// those of the field below and behind it.
     pub fn caveat(&self, is_field: bool) -> Option<Warning> {
         let (peclet, is_narrow) = (self.numbers, self.aspect < 1.0);
@@ -47,7 +49,7 @@ pub(crate) fn semi_axes_of_grid(grid: &Grid) -> [f64; 2] {
     [0.5 * along, 0.5 * grid.rows as f64 * grid.spacing_y]
 }
 
-/// Those of a normal contact, in m.
+/// Semi-axes of a normal contact, in m.
 pub(crate) fn semi_axes(normal: &NormalSummary) -> [f64; 2] {
     [normal.semi_axis_x, normal.semi_axis_y]
 }
@@ -56,7 +58,7 @@ pub(crate) fn semi_axes(normal: &NormalSummary) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// The slower of both bodies counts, and a narrow patch must be faster.
+    /// The slower of the two bodies is decisive, and a narrow patch must be faster.
     #[test]
     fn the_slower_body_and_the_narrow_patch_count() {
         let of = |axes, speeds| Peclet::new(axes, speeds, [1e-5; 2]);

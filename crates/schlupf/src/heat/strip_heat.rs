@@ -1,5 +1,5 @@
-//! Heat down the strips of a patch in steady rolling: the temperature of a cell follows from what
-//! the cells upstream of it and the cell itself release.
+//! Heat along the strips of a patch in steady rolling: the temperature of a cell follows from the
+//! heat released by the cells upstream of it and by the cell itself.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,25 +9,25 @@ use crate::patch::{Patch, Strip};
 
 use super::{HeatModel, HeatStep};
 
-/// Heat fluxes in the cells of a patch, and what they weigh in the temperatures.
+/// Heat fluxes in the cells of a patch, and their weights in the temperatures.
 #[derive(Debug)]
 pub(crate) struct StripHeat {
     model: Option<Arc<dyn HeatModel>>,
     /// First cell of the strip of each cell.
     first: Vec<usize>,
-    /// Where the row of each cell begins in the weights.
+    /// Start of the row of each cell in the weights.
     rows: Vec<usize>,
-    /// Strip by strip and row by row the lower triangle ∂rise/∂flux, in √s.
+    /// The lower triangle ∂rise/∂flux, strip by strip and row by row, in √s.
     weights: Vec<f64>,
-    /// Times for the way to the cell's point and through the cell, in s.
+    /// Times for the path to the cell's point and through the cell, in s.
     durations: Vec<[f64; 2]>,
-    /// Heat flux on the way through each cell, in W/m².
+    /// Heat flux on the path through each cell, in W/m².
     pub flux: Vec<f64>,
     record: Vec<HeatStep>,
 }
 
 impl StripHeat {
-    /// No heat in the cells of a patch.
+    /// The cells of a patch, without heat.
     pub fn new(patch: &Patch) -> Self {
         let longest = patch.strips.iter().map(|strip| strip.cells.len()).max().unwrap_or(0);
         let first = patch.strips.iter().flat_map(|s| s.cells.clone().map(|_| s.cells.start));
@@ -49,8 +49,8 @@ impl StripHeat {
         }
     }
 
-    /// Takes over a model and the times for the way to each cell's point and through the cell, in
-    /// s. The fluxes are zero then.
+    /// Sets a model and the times for the path to each cell's point and through the cell, in s.
+    /// This resets the fluxes to zero.
     pub fn set(
         &mut self,
         model: Option<&Arc<dyn HeatModel>>,
@@ -71,7 +71,7 @@ impl StripHeat {
         self.rows.len()
     }
 
-    /// Whether a model says so.
+    /// Whether there is a heat model.
     pub fn has_model(&self) -> bool {
         self.model.is_some()
     }
@@ -81,12 +81,12 @@ impl StripHeat {
         self.first[k]
     }
 
-    /// Times for the way to a cell's point and through the cell, in s.
+    /// Times for the path to a cell's point and through the cell, in s.
     pub fn durations(&self, k: usize) -> [f64; 2] {
         self.durations[k]
     }
 
-    /// What the fluxes from the first cell of the strip to a cell weigh in its rise times
+    /// Weights of the fluxes from the first cell of the strip to a given cell in its rise times
     /// effusivity, in s^½.
     pub fn row(&self, k: usize) -> &[f64] {
         &self.weights[self.rows[k]..][..=k - self.first[k]]
@@ -97,8 +97,8 @@ impl StripHeat {
         &mut self.weights[self.rows[k]..][..=k - self.first[k]]
     }
 
-    /// Weighs the fluxes upstream of a cell and its own about the present ones, where the model is
-    /// not linear.
+    /// Recomputes the weights of a cell's own and upstream fluxes by linearisation about the
+    /// present ones, if the model is not linear.
     pub fn weigh_about_present(&mut self, k: usize) {
         if !self.is_linear() {
             self.weigh(k);
@@ -113,7 +113,7 @@ impl StripHeat {
         row.reverse();
     }
 
-    /// Leaves the record of a cell with its own step, which is the latest, in the room for it.
+    /// Writes the record of a cell, with its own step as the latest, into the buffer.
     fn recall(&mut self, k: usize, own: HeatStep) {
         self.recall_strip(self.first[k]..k, own);
     }
@@ -125,8 +125,8 @@ impl StripHeat {
         self.record.extend(upstream.rev().map(step));
     }
 
-    /// Σ weight · flux over the cells upstream of a cell, and the cell itself where the fluxes
-    /// reach to it, in W √s/m².
+    /// Σ weight · flux over the cells upstream of a cell, and the cell itself if the fluxes extend
+    /// to it, in W √s/m².
     pub fn weighted(&self, k: usize, flux: &[f64]) -> f64 {
         if self.model.is_none() {
             return 0.0;
@@ -135,8 +135,8 @@ impl StripHeat {
         dot(&self.row(k)[..upstream.len()], upstream)
     }
 
-    /// What the heat from upstream contributes to the rise times effusivity of a cell (in W √s/m²)
-    /// in a linear model.
+    /// Contribution of the upstream heat to the rise times effusivity of a cell (in W √s/m²) in a
+    /// linear model.
     pub fn inherited(&self, k: usize) -> f64 {
         if self.is_linear() { self.weighted(k, &self.flux[..k]) } else { 0.0 }
     }
@@ -145,8 +145,8 @@ impl StripHeat {
         self.model.as_ref().is_some_and(|model| model.is_linear())
     }
 
-    /// Rise times effusivity of a cell (in W √s/m²) with a flux (in W/m²), `inherited` being what a
-    /// linear model has from upstream.
+    /// Rise times effusivity of a cell (in W √s/m²) with a flux (in W/m²), where `inherited` is the
+    /// upstream contribution in a linear model.
     pub fn rise(&mut self, k: usize, inherited: f64, flux: f64) -> f64 {
         let Some(model) = self.model.clone() else { return 0.0 };
         if model.is_linear() {
@@ -168,7 +168,7 @@ impl StripHeat {
         model.rise_times_effusivity(self.record_on_leaving(strip.cells.end - 1))
     }
 
-    /// The same with another step (in W/m² and s) on the way from the last cell to the edge.
+    /// The same with another step (in W/m² and s) on the path from the last cell to the edge.
     pub fn exit_rise_after(&mut self, strip: &Strip, step: HeatStep) -> f64 {
         let Some(model) = self.model.clone() else { return 0.0 };
         self.recall_strip(strip.cells.clone(), step);

@@ -1,5 +1,4 @@
-//! What the models have in common: how constants of a problem are read and changed, and other
-//! loads.
+//! Shared by the models: reading and changing constants of a problem, and changing the load.
 
 use std::sync::Arc;
 
@@ -26,8 +25,7 @@ pub(super) fn friction_constant(
     Err(FitError::NoSuchConstant { quantity: wanted.quantity(), constants }.into())
 }
 
-/// A constant that friction has only where the contact is hot cannot be found by a model that has
-/// no heat.
+/// Rejects, for a model without heat, a constant that affects friction only in a hot contact.
 pub(super) fn require_heat(
     has_heat: bool,
     parameters: &[Parameter],
@@ -52,7 +50,7 @@ pub(super) fn require_heat(
     }
 }
 
-/// Friction with those of the parameters that are constants of its law at new values (in their SI
+/// Friction with those parameters that are constants of its law set to new values (in their SI
 /// units, or dimensionless).
 pub(super) fn adjusted_friction(
     friction: &Friction,
@@ -74,7 +72,7 @@ pub(super) fn adjusted_friction(
     Ok(friction)
 }
 
-/// The normal contact of a problem under a load (in N), or under its own.
+/// The normal contact of a problem under a given load (in N), or under its own.
 pub(super) fn loaded(
     problem: &Problem,
     load: Option<f64>,

@@ -2,8 +2,9 @@
 
 use distrs::StudentsT;
 
-/// Two-sided 95 % quantile of Student's t (dimensionless) with so many degrees of freedom, to 10⁻⁶
-/// of itself; of the normal distribution where they are unlimited. NaN without any.
+/// Two-sided 95 % quantile of Student's t (dimensionless) with so many degrees of freedom, to a
+/// relative accuracy of 10⁻⁶; that of the normal distribution if they are unlimited. NaN for zero
+/// degrees of freedom.
 pub fn students_t(degrees_of_freedom: Option<usize>) -> f64 {
     StudentsT::ppf(0.975, degrees_of_freedom.map_or(f64::INFINITY, |n| n as f64))
 }

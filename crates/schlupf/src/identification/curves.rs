@@ -1,4 +1,4 @@
-//! The fitted model between the data, to draw it.
+//! The fitted model between the data, for plotting.
 
 use crate::creep_curve::Abscissa;
 use crate::error::Error;
@@ -11,29 +11,29 @@ use super::model::CreepForceModel;
 /// Data over one creepage, and the model between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FittedCurves {
-    /// The creepage that varies most; the total one where ξ and η vary in one direction.
+    /// The creepage that varies most, or the total creepage if ξ and η vary in a fixed direction.
     pub abscissa: Abscissa,
-    /// Points that differ in it only, series by series.
+    /// Points that differ only in it, series by series.
     pub series: Vec<Series>,
 }
 
 impl FittedCurves {
-    /// Where a point lies on the abscissa: dimensionless, or in 1/m for spin.
+    /// Position of a point on the abscissa: dimensionless, or in 1/m for spin.
     pub fn place(&self, point: &DataPoint) -> f64 {
         value(self.abscissa, &point.condition.kinematics)
     }
 }
 
-/// Points that differ in one creepage only, or in the total one.
+/// Points that differ only in one creepage, or in the total one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Their component.
     pub component: Component,
-    /// Their condition, but for the creepage that varies.
+    /// Their condition, except for the varying creepage.
     pub condition: Condition,
-    /// Which of the data they are.
+    /// Indices of the data points.
     pub members: Vec<usize>,
-    /// The model between them. Empty where there is but one point.
+    /// The model between them. Empty if there is only one point.
     pub curve: Vec<ModelPoint>,
 }
 
@@ -42,19 +42,20 @@ pub struct Series {
 pub struct ModelPoint {
     /// Its creepage, dimensionless, or in 1/m for spin.
     pub creepage: f64,
-    /// Force over load, dimensionless; `None` where the model found none.
+    /// Force divided by load, dimensionless; `None` if the model found none.
     pub force_ratio: Option<f64>,
 }
 
-/// Most conditions that are computed: beyond it every point has one of its own.
+/// Maximum number of conditions for which curves are computed: beyond it, presumably every point
+/// has its own condition.
 const MOST_CONDITIONS: usize = 12;
 
-/// The series of the data with curves of the model, at its present values, of so many points each
-/// (none where that is zero) besides those of the data. Where there are more than twelve
-/// conditions, none has one.
+/// Returns the series of the data with curves of the model, at its present values, with so many
+/// points each (none if zero) in addition to those of the data. With more than twelve conditions
+/// there are no curves.
 ///
 /// # Errors
-/// Conditions that cannot be, and [`Error::Stopped`].
+/// Invalid conditions, and [`Error::Stopped`].
 pub fn sample_curves(
     model: &mut dyn CreepForceModel,
     data: &[DataPoint],
@@ -92,7 +93,7 @@ pub fn sample_curves(
     Ok(FittedCurves { abscissa, series })
 }
 
-/// Finer near zero, where creep curves bend.
+/// Finer near zero, where creep curves have the largest curvature.
 fn place(low: f64, high: f64, k: usize, points: usize) -> f64 {
     let root = |x: f64| x.signum() * x.abs().sqrt();
     let share = k as f64 / (points - 1).max(1) as f64;
@@ -100,9 +101,9 @@ fn place(low: f64, high: f64, k: usize, points: usize) -> f64 {
     rooted * rooted.abs()
 }
 
-/// The creepage that varies most; the total one where ξ and η vary in one direction.
+/// The creepage that varies most, or the total creepage if ξ and η vary in a fixed direction.
 fn abscissa(data: &[DataPoint]) -> Abscissa {
-    /// A typical lever √(ab), in m.
+    /// A typical √(ab), in m.
     const LEVER: f64 = 5e-3;
     let range = |abscissa: Abscissa| {
         let values = || data.iter().map(|point| value(abscissa, &point.condition.kinematics));
@@ -124,10 +125,10 @@ fn abscissa(data: &[DataPoint]) -> Abscissa {
     }
 }
 
-/// Direction (in rad, from x towards y) of the largest total creepage, if all others have it, or
-/// the opposite one.
+/// Direction (in rad, from x towards y) of the largest total creepage, if all others have the same
+/// or the opposite direction.
 fn direction(data: &[DataPoint]) -> Option<f64> {
-    /// How far the direction may be off, in rad: creepages are written with few digits.
+    /// Tolerance of the direction, in rad: creepages are written with few digits.
     const APART: f64 = 0.01;
     let creepages = || {
         let motions = data.iter().map(|point| &point.condition.kinematics);
@@ -162,7 +163,7 @@ fn set(abscissa: Abscissa, kinematics: &mut Kinematics, at: f64) {
     }
 }
 
-/// How many conditions there are; both components may have the same.
+/// Number of different conditions; both components may have the same.
 fn conditions(series: &[Series]) -> usize {
     let is_first =
         |k: &usize| series[..*k].iter().all(|other| other.condition != series[*k].condition);

@@ -4,7 +4,7 @@ use crate::error::{Error, FitError, require_finite, require_positive};
 use crate::kinematics::Kinematics;
 use crate::quantity::Quantity;
 
-/// Which component of the force was measured.
+/// The measured component of the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -16,7 +16,7 @@ pub enum Component {
 }
 
 impl Component {
-    /// Its place among (x, y).
+    /// Index in (x, y).
     pub fn index(self) -> usize {
         match self {
             Self::Longitudinal => 0,
@@ -25,13 +25,13 @@ impl Component {
     }
 }
 
-/// Under which condition a force was measured.
+/// The condition under which a force was measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Condition {
     /// Speed and creepages.
     pub kinematics: Kinematics,
-    /// Normal load (in N), if it is another than that of the problem.
+    /// Normal load (in N), if different from that of the problem.
     pub load: Option<f64>,
 }
 
@@ -39,35 +39,35 @@ pub struct Condition {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DataPoint {
-    /// Under which condition.
+    /// The condition.
     pub condition: Condition,
-    /// Which component of the force.
+    /// The component of the force.
     pub component: Component,
-    /// Force on the rail over the load, −Fx/N or −Fy/N, dimensionless: as creep curves show it, of
-    /// the sign of the creepage.
+    /// Force on the rail divided by the load, −Fx/N or −Fy/N, dimensionless: as in creep curves,
+    /// with the sign of the creepage.
     pub force_ratio: f64,
-    /// Standard deviation of the measurement, dimensionless, where it is known.
+    /// Standard deviation of the measurement, dimensionless, if known.
     pub standard_deviation: Option<f64>,
 }
 
-/// A measured point and what the model says there.
+/// A measured point and the model's value there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedPoint {
-    /// What was measured.
+    /// The measurement.
     pub data: DataPoint,
-    /// Computed force on the rail over the load, dimensionless.
+    /// Computed force on the rail divided by the load, dimensionless.
     pub fitted: f64,
 }
 
 impl FittedPoint {
-    /// Measured less computed force over the load, dimensionless.
+    /// Measured minus computed force, divided by the load, dimensionless.
     pub fn residual(&self) -> f64 {
         self.data.force_ratio - self.fitted
     }
 }
 
-/// Checks points by themselves.
+/// Checks the points on their own, without the model.
 pub(super) fn check(data: &[DataPoint]) -> Result<(), Error> {
     for point in data {
         point.condition.kinematics.check()?;
@@ -86,12 +86,12 @@ pub(super) fn check(data: &[DataPoint]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Speeds and loads that differ by no more than this part of themselves belong to one series,
+/// Speeds and loads that differ by less than this relative difference belong to the same series,
 /// dimensionless.
 const SAME: f64 = 0.05;
 
-/// Series: points of one component at one speed (in m/s) under one load (in N), as well as these
-/// are held.
+/// Series: points of one component at one speed (in m/s) under one load (in N), up to the tolerance
+/// above.
 pub(super) fn series(data: &[DataPoint]) -> Vec<Vec<usize>> {
     let is_near = |one: f64, other: f64| (one - other).abs() <= SAME * one.abs().max(other.abs());
     let is_of = |one: &DataPoint, other: &DataPoint| {
@@ -115,11 +115,11 @@ pub(super) fn series(data: &[DataPoint]) -> Vec<Vec<usize>> {
     series
 }
 
-/// Checks that measured forces have the signs of the computed ones (forces over the load,
+/// Checks that measured forces have the signs of the computed ones (forces divided by the load,
 /// dimensionless), each component as a whole, and each series of it.
 pub(super) fn check_signs(data: &[DataPoint], computed: &[f64]) -> Result<(), Error> {
-    /// Points that make a series, and the cosine between measured and computed forces from which on
-    /// these run against each other.
+    /// Number of points that make a series, and the cosine between measured and computed forces
+    /// below which they are considered opposite.
     const ENOUGH: usize = 3;
     const AGAINST: f64 = -0.5;
     let runs_against = |points: &[usize]| {

@@ -1,4 +1,4 @@
-//! Whether the data determine the parameters at all.
+//! Checks whether the data determine the parameters.
 
 use faer::{Mat, Side};
 
@@ -9,20 +9,21 @@ use crate::least_squares::{Minimum, column_norms};
 use super::data::FittedPoint;
 use super::parameter::Parameter;
 
-/// Forces are never measured better than to this part of the largest one: of data without scatter
-/// this is what the intervals are judged by (not what they are).
+/// Forces are never measured more accurately than this fraction of the largest one: for data
+/// without scatter the intervals are judged with it (but not computed with it).
 pub(super) const LEAST_SCATTER: f64 = 1e-3;
 
-/// Half-width of a 95 % interval, over the size of the parameter, from which on it counts as open.
+/// Half-width of a 95 % interval, relative to the size of the parameter, above which the parameter
+/// is considered undetermined.
 const WIDEST: f64 = 1.0;
 
-/// Correlation from which on two parameters are one.
+/// Correlation above which two parameters are inseparable.
 const INSEPARABLE: f64 = 0.999;
 
-/// Correlation from which on another parameter is named as a reason.
+/// Correlation above which another parameter is named as a reason.
 const RELATED: f64 = 0.9;
 
-/// Part of a parameter in a combination that no force depends on, from which on it is named.
+/// Contribution of a parameter to a combination on which no force depends, above which it is named.
 const TAKES_PART: f64 = 0.1;
 
 /// The parameters and their values at the end of a fit, in SI units.
@@ -45,7 +46,7 @@ pub(super) fn check_count(
     Err(FitError::TooFewPoints { parameters, points }.into())
 }
 
-/// (JᵀJ)⁻¹ of a minimum, or which parameters no force tells apart.
+/// (JᵀJ)⁻¹ of a minimum, or the parameters that no force distinguishes.
 pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, Error> {
     let jacobian = &minimum.jacobian;
     let norms = column_norms(jacobian);
@@ -56,7 +57,7 @@ pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, 
     minimum.covariance().ok_or_else(|| inseparable(&loosest(jacobian, &norms), values))
 }
 
-/// The combination of parameters that the forces depend on least, of length one.
+/// The combination of parameters, of length one, on which the forces depend least.
 fn loosest(jacobian: &Mat<f64>, norms: &[f64]) -> Vec<f64> {
     let normal = jacobian.transpose() * jacobian;
     let n = norms.len();
@@ -76,12 +77,12 @@ fn inseparable(combination: &[f64], values: Values) -> Error {
     FitError::Inseparable { parameters }.into()
 }
 
-/// Forces up to this part of μ0 N, and in proportion to the creepage within this factor, are in the
-/// linear range.
+/// Forces up to this fraction of μ0 N, and proportional to the creepage within this factor, are in
+/// the linear range.
 const LINEAR_RANGE: (f64, f64) = (0.5, 1.1);
 
-/// Checks that μ0, if it is looked for, is not concluded from the initial slope: there it is a
-/// factor of the stiffness of the bristles μ0 k_c pₙ, and friction itself is not seen.
+/// Checks that μ0, if it is fitted, is not inferred from the initial slope: there it is a factor of
+/// the bristle stiffness μ0 k_c pₙ, and friction itself has no effect.
 pub(super) fn check_range(values: Values, points: &[FittedPoint]) -> Result<(), Error> {
     let cold = Parameter::Friction(FrictionConstant::ColdCoefficient);
     let Some((_, coefficient)) = values.iter().find(|(parameter, _)| *parameter == cold) else {
@@ -97,7 +98,7 @@ pub(super) fn check_range(values: Values, points: &[FittedPoint]) -> Result<(), 
     let steepest = points.iter().map(slope).fold(0.0, f64::max);
     let flattest = points.iter().map(slope).fold(f64::INFINITY, f64::min);
     let (part, factor) = LINEAR_RANGE;
-    // Without creepage, where spin makes the force, the slope is infinite or not a number.
+    // Without creepage, where the force is due to spin, the slope is infinite or NaN.
     let is_linear = largest < part && steepest < factor * flattest && steepest.is_finite();
     if !is_linear {
         return Ok(());
@@ -128,7 +129,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// A parameter of which the interval is too wide.
+/// The error for a parameter whose interval is too wide.
 fn open(values: Values, k: usize, relative: f64, correlation: &[Vec<f64>]) -> Error {
     let (parameter, value) = values[k];
     let others = (0..values.len()).filter(|other| *other != k);

@@ -1,4 +1,4 @@
-//! The fit, its intervals, and what is said about it.
+//! The fit, its intervals and its warnings.
 
 use faer::Mat;
 
@@ -18,27 +18,28 @@ use super::parameter::Parameter;
 use super::residuals::{Failure, Weighted, order};
 use super::statistics::{autocorrelation, r_squared};
 
-/// A fit ends where no parameter would move by more than this part of itself,
+/// A fit ends when no parameter would move by more than this fraction of itself,
 const TOLERANCE: f64 = 1e-6;
 
-/// or by more than this part of its standard error,
+/// or by more than this fraction of its standard error,
 const OF_STANDARD_ERROR: f64 = 0.01;
 
-/// or where forces over the load would change by less than this: they are computed no better.
+/// or when forces divided by the load would change by less than this, which is the accuracy of
+/// their computation.
 const ROUNDING: f64 = 1e-6;
 
-/// A parameter that was found.
+/// An estimated parameter.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Estimate {
-    /// Which one.
+    /// The parameter.
     pub parameter: Parameter,
-    /// Where the fit started, in its SI unit, if it is not dimensionless.
+    /// Initial value, in its SI unit, if it is not dimensionless.
     pub start: f64,
     /// Its value, in its SI unit, if it is not dimensionless.
     pub value: f64,
     /// Standard error, in its SI unit, if it is not dimensionless. `None`, like the interval, for a
-    /// parameter at its bound of which the data say nothing.
+    /// parameter at its bound about which the data say nothing.
     pub standard_error: Option<f64>,
     /// Half-width of its 95 % confidence interval, in its SI unit, if it is not dimensionless.
     pub half_width: Option<f64>,
@@ -48,7 +49,7 @@ pub struct Estimate {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fit {
-    /// Whether the solution converged: `NotConverged` is no minimum.
+    /// Whether the fit converged: `NotConverged` means that it is not at a minimum.
     pub status: Status,
     /// The parameters.
     pub estimates: Vec<Estimate>,
@@ -56,28 +57,28 @@ pub struct Fit {
     pub correlation: Vec<Vec<f64>>,
     /// The points, in the order of the data.
     pub points: Vec<FittedPoint>,
-    /// Root of the mean squared residual of F/N, dimensionless.
+    /// Root mean square residual of F/N, dimensionless.
     pub rms_residual: f64,
-    /// R², the part of the variance of the data that the model explains; dimensionless, and `None`
-    /// where all data are the same.
+    /// R², the fraction of the variance of the data explained by the model; dimensionless, and
+    /// `None` if all data are equal.
     pub r_squared: Option<f64>,
-    /// χ² over the degrees of freedom where standard deviations are given, dimensionless.
+    /// χ² divided by the degrees of freedom, if standard deviations are given, dimensionless.
     pub reduced_chi_squared: Option<f64>,
-    /// Points less parameters.
+    /// Number of points minus number of parameters.
     pub degrees_of_freedom: usize,
     /// Steps of the fit.
     pub iterations: usize,
     /// Warnings for whoever uses the results.
     pub warnings: Vec<Warning>,
-    /// How much work all solutions were.
+    /// Total work of all solutions.
     pub work: Work,
 }
 
-/// Checks whatever can be checked before anything is computed.
+/// Performs all checks possible before anything is computed.
 ///
 /// # Errors
-/// A motion or load that cannot be, forces that are not finite, standard deviations of some points
-/// only, too few points.
+/// An invalid motion or load, forces that are not finite, standard deviations of only some points,
+/// too few points.
 pub fn check(model: &dyn CreepForceModel, data: &[DataPoint]) -> Result<(), Error> {
     data::check(data)?;
     determinacy::check_count(model.parameters(), data.len(), knows_scatter(data))?;
@@ -95,18 +96,19 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
     data.iter().all(|point| point.standard_deviation.is_some())
 }
 
-/// Fits the parameters of a model to measured points, at most so many steps. The model has the
-/// values found at the end.
+/// Fits the parameters of a model to measured points, in at most so many steps. The model has the
+/// fitted values at the end.
 ///
-/// The parameters θ make Σ ((F/N)_computed − (F/N)_measured)²/σ² smallest, in the logarithms of
+/// The parameters θ minimise Σ ((F/N)_computed − (F/N)_measured)²/σ², in terms of the logarithms of
 /// those that are positive. Their covariance is s² (JᵀJ)⁻¹ with the variance of the residuals s² =
-/// Σr²/(n − p), and intervals are those of Student's t with n − p degrees of freedom; with given
-/// standard deviations s is one, and intervals are normal, unless the residuals are more than such
-/// deviations allow: then s is theirs, and a warning says so. Intervals count scatter only: a model
-/// that cannot follow the data has other errors, and a warning says so.
+/// Σr²/(n − p), and intervals use Student's t with n − p degrees of freedom. With given standard
+/// deviations s is one, and intervals are normal, unless the residuals are larger than such
+/// deviations explain: then s is computed from the residuals, and a warning says so. Intervals
+/// account for scatter only: a model that cannot follow the data has other errors, and a warning
+/// says so.
 ///
-/// A constant may end at a bound that it has by itself, a coefficient at zero say: a warning says
-/// so, and its interval counts to one side.
+/// A constant may end at a natural bound, for example a coefficient at zero: a warning says so, and
+/// its interval is one-sided.
 ///
 /// ```
 /// use schlupf::identification::{Component, Condition, DataPoint, Parameter, PolachModel, fit};
@@ -128,12 +130,12 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// ```
 ///
 /// # Errors
-/// [`Error::Stopped`]; whatever [`check`] rejects; start values without a solution; forces of the
-/// wrong sign; and data that leave a parameter open: no force depends on it, μ0 is looked for in
-/// forces that are in proportion to the creepage, its 95 % interval is wider than itself on each
-/// side (for a parameter that may be zero, at least 0.1), or it goes with another one at a
-/// correlation above 0.999. For this, scatter that the data do not give is taken to be at least
-/// 10⁻³ of the largest force.
+/// [`Error::Stopped`]; whatever [`check`] rejects; initial values without a solution; forces of the
+/// wrong sign; and data that do not determine a parameter: no force depends on it, μ0 is fitted to
+/// forces that are proportional to the creepage, its 95 % interval extends on each side by more
+/// than its value (for a parameter that may be zero, at least 0.1), or its correlation with another
+/// one is above 0.999. For this, scatter that the data do not give is taken to be at least 10⁻³ of
+/// the largest force.
 pub fn fit(
     model: &mut dyn CreepForceModel,
     data: &[DataPoint],
@@ -158,7 +160,7 @@ pub fn fit(
     let slopes = coordinates.iter().zip(&found.parameters);
     let slopes: Vec<f64> = slopes.map(|(c, (_, value))| c.scale.slope(*value)).collect();
     let unscaled = match found.determined(&slopes) {
-        // Nothing follows about the data from values that are not theirs.
+        // Values that do not come from the data say nothing about them.
         Err(_) if !found.minimum.converged && found.is_far() => {
             return Err(found.no_end(failure.as_ref()));
         }
@@ -200,7 +202,7 @@ pub fn fit(
     })
 }
 
-/// When a fit of so many parameters has ended.
+/// Stopping criteria of a fit with so many parameters.
 fn limits(data: &[DataPoint], parameters: usize, max_iterations: usize) -> Limits {
     let freedom = (data.len() - parameters).max(1) as f64;
     let weights = data.iter().map(|point| point.standard_deviation.map_or(1.0, f64::recip));
@@ -212,7 +214,7 @@ fn limits(data: &[DataPoint], parameters: usize, max_iterations: usize) -> Limit
     }
 }
 
-/// Forces over the load from the residuals.
+/// Forces divided by the load, from the residuals.
 fn computed(data: &[DataPoint], residuals: &[f64]) -> Vec<f64> {
     let pairs = data.iter().zip(residuals);
     let of = |(point, residual): (&DataPoint, &f64)| {
@@ -221,7 +223,7 @@ fn computed(data: &[DataPoint], residuals: &[f64]) -> Vec<f64> {
     pairs.map(of).collect()
 }
 
-/// Why there is nothing to begin with.
+/// The error when there is nothing to start from.
 fn no_start(weighted: &Weighted) -> Error {
     let first = weighted.coordinates.first().map(|first| first.parameter.quantity());
     let quantity = first.unwrap_or(Quantity::FitParameters);
@@ -257,14 +259,14 @@ fn correlation(covariance: &Mat<f64>) -> Vec<Vec<f64>> {
     (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
 
-/// Standard errors (in SI units, or dimensionless) with weighted residuals of such a standard
+/// Standard errors (in SI units, or dimensionless) for weighted residuals with this standard
 /// deviation.
 fn standard_errors(unscaled: &Mat<f64>, slopes: &[f64], scatter: f64) -> Vec<f64> {
     let of = |(k, slope): (usize, &f64)| scatter * slope * unscaled[(k, k)].sqrt();
     slopes.iter().enumerate().map(of).collect()
 }
 
-/// The end of a fit.
+/// The result of the least-squares fit.
 struct Found<'a> {
     data: &'a [DataPoint],
     minimum: Minimum,
@@ -276,7 +278,7 @@ impl Found<'_> {
         self.data.len() - self.free().len()
     }
 
-    /// Places of the parameters that the data decide on; the others are at a bound of their own.
+    /// Indices of the parameters determined by the data; the others are at a natural bound.
     fn free(&self) -> Vec<usize> {
         let is_given = |k: usize| {
             let (parameter, value) = self.parameters[k];
@@ -291,10 +293,9 @@ impl Found<'_> {
         pairs.map(|(data, fitted)| FittedPoint { data: *data, fitted }).collect()
     }
 
-    /// Covariance of the moved coordinates for residuals of unit variance, after a check that the
-    /// data determine the parameters. One that a bound holds is given as far as the others are
-    /// concerned; its own variance is that without the bound, for the one side to which its
-    /// interval counts.
+    /// Covariance of the scaled coordinates for residuals of unit variance, after a check that the
+    /// data determine the parameters. A parameter held by a bound is fixed for the others; its own
+    /// variance is that without the bound, for its one-sided interval.
     fn determined(&self, slopes: &[f64]) -> Result<Mat<f64>, Error> {
         let free = self.free();
         let values: Vec<(Parameter, f64)> = free.iter().map(|k| self.parameters[*k]).collect();
@@ -325,7 +326,7 @@ impl Found<'_> {
         Ok(unscaled)
     }
 
-    /// Standard errors in half a 95 % interval.
+    /// Number of standard errors in half a 95 % interval.
     fn quantile(&self) -> f64 {
         let is_given = knows_scatter(self.data) && self.excess().is_none();
         students_t((!is_given).then_some(self.degrees_of_freedom()))
@@ -339,7 +340,7 @@ impl Found<'_> {
         (self.minimum.sum_of_squares() / self.degrees_of_freedom() as f64).sqrt()
     }
 
-    /// The same, but no less than what a measurement has where that is not given.
+    /// The same, but at least the scatter assumed for measurements if none is given.
     fn judged_scatter(&self) -> f64 {
         if knows_scatter(self.data) {
             return self.scatter();
@@ -353,7 +354,7 @@ impl Found<'_> {
             .then(|| self.minimum.sum_of_squares() / freedom as f64)
     }
 
-    /// A parameter that is held at an end of the range that is looked at, which is none of its own.
+    /// A parameter at an end of the admissible range that is not a natural bound.
     fn ran_out(&self) -> Option<(Parameter, f64)> {
         self.held().find(|(parameter, value)| !parameter.may_end_at(*value))
     }
@@ -366,18 +367,18 @@ impl Found<'_> {
 
     /// Whether the forces are far from the measured ones.
     fn is_far(&self) -> bool {
-        /// Residuals over the largest force, root mean square.
+        /// Root mean square of the residuals relative to the largest force.
         const FAR: f64 = 0.05;
         let residuals: Vec<f64> = self.points().iter().map(FittedPoint::residual).collect();
         root_mean_square(&residuals) > FAR * self.largest_force()
     }
 
-    /// Largest measured force over the load, dimensionless.
+    /// Largest measured force divided by the load, dimensionless.
     fn largest_force(&self) -> f64 {
         self.data.iter().map(|point| point.force_ratio.abs()).fold(0.0, f64::max)
     }
 
-    /// There is nothing to be said of parameters where a fit got stuck.
+    /// The error for a fit that got stuck, whose parameters mean nothing.
     fn no_end(&self, failure: Option<&Failure>) -> Error {
         let (quantity, stop) = (self.parameters[0].0.quantity(), self.stop(failure));
         FitError::FitStuck { quantity, stop }.into()
@@ -396,7 +397,7 @@ impl Found<'_> {
     }
 
     fn warnings(&self, correlation: &[Vec<f64>]) -> Vec<Warning> {
-        /// Correlation from which on two parameters are hard to tell apart.
+        /// Correlation above which two parameters are hard to distinguish.
         const STRONG: f64 = 0.95;
         let mut warnings = Vec::new();
         for (i, row) in correlation.iter().enumerate() {
@@ -417,16 +418,16 @@ impl Found<'_> {
         warnings
     }
 
-    /// Polach's reductions as no case can have them.
+    /// A warning of reductions in Polach's method that no case can have.
     fn no_reduction(&self) -> Option<Warning> {
         let of = |wanted| self.parameters.iter().find(|(parameter, _)| *parameter == wanted);
         let (adhesion, slip) = (of(Parameter::AreaAdhesion)?.1, of(Parameter::AreaSlip)?.1);
         (slip > adhesion).then_some(Warning::ImpossibleReduction { slip, adhesion })
     }
 
-    /// Data that have little to do with the model.
+    /// A warning of data that have little to do with the model.
     fn unexplained(&self) -> Option<Warning> {
-        /// R² below which that is said.
+        /// R² below which this warning is given.
         const LITTLE: f64 = 0.8;
         let points = self.points();
         let residuals: Vec<f64> = points.iter().map(FittedPoint::residual).collect();
@@ -435,12 +436,12 @@ impl Found<'_> {
         (r_squared < LITTLE).then_some(Warning::Unexplained { r_squared })
     }
 
-    /// Residuals that are no scatter.
+    /// A warning of residuals that are not random.
     fn misfit(&self) -> Option<Warning> {
-        /// Correlation of neighbours, and points it takes to see it.
+        /// Correlation of neighbours, and number of points needed to detect it.
         const SYSTEMATIC: f64 = 0.5;
         const ENOUGH: usize = 8;
-        /// Residuals below this part of the largest force do not matter.
+        /// Residuals below this fraction of the largest force are ignored.
         const SMALL: f64 = 1e-4;
         let points = self.points();
         let order = order(self.data);
@@ -456,9 +457,10 @@ impl Found<'_> {
         (is_seen && is_systematic()).then_some(Warning::SystematicResiduals {})
     }
 
-    /// The residuals over the standard deviations of the data, where they are beyond chance.
+    /// The ratio of the residuals to the standard deviations of the data, if it is larger than
+    /// chance explains.
     fn excess(&self) -> Option<f64> {
-        /// Standard deviations of χ² from which on it is too large.
+        /// Number of standard deviations of χ² above which it is too large.
         const FAR: f64 = 3.0;
         let reduced = self.reduced_chi_squared()?;
         let limit = 1.0 + FAR * (2.0 / self.degrees_of_freedom() as f64).sqrt();

@@ -1,10 +1,10 @@
 //! Identification: constants of friction and contact law from measured creep curves.
 //!
-//! [`fit`] makes the sum of the squared differences between measured and computed forces smallest
-//! (Levenberg–Marquardt). A [`CreepForceModel`] gives forces with their exact derivatives;
+//! [`fit`] minimises the sum of the squared differences between measured and computed forces
+//! (Levenberg–Marquardt). A [`CreepForceModel`] computes forces with their exact derivatives;
 //! [`RollingContactModel`] is that of the steady solver, [`PolachModel`] that of Polach's method.
-//! What is found comes with confidence intervals and correlations, and data that leave a parameter
-//! open are rejected.
+//! The results include confidence intervals and correlations, and data that do not determine a
+//! parameter are rejected.
 
 mod adjustment;
 mod confidence;

@@ -1,4 +1,4 @@
-//! What a fit needs of a model.
+//! The interface between a fit and a model.
 
 use crate::error::Error;
 use crate::progress::Watch;
@@ -7,34 +7,34 @@ use crate::solution::Work;
 use super::data::Condition;
 use super::parameter::Parameter;
 
-/// Forces under a condition, as measurements give them, with derivatives.
+/// Forces under a condition, in the form in which they are measured, with derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceRatio {
     /// (−Fx/N, −Fy/N), dimensionless.
     pub value: [f64; 2],
-    /// Their derivatives by each parameter of the model, over its SI unit if it is not
+    /// Derivatives with respect to each parameter of the model, per SI unit if it is not
     /// dimensionless.
     pub by_parameter: Vec<[f64; 2]>,
 }
 
-/// A model of creep forces with parameters to find. Extension point.
+/// A model of creep forces with parameters to be fitted. Extension point.
 pub trait CreepForceModel: Send + Sync {
-    /// The parameters to find.
+    /// The parameters to be fitted.
     fn parameters(&self) -> &[Parameter];
 
-    /// Where to start, one value for each parameter, in its SI unit, if it is not dimensionless.
+    /// Initial values, one for each parameter, in its SI unit, if it is not dimensionless.
     fn start(&self) -> Vec<f64>;
 
-    /// Takes over other values (in SI units). What comes next may be anywhere on the curve.
+    /// Switches to other values (in SI units). The next condition may be anywhere on the curve.
     ///
     /// # Errors
-    /// Values that cannot be.
+    /// Invalid values.
     fn set(&mut self, values: &[f64]) -> Result<(), Error>;
 
-    /// The force; `None` where it was not found.
+    /// The force; `None` if it was not found.
     ///
     /// # Errors
-    /// A condition that cannot be, and [`Error::Stopped`].
+    /// An invalid condition, and [`Error::Stopped`].
     fn force_ratio(
         &mut self,
         condition: &Condition,
@@ -42,7 +42,7 @@ pub trait CreepForceModel: Send + Sync {
     ) -> Result<Option<ForceRatio>, Error>;
 
     /// The forces under several conditions, in their order. Those under one load may end with the
-    /// first that is not found; those under different loads may be computed at the same time.
+    /// first that is not found; those under different loads may be computed in parallel.
     ///
     /// # Errors
     /// As [`Self::force_ratio`].

@@ -1,9 +1,9 @@
-//! What can be fitted.
+//! The parameters that can be fitted.
 
 use crate::interface::friction::constants::FrictionConstant;
 use crate::quantity::Quantity;
 
-/// A constant to find.
+/// A constant that can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Parameter {
@@ -11,7 +11,7 @@ pub enum Parameter {
     Friction(FrictionConstant),
     /// k_c of the contact law, in 1/m.
     ContactStiffness,
-    /// r.m.s. height of the roughness of both surfaces together, from which k_c follows, in m.
+    /// r.m.s. height of the combined roughness of both surfaces, from which k_c follows, in m.
     Roughness,
     /// k_A of Polach's method, dimensionless.
     AreaAdhesion,
@@ -19,20 +19,20 @@ pub enum Parameter {
     AreaSlip,
 }
 
-/// How a fit moves in a parameter.
+/// How a fit scales a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Scale {
-    /// By factors: it is positive.
+    /// Relative changes: it is positive.
     Logarithmic,
-    /// By differences: it may be zero.
+    /// Absolute changes: it may be zero.
     Linear,
 }
 
-/// Below this a dimensionless parameter that may be zero counts as zero.
+/// Smallest reference size of a dimensionless parameter that may be zero.
 const NEXT_TO_NOTHING: f64 = 0.1;
 
 impl Parameter {
-    /// All of them.
+    /// All parameters.
     pub fn all() -> impl Iterator<Item = Self> {
         let friction = FrictionConstant::ALL.into_iter().map(Self::Friction);
         friction.chain([
@@ -43,7 +43,7 @@ impl Parameter {
         ])
     }
 
-    /// The quantity that it is.
+    /// The corresponding quantity.
     pub fn quantity(self) -> Quantity {
         match self {
             Self::Friction(constant) => constant.quantity(),
@@ -54,8 +54,8 @@ impl Parameter {
         }
     }
 
-    /// Least and largest value that a fit looks at, in its SI unit if it is not dimensionless: no
-    /// contact of wheel and rail is near either.
+    /// Smallest and largest admissible value in a fit, in its SI unit if it is not dimensionless:
+    /// no contact of wheel and rail comes close to either.
     pub fn bounds(self) -> [f64; 2] {
         match self {
             Self::Friction(constant) => match constant {
@@ -73,8 +73,8 @@ impl Parameter {
         }
     }
 
-    /// Whether a bound (in its unit) is one that the constant itself has, so that a fit may end
-    /// there. The others only say where nothing is to be found.
+    /// Whether a bound (in its unit) is a natural bound of the constant, so that a fit may end
+    /// there. The other bounds only limit the search.
     pub(super) fn may_end_at(self, bound: f64) -> bool {
         match self {
             Self::Friction(FrictionConstant::LimitRatio) => true,
@@ -87,8 +87,7 @@ impl Parameter {
         if self.bounds()[0] > 0.0 { Scale::Logarithmic } else { Scale::Linear }
     }
 
-    /// What an uncertainty of it is measured by, in its unit: its value, or what is next to
-    /// nothing.
+    /// Reference size for its uncertainty, in its unit: its value, or the smallest reference size.
     pub(super) fn size(self, value: f64) -> f64 {
         match self.scale() {
             Scale::Logarithmic => value,
@@ -98,7 +97,7 @@ impl Parameter {
 }
 
 impl Scale {
-    /// The value for a number that the fit moves, which is dimensionless and zero at the start.
+    /// The value for a scaled coordinate, which is dimensionless and zero at the start.
     pub fn value(self, moved: f64, start: f64) -> f64 {
         match self {
             Self::Logarithmic => start * moved.exp(),
@@ -106,7 +105,7 @@ impl Scale {
         }
     }
 
-    /// The number (dimensionless) of a value.
+    /// The scaled coordinate (dimensionless) of a value.
     pub fn moved(self, value: f64, start: f64) -> f64 {
         match self {
             Self::Logarithmic => (value / start).ln(),
@@ -114,8 +113,8 @@ impl Scale {
         }
     }
 
-    /// Derivative of the value with respect to it, in the unit of the value if that is not
-    /// dimensionless.
+    /// Derivative of the value with respect to the coordinate, in the unit of the value if that is
+    /// not dimensionless.
     pub fn slope(self, value: f64) -> f64 {
         match self {
             Self::Logarithmic => value,

@@ -1,4 +1,4 @@
-//! Creep forces of Polach's method, as a model to fit.
+//! Creep forces of Polach's method, as a model for fits.
 
 use crate::error::{Error, FitError};
 use crate::method::{AreaReduction, FastMethod};
@@ -14,23 +14,23 @@ use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
 
-/// Polach's method (1999, 2005) with unknown reductions k_A, k_S and constants of friction, which
-/// follows the slip speed of the contact as a whole.
+/// Polach's method (1999, 2005) with unknown reductions k_A, k_S and friction constants, where
+/// friction depends on the slip speed of the contact as a whole.
 #[derive(Debug)]
 pub struct PolachModel {
     problem: Problem,
     reduction: AreaReduction,
     parameters: Vec<Parameter>,
     start: Vec<f64>,
-    /// The contact under each load (in N) that occurred.
+    /// The contacts by load (in N).
     contacts: Vec<(Option<f64>, EllipticContact)>,
 }
 
 impl PolachModel {
-    /// A problem whose parameters start at their present values.
+    /// A model of a problem whose parameters start at their present values.
     ///
     /// # Errors
-    /// A parameter that neither the method nor the friction law has, reductions that cannot be, and
+    /// A parameter that neither the method nor the friction law has, invalid reductions, and
     /// whatever [`Problem::check`] rejects.
     pub fn new(
         problem: &Problem,

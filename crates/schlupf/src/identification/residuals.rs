@@ -1,4 +1,4 @@
-//! Differences between computed and measured forces, as least squares has them.
+//! Differences between computed and measured forces, as residuals of a least-squares problem.
 
 use faer::Mat;
 
@@ -10,7 +10,7 @@ use super::data::{Condition, DataPoint};
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::{Parameter, Scale};
 
-/// A parameter as the fit moves it.
+/// A parameter and its scaling in the fit.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Coordinate {
     pub parameter: Parameter,
@@ -24,28 +24,28 @@ impl Coordinate {
         Self { parameter, scale: parameter.scale(), start }
     }
 
-    /// The value (in its SI unit, if it is not dimensionless) of a moved coordinate.
+    /// The value (in its SI unit, if it is not dimensionless) of a scaled coordinate.
     fn value(&self, moved: f64) -> f64 {
         let [low, high] = self.parameter.bounds();
-        // Rounding may lead over a bound.
+        // Rounding error may exceed a bound.
         self.scale.value(moved, self.start).clamp(low, high)
     }
 
-    /// Least and largest moved coordinate, dimensionless.
+    /// Smallest and largest scaled coordinate, dimensionless.
     fn bounds(&self) -> [f64; 2] {
         self.parameter.bounds().map(|bound| self.scale.moved(bound, self.start))
     }
 }
 
-/// Residuals (computed less measured, over the standard deviation if there is one) and their
-/// derivatives by the moved coordinates.
+/// Residuals (computed minus measured, divided by the standard deviation if there is one) and their
+/// derivatives with respect to the scaled coordinates.
 pub(super) struct Weighted<'a> {
     pub model: &'a mut dyn CreepForceModel,
     data: &'a [DataPoint],
     pub coordinates: Vec<Coordinate>,
     /// The points in the order of solution.
     order: Vec<usize>,
-    /// Where the model was evaluated last, and what it gave.
+    /// The last evaluation of the model.
     last: Option<Evaluation>,
     /// Why the last residuals could not be computed.
     pub failure: Option<Failure>,
@@ -53,17 +53,17 @@ pub(super) struct Weighted<'a> {
     solved: usize,
 }
 
-/// What the model gave.
+/// An evaluation of the model.
 struct Evaluation {
     moved: Vec<f64>,
     residuals: Vec<f64>,
     jacobian: Mat<f64>,
 }
 
-/// Why there are no residuals.
+/// Reason why there are no residuals.
 #[derive(Debug, Clone)]
 pub(super) enum Failure {
-    /// The model cannot have these values, or not this condition.
+    /// The model does not allow these values or this condition.
     Refused(Error),
     /// The force was not found under this condition.
     NotFound(Condition),
@@ -90,7 +90,7 @@ impl<'a> Weighted<'a> {
         }
     }
 
-    /// Values (in SI units, or dimensionless) of moved coordinates.
+    /// Values (in SI units, or dimensionless) of scaled coordinates.
     pub fn values(&self, moved: &[f64]) -> Vec<f64> {
         let pairs = self.coordinates.iter().zip(moved);
         pairs.map(|(coordinate, moved)| coordinate.value(*moved)).collect()
@@ -104,7 +104,7 @@ impl<'a> Weighted<'a> {
         self.model.set(&values).map_err(Failure::Refused)?;
         let mut residuals = vec![0.0; self.data.len()];
         let mut jacobian = Mat::zeros(self.data.len(), values.len());
-        // Both components of one measurement have one.
+        // Both components of one measurement have the same.
         let mut conditions: Vec<Condition> =
             self.order.iter().map(|row| self.data[*row].condition).collect();
         conditions.dedup();
@@ -155,17 +155,17 @@ impl Residuals for Weighted<'_> {
         self.coordinates[parameter].bounds()
     }
 
-    /// Found together with the residuals.
+    /// Computed together with the residuals.
     fn jacobian(&mut self, moved: &[f64], _residuals: &[f64]) -> Result<Option<Mat<f64>>, Error> {
         let is_known = self.residuals(moved)?.is_some();
         Ok(self.last.as_ref().filter(|_| is_known).map(|last| last.jacobian.clone()))
     }
 }
 
-/// The points, so that each is close to the one before: load by load, speed by speed, from small to
-/// large creepages on either side of zero.
+/// The points in an order in which each is close to the previous one: load by load, speed by speed,
+/// from small to large creepages on either side of zero.
 pub(super) fn order(data: &[DataPoint]) -> Vec<usize> {
-    /// Some lever that makes a creepage of spin.
+    /// A length that converts spin into a creepage.
     const LEVER: f64 = 5e-3;
     let key = |point: &DataPoint| {
         let Condition { kinematics, load } = &point.condition;

@@ -1,4 +1,4 @@
-//! Creep forces of the steady solver, as a model to fit.
+//! Creep forces of the steady solver, as a model for fits.
 
 use std::sync::Arc;
 
@@ -22,14 +22,14 @@ use super::roughness;
 
 /// Steady rolling contact with unknown constants of friction and contact law.
 ///
-/// Points under one load share one solver, so each starts from the solutions before; different
+/// Points under one load share one solver, so each starts from the previous solutions; different
 /// loads are solved on several threads.
 pub struct RollingContactModel {
     problem: Problem,
     options: Options,
     parameters: Vec<Parameter>,
     start: Vec<f64>,
-    /// By which constants the solver differentiates.
+    /// The constants with respect to which the solver differentiates.
     constants: Vec<InterfaceConstant>,
     /// μ0 k_c h_rms, dimensionless.
     roughness_number: f64,
@@ -52,13 +52,13 @@ struct LoadedContact {
 const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
 
 impl RollingContactModel {
-    /// A problem whose parameters start at their present values. `gamma` (dimensionless) is how the
-    /// approach of rough surfaces goes with their height, see [`roughness`]; it counts for
-    /// [`Parameter::Roughness`] only.
+    /// A model of a problem whose parameters start at their present values. `gamma` (dimensionless)
+    /// is the ratio of the approach of rough surfaces to their height, see [`roughness`]; it is
+    /// used only for [`Parameter::Roughness`].
     ///
     /// # Errors
-    /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it
-    /// together, and whatever [`Problem::check`] and [`Options::check`] reject.
+    /// A parameter that is not a constant of the laws in use, k_c together with the roughness that
+    /// determines it, and whatever [`Problem::check`] and [`Options::check`] reject.
     pub fn new(
         problem: &Problem,
         options: &Options,
@@ -120,7 +120,7 @@ impl RollingContactModel {
         }
     }
 
-    /// The place of the solver for a load.
+    /// The index of the solver for a load.
     fn contact(&mut self, load: Option<f64>, watch: Watch) -> Result<usize, Error> {
         if let Some(k) = self.contacts.iter().position(|contact| contact.load == load) {
             return Ok(k);
@@ -133,7 +133,7 @@ impl RollingContactModel {
         Ok(self.contacts.len() - 1)
     }
 
-    /// Forces under conditions of one load, as far as they are found.
+    /// Forces under conditions of one load, up to the first that is not found.
     fn under_load(
         &self,
         contact: &mut LoadedContact,
@@ -156,7 +156,8 @@ impl RollingContactModel {
         Ok(forces)
     }
 
-    /// Derivatives of the force (in N) by a parameter, `by` being those by the constants asked for.
+    /// Derivatives of the force (in N) with respect to a parameter, where `by` contains those with
+    /// respect to the constants requested.
     fn by_parameter(&self, k: usize, by: &[Resultant]) -> [f64; 2] {
         let pair = |force: &Resultant| [force.x, force.y];
         let own = pair(&by[k]);
@@ -177,7 +178,7 @@ impl RollingContactModel {
     }
 }
 
-/// By what the solver differentiates for a parameter.
+/// The constant with respect to which the solver differentiates for a parameter.
 fn constant(parameter: Parameter) -> Option<InterfaceConstant> {
     match parameter {
         Parameter::Friction(constant) => Some(InterfaceConstant::Friction(constant)),

@@ -4,7 +4,7 @@ use crate::elasticity::half_space::HalfSpace;
 use crate::error::Error;
 use crate::material::Material;
 
-/// γ (dimensionless), where the user gives no other: theory and measurements have 0.4 to 0.5.
+/// Default γ (dimensionless): theory and measurements give 0.4 to 0.5.
 pub const DEFAULT_GAMMA: f64 = 0.45;
 
 /// μ0 k_c h_rms (dimensionless) of two bodies whose rough surfaces approach by γ h_rms when the
@@ -12,7 +12,7 @@ pub const DEFAULT_GAMMA: f64 = 0.45;
 ///
 /// k_c = 2 (1 − ν)/(μ0 (2 − ν) γ h_rms).
 ///
-/// h_rms is the r.m.s. height of both surfaces together, √(h₁² + h₂²); γ is dimensionless. Source:
+/// h_rms is the combined r.m.s. height of both surfaces, √(h₁² + h₂²); γ is dimensionless. Source:
 /// the tangential curve of similar elastic bodies follows from the normal one (Ciavarella 1998,
 /// Jäger 1998); P and d of rough surfaces: Persson 2007. Limits: elastic asperities, similar
 /// bodies.

@@ -1,9 +1,9 @@
-//! What the residuals say of the fit as a whole.
+//! Statistics of the residuals of a fit.
 
 use crate::numerics::vector::dot;
 
-/// Sum of the squared residuals over that of the data about their mean, taken from one;
-/// dimensionless. `None` where all data are the same.
+/// One minus the ratio of the sum of the squared residuals to that of the data about their mean;
+/// dimensionless. `None` if all data are equal.
 pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> Option<f64> {
     let mean = data.iter().sum::<f64>() / data.len() as f64;
     let total: f64 = data.iter().map(|value| (value - mean).powi(2)).sum();
@@ -11,8 +11,8 @@ pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> Option<f64> {
     (total > rounding).then(|| 1.0 - dot(residuals, residuals) / total)
 }
 
-/// Correlation of each residual with the next one in its series, dimensionless: near zero where
-/// they are scatter.
+/// Correlation of each residual with the next one in its series, dimensionless: near zero if they
+/// are random.
 pub(super) fn autocorrelation<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
     let (mut products, mut squares) = (0.0, 0.0);
     for residuals in series {
@@ -31,7 +31,7 @@ mod tests {
         let of = |series: &[&[f64]]| autocorrelation(series.iter().copied());
         assert!(of(&[&[1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0]]) > 0.5);
         assert!(of(&[&[1.0, -1.0, 1.0, -1.0]]) < -0.5);
-        // Of two series, each for itself.
+        // Two series, each on its own.
         assert!(of(&[&[1.0, 1.0, 1.0, 1.0], &[-1.0, -1.0, -1.0, -1.0]]) > 0.7);
     }
 

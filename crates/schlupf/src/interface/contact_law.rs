@@ -1,7 +1,7 @@
-//! How the traction of a point depends on its sliding, Eq. (8).
+//! Traction of a point as a function of its sliding, Eq. (8).
 //!
-//! Everything here is written for the traction on the *rail* over μ pₙ, q = −t/(μ pₙ): it points
-//! along the sliding of the wheel, so no signs are in the way.
+//! All laws are written for the traction on the *rail* divided by μ pₙ, q = −t/(μ pₙ): it points
+//! along the sliding of the wheel, which avoids minus signs.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -12,34 +12,34 @@ use crate::quantity::Quantity;
 /// A point that slides by an increment while it is carried over a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Slide {
-    /// Traction on the rail over μ pₙ before the increment, dimensionless.
+    /// Traction on the rail divided by μ pₙ before the increment, dimensionless.
     pub traction: [f64; 2],
     /// Sliding distance since entry before the increment, in m.
     pub distance: [f64; 2],
     /// Increment of the sliding distance Δs, in m.
     pub increment: [f64; 2],
-    /// By how much the sliding, over the length of one increment, differs between its end and its
-    /// middle, in m: this, and [`Self::turn_by_increment`] times the increment. An increment tells
-    /// the direction of sliding half a cell upstream; this turns it to where the point is.
+    /// Difference of the sliding, per length of one increment, between its end and its middle, in
+    /// m: this, plus [`Self::turn_by_increment`] times the increment. An increment gives the
+    /// direction of sliding half a cell upstream; this rotates it to the position of the point.
     pub turn: [f64; 2],
-    /// What the turn gains with the increment, dimensionless.
+    /// Dependence of the turn on the increment, dimensionless.
     pub turn_by_increment: f64,
 }
 
-/// What the point answers.
+/// The response of the point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Response {
-    /// Traction on the rail over μ pₙ, dimensionless; its magnitude is at most one.
+    /// Traction on the rail divided by μ pₙ, dimensionless; its magnitude is at most one.
     pub traction: [f64; 2],
     /// Its derivative with respect to the increment, row by row, in 1/m.
     pub by_increment: [[f64; 2]; 2],
-    /// Its derivative with respect to the part of the turn that does not depend on the increment,
+    /// Its derivative with respect to the part of the turn that is independent of the increment,
     /// row by row, in 1/m.
     pub by_turn: [[f64; 2]; 2],
-    /// Its derivative with respect to the traction before: this times the unit matrix;
+    /// Its derivative with respect to the previous traction: this times the identity matrix;
     /// dimensionless.
     pub by_traction: f64,
-    /// Its derivative with respect to the distance before, row by row, in 1/m.
+    /// Its derivative with respect to the previous distance, row by row, in 1/m.
     pub by_distance: [[f64; 2]; 2],
 }
 
@@ -48,14 +48,14 @@ pub trait ContactLaw: Debug + Send + Sync {
     /// Traction after the increment.
     fn respond(&self, slide: &Slide) -> Response;
 
-    /// The same law with another k_c (in 1/m); `None` where it has no such constant.
+    /// The same law with another k_c (in 1/m); `None` if it has no such constant.
     fn with_stiffness(&self, _stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
         Ok(None)
     }
 }
 
-/// Eq. (8) of Neuhaus and Sextro (2014) in terms of the total sliding distance δ since entry:
-/// q = (1 − exp(−k_c |δ|)) δ/|δ|. It holds for monotone sliding in one direction.
+/// Eq. (8) of Neuhaus and Sextro (2014) in terms of the total sliding distance δ since entry: q =
+/// (1 − exp(−k_c |δ|)) δ/|δ|. It holds for monotonic sliding in one direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TotalDisplacement {
     stiffness: f64,
@@ -95,10 +95,10 @@ impl ContactLaw for TotalDisplacement {
     }
 }
 
-/// Eq. (8) applied to increments, right for any path:
-/// q ← exp(−k_c |Δs|) q + (1 − exp(−k_c |Δs|)) Δs/|Δs|, q = 0 on entry.
+/// Eq. (8) applied to increments, correct for any path: q ← exp(−k_c |Δs|) q + (1 − exp(−k_c |Δs|))
+/// Δs/|Δs|, q = 0 on entry.
 ///
-/// Equal to [`TotalDisplacement`] for straight monotone sliding. With k_c → ∞ it is Coulomb's law.
+/// Equal to [`TotalDisplacement`] for straight monotonic sliding. For k_c → ∞ it is Coulomb's law.
 /// (Dahl 1968 has the same law for friction in bearings.)
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Incremental {
@@ -106,14 +106,14 @@ pub struct Incremental {
 }
 
 impl Default for Incremental {
-    /// With [`Self::DEFAULT_STIFFNESS`].
+    /// The law with [`Self::DEFAULT_STIFFNESS`].
     fn default() -> Self {
         Self { stiffness: Self::DEFAULT_STIFFNESS }
     }
 }
 
 impl Incremental {
-    /// The exponent k_c where nothing is known of the roughness, in 1/m.
+    /// Default exponent k_c for unknown roughness, in 1/m.
     pub const DEFAULT_STIFFNESS: f64 = 5e6;
 
     /// The exponent k_c, in 1/m.
@@ -165,14 +165,15 @@ impl ContactLaw for Incremental {
 /// Below this z = k_c |Δs| the law is linear to rounding error.
 const SMALL: f64 = 1e-12;
 
-/// The increment as it would be if all of it were like its end, and its derivatives.
+/// The increment as if all of it had the direction of its end, and its derivatives.
 struct TurnedIncrement {
     at_end: [f64; 2],
     by_increment: [[f64; 2]; 2],
     by_turn: [[f64; 2]; 2],
 }
 
-/// Turns an increment s of length |s| from its middle to its end: s + share · T, T the turn.
+/// Rotates an increment s of length |s| from its middle to its end: s + share · T, where T is the
+/// turn.
 fn turned_increment(
     stiffness: f64,
     slide: &Slide,
@@ -182,8 +183,8 @@ fn turned_increment(
 ) -> TurnedIncrement {
     let (s, own) = (slide.increment, slide.turn_by_increment);
     let turn = [slide.turn[0] + own * s[0], slide.turn[1] + own * s[1]];
-    // Where the turn exceeds the increment itself it says little about the direction: it is
-    // limited to the increment's length, by |s|/√(|s|² + |T|²).
+    // A turn larger than the increment itself says little about the direction: it is limited to the
+    // increment's length, by |s|/√(|s|² + |T|²).
     let turn_squared = turn[0] * turn[0] + turn[1] * turn[1];
     let diagonal = (length * length + turn_squared).sqrt();
     let limit = length / diagonal;
@@ -206,9 +207,9 @@ fn turned_increment(
     }
 }
 
-/// How much of the turn between the middle and the end of an increment the traction sees, and the
-/// derivative, for z/2 = k_c |Δs|/2: the law's exact answer to a direction that turns linearly on
-/// the way is coth(z/2) − 2/z of it, nothing while sticking, all of it in full sliding.
+/// The fraction of the turn between the middle and the end of an increment that affects the
+/// traction, and its derivative, for z/2 = k_c |Δs|/2: the exact response of the law to a linearly
+/// rotating direction is coth(z/2) − 2/z of it, which is zero in stick and one in full sliding.
 ///
 /// `saturation` is 1 − exp(−z).
 fn seen_turn(half: f64, saturation: f64) -> (f64, f64) {
@@ -226,11 +227,11 @@ fn product(a: &[[f64; 2]; 2], b: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
 
 /// 1 − exp(−z), to rounding error.
 fn saturation_of(z: f64) -> f64 {
-    // Where nothing cancels the plain form is the faster one.
+    // Where nothing cancels the plain form is faster.
     if z > 0.5 { 1.0 - (-z).exp() } else { -(-z).exp_m1() }
 }
 
-/// √(x² + y²); the lengths that occur are far from those whose squares overflow.
+/// √(x² + y²); the lengths that occur are far from overflow.
 fn length_of([x, y]: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }
@@ -257,7 +258,7 @@ mod tests {
     const K: f64 = 5e6;
 
     /// Neuhaus and Sextro 2014, Eq. (8): for a prescribed straight slip the two forms agree to
-    /// rounding error, however the path is cut.
+    /// rounding error, however the path is divided.
     #[test]
     fn neuhaus_sextro_2014_both_forms_agree_for_a_straight_path() {
         let (total, incremental) =
@@ -280,7 +281,7 @@ mod tests {
         }
     }
 
-    /// A reversal: after sliding back by s the incremental law gives 2e^(−ks) − 1 from saturation.
+    /// A reversal: after sliding back by s from saturation the incremental law gives 2e^(−ks) − 1.
     #[test]
     fn dahl_1968_reversal() {
         let law = Incremental::new(K).unwrap();
@@ -292,7 +293,7 @@ mod tests {
     /// A change of one input of a slide.
     type Change = fn(&mut Slide, usize, f64);
 
-    /// No law ever exceeds |t| = μ pₙ, and its derivatives are those of its value.
+    /// No law ever exceeds |t| = μ pₙ, and its derivatives are consistent with its value.
     #[test]
     fn derivatives_are_those_of_the_traction() {
         let laws: [&dyn ContactLaw; 2] =
@@ -348,8 +349,7 @@ mod tests {
         }
     }
 
-    /// What is seen of the turn is continuous where the series takes over, and is all of it in full
-    /// sliding.
+    /// The effective turn is continuous where the series takes over, and complete in full sliding.
     #[test]
     fn seen_turn_is_smooth_and_saturates() {
         let seen = |half: f64| seen_turn(half, saturation_of(2.0 * half));

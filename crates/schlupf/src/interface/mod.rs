@@ -1,4 +1,4 @@
-//! What happens between the surfaces: contact law and friction.
+//! The interface between the surfaces: contact law and friction.
 
 pub mod contact_law;
 pub mod friction;
@@ -6,7 +6,7 @@ pub mod roughness;
 
 use self::friction::constants::FrictionConstant;
 
-/// A constant of what happens between the surfaces, by which forces can be differentiated.
+/// A constant of the interface with respect to which forces can be differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InterfaceConstant {
     /// One of the friction law.

@@ -9,14 +9,14 @@ use crate::numerics::interpolation::piecewise_linear;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// The factor may differ from one at y = 0 by this much: tables have few digits.
+/// Tolerance of the factor at y = 0: tables have few digits.
 const ROUNDING: f64 = 1e-6;
 
-/// μ = f(y) μ(T, s): any law times a factor over y, linear between the points of a table and
-/// constant outside of it. The factor is 1 at y = 0, where friction is that of the law.
+/// μ = f(y) μ(T, s): any law times a factor that depends on y, linear between the points of a table
+/// and constant outside. The factor is 1 at y = 0, where friction is that of the law.
 ///
-/// Source: Vollebregt, User guide for CONTACT, "Friction variation", with one factor in place of
-/// all constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
+/// Source: Vollebregt, User guide for CONTACT, "Friction variation", with one factor for all
+/// constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
 ///
 /// ```
 /// use schlupf::interface::friction::{
@@ -39,7 +39,7 @@ pub struct Across {
 }
 
 impl Across {
-    /// A law, positions y (in m, ascending) and the factors there (dimensionless).
+    /// The product of a law and factors (dimensionless) at positions y (in m, ascending).
     pub fn new(law: Arc<dyn FrictionLaw>, y: Vec<f64>, factor: Vec<f64>) -> Result<Self, Error> {
         let (fewest, count) = (2, y.len());
         if count < fewest {

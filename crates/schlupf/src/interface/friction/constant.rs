@@ -22,7 +22,7 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// The coefficient μ0, dimensionless.
+    /// Constant friction with the coefficient μ0, dimensionless.
     pub fn new(coefficient: f64) -> Result<Self, Error> {
         require_coefficient(coefficient)?;
         Ok(Self { coefficient })

@@ -1,4 +1,4 @@
-//! Constants of the friction laws, by name: what a measurement may determine.
+//! Constants of the friction laws, by name, for identification from measurements.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ pub enum FrictionConstant {
     ColdCoefficient,
     /// T_E, in K.
     TemperatureAtZeroFriction,
-    /// Floor of a law that falls with the temperature.
+    /// Floor of a law that falls with temperature.
     MinimumCoefficient,
     /// μ_hot.
     HotCoefficient,
@@ -35,7 +35,7 @@ pub enum FrictionConstant {
 }
 
 impl FrictionConstant {
-    /// All of them.
+    /// All constants.
     pub const ALL: [Self; 11] = [
         Self::ColdCoefficient,
         Self::TemperatureAtZeroFriction,
@@ -50,7 +50,7 @@ impl FrictionConstant {
         Self::Decay,
     ];
 
-    /// The quantity that it is.
+    /// The corresponding quantity.
     pub fn quantity(self) -> Quantity {
         match self {
             Self::ColdCoefficient => Quantity::FrictionCoefficient,
@@ -73,7 +73,7 @@ impl FrictionConstant {
 pub struct Changes<'a>(pub &'a [(FrictionConstant, f64)]);
 
 impl Changes<'_> {
-    /// The new value of a constant (in its SI unit, or dimensionless), or the one it has.
+    /// The new value of a constant (in its SI unit, or dimensionless), or its present one.
     pub fn of(&self, constant: FrictionConstant, otherwise: f64) -> f64 {
         let change = self.0.iter().find(|(changed, _)| *changed == constant);
         change.map_or(otherwise, |(_, value)| *value)
@@ -85,10 +85,10 @@ pub trait AdjustableFriction: Send + Sync {
     /// Its constants with their values, in SI units or dimensionless.
     fn constants(&self) -> Vec<(FrictionConstant, f64)>;
 
-    /// The same law with other values. Constants that it does not have do not count.
+    /// The same law with other values. Constants that it does not have are ignored.
     fn with_constants(&self, changes: &Changes) -> Result<Arc<dyn FrictionLaw>, Error>;
 
-    /// ∂μ/∂constant while the other constants stay, in the reciprocal of its unit or dimensionless;
-    /// zero for a constant that it does not have.
+    /// ∂μ/∂constant at constant values of the others, in the reciprocal of its unit or
+    /// dimensionless; zero for a constant that it does not have.
     fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64;
 }

@@ -1,25 +1,25 @@
-//! Friction that lags behind: the coefficient of a material point goes towards what the law says
-//! over a sliding distance d_c,
+//! Friction memory: the coefficient of a material point relaxes towards the value of the law over a
+//! sliding distance d_c,
 //!
 //! dμ/dt = (μ_law − μ) max(s, s_0)/d_c,
 //!
-//! s being its slip speed. It enters the contact with the coefficient of the law without slip.
-//! (Rice and Ruina 1983, about the steady state of their law; so in Vollebregt, User guide for
-//! CONTACT, "friction memory".) Without it μ jumps where sliding begins, if the law falls with the
-//! slip speed.
+//! where s is its slip speed. It enters the contact with the coefficient of the law without slip.
+//! (Rice and Ruina 1983, near the steady state of their law; likewise in Vollebregt, User guide for
+//! CONTACT, "friction memory".) Without memory μ jumps at the onset of sliding, if the law falls
+//! with the slip speed.
 
 use crate::error::{Error, require, require_positive};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// How friction lags behind.
+/// Parameters of friction memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionMemory {
     distance: f64,
     least_speed: f64,
 }
 
-/// What is left of a difference after some time.
+/// Decay of a difference over a time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Kept {
     /// exp(−max(s, s_0) t/d_c), dimensionless.
@@ -32,7 +32,7 @@ pub struct Kept {
 
 impl FrictionMemory {
     /// Relaxation over a sliding distance d_c (in m), at slip speeds below s_0 (in m/s) as fast as
-    /// at that speed; s_0 = 0 never forgets while the surfaces stick.
+    /// at s_0; with s_0 = 0 the memory does not fade while the surfaces stick.
     ///
     /// ```
     /// use schlupf::{Problem, interface::friction::memory::FrictionMemory};
@@ -49,7 +49,7 @@ impl FrictionMemory {
         Ok(Self { distance, least_speed })
     }
 
-    /// What is left of a difference after some time (in s) at a slip speed (in m/s).
+    /// Decay of a difference over a time (in s) at a slip speed (in m/s).
     pub fn kept(&self, slip_speed: f64, duration: f64) -> Kept {
         let relaxed = slip_speed.max(self.least_speed) * duration / self.distance;
         let part = (-relaxed).exp();

@@ -1,9 +1,9 @@
 //! Coefficient of friction.
 //!
-//! Laws of the temperature: [`temperature_linear`], Eq. (23), and [`temperature_piecewise_linear`].
-//! Laws of the slip speed: [`exponential`], [`rational`] and [`linear`], which share the parameters
-//! of [`slip_terms`], and [`polach`]. One of each may be combined, [`product`], and any law may
-//! vary [`across`] the patch. Any law may lag behind, [`memory`].
+//! Temperature laws: [`temperature_linear`], Eq. (23), and [`temperature_piecewise_linear`].
+//! Slip-speed laws: [`exponential`], [`rational`] and [`linear`], which share the parameters of
+//! [`slip_terms`], and [`polach`]. One of each kind may be combined, [`product`], and any law may
+//! vary [`across`] the patch. Any law may lag, [`memory`].
 
 pub mod across;
 pub mod constant;
@@ -28,10 +28,10 @@ use crate::requirement::Requirement;
 use self::constants::AdjustableFriction;
 use self::memory::FrictionMemory;
 
-/// What a coefficient of friction may depend on.
+/// Variables on which a coefficient of friction may depend.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FrictionState {
-    /// Contact temperature over the reference temperature, in K.
+    /// Contact temperature relative to the reference temperature, in K.
     pub temperature: f64,
     /// Slip speed, in m/s.
     pub slip_speed: f64,
@@ -50,15 +50,15 @@ pub struct FrictionResponse {
     pub by_slip_speed: f64,
     /// ∂μ/∂y, in 1/m.
     pub by_y: f64,
-    /// ∂μ/∂μ0 while the other constants of the law stay, dimensionless. A law that has no μ0 among
-    /// its constants is scaled as a whole: μ/μ0.
+    /// ∂μ/∂μ0 at constant values of the other constants of the law, dimensionless. A law without a
+    /// μ0 is scaled as a whole: μ/μ0.
     pub by_cold_coefficient: f64,
 }
 
 /// A law for the coefficient of friction. Extension point.
 pub trait FrictionLaw: Debug + Send + Sync {
     /// The coefficient of friction; at the default state (no slip, reference temperature, y = 0) it
-    /// is μ0. Where the law has a kink, the derivatives are those of one of its sides.
+    /// is μ0. At a kink of the law the derivatives are one-sided.
     fn respond(&self, state: &FrictionState) -> FrictionResponse;
 
     /// Whether the coefficient depends on neither temperature nor slip speed.
@@ -66,26 +66,26 @@ pub trait FrictionLaw: Debug + Send + Sync {
         false
     }
 
-    /// Temperature over the reference (in K) from which on the law does not hold for material that
-    /// enters the contact.
+    /// Temperature relative to the reference (in K) above which the law does not hold for entering
+    /// material.
     fn temperature_limit(&self) -> f64 {
         f64::INFINITY
     }
 
-    /// The law as one whose constants can be fitted to measurements, if it is one.
+    /// The law as one whose constants can be fitted to measurements, if possible.
     fn adjustable(&self) -> Option<&dyn AdjustableFriction> {
         None
     }
 }
 
-/// A friction law and the temperature it counts from.
+/// A friction law and its reference temperature.
 #[derive(Debug, Clone)]
 pub struct Friction {
     /// The law.
     pub law: Arc<dyn FrictionLaw>,
     /// Temperature from which the law's temperature is measured, in degC.
     pub reference_temperature: f64,
-    /// How the coefficient lags behind the law; `None` is not at all.
+    /// How the coefficient lags behind the law; `None` means not at all.
     pub memory: Option<FrictionMemory>,
 }
 
@@ -117,7 +117,7 @@ fn require_coefficient(value: f64) -> Result<(), Error> {
     require_positive(Quantity::FrictionCoefficient, value)
 }
 
-/// A coefficient that friction falls to must neither be negative nor above μ0.
+/// A coefficient to which friction falls must be neither negative nor above μ0.
 fn require_below(quantity: Quantity, value: f64, coefficient: f64) -> Result<(), Error> {
     let at_most = Requirement::UpTo(Quantity::FrictionCoefficient, coefficient);
     require(quantity, at_most, value)
@@ -165,7 +165,7 @@ mod tests {
         laws
     }
 
-    /// States away from the kinks of the laws: cold, warm, hot; sticking nearly, sliding; all over
+    /// States away from the kinks of the laws: cold, warm, hot; nearly sticking, sliding; all over
     /// y.
     fn states() -> Vec<FrictionState> {
         let mut states = Vec::new();

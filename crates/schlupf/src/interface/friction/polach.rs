@@ -8,13 +8,13 @@ use crate::error::{Error, require, require_positive};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// μ = μ0 ((1 − A) e^(−B s) + A), s the slip speed.
+/// μ = μ0 ((1 − A) e^(−B s) + A), with s the slip speed.
 ///
 /// Source: Polach, Creep forces in simulations of traction vehicles running on adhesion limit, Wear
 /// 258 (2005) 992–1000, with typical values for real vehicles: dry μ0 = 0.55, A = 0.40, B = 0.60
-/// s/m, wet μ0 = 0.30, A = 0.40, B = 0.20 s/m. Limits: there s is the slip speed of the whole
-/// contact, here that of each point, so that the points that stick have μ0; B contains the fall by
-/// heating, which a law of the temperature besides would count twice.
+/// s/m, wet μ0 = 0.30, A = 0.40, B = 0.20 s/m. Limits: in the source s is the slip speed of the
+/// whole contact, here that of each point, so that points that stick have μ0; B includes the
+/// decrease due to heating, which an additional temperature law would count twice.
 ///
 /// ```
 /// use schlupf::interface::friction::{FrictionLaw, FrictionState, polach::Polach};

@@ -1,4 +1,4 @@
-//! Friction that falls both with the temperature and with the slip speed.
+//! Friction that falls with both temperature and slip speed.
 
 use std::sync::Arc;
 
@@ -6,14 +6,14 @@ use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState};
 use crate::error::Error;
 
-/// Both laws must have the same μ0 to this part of it.
+/// Relative tolerance for the equality of the two μ0.
 const ROUNDING: f64 = 1e-12;
 
-/// μ = μ_T(T) μ_s(s)/μ0: a law of the temperature times the relative fall of a law of the slip
-/// speed, both with the same μ0.
+/// μ = μ_T(T) μ_s(s)/μ0: a temperature law times the relative decrease of a slip-speed law, both
+/// with the same μ0.
 ///
-/// Limits: a floor of one law is not one of the product, as the other falls on; it stays positive
-/// where both are.
+/// Limits: a floor of one law is not a floor of the product, as the other law continues to fall;
+/// the product is positive where both are.
 ///
 /// ```
 /// use schlupf::interface::friction::{
@@ -36,7 +36,7 @@ pub struct Product {
 }
 
 impl Product {
-    /// A law of the temperature and one of the slip speed.
+    /// The product of a temperature law and a slip-speed law.
     pub fn new(
         temperature: Arc<dyn FrictionLaw>,
         slip_speed: Arc<dyn FrictionLaw>,
@@ -126,8 +126,8 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// At half T_E and far beyond 1/B both factors of Eq. (23) and of Polach 2005 are known: ½ and
-    /// A.
+    /// At half T_E and far beyond 1/B both factors, of Eq. (23) and of Polach 2005, are known: ½
+    /// and A.
     #[test]
     fn relative_falls_are_multiplied() {
         let falling: Arc<dyn FrictionLaw> =

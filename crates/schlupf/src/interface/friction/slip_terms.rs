@@ -1,12 +1,12 @@
-//! Two terms that fall with the slip speed, as three laws of friction have them.
+//! Two terms that fall with the slip speed, shared by three friction laws.
 
 use super::constants::{Changes, FrictionConstant};
 use super::{FrictionResponse, require_below, require_coefficient};
 use crate::error::{Error, require_positive};
 use crate::quantity::Quantity;
 
-/// Sums of coefficients may exceed μ0 by this part of it: decimal numbers add up to rounding error
-/// only.
+/// Relative tolerance by which sums of coefficients may exceed μ0: decimal numbers add up with
+/// rounding error.
 const ROUNDING: f64 = 1e-12;
 
 /// The second term of a law μ_kin + μ1 f1(s/s1) + μ2 f2(s/s2) of the slip speed s.
@@ -31,8 +31,8 @@ pub struct SlipTerms {
 }
 
 impl SlipTerms {
-    /// μ0 and μ_kin, dimensionless; s1, in m/s; the second term, if any. Friction cannot become
-    /// negative: μ_kin ≥ 0, and both terms are at least zero.
+    /// Terms with μ0 and μ_kin, dimensionless; s1, in m/s; the second term, if any. Friction cannot
+    /// become negative: μ_kin ≥ 0, and both terms are at least zero.
     pub fn new(
         coefficient: f64,
         kinetic_coefficient: f64,
@@ -67,7 +67,7 @@ impl SlipTerms {
         }
     }
 
-    /// The constants by name; those of the second term only where there is one.
+    /// The constants by name; those of the second term only if there is one.
     pub(super) fn constants(&self) -> Vec<(FrictionConstant, f64)> {
         let mut constants = vec![
             (FrictionConstant::ColdCoefficient, self.coefficient),
@@ -81,7 +81,7 @@ impl SlipTerms {
         constants
     }
 
-    /// The same with other values.
+    /// The same terms with other values.
     pub(super) fn with_constants(&self, changes: &Changes) -> Result<Self, Error> {
         let Self { second, .. } = self;
         let second = SecondTerm {
@@ -96,7 +96,7 @@ impl SlipTerms {
         )
     }
 
-    /// Derivative of the law by a constant, at a slip speed in m/s.
+    /// Derivative of the law with respect to a constant, at a slip speed in m/s.
     pub(super) fn by_constant(
         &self,
         constant: FrictionConstant,

@@ -7,7 +7,8 @@ use super::{FrictionLaw, FrictionResponse, FrictionState, require_below, require
 use crate::error::{Error, require_positive};
 use crate::quantity::Quantity;
 
-/// μ = μ0 (1 − T/T_E), at least a floor (Neuhaus and Sextro 2014, Eq. 23; the floor is zero there).
+/// μ = μ0 (1 − T/T_E), bounded below by a floor (Neuhaus and Sextro 2014, Eq. 23; there the floor
+/// is zero).
 ///
 /// ```
 /// use schlupf::interface::friction::{
@@ -27,14 +28,15 @@ pub struct TemperatureLinear {
 }
 
 impl Default for TemperatureLinear {
-    /// μ0 = 0.4, which vanishes at 700 K above the reference.
+    /// μ0 = 0.4, vanishing 700 K above the reference.
     fn default() -> Self {
         Self { coefficient: 0.4, temperature_at_zero_friction: 700.0, minimum_coefficient: 0.0 }
     }
 }
 
 impl TemperatureLinear {
-    /// Cold coefficient μ0 (dimensionless), T_E over the reference (in K), floor (dimensionless).
+    /// The law with μ0 (dimensionless), T_E relative to the reference (in K), and a floor
+    /// (dimensionless).
     pub fn new(
         coefficient: f64,
         temperature_at_zero_friction: f64,

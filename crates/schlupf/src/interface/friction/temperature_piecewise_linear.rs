@@ -8,12 +8,11 @@ use crate::error::{Error, require, require_positive};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// μ = μ0 up to the reference temperature, linear from there to μ_hot at ΔT above it, and μ_hot
-/// beyond.
+/// μ = μ0 up to the reference temperature, linear from there to μ_hot at ΔT above it, and μ_hot at
+/// higher temperatures.
 ///
 /// Source: Vollebregt, User guide for CONTACT, "Temperature dependent friction", L = 6, with T_ref
-/// the reference temperature. Friction rises where μ_hot is the larger one, as on a rail that
-/// dries.
+/// the reference temperature. Friction rises if μ_hot is larger than μ0, as on a drying rail.
 ///
 /// ```
 /// use schlupf::interface::friction::{
@@ -33,7 +32,7 @@ pub struct TemperaturePiecewiseLinear {
 }
 
 impl TemperaturePiecewiseLinear {
-    /// μ0 and μ_hot (dimensionless); ΔT (in K).
+    /// The law with μ0 and μ_hot (dimensionless) and ΔT (in K).
     pub fn new(
         coefficient: f64,
         hot_coefficient: f64,

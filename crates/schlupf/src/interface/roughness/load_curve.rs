@@ -1,4 +1,4 @@
-//! Approach of two rough bodies over their load, d(P).
+//! Approach of two rough bodies as a function of load, d(P).
 
 use crate::error::{Error, SurfaceError, require_positive};
 use crate::normal::rough_contact::{RoughContact, RoughContactOptions, RoughContactSolution};
@@ -7,23 +7,23 @@ use crate::numerics::vector::dot;
 use crate::progress::{Progress, Stage, Watch, within};
 use crate::quantity::Quantity;
 
-/// A rough contact at one load. Everything is per nominal area.
+/// A rough contact at one load. Everything is per unit nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LoadPoint {
     /// Mean pressure over the nominal area, in Pa.
     pub mean_pressure: f64,
-    /// Approach since the first touch, in m.
+    /// Approach since first contact, in m.
     pub approach: f64,
     /// Mean gap, in m.
     pub mean_gap: f64,
-    /// Real over nominal area of contact, dimensionless.
+    /// Ratio of real to nominal contact area, dimensionless.
     pub contact_fraction: f64,
-    /// The same with the perimeter corrected for, dimensionless (Yastrebov et al. 2017).
+    /// The same with perimeter correction, dimensionless (Yastrebov et al. 2017).
     pub corrected_contact_fraction: f64,
     /// Largest pressure in a spot, in Pa.
     pub spot_pressure: f64,
-    /// Part of the nominal area that yielded when this load came for the first time, dimensionless.
+    /// Fraction of the nominal area that yielded when this load was first applied, dimensionless.
     pub plastic_fraction: f64,
     /// Whether the solution converged.
     pub is_converged: bool,
@@ -31,14 +31,14 @@ pub struct LoadPoint {
     pub iterations: usize,
 }
 
-/// At which loads to solve.
+/// The loads at which to solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadCurveOptions {
-    /// How far the smallest mean pressure lies below the largest one, dimensionless.
+    /// Ratio of the largest to the smallest mean pressure, dimensionless.
     pub range: f64,
     /// Ratio of two neighbouring pressures, dimensionless.
     pub ratio: f64,
-    /// For each load.
+    /// Options for each load.
     pub contact: RoughContactOptions,
 }
 
@@ -50,16 +50,16 @@ impl Default for LoadCurveOptions {
 }
 
 impl LoadCurveOptions {
-    /// Steps from the largest to the smallest pressure.
+    /// Number of steps from the largest to the smallest pressure.
     pub fn steps(&self) -> usize {
         (self.range.ln() / self.ratio.ln()).ceil().max(2.0) as usize
     }
 }
 
-/// The approach over the load, with its points by growing pressure.
+/// The approach as a function of load, with its points in order of increasing pressure.
 ///
-/// Between its points it is a monotone cubic of ln p (Fritsch and Carlson 1980); below the first
-/// one d ∝ p^(2/3), a single summit in Hertz contact.
+/// Between its points it is a monotonic cubic in ln p (Fritsch and Carlson 1980); below the first
+/// one d ∝ p^(2/3), as for a single summit in Hertz contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCurve {
     points: Vec<LoadPoint>,
@@ -67,11 +67,11 @@ pub struct LoadCurve {
     slopes: Vec<f64>,
 }
 
-/// Where the load grows exponentially with the approach, p ∝ exp(d/ℓ).
+/// The range in which the load grows exponentially with the approach, p ∝ exp(d/ℓ).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ExponentialRange {
-    /// Length ℓ = γ h_rms in which the load grows by a factor of e, in m.
+    /// Length ℓ = γ h_rms over which the load grows by a factor of e, in m.
     pub length: f64,
     /// Smallest and largest mean pressure of the range, in Pa.
     pub mean_pressure: [f64; 2],
@@ -79,14 +79,14 @@ pub struct ExponentialRange {
     pub deviation: f64,
 }
 
-/// Real over nominal area of contact, dimensionless, between which the load is exponential: at less
-/// a few summits decide, at more the valleys close.
+/// Range of the ratio of real to nominal contact area, dimensionless, in which the load is
+/// exponential: below, a few summits dominate; above, the valleys close.
 pub const EXPONENTIAL_RANGE: [f64; 2] = [0.01, 0.2];
 
 impl LoadCurve {
-    /// Solves the contact from the largest mean pressure (in Pa) down.
+    /// Solves the contact from the largest mean pressure (in Pa) downwards.
     ///
-    /// Bodies that yield have carried the largest pressure before: the points are those of the
+    /// Bodies that yield have previously carried the largest pressure: the points are those of the
     /// flattened surfaces, which are elastic from then on.
     pub fn compute(
         contact: &mut RoughContact,
@@ -113,7 +113,7 @@ impl LoadCurve {
             let watch = within(watch, Progress { total: Some(steps + 1), ..done });
             let solution = contact.press(pressure, &options.contact, &watch)?;
             let mut point = LoadPoint::of(&solution, area);
-            // The perimeter is corrected as that of round spots, of flat ones by too much.
+            // The perimeter is corrected as for round spots, which overcorrects flat ones.
             let least = point.mean_pressure / hardness;
             point.corrected_contact_fraction = point.corrected_contact_fraction.max(least);
             if let Some(first) = first.take() {
@@ -132,8 +132,8 @@ impl LoadCurve {
         Self::new(points)
     }
 
-    /// From points of a computation or a measurement: at least three, pressure and approach
-    /// growing.
+    /// A curve from points of a computation or a measurement: at least three, with increasing
+    /// pressure and approach.
     pub fn new(points: Vec<LoadPoint>) -> Result<Self, Error> {
         let grows = |pair: &[LoadPoint]| {
             pair[1].mean_pressure > pair[0].mean_pressure && pair[1].approach > pair[0].approach
@@ -146,7 +146,7 @@ impl LoadCurve {
         Ok(Self { points, slopes })
     }
 
-    /// Its points by growing pressure.
+    /// Points in order of increasing pressure.
     pub fn points(&self) -> &[LoadPoint] {
         &self.points
     }
@@ -161,7 +161,7 @@ impl LoadCurve {
         self.points.last().map_or(0.0, |point| point.mean_pressure)
     }
 
-    /// Smallest mean pressure that was solved, in Pa.
+    /// Smallest solved mean pressure, in Pa.
     pub fn smallest_pressure(&self) -> f64 {
         self.points.first().map_or(0.0, |point| point.mean_pressure)
     }
@@ -185,9 +185,9 @@ impl LoadCurve {
         [cubic(hermite(t)), cubic(hermite_slope(t)) / width]
     }
 
-    /// Between which points a mean pressure (in Pa) lies: the lower one, their distance in ln p,
-    /// and the part of it from there, both dimensionless. Beyond the last point the last ones go
-    /// on; `None` before the first.
+    /// The interval that contains a mean pressure (in Pa): its lower point, its width in ln p, and
+    /// the fraction from the lower point, both dimensionless. Beyond the last point the last
+    /// interval is extended; `None` before the first.
     fn interval(&self, mean_pressure: f64) -> Option<(usize, f64, f64)> {
         let above = self.points.partition_point(|point| point.mean_pressure < mean_pressure);
         let above = above.min(self.points.len() - 1);
@@ -196,8 +196,8 @@ impl LoadCurve {
         Some((above - 1, width, (mean_pressure / low).ln() / width))
     }
 
-    /// Real over nominal area of contact (dimensionless) under a mean pressure (in Pa), by powers
-    /// of the pressure between the points.
+    /// Ratio of real to nominal contact area (dimensionless) under a mean pressure (in Pa), by
+    /// power laws between the points.
     pub fn contact_fraction(&self, mean_pressure: f64) -> f64 {
         let fraction = |point: &LoadPoint| point.contact_fraction;
         let Some((below, _, t)) = self.interval(mean_pressure) else {
@@ -208,8 +208,8 @@ impl LoadCurve {
         low * (high / low).powf(t)
     }
 
-    /// The same with the perimeter corrected for, dimensionless: the correction changes slowly, so
-    /// that of the next point serves.
+    /// The same with perimeter correction, dimensionless: the correction changes slowly, so that of
+    /// the next point is used.
     pub fn corrected_contact_fraction(&self, mean_pressure: f64) -> f64 {
         let next = self.points.iter().find(|point| point.mean_pressure >= mean_pressure);
         let correction = next
@@ -218,7 +218,7 @@ impl LoadCurve {
         correction * self.contact_fraction(mean_pressure)
     }
 
-    /// The straight line ln p over d that fits best in [`EXPONENTIAL_RANGE`]; nothing with fewer
+    /// The straight line ln p over d that fits best in [`EXPONENTIAL_RANGE`]; `None` with fewer
     /// than three points in it.
     pub fn exponential_range(&self) -> Option<ExponentialRange> {
         let [least, most] = EXPONENTIAL_RANGE;
@@ -247,8 +247,7 @@ impl LoadCurve {
     }
 }
 
-/// Part of the surface in contact from which on there are no valleys left that the load could
-/// close, dimensionless.
+/// Contact fraction above which there are no valleys left for the load to close, dimensionless.
 const CLOSED: f64 = 0.999;
 
 fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
@@ -261,8 +260,8 @@ fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
 /// d ∝ p^(2/3) and A ∝ p^(2/3) (Hertz 1882).
 const HERTZ_EXPONENT: f64 = 2.0 / 3.0;
 
-/// Derivatives dd/d ln p at the points: of the parabola through three of them, and so small that
-/// the cubics are monotone. At the first point that of Hertz contact.
+/// Derivatives dd/d ln p at the points: that of the parabola through three of them, limited so that
+/// the cubics are monotonic. At the first point that of Hertz contact.
 fn slopes(points: &[LoadPoint]) -> Vec<f64> {
     let widths: Vec<f64> =
         points.windows(2).map(|p| (p[1].mean_pressure / p[0].mean_pressure).ln()).collect();
@@ -290,7 +289,7 @@ fn slopes(points: &[LoadPoint]) -> Vec<f64> {
 }
 
 impl LoadPoint {
-    /// Of a solution over a nominal area, in m².
+    /// The point of a solution over a nominal area, in m².
     fn of(solution: &RoughContactSolution, area: f64) -> Self {
         Self {
             mean_pressure: solution.load / area,
@@ -312,7 +311,7 @@ mod tests {
 
     use super::*;
 
-    /// Points of a curve d(p), in contact between 0.1 % and all of it.
+    /// Points of a curve d(p), with contact fractions between 0.1 % and 100 %.
     pub(super) fn points(approach: impl Fn(f64) -> f64) -> Vec<LoadPoint> {
         let pressures = (0..=24).map(|k| 1e9 * 10_f64.powf(f64::from(k - 24) / 8.0));
         let point = |mean_pressure: f64| LoadPoint {
@@ -343,7 +342,7 @@ mod tests {
         assert_relative_eq!(curve.contact_fraction(1e8), 0.03, max_relative = 1e-12);
     }
 
-    /// An exponential is found with its length, from 1 to 20 % of contact.
+    /// An exponential is identified with its length, from 1 to 20 % of contact.
     #[test]
     fn an_exponential_has_its_length() {
         let curve = LoadCurve::new(points(|p| 3e-7 * (p / 1e5).ln())).unwrap();

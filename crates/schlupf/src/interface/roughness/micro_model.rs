@@ -1,4 +1,4 @@
-//! The micro model in one: surface in, k_c out.
+//! The complete micro model, from surface to k_c.
 
 use super::load_curve::{ExponentialRange, LoadCurve, LoadCurveOptions};
 use super::stiffness::{ContactStiffness, TYPICAL_GAMMA, closed_form};
@@ -13,7 +13,7 @@ use crate::surface::statistics::Statistics;
 /// Two rough bodies.
 #[derive(Debug, Clone)]
 pub struct MicroModel {
-    /// Heights of both surfaces together, without form, continued periodically.
+    /// Combined heights of both surfaces, without form, continued periodically.
     pub surface: HeightMap,
     /// Contact modulus E*, in Pa.
     pub contact_modulus: f64,
@@ -25,19 +25,19 @@ pub struct MicroModel {
     pub mean_pressures: Vec<f64>,
 }
 
-/// What the micro model finds.
+/// Result of the micro model.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MicroModelResult {
-    /// Of the surface.
+    /// Statistics of the surface.
     pub statistics: Statistics,
-    /// Approach over load.
+    /// Approach as a function of load.
     pub normal: LoadCurve,
-    /// A curve for each mean pressure.
+    /// One curve for each mean pressure.
     pub tangential: Vec<TangentialCurve>,
     /// k_c.
     pub stiffness: ContactStiffness,
-    /// Where the load grows exponentially, if the pressures reach it.
+    /// The range in which the load grows exponentially, if the pressures include it.
     pub exponential: Option<ExponentialRange>,
     /// γ = ℓ/h_rms of that range, dimensionless.
     pub gamma: Option<f64>,
@@ -45,11 +45,12 @@ pub struct MicroModelResult {
     pub closed_form: f64,
 }
 
-/// How far below the smallest mean pressure of a curve the normal contact is solved, dimensionless.
+/// Ratio of the smallest mean pressure of a curve to the smallest one in the normal contact,
+/// dimensionless.
 const BELOW: f64 = 100.0;
 
 impl MicroModel {
-    /// Solves the normal contact over the load and fits k_c.
+    /// Solves the normal contact as a function of load and fits k_c.
     ///
     /// ```
     /// use schlupf::interface::roughness::{
@@ -94,12 +95,12 @@ impl MicroModel {
         MicroModelResult::new(statistics, normal, &self.bodies, &self.mean_pressures)
     }
 
-    /// In Pa.
+    /// Largest mean pressure, in Pa.
     fn largest_pressure(&self) -> f64 {
         self.mean_pressures.iter().copied().fold(0.0, f64::max)
     }
 
-    /// Options that reach well below the smallest mean pressure: there its tangential curve ends.
+    /// Options that extend well below the smallest mean pressure, where its tangential curve ends.
     fn reaching(&self, options: &LoadCurveOptions) -> LoadCurveOptions {
         let least = self.mean_pressures.iter().copied().fold(f64::INFINITY, f64::min);
         let range = options.range.max(BELOW * self.largest_pressure() / least);
@@ -108,14 +109,14 @@ impl MicroModel {
 }
 
 impl MicroModelResult {
-    /// Whether its normal contact reaches as far below mean pressures (in Pa) as one that is solved
-    /// for them.
+    /// Whether the normal contact extends as far below the given mean pressures (in Pa) as one
+    /// solved for them.
     pub fn covers(&self, mean_pressures: &[f64]) -> bool {
         let least = (1.0 - 1e-9) * BELOW * self.normal.smallest_pressure();
         mean_pressures.iter().all(|pressure| *pressure >= least)
     }
 
-    /// From a normal contact that is solved: tangential curves at mean pressures (in Pa), and k_c.
+    /// Computes tangential curves at mean pressures (in Pa), and k_c, from a solved normal contact.
     pub fn new(
         statistics: Statistics,
         normal: LoadCurve,
@@ -144,9 +145,9 @@ impl MicroModelResult {
     }
 }
 
-/// Local pressures (in Pa) that stand for a Hertzian patch of a largest pressure p0 (in Pa): below
-/// them one sixth, one half and five sixths of the load are carried. Of the load, (p/p0)³ is
-/// carried at pressures below p.
+/// Local pressures (in Pa) that represent a Hertzian patch with the largest pressure p0 (in Pa):
+/// one sixth, one half and five sixths of the load are carried below them. The fraction of the load
+/// carried at pressures below p is (p/p0)³.
 pub fn pressures_of_patch(peak_pressure: f64) -> [f64; 3] {
     [1.0, 3.0, 5.0].map(|sixths: f64| peak_pressure * (sixths / 6.0).cbrt())
 }
@@ -157,7 +158,8 @@ mod tests {
 
     use super::*;
 
-    /// Goal: the shares of the load, by summing the pressure p0 √(1 − r²) over rings of the patch.
+    /// Goal: the fractions of the load, by summing the pressure p0 √(1 − r²) over rings of the
+    /// patch.
     #[test]
     fn the_pressures_of_a_patch_divide_its_load() {
         let rings: Vec<[f64; 2]> = (0..100_000)

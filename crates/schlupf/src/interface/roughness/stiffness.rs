@@ -10,10 +10,10 @@ use crate::numerics::root::golden_section;
 pub struct ExponentialFit {
     /// Exponent k_c, in 1/m.
     pub stiffness: f64,
-    /// Root mean square of what the exponential misses of Q/(μP), all forces up to full sliding
-    /// counting alike; dimensionless.
+    /// Root mean square misfit of the exponential to Q/(μP), all forces up to full sliding weighted
+    /// equally; dimensionless.
     pub root_mean_square_error: f64,
-    /// The largest of it, dimensionless.
+    /// Largest misfit, dimensionless.
     pub largest_error: f64,
 }
 
@@ -27,12 +27,13 @@ pub struct ContactStiffness {
     pub fits: Vec<ExponentialFit>,
     /// One fit for all of them.
     pub common: ExponentialFit,
-    /// Largest less smallest k_c over that of the common fit, dimensionless.
+    /// Difference between the largest and smallest k_c relative to that of the common fit,
+    /// dimensionless.
     pub spread: f64,
 }
 
-/// γ of the closed form, dimensionless, in the middle of the 0.4 to 0.5 that theory and measurement
-/// find (Persson 2007, PRL 99, 125502; Lorenz and Persson 2009).
+/// γ of the closed form, dimensionless, in the middle of the range 0.4 to 0.5 found by theory and
+/// measurement (Persson 2007, PRL 99, 125502; Lorenz and Persson 2009).
 pub const TYPICAL_GAMMA: f64 = 0.45;
 
 /// k_c = 2 (1 − ν)/(μ (2 − ν) ℓ) (in 1/m): Eq. (8) is exact where the load grows with the approach
@@ -52,7 +53,7 @@ pub fn closed_form(bodies: &SimilarBodies, length: f64) -> f64 {
 }
 
 impl ContactStiffness {
-    /// Fits each of the curves and all of them together; nothing without curves.
+    /// Fits each of the curves and all of them together; `None` without curves.
     pub fn fit(curves: &[TangentialCurve]) -> Option<Self> {
         if curves.is_empty() {
             return None;
@@ -72,14 +73,14 @@ impl ContactStiffness {
         })
     }
 
-    /// The one k_c (in 1/m), if it changes with the pressure by less than a part of itself
+    /// The common k_c (in 1/m), if it varies with the pressure by less than the given fraction
     /// (dimensionless).
     pub fn single(&self, largest_spread: f64) -> Option<f64> {
         (self.spread <= largest_spread).then_some(self.common.stiffness)
     }
 }
 
-/// Steps of the golden section: to rounding error.
+/// Steps of the golden-section search: to rounding error.
 const STEPS: u32 = 60;
 
 /// The k_c with the least sum of squares.
@@ -97,7 +98,7 @@ fn fit(curves: &[TangentialCurve]) -> ExponentialFit {
     }
 }
 
-/// From where Q/(μP) = 1 − 1/e.
+/// Estimated from the point where Q/(μP) = 1 − 1/e.
 fn initial_guess(curve: &TangentialCurve) -> f64 {
     let share = 1.0 - (-1.0_f64).exp();
     let above = curve.points.iter().find(|point| point.normalised_traction >= share);
@@ -108,7 +109,7 @@ fn miss(stiffness: f64, displacement: f64, traction: f64) -> f64 {
     traction + (-stiffness * displacement).exp_m1()
 }
 
-/// Sum over the curves of ∫₀¹ (q − 1 + exp(−k_c u))² dq with q = Q/(μP), by trapezia.
+/// Sum over the curves of ∫₀¹ (q − 1 + exp(−k_c u))² dq with q = Q/(μP), by the trapezoidal rule.
 fn squares(curves: &[TangentialCurve], stiffness: f64) -> f64 {
     let of_curve = |curve: &TangentialCurve| -> f64 {
         let square = |k: usize| {
@@ -147,7 +148,7 @@ mod tests {
     }
 
     /// Eq. (8) is exact where p ∝ exp(d/ℓ): over ten decades, k_c is that of the closed form at
-    /// every pressure, whatever the pressure.
+    /// every pressure.
     #[test]
     fn an_exponential_normal_curve_gives_eq_8() {
         let length = 4e-7;
@@ -166,7 +167,7 @@ mod tests {
         assert_relative_eq!(curves[2].initial_stiffness, 0.3e9 * expected, max_relative = 1e-3);
     }
 
-    /// A sphere is no exponential, and the fit says so: the force rises too straight.
+    /// A sphere is not exponential, and the fit reports this: the force rises too linearly.
     #[test]
     fn a_sphere_is_fitted_with_its_error() {
         let points =
@@ -175,7 +176,7 @@ mod tests {
         let curves = [1e9, 3e9].map(|p| TangentialCurve::new(&normal, p, &STEEL).unwrap());
         let stiffness = ContactStiffness::fit(&curves).unwrap();
         assert!(stiffness.common.largest_error > 0.05, "{}", stiffness.common.largest_error);
-        // d ∝ p^(2/3), so does 1/k_c.
+        // d ∝ p^(2/3), and so is 1/k_c.
         let ratio = stiffness.fits[0].stiffness / stiffness.fits[1].stiffness;
         assert_relative_eq!(ratio, 3_f64.powf(2.0 / 3.0), max_relative = 1e-3);
         assert_eq!(stiffness.single(0.1), None);

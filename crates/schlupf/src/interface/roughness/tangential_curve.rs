@@ -1,16 +1,18 @@
-//! Tangential force over displacement of a rough contact, Figure 3 of Neuhaus and Sextro (2014).
+//! Tangential force against displacement of a rough contact, Figure 3 of Neuhaus and Sextro (2014).
 //!
 //! For similar elastic bodies with Coulomb friction in every spot, the traction under a tangential
-//! force Q is that of full sliding under P less that of full sliding under P*, whose contact still
-//! sticks (Ciavarella 1998, Int. J. Solids Struct. 35, 2349; Jäger 1998, Arch. Appl. Mech. 68, 23):
+//! force Q is that of full sliding under P minus that of full sliding under P*, the load whose
+//! contact area still sticks (Ciavarella 1998, Int. J. Solids Struct. 35, 2349; Jäger 1998, Arch.
+//! Appl. Mech. 68, 23):
 //!
 //! Q = μ (P − P*),  u = μ c (d(P) − d(P*)),  c = (2 − ν)/(2 (1 − ν)).
 //!
-//! Bodies that have yielded under P or more are elastic on the way back, and so must d(P*) be: that
-//! of surfaces which the largest load has flattened ([`super::load_curve::LoadCurve::compute`]).
+//! Bodies that have yielded under P or more unload elastically, and so d(P*) must be that of
+//! surfaces flattened by the largest load ([`super::load_curve::LoadCurve::compute`]).
 //!
-//! P* falls from P (all sticks) to 0 (all slides, at a finite displacement). Exact for ν = 0; else
-//! the small displacement across the force is neglected, and c is that of circular spots.
+//! P* falls from P (full stick) to 0 (full sliding, at a finite displacement). Exact for ν = 0;
+//! otherwise the small displacement transverse to the force is neglected, and c is that of circular
+//! spots.
 
 use super::load_curve::LoadCurve;
 use crate::error::{Error, require, require_positive};
@@ -29,12 +31,13 @@ pub struct SimilarBodies {
 }
 
 impl SimilarBodies {
-    /// Tangential over normal compliance c = (2 − ν)/(2 (1 − ν)), dimensionless (Mindlin 1949).
+    /// Ratio of tangential to normal compliance c = (2 − ν)/(2 (1 − ν)), dimensionless (Mindlin
+    /// 1949).
     pub fn compliance_ratio(&self) -> f64 {
         (2.0 - self.poisson_ratio) / (2.0 * (1.0 - self.poisson_ratio))
     }
 
-    /// Checks that both are possible.
+    /// Checks both values.
     pub fn check(&self) -> Result<(), Error> {
         require_positive(Quantity::FrictionCoefficient, self.friction_coefficient)?;
         let legal = Requirement::Between(0.0, 0.5);
@@ -47,19 +50,19 @@ impl SimilarBodies {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct TangentialPoint {
-    /// Tangential displacement of the two bodies against each other, in m.
+    /// Relative tangential displacement of the two bodies, in m.
     pub displacement: f64,
-    /// Tangential force over the nominal area, in Pa.
+    /// Tangential force per unit nominal area, in Pa.
     pub traction: f64,
-    /// The same over that of full sliding, Q/(μP), dimensionless.
+    /// The same relative to that of full sliding, Q/(μP), dimensionless.
     pub normalised_traction: f64,
-    /// Displacement over that from which on all slides, dimensionless.
+    /// Displacement relative to that at the onset of full sliding, dimensionless.
     pub normalised_displacement: f64,
     /// Slope of the traction, in Pa/m.
     pub stiffness: f64,
-    /// Part of the displacement that comes from sliding of spots, u − q/k(0), in m.
+    /// Part of the displacement due to sliding of spots, u − q/k(0), in m.
     pub micro_slip: f64,
-    /// Part of the contact that slides, dimensionless.
+    /// Fraction of the contact that slides, dimensionless.
     pub sliding_fraction: f64,
 }
 
@@ -72,15 +75,15 @@ pub struct TangentialCurve {
     pub mean_pressure: f64,
     /// Traction of full sliding μp, in Pa.
     pub limit: f64,
-    /// Displacement from which on all slides, in m.
+    /// Displacement at the onset of full sliding, in m.
     pub full_sliding_displacement: f64,
-    /// Slope while all sticks, per area, in Pa/m.
+    /// Slope in full stick, per unit area, in Pa/m.
     pub initial_stiffness: f64,
     /// From rest to full sliding, and one point beyond.
     pub points: Vec<TangentialPoint>,
 }
 
-/// Points up to full sliding, and how far the last one lies beyond.
+/// Number of points up to full sliding, and the relative distance of the last one beyond it.
 const POINTS: usize = 100;
 const BEYOND: f64 = 1.25;
 
@@ -107,7 +110,7 @@ impl TangentialCurve {
         };
         let area = normal.contact_fraction(mean_pressure);
         for k in 0..=POINTS {
-            // Even steps of the displacement of a sphere.
+            // Equal steps of the displacement of a sphere.
             let share = (1.0 - k as f64 / POINTS as f64).powf(1.5);
             let sticking = share * mean_pressure;
             let [still, slope] = normal.approach(sticking);
@@ -133,7 +136,7 @@ impl TangentialCurve {
         });
     }
 
-    /// Q/(μP) (dimensionless) at a displacement (in m), between the points in straight lines.
+    /// Q/(μP) (dimensionless) at a displacement (in m), by linear interpolation between the points.
     pub fn normalised_traction(&self, displacement: f64) -> f64 {
         let points =
             self.points.iter().map(|point| (point.displacement, point.normalised_traction));
