@@ -1,4 +1,4 @@
-//! A normal contact under another load than its own.
+//! A normal contact under a load other than its own.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::warning::Warning;
 
-/// A source of pressure whose own load is another one.
+/// A pressure source with a different own load.
 #[derive(Debug, Clone)]
 pub struct AtLoad {
     source: Arc<dyn PressureSource>,
@@ -16,7 +16,7 @@ pub struct AtLoad {
 }
 
 impl AtLoad {
-    /// The source under a load N, in N; the patch grows as the source says.
+    /// The source with the load N, in N; the patch grows according to the source.
     ///
     /// ```
     /// use std::sync::Arc;

@@ -6,10 +6,10 @@ use super::{NormalContact, NormalSummary, Pressure, PressureSource};
 use crate::error::{Error, require_positive};
 use crate::quantity::Quantity;
 
-/// Semi-ellipsoidal pressure on an ellipse of given semi-axes, N = (2/3) π a b p0.
+/// Semi-ellipsoidal pressure on an ellipse with given semi-axes, N = (2/3) π a b p0.
 ///
-/// Under another load (`[history]`) the patch grows as that of two bodies of fixed curvature would:
-/// a, b and p0 with the cube root of the load.
+/// Under another load (`[history]`) the patch grows like that of two bodies of fixed curvature: a,
+/// b and p0 with the cube root of the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipse {
     semi_axis_x: f64,
@@ -18,7 +18,7 @@ pub struct Ellipse {
 }
 
 impl Ellipse {
-    /// From the semi-axes (in m) and the load (in N).
+    /// An ellipse with given semi-axes (in m) and load (in N).
     ///
     /// ```
     /// use schlupf::normal::{PressureSource, ellipse::Ellipse};
@@ -35,7 +35,7 @@ impl Ellipse {
         Ok(Self { semi_axis_x, semi_axis_y, load })
     }
 
-    /// From the semi-axes (in m) and the largest pressure (in Pa).
+    /// An ellipse with given semi-axes (in m) and largest pressure (in Pa).
     pub fn from_peak_pressure(
         semi_axis_x: f64,
         semi_axis_y: f64,

@@ -5,7 +5,7 @@
 //!
 //! u_z(x, y) = 3N/(4πE*) ∫₀^∞ (1 − x²/(a²+s) − y²/(b²+s)) ds / √((a²+s)(b²+s)s),
 //!
-//! which must be δ − A x² − B y². In Carlson's symmetric integrals, for any ratio of a to b,
+//! and must equal δ − A x² − B y². In Carlson's symmetric integrals, for any ratio of a to b,
 //!
 //! δ = 3N/(2πE*) R_F(0, a², b²),  A = N/(2πE*) R_D(0, b², a²),  B = N/(2πE*) R_D(0, a², b²).
 
@@ -30,18 +30,18 @@ pub struct Radii {
 }
 
 impl Radii {
-    /// Curved along rolling only, with a radius in m: a cylindrical wheel.
+    /// A body curved along rolling only, with a radius in m: a cylindrical wheel.
     pub const fn along(radius: f64) -> Self {
         Self { x: radius, y: f64::INFINITY }
     }
 
-    /// Curved across rolling only, with a radius in m: a straight rail.
+    /// A body curved across rolling only, with a radius in m: a straight rail.
     pub const fn across(radius: f64) -> Self {
         Self { x: f64::INFINITY, y: radius }
     }
 }
 
-/// Hertz contact from the radii of two bodies and their load.
+/// Hertz contact determined by the radii of two bodies and their load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hertz {
     curvature_x: f64,
@@ -50,7 +50,7 @@ pub struct Hertz {
     load: f64,
 }
 
-/// Largest and smallest ratio of the curvature sums; beyond it the contact is a line.
+/// Largest ratio of the curvature sums; beyond it the contact is a line.
 const LARGEST_CURVATURE_RATIO: f64 = 1e5;
 
 impl Hertz {
@@ -132,7 +132,7 @@ impl PressureSource for Hertz {
     }
 }
 
-/// 1/R₁ + 1/R₂, in 1/m; positive.
+/// 1/R₁ + 1/R₂, in 1/m, which must be positive.
 pub(super) fn curvature_sum(radii: [(Quantity, f64); 2]) -> Result<f64, Error> {
     for (quantity, radius) in radii {
         require(quantity, Requirement::NotZero, radius)?;
@@ -144,7 +144,7 @@ pub(super) fn curvature_sum(radii: [(Quantity, f64); 2]) -> Result<f64, Error> {
     Err(Error::CurvatureSum { radii: radii.map(|(quantity, _)| quantity), sum })
 }
 
-/// a/b of the ellipse that belongs to the ratio of curvature sums A/B = R_D(0,b²,a²)/R_D(0,a²,b²).
+/// Axis ratio a/b of the ellipse for the ratio of curvature sums A/B = R_D(0,b²,a²)/R_D(0,a²,b²).
 ///
 /// The right-hand side falls monotonically from ∞ to 0 with a/b: bisection on ln(a/b).
 fn axis_ratio(curvature_ratio: f64) -> f64 {
@@ -152,7 +152,7 @@ fn axis_ratio(curvature_ratio: f64) -> f64 {
         let square = log_ratio.exp();
         carlson_d(square.recip(), square) / carlson_d(square, square.recip()) - curvature_ratio
     };
-    // 20 · 2⁻⁶⁰ is below the spacing of the numbers around 10.
+    // 20 · 2⁻⁶⁰ is below the spacing of floating-point numbers around 10.
     let [low, high] = bisection([-10.0, 10.0], 60, |log_ratio| excess(log_ratio) > 0.0);
     (0.5 * (low + high)).exp()
 }
@@ -196,7 +196,7 @@ mod tests {
     fn vollebregt_2022_locomotive_wheel() {
         let hertz = Hertz::new(Radii { x: 0.625, y: 1.7767 }, FLAT, steel(), 106.7e3).unwrap();
         let contact = hertz.normal_contact(None).unwrap().summary;
-        // Half a unit of the last printed digit, and of the curvature's.
+        // Half a unit of the last printed digit, and of that of the curvature.
         assert_relative_eq!(contact.semi_axis_x, 6.304e-3, max_relative = 1e-4);
         assert_relative_eq!(contact.semi_axis_y, 12.61e-3, max_relative = 4e-4);
         assert_relative_eq!(contact.peak_pressure, 641.1e6, max_relative = 2e-4);
@@ -213,8 +213,8 @@ mod tests {
         assert_relative_eq!(contact.peak_pressure, 770.4e6, max_relative = 1e-3);
     }
 
-    /// Turning the bodies by 90° swaps the axes and changes nothing else; the displacement under
-    /// the pressure is the undeformed distance.
+    /// Rotating the bodies by 90° swaps the axes and changes nothing else; the displacement under
+    /// the pressure equals the undeformed distance.
     #[test]
     fn hertz_1882_axes_swap_with_the_radii() {
         for radius in [0.01, 0.1, 0.5, 2.0, 500.0] {

@@ -17,13 +17,13 @@ use crate::warning::Warning;
 
 use tabulated::PressureTable;
 
-/// Where the normal pressure comes from. Extension point.
+/// A source of the normal pressure. Extension point.
 pub trait PressureSource: Debug + Send + Sync {
     /// The normal contact under `load` (in N), or under the source's own load.
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error>;
 
-    /// Finds out ahead what the normal contact under `load` (in N), or under the source's own load,
-    /// takes long for.
+    /// Computes in advance the time-consuming parts of the normal contact under `load` (in N), or
+    /// under the source's own load.
     ///
     /// # Errors
     /// As [`Self::normal_contact`], and [`Error::Stopped`].
@@ -31,15 +31,15 @@ pub trait PressureSource: Debug + Send + Sync {
         Ok(())
     }
 
-    /// With which power of the load the lengths of the patch grow (dimensionless), if the load is
-    /// all that changes in the description of the source: 1/3 for two bodies of given curvature, 0
-    /// for a patch whose size is given. `None` where the patch changes its shape or this is not
-    /// known; then there are no derivatives by the load.
+    /// The power of the load with which the lengths of the patch grow (dimensionless), if only the
+    /// load changes in the description of the source: 1/3 for two bodies of given curvature, 0 for
+    /// a patch of given size. `None` if the patch changes its shape or the power is not known; then
+    /// there are no derivatives with respect to the load.
     fn growth(&self) -> Option<f64> {
         Some(0.0)
     }
 
-    /// What the reader of results must know about where the pressure comes from.
+    /// A warning about the pressure source for whoever uses the results.
     fn caveat(&self) -> Option<Warning> {
         None
     }
@@ -59,16 +59,16 @@ pub struct NormalContact {
 pub struct NormalSummary {
     /// Normal load N, in N.
     pub load: f64,
-    /// Semi-axis a along rolling, in m; half the extent where the patch is no ellipse.
+    /// Semi-axis a along rolling, in m; half the extent if the patch is not an ellipse.
     pub semi_axis_x: f64,
-    /// Semi-axis b across rolling, in m; half the extent where the patch is no ellipse.
+    /// Semi-axis b across rolling, in m; half the extent if the patch is not an ellipse.
     pub semi_axis_y: f64,
     /// Largest pressure p0, in Pa.
     pub peak_pressure: f64,
-    /// Approach of distant points of the two bodies, in m, where the source knows it.
+    /// Approach of distant points of the two bodies, in m, if the source computes it.
     pub approach: Option<f64>,
-    /// Where the origin of the contact frame lies in the coordinates of the file that the source
-    /// comes from, x and y in m; if it comes from one.
+    /// Position of the origin of the contact frame in the coordinates of the source's file, x and y
+    /// in m; `None` without a file.
     pub origin: Option<[f64; 2]>,
     /// Number of separate parts of the patch.
     pub parts: usize,
@@ -77,14 +77,14 @@ pub struct NormalSummary {
 /// A distribution of normal pressure.
 #[derive(Debug, Clone)]
 pub enum Pressure {
-    /// p0 √(1 − x²/a² − y²/b²), sizes in the summary (Hertz 1882).
+    /// p0 √(1 − x²/a² − y²/b²), with the sizes of the summary (Hertz 1882).
     Elliptic,
     /// A table times a factor (dimensionless).
     Tabulated(Arc<PressureTable>, f64),
 }
 
 impl NormalContact {
-    /// The rectangle that the patch spans.
+    /// The bounding rectangle of the patch.
     pub fn extent(&self) -> Extent {
         match &self.pressure {
             Pressure::Elliptic => {

@@ -1,4 +1,4 @@
-//! Pressure from a table: finite elements, a measurement, another program.
+//! Pressure from a table: from finite elements, a measurement, or another program.
 
 use std::sync::Arc;
 
@@ -9,26 +9,25 @@ use crate::numerics::interpolation::mix;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// Samples below this part of the largest one are taken for noise, and for zero.
+/// Samples below this fraction of the largest one are considered noise and set to zero.
 const NOISE: f64 = 1e-4;
 
 /// Largest and smallest peak pressure of a table, in Pa.
 const PEAK_RANGE: [f64; 2] = [1.0, 1e14];
 
-/// Normal pressure sampled on an equidistant rectangular lattice, linear in between in each
-/// direction, falling to zero within one spacing outside the lattice. Positions count from the
-/// centre of the patch, whatever the origin of the table was.
+/// Normal pressure sampled on an equidistant rectangular lattice, bilinear in between, falling to
+/// zero within one spacing outside the lattice. Positions are relative to the centre of the patch,
+/// whatever the origin of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PressureTable {
     x: Axis,
     y: Axis,
     pressure: Vec<f64>,
-    /// The origin of these positions in those that were given, x and y in m.
+    /// The origin of these positions in the given coordinates, x and y in m.
     origin: [f64; 2],
 }
 
-/// Positions may deviate from equidistance by this part of the spacing: printed numbers are
-/// rounded.
+/// Tolerance of equidistance, relative to the spacing: printed numbers are rounded.
 const SPACING_TOLERANCE: f64 = 1e-2;
 
 fn axis(name: char, positions: &[f64]) -> Result<Axis, Error> {
@@ -52,15 +51,14 @@ impl PressureTable {
     ///
     /// # Errors
     /// Positions that are not equidistant, a wrong number of values, a value that is negative or
-    /// not finite, or no positive value at all.
+    /// not finite, or no positive value.
     pub fn new(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
         let table = Self::where_it_is(x, y, pressure)?;
         let Extent { x, y } = table.extent();
         Ok(table.seen_from([0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])]))
     }
 
-    /// The same with positions that count from where they were given, not from the centre of the
-    /// patch.
+    /// The same with positions in the given coordinates, not relative to the centre of the patch.
     pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
         let (x, y) = (axis('x', x)?, axis('y', y)?);
         let (quantity, expected, count) =
@@ -81,7 +79,7 @@ impl PressureTable {
         Ok(Self { x, y, pressure, origin: [0.0; 2] })
     }
 
-    /// The same with positions that count from `origin` (in m).
+    /// The same with positions relative to `origin` (in m).
     pub(crate) fn seen_from(&self, origin: [f64; 2]) -> Self {
         let mut table = self.clone();
         table.x.start -= origin[0];
@@ -90,13 +88,13 @@ impl PressureTable {
         table
     }
 
-    /// Where the origin of the table lies in the positions that were given, x and y in m.
+    /// Position of the origin of the table in the given coordinates, x and y in m.
     pub fn origin(&self) -> [f64; 2] {
         self.origin
     }
 
-    /// Number of separate parts of the positive pressure; samples that touch at a corner belong
-    /// together.
+    /// Number of separate parts of the positive pressure; samples that touch at a corner are
+    /// connected.
     pub fn parts(&self) -> usize {
         let (columns, rows) = (self.x.count, self.y.count);
         let mut is_open: Vec<bool> = self.pressure.iter().map(|p| *p > 0.0).collect();
@@ -133,7 +131,7 @@ impl PressureTable {
         self.pressure.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The rectangle that the positive pressure spans.
+    /// The bounding rectangle of the positive pressure.
     pub fn extent(&self) -> Extent {
         let row = |j: usize| self.pressure[j * self.x.count..(j + 1) * self.x.count].to_vec();
         let column = |i: usize| (0..self.y.count).map(|j| self.at(i, j)).collect::<Vec<_>>();
@@ -152,7 +150,7 @@ impl PressureTable {
     }
 
     /// Pressure along x, integrated across from `low` to `high` (in m), in N/m. Infinite bounds are
-    /// legal.
+    /// allowed.
     pub(crate) fn integral_over(&self, low: f64, high: f64) -> Vec<f64> {
         let mut integral = vec![0.0; self.x.count];
         for j in 0..self.y.count {
@@ -167,9 +165,9 @@ impl PressureTable {
         integral
     }
 
-    /// Pressure along x at some y (in m), in Pa; interpolated in the square, which is linear at the
-    /// edge of a contact. Between a row in contact and one without, the square goes on as it comes
-    /// from inside, so that the edge between the two is where it should be.
+    /// Pressure along x at a given y (in m), in Pa; the square is interpolated, because it is
+    /// linear at the edge of a contact. Between a row in contact and one without, the square is
+    /// extrapolated from inside, so that the edge between the two is in the right place.
     pub(crate) fn line_at(&self, y: f64) -> Vec<f64> {
         let position = ((y - self.y.start) / self.y.spacing).clamp(0.0, (self.y.count - 1) as f64);
         let j = (position.floor() as usize).min(self.y.count - 2);
@@ -182,9 +180,8 @@ impl PressureTable {
             .collect()
     }
 
-    /// Square of the pressure at column `i` and row `j`, in Pa²; where it is zero there but not in
-    /// the row `beside`, the square continued from that row and the next one beyond, not above
-    /// zero.
+    /// Square of the pressure at column `i` and row `j`, in Pa²; if it is zero there but not in the
+    /// row `beside`, the square extrapolated from that row and the next one, not above zero.
     fn square(&self, i: usize, j: usize, beside: usize) -> f64 {
         let (here, inside) = (self.at(i, j).powi(2), self.at(i, beside).powi(2));
         if here > 0.0 || inside == 0.0 {
@@ -209,14 +206,15 @@ pub(crate) fn hat_integral(s: f64) -> f64 {
 /// A run of positive samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Run {
-    /// Where the pressure vanishes behind and ahead of it, in m.
+    /// Positions behind and ahead of it at which the pressure vanishes, in m.
     pub edges: [f64; 2],
 }
 
 /// The runs of positive samples in a line.
 ///
-/// Near its edge a contact pressure goes with the root of the distance, so its square is linear
-/// there: the edge is where the line through the two outer squares vanishes, within one spacing.
+/// Near its edge a contact pressure is proportional to the square root of the distance, so its
+/// square is linear there: the edge is where the line through the two outer squares vanishes,
+/// within one spacing.
 pub(crate) fn positive_runs(samples: &[f64], axis: &Axis) -> Vec<Run> {
     let mut runs = Vec::new();
     let mut k = 0;
@@ -232,7 +230,7 @@ pub(crate) fn positive_runs(samples: &[f64], axis: &Axis) -> Vec<Run> {
         let last = k - 1;
         let beyond = |outer: usize, inner: usize| {
             let (p, q) = (samples[outer].powi(2), samples[inner].powi(2));
-            // The least distance keeps the outermost sample within the contact.
+            // The minimum distance keeps the outermost sample within the contact.
             if q > p { (p / (q - p)).clamp(1e-3, 1.0) } else { 0.5 }
         };
         let ahead = if first == last { 0.5 } else { beyond(last, last - 1) };
@@ -251,7 +249,7 @@ fn span(lines: impl Iterator<Item = Vec<f64>>, axis: &Axis) -> [f64; 2] {
     extent
 }
 
-/// Pressure from a table, scaled to a load where one is given.
+/// Pressure from a table, optionally scaled to a load.
 #[derive(Debug, Clone)]
 pub struct Tabulated {
     table: Arc<PressureTable>,
@@ -259,7 +257,7 @@ pub struct Tabulated {
 }
 
 impl Tabulated {
-    /// The table as it is, or scaled to `load` (in N).
+    /// The table unchanged, or scaled to `load` (in N).
     ///
     /// ```
     /// use schlupf::normal::{PressureSource, tabulated::{PressureTable, Tabulated}};
@@ -320,7 +318,7 @@ mod tests {
         PressureTable::new(&x, &y, pressure).unwrap()
     }
 
-    /// The edge of a Hertzian table is found far more exactly than its spacing (6 % of a here).
+    /// The edge of a Hertzian table is found far more accurately than its spacing (6 % of a here).
     #[test]
     fn extent_of_a_hertzian_table_is_its_ellipse() {
         let extent = hertz_table(37).extent();
@@ -328,7 +326,7 @@ mod tests {
         assert_relative_eq!(extent.y[0], -4e-3, max_relative = 0.01);
     }
 
-    /// Noise around the patch is no contact, and the origin is the centre of the patch.
+    /// Noise around the patch is not contact, and the origin is the centre of the patch.
     #[test]
     fn noise_is_cut_and_the_patch_is_centred() {
         let clean = hertz_table(37);

@@ -1,16 +1,16 @@
-//! Which cells of a row a patch covers, and what the material has travelled on the mean over the
-//! covered part of each: integrals over chords, the lines along x inside the patch.
+//! Coverage of the cells of a row by a patch, and the mean distance travelled by the material over
+//! the covered part of each cell: integrals over chords, the lines along x inside the patch.
 
 use crate::grid::{BORDER, Grid};
 
 use super::{Cell, Patch, Strip, Travel};
 
-/// The part of a line y = const inside the patch, and the width across it that it stands for.
+/// The part of a line y = const inside the patch, and the width across it that it represents.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Chord {
-    /// Where it is, in m.
+    /// Position, in m.
     pub y: f64,
-    /// Width that it stands for, in m.
+    /// Width that it represents, in m.
     pub width: f64,
     /// Its end at smaller x, in m.
     pub trailing_edge: f64,
@@ -30,7 +30,7 @@ pub(super) struct Integrals {
     pub force: f64,
 }
 
-/// A cell covered by less than this part is touched by rounding only.
+/// A cell covered by less than this fraction is touched only due to rounding error.
 const SLIVER: f64 = 1e-12;
 
 impl Integrals {
@@ -84,7 +84,7 @@ impl Integrals {
     }
 }
 
-/// Cuts a chord at the columns' edges: calls `visit(column, low, high)` for each piece.
+/// Cuts a chord at the column edges: calls `visit(column, low, high)` for each piece.
 pub(super) fn cut(chord: &Chord, grid: &Grid, mut visit: impl FnMut(usize, f64, f64)) {
     let last = grid.columns - 1 - BORDER;
     let column = |x: f64| {
@@ -107,7 +107,7 @@ pub(super) fn cover(columns: &mut [Integrals], grid: &Grid, chord: &Chord) {
 
 /// Appends the strips of a row: runs of touched cells from their leading to their trailing edge.
 /// Where the material would move upstream from one cell to the next, another part of the patch
-/// begins.
+/// starts.
 pub(super) fn append_strips(patch: &mut Patch, row: usize, columns: &[Integrals]) {
     let grid = patch.grid;
     let mut start = patch.cells.len();

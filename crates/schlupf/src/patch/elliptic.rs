@@ -14,7 +14,7 @@ const GAUSS: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// Largest interval of the rule, in rad: the pressure of a strip goes as cos³, which eight nodes
+/// Largest interval of the rule, in rad: the pressure of a strip varies as cos³, which eight nodes
 /// then integrate to rounding error.
 const LONGEST_INTERVAL: f64 = 0.4;
 
@@ -36,9 +36,10 @@ pub(super) fn patch(contact: &NormalSummary, grid: Grid) -> Patch {
     patch
 }
 
-/// Integrals of every column in a row. Along x they are exact; along y a Gauss rule in the angle
-/// θ, y = b sin θ, runs between the places where the ellipse crosses from one column to the next.
-/// All columns share the nodes, so a strip's sum is as exact as the integral over its whole chord.
+/// Integrals of every column in a row. Along x they are exact; along y a Gauss rule in the angle θ,
+/// y = b sin θ, is applied between the points where the ellipse crosses from one column to the
+/// next. All columns share the nodes, so the sum of a strip is as accurate as the integral over its
+/// whole chord.
 fn integrate_row(contact: &NormalSummary, grid: &Grid, row: usize) -> Vec<Integrals> {
     let (a, b) = (contact.semi_axis_x, contact.semi_axis_y);
     let angle = |y: f64| (y / b).clamp(-1.0, 1.0).asin();
@@ -75,7 +76,7 @@ fn integrate_row(contact: &NormalSummary, grid: &Grid, row: usize) -> Vec<Integr
     columns
 }
 
-/// Adds a chord and its pressure p0/a √(h² − x²), h half the chord.
+/// Adds a chord and its pressure p0/a √(h² − x²), where h is half the chord.
 fn add_chord(columns: &mut [Integrals], grid: &Grid, slope: f64, chord: &Chord) {
     cover(columns, grid, chord);
     let half = chord.leading_edge;
@@ -131,8 +132,8 @@ mod tests {
         (0..2000).map(edge).sum::<f64>() / 2000.0
     }
 
-    /// Inside, a cell's mean is its centre's pressure to second order, and the distance since
-    /// entry is that from the mean edge of the row.
+    /// Inside, the mean of a cell is the pressure at its centre to second order, and the distance
+    /// since entry is that from the mean edge of the row.
     #[test]
     fn inner_cells_are_plain() {
         let (patch, contact) = ellipse(6e-3, 5e-3, 60, 60);
@@ -151,7 +152,7 @@ mod tests {
         }
     }
 
-    /// Every way into a cell is positive, and entry and exit mirror each other.
+    /// Every path into a cell has positive length, and entry and exit mirror each other.
     #[test]
     fn material_always_moves_downstream() {
         for (nx, ny) in [(20, 20), (7, 30), (30, 7), (80, 80)] {

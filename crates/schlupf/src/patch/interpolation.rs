@@ -1,27 +1,29 @@
-//! Values at points of the patch from values at the centres of the grid's cells, and the transpose.
+//! Interpolation from the centres of the grid's cells to points of the patch, and the transpose.
 
 use crate::grid::{Grid, VectorField};
 use crate::numerics::interpolation::{bilinear, cubic};
 
 use super::{Cell, Patch};
 
-/// Interpolation to the cells' points and to the leading edge of the patch.
+/// Interpolation to the points of the cells and to the leading edge of the patch.
 ///
 /// In a fully covered cell the point is the centre. In others it is the centroid of the covered
-/// part, bilinear between four centres; forces are spread by the transpose, so that they act at the
-/// centroid and a symmetric compliance stays symmetric. At the leading edge, where the
-/// displacement changes fast, the interpolation is cubic along rolling, or linear to a given share.
+/// part, with bilinear interpolation between four centres; forces are spread by the transpose, so
+/// that they act at the centroid and a symmetric compliance stays symmetric. At the leading edge,
+/// where the displacement changes rapidly, the interpolation along rolling is cubic, or a given
+/// mixture of cubic and linear.
 #[derive(Debug, Clone)]
 pub struct Interpolation {
     index: Vec<usize>,
-    /// By how much the displacement of each partly covered cell exceeds that under its mean
-    /// traction, which acts on the covered part only; where cells do not move each other.
+    /// Factor by which the displacement of each partly covered cell exceeds that under its mean
+    /// traction, because the traction acts on the covered part only; for cells that do not displace
+    /// each other.
     concentrated: Vec<(usize, f64)>,
     partial: Vec<(usize, Stencil<4>)>,
-    /// Where the material of each cell entered, by number in `entries`.
+    /// Entry point of the material of each cell, as an index into `entries`.
     entry_of: Vec<usize>,
     entries: Vec<Stencil<8>>,
-    /// What the weights of the entries gain with the cubic share.
+    /// Derivative of the weights of the entries with respect to the cubic share.
     entries_by_share: Vec<Stencil<8>>,
 }
 
@@ -33,7 +35,7 @@ struct Stencil<const N: usize> {
 }
 
 impl<const N: usize> Stencil<N> {
-    /// A sum of multiples of two with the same places.
+    /// Linear combination of two sums with the same positions.
     fn mixed(&self, other: &Self, [one, two]: [f64; 2]) -> Self {
         let weight = std::array::from_fn(|k| one * self.weight[k] + two * other.weight[k]);
         Self { index: self.index, weight }
@@ -47,16 +49,16 @@ impl<const N: usize> Stencil<N> {
     }
 }
 
-/// Covered part from which on down a cell moves no more: next to nothing would be too soft to solve
-/// for, and bears next to nothing.
+/// Covered fraction below which the displacement of a cell no longer increases: a nearly empty cell
+/// would be too compliant for the solver, and bears next to nothing.
 const LEAST_COVERED: f64 = 0.1;
 
-/// Offsets below this part of the spacing are rounding.
+/// Offsets below this fraction of the spacing are rounding error.
 const CENTRED: f64 = 1e-9;
 
 impl Interpolation {
-    /// The weights of a patch. At the leading edge the interpolation is cubic to the share `cubic`
-    /// (dimensionless), and linear for the rest.
+    /// The weights of a patch. At the leading edge the interpolation is a mixture of the share
+    /// `cubic` (dimensionless) of cubic and the rest of linear interpolation.
     pub fn new(patch: &Patch, cubic: f64) -> Self {
         let grid = &patch.grid;
         let mut entries = Vec::new();
@@ -88,7 +90,7 @@ impl Interpolation {
     }
 
     /// Values of each cell over its covered part, and zero at the edges: for bodies whose cells do
-    /// not move each other.
+    /// not displace each other.
     pub fn uncoupled(patch: &Patch) -> Self {
         let cells = patch.cells.iter().enumerate();
         let partly = cells.filter(|(_, cell)| cell.covered < 1.0 - CENTRED);
@@ -113,8 +115,8 @@ impl Interpolation {
         }
     }
 
-    /// The same without regard to where in a partly covered cell the traction acts: the transpose
-    /// of [`Self::spread`].
+    /// The same regardless of where in a partly covered cell the traction acts: the transpose of
+    /// [`Self::spread`].
     pub fn gather_means(&self, field: &VectorField, values: &mut [f64]) {
         for (k, &index) in self.index.iter().enumerate() {
             values[2 * k] = field.x[index];
@@ -132,7 +134,8 @@ impl Interpolation {
             field.x[index] = values[2 * k];
             field.y[index] = values[2 * k + 1];
         }
-        // A cell's own value is there already; where it belongs to others too, it is moved.
+        // The value of a cell is already there; if it belongs to other cells too, it is
+        // distributed.
         for (k, stencil) in &self.partial {
             let value = [values[2 * k], values[2 * k + 1]];
             field.x[self.index[*k]] -= value[0];
@@ -149,7 +152,7 @@ impl Interpolation {
         self.gather_entries(&self.entries, field, values);
     }
 
-    /// What those gain with the share to which the interpolation is cubic.
+    /// Derivative of those values with respect to the cubic share.
     pub fn gather_at_entries_by_share(&self, field: &VectorField, values: &mut [f64]) {
         self.gather_entries(&self.entries_by_share, field, values);
     }
@@ -169,7 +172,7 @@ impl Interpolation {
     }
 }
 
-/// The row next to `row` on the side of the offset (in spacings), and its weight.
+/// The row next to `row` in the direction of the offset (in spacings), and its weight.
 fn beside(row: usize, offset: f64, count: usize) -> (usize, f64) {
     let next = if offset < 0.0 { row.checked_sub(1) } else { Some(row + 1) };
     next.filter(|n| *n < count).map_or((row, 0.0), |n| (n, offset.abs()))
@@ -191,7 +194,7 @@ fn centroid(grid: &Grid, cell: &Cell) -> Option<Stencil<4>> {
     })
 }
 
-/// Cubic (Lagrange) along x, and linear; both linear along y.
+/// Cubic (Lagrange) and linear weights along x; both linear along y.
 fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2]) -> [Stencil<8>; 2] {
     let position = (x - grid.x(0)) / grid.spacing_x;
     let (first, smooth) = cubic(position, grid.columns);
@@ -221,7 +224,8 @@ mod tests {
         Patch::new(&contact, Grid::across(&extent, 11, 8))
     }
 
-    /// A field that is linear in x and y is met at every point, and spreading is the transpose.
+    /// A field that is linear in x and y is interpolated exactly at every point, and spreading is
+    /// the transpose.
     #[test]
     fn linear_fields_are_exact_and_spreading_is_the_transpose() {
         let patch = patch();

@@ -1,8 +1,8 @@
 //! The contact patch on a grid: strips of cells from the leading to the trailing edge, with mean
-//! pressures and with the distances that the material has travelled since the true leading edge.
+//! pressures and with the distances travelled by the material since the true leading edge.
 //!
-//! A cell that the patch touches belongs to the contact. It carries the mean of the pressure over
-//! the whole cell, so that Σ pₙ ΔA = N; its sliding is that of the mean over its covered part, its
+//! Every cell touched by the patch belongs to the contact. It carries the mean of the pressure over
+//! the whole cell, so that Σ pₙ ΔA = N; its sliding is the mean over its covered part, its
 //! displacement is taken at the centroid of that part, and the traction acts there.
 
 mod coverage;
@@ -21,7 +21,7 @@ pub use interpolation::Interpolation;
 /// A discretised contact patch.
 ///
 /// Cells are numbered strip by strip, each strip from the leading to the trailing edge, so the
-/// upstream neighbour of a cell is the one before it.
+/// upstream neighbour of a cell precedes it.
 #[derive(Debug, Clone)]
 pub struct Patch {
     /// The grid.
@@ -39,7 +39,7 @@ pub struct Strip {
     pub row: usize,
     /// Its cells in [`Patch::cells`], from the leading to the trailing edge.
     pub cells: Range<usize>,
-    /// From the last cell to the trailing edge.
+    /// Path from the last cell to the trailing edge.
     pub exit: Travel,
 }
 
@@ -56,15 +56,15 @@ pub struct Cell {
     pub x: f64,
     /// Centroid of the covered part across rolling, in m.
     pub y: f64,
-    /// From the leading edge to the cell.
+    /// Path from the leading edge to the cell.
     pub since_entry: Travel,
-    /// Into the cell: from the leading edge if it is the first of its strip, else from its upstream
-    /// neighbour.
+    /// Path into the cell: from the leading edge if it is the first of its strip, otherwise from
+    /// its upstream neighbour.
     pub way_in: Travel,
 }
 
-/// What a material point travels along x between two places: integrals over the way, averaged
-/// over the covered part of a cell.
+/// Path of a material point along x between two positions: integrals along the path, averaged over
+/// the covered part of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Travel {
     /// ⟨∫ dx⟩, in m.
@@ -76,7 +76,7 @@ pub struct Travel {
 }
 
 impl Travel {
-    /// The way from the end of `upstream` to the end of this one, both from the same start.
+    /// The path from the end of `upstream` to the end of this one, both from the same start.
     pub(crate) fn after(&self, upstream: &Self) -> Self {
         Self {
             distance: self.distance - upstream.distance,
@@ -85,7 +85,7 @@ impl Travel {
         }
     }
 
-    /// The same where all lengths are `factor` times as long.
+    /// The same with all lengths multiplied by `factor`.
     fn rescaled(&self, factor: f64) -> Self {
         Self {
             distance: factor * self.distance,
@@ -94,8 +94,8 @@ impl Travel {
         }
     }
 
-    /// Rigid slip distance of the wheel over the rail on this way, in m:
-    /// ∫ (ξ − φ y, η + φ x) dx.
+    /// Rigid slip distance of the wheel over the rail along this path, in m: ∫ (ξ − φ y, η + φ x)
+    /// dx.
     pub fn rigid_slip(&self, kinematics: &Kinematics) -> [f64; 2] {
         [
             kinematics.creepage_x * self.distance - kinematics.spin * self.moment_y,
@@ -105,15 +105,14 @@ impl Travel {
 }
 
 impl Cell {
-    /// Where the material of the cell entered the contact (in m), on the mean over its covered
-    /// part.
+    /// Entry position of the material of the cell (in m), averaged over its covered part.
     pub fn entry_x(&self) -> f64 {
         self.x + self.since_entry.distance
     }
 }
 
 impl Patch {
-    /// The patch of a normal contact on a grid that spans it.
+    /// The patch of a normal contact on a grid that covers it.
     pub fn new(contact: &NormalContact, grid: Grid) -> Self {
         match &contact.pressure {
             Pressure::Elliptic => elliptic::patch(&contact.summary, grid),
@@ -121,8 +120,8 @@ impl Patch {
         }
     }
 
-    /// Takes over another size and pressure: all lengths and all pressures times a factor each
-    /// (dimensionless).
+    /// Switches to another size and pressure: multiplies all lengths and all pressures by a factor
+    /// each (dimensionless).
     pub(crate) fn rescale(&mut self, length: f64, pressure: f64) {
         let grid = &mut self.grid;
         for size in
@@ -157,8 +156,8 @@ impl Patch {
         self.cells.iter().map(|c| c.pressure).sum::<f64>() * self.grid.cell_area()
     }
 
-    /// Where the material of a strip leaves the contact (in m): behind the centroid of the last
-    /// cell by the distance that is left.
+    /// Exit position of the material of a strip (in m): behind the centroid of the last cell by the
+    /// remaining distance.
     pub fn exit(&self, strip: &Strip) -> f64 {
         self.cells[strip.cells.end - 1].x - strip.exit.distance
     }

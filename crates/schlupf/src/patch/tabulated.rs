@@ -1,4 +1,4 @@
-//! A patch from a table of pressures, possibly of several separate parts.
+//! A patch from a table of pressures, possibly with several separate parts.
 
 use crate::grid::Grid;
 use crate::normal::tabulated::{PressureTable, hat_integral, positive_runs};
@@ -6,12 +6,12 @@ use crate::normal::tabulated::{PressureTable, hat_integral, positive_runs};
 use super::Patch;
 use super::coverage::{Chord, Integrals, append_strips, cover};
 
-/// Least number of chords in a row of cells.
+/// Minimum number of chords in a row of cells.
 const CHORDS: f64 = 8.0;
 
-/// The patch of `table` × `factor`: cell means of its linear interpolant. What the interpolant
-/// holds beyond the edges of the patch goes to the nearest cell of the row, so that the load is
-/// kept.
+/// The patch of `table` × `factor`: cell means of its linear interpolant. The part of the
+/// interpolant beyond the edges of the patch is assigned to the nearest cell of the row, so that
+/// the load is preserved.
 pub(super) fn patch(table: &PressureTable, factor: f64, grid: Grid) -> Patch {
     let mut patch = Patch { grid, strips: Vec::new(), cells: Vec::new() };
     for row in 0..grid.rows {
@@ -22,7 +22,7 @@ pub(super) fn patch(table: &PressureTable, factor: f64, grid: Grid) -> Patch {
         press(&mut columns, &row_force(table, &grid, row), factor, &grid);
         append_strips(&mut patch, row, &columns);
     }
-    // A row that only the tails of the interpolant reach has no cell to take its force.
+    // A row reached only by the tails of the interpolant has no cell to take its force.
     let kept = patch.load();
     let scale = factor * table.load() / kept;
     patch.cells.iter_mut().for_each(|cell| cell.pressure *= scale);
@@ -51,7 +51,7 @@ fn chords(table: &PressureTable, grid: &Grid, row: usize) -> Vec<Chord> {
     chords
 }
 
-/// Force per column of a row, before scaling, in N. What lies beyond the grid belongs to its edge.
+/// Force per column of a row, before scaling, in N. Force beyond the grid is assigned to its edge.
 fn row_force(table: &PressureTable, grid: &Grid, row: usize) -> Vec<f64> {
     let low = if row == 0 { f64::NEG_INFINITY } else { grid.edge_y(row) };
     let high = if row + 1 == grid.rows { f64::INFINITY } else { grid.edge_y(row + 1) };
@@ -70,7 +70,7 @@ fn row_force(table: &PressureTable, grid: &Grid, row: usize) -> Vec<f64> {
     cumulated.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }
 
-/// Gives every column's force to the nearest touched column.
+/// Assigns every column's force to the nearest touched column.
 fn press(columns: &mut [Integrals], force: &[f64], factor: f64, grid: &Grid) {
     let touched: Vec<usize> = (0..columns.len()).filter(|i| columns[*i].is_touched(grid)).collect();
     for (i, force) in force.iter().enumerate().filter(|(_, force)| **force != 0.0) {
@@ -99,7 +99,7 @@ mod tests {
         (0..count).map(|k| half * (2.0 * k as f64 / (count - 1) as f64 - 1.0)).collect()
     }
 
-    /// The load of the table is kept on any grid, and its cells are those of the ellipse.
+    /// The load of the table is preserved on any grid, and its cells are those of the ellipse.
     #[test]
     fn a_hertzian_table_gives_the_elliptic_patch() {
         let (a, b) = (6e-3_f64, 5e-3_f64);

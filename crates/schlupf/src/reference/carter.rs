@@ -5,13 +5,13 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Two cylinders that roll on each other under the pressure p0 √(1 − x²/a²), in plane strain.
 ///
-/// A zone of length 2c at the leading edge sticks. The traction is that of full sliding less one of
-/// the same shape over the sticking zone (signs for ξ > 0, on the wheel),
+/// A zone of length 2c at the leading edge sticks. The traction is that of full sliding minus one
+/// of the same shape over the sticking zone (signs for ξ > 0, on the wheel),
 ///
 /// t = −μ p0 (√(1 − x²/a²) − (c/a) √(1 − (x − d)²/c²)), d = a − c,
 ///
-/// and as q0 √(1 − x²/a²) stretches the two surfaces by 2 q0 (1 − ν) x/(G a) against each other,
-/// they stick where ξ = 2 μ p0 (1 − ν) d/(G a). Limits: similar bodies, no lateral creepage, no
+/// and as q0 √(1 − x²/a²) causes a relative displacement of the two surfaces of 2 q0 (1 − ν) x/(G
+/// a), they stick where ξ = 2 μ p0 (1 − ν) d/(G a). Limits: similar bodies, no lateral creepage, no
 /// spin.
 ///
 /// ```
@@ -27,7 +27,7 @@ use std::f64::consts::FRAC_PI_2;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Carter {
-    /// Half the length of the contact a, in m.
+    /// Half-length of the contact a, in m.
     pub half_length: f64,
     /// Largest pressure p0, in Pa.
     pub peak_pressure: f64,
@@ -40,23 +40,23 @@ pub struct Carter {
 }
 
 impl Carter {
-    /// Normal load for each metre of width N = ½ π a p0, in N/m.
+    /// Normal load per metre of width N = ½ π a p0, in N/m.
     pub fn load(&self) -> f64 {
         FRAC_PI_2 * self.half_length * self.peak_pressure
     }
 
-    /// Creepage from which on all slides, 2 μ p0 (1 − ν)/G; dimensionless.
+    /// Creepage at the onset of full sliding, 2 μ p0 (1 − ν)/G; dimensionless.
     pub fn full_sliding_creepage(&self) -> f64 {
         let limit = self.friction_coefficient * self.peak_pressure;
         2.0 * limit * (1.0 - self.poisson_ratio) / self.shear_modulus
     }
 
-    /// Half the length of the sticking zone c (in m) under the creepage ξ (dimensionless).
+    /// Half-length of the sticking zone c (in m) under the creepage ξ (dimensionless).
     pub fn stick_half_length(&self, creepage: f64) -> f64 {
         self.half_length * (1.0 - creepage.abs() / self.full_sliding_creepage()).max(0.0)
     }
 
-    /// Force on the wheel over μN (dimensionless) under the creepage ξ (dimensionless):
+    /// Force on the wheel divided by μN (dimensionless) under the creepage ξ (dimensionless):
     /// F/μN = −sgn ξ (1 − (c/a)²).
     pub fn force_over_limit(&self, creepage: f64) -> f64 {
         let stick = self.stick_half_length(creepage) / self.half_length;
@@ -102,8 +102,8 @@ mod tests {
         assert_eq!(STEEL.force_over_limit(0.0).abs(), 0.0);
     }
 
-    /// The traction sums up to the force, is that of sliding behind the sticking zone and stays
-    /// below within it.
+    /// The traction integrates to the force, equals that of sliding behind the sticking zone and
+    /// stays below it within the zone.
     #[test]
     fn traction_adds_up_to_the_force() {
         const NODES: u32 = 20_000;

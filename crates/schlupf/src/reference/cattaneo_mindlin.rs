@@ -1,15 +1,16 @@
 //! Tangential shift of two spheres in contact: Cattaneo 1938; Mindlin 1949; Johnson, *Contact
 //! Mechanics* (1985), §7.2(d).
 
-/// Two spheres in a circular contact under the pressure p0 √(1 − r²/a²), shifted by less than
-/// sliding takes.
+/// Two spheres in a circular contact under the pressure p0 √(1 − r²/a²), shifted by less than the
+/// full-sliding shift.
 ///
-/// A disk of radius c in the middle sticks, a ring around it slides. The traction is that of full
-/// sliding less one of the same shape on the disk,
+/// A disk of radius c in the middle sticks, the ring around it slides. The traction is that of full
+/// sliding minus one of the same shape on the disk,
 ///
 /// t = μ p0 (√(1 − r²/a²) − (c/a) √(1 − r²/c²)), c/a = (1 − F/μN)^⅓.
 ///
-/// Limits: similar bodies; exact for ν = 0, else the small traction across the force is neglected.
+/// Limits: similar bodies; exact for ν = 0, otherwise the small traction transverse to the force is
+/// neglected.
 ///
 /// ```
 /// use schlupf::reference::cattaneo_mindlin::CattaneoMindlin;
@@ -36,21 +37,21 @@ pub struct CattaneoMindlin {
 }
 
 impl CattaneoMindlin {
-    /// Shift from which on all slides, δ₁ = 3 μN (2 − ν)/(8 G a), in m (Johnson 1985, §7.2(d), with
-    /// F = μN).
+    /// Shift at the onset of full sliding, δ₁ = 3 μN (2 − ν)/(8 G a), in m (Johnson 1985, §7.2(d),
+    /// with F = μN).
     pub fn full_sliding_shift(&self) -> f64 {
         let limit = self.friction_coefficient * self.load;
         3.0 * limit * (2.0 - self.poisson_ratio) / (8.0 * self.shear_modulus * self.radius)
     }
 
-    /// Shift of the two bodies against each other (in m) under a force over μN (dimensionless, 0 to
-    /// 1): δ = δ₁ (1 − (1 − F/μN)^⅔) (Johnson 1985, §7.2(d)).
+    /// Relative shift of the two bodies (in m) under a force over μN (dimensionless, 0 to 1): δ =
+    /// δ₁ (1 − (1 − F/μN)^⅔) (Johnson 1985, §7.2(d)).
     pub fn shift(&self, force_over_limit: f64) -> f64 {
         let stick = self.stick_radius(force_over_limit) / self.radius;
         self.full_sliding_shift() * (1.0 - stick * stick)
     }
 
-    /// Force over μN (dimensionless) under a shift of at least zero (in m): 1 − (1 − δ/δ₁)^{3/2}.
+    /// Force over μN (dimensionless) for a non-negative shift (in m): 1 − (1 − δ/δ₁)^{3/2}.
     pub fn force_over_limit(&self, shift: f64) -> f64 {
         1.0 - (1.0 - shift / self.full_sliding_shift()).max(0.0).powf(1.5)
     }
@@ -60,7 +61,7 @@ impl CattaneoMindlin {
         self.radius * (1.0 - force_over_limit).max(0.0).cbrt()
     }
 
-    /// Traction along the force (in Pa) at the distance r from the middle (in m) under a force over
+    /// Traction along the force (in Pa) at the distance r from the centre (in m) under a force over
     /// μN (dimensionless).
     pub fn traction(&self, force_over_limit: f64, r: f64) -> f64 {
         let (a, c) = (self.radius, self.stick_radius(force_over_limit));
@@ -102,7 +103,7 @@ mod tests {
         assert_relative_eq!(STEEL.stick_radius(0.875), 2.5e-3, max_relative = 1e-14);
     }
 
-    /// The traction sums up to the force, and is μ times the pressure in the sliding ring.
+    /// The traction integrates to the force, and is μ times the pressure in the sliding ring.
     #[test]
     fn traction_adds_up_to_the_force() {
         const NODES: u32 = 20_000;

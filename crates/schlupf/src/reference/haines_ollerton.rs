@@ -6,17 +6,17 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::carter::Carter;
 
-/// An elliptic contact under p0 √(1 − x²/a² − y²/b²) that rolls with longitudinal creepage, as a
-/// row of strips in plane strain, each of them one of [`Carter`].
+/// An elliptic contact under p0 √(1 − x²/a² − y²/b²) that rolls with longitudinal creepage,
+/// modelled as a row of strips in plane strain, each of them a [`Carter`] contact.
 ///
-/// The strip at y has half the length a(y) = a √(1 − y²/b²) and the largest pressure p0 √(1 −
-/// y²/b²). As p0/a is the same in all of them, the middle of the sticking zone lies ahead of that
-/// of the strip by the same d = a(y) − c(y) in all, ξ = 2 μ p0 (1 − ν) d/(G a), and strips with
-/// a(y) < d slide as a whole.
+/// The strip at y has the half-length a(y) = a √(1 − y²/b²) and the largest pressure p0 √(1 −
+/// y²/b²). As p0/a is the same in all of them, the centre of the sticking zone is ahead of that of
+/// the strip by the same d = a(y) − c(y) in all, ξ = 2 μ p0 (1 − ν) d/(G a), and strips with a(y) <
+/// d slide completely.
 ///
-/// Limits: a ≪ b; similar bodies; no lateral creepage, no spin. What the strips do to each other is
-/// left out: at a/b = 0.1 (0.2) the force under a small creepage is 0.9 % (2.6 %) too small for ν =
-/// 0.25, and 1.9 % (4.9 %) for ν = 0 (against `data/kalker_coefficients.csv`).
+/// Limits: a ≪ b; similar bodies; no lateral creepage, no spin. The interaction of the strips is
+/// neglected: at a/b = 0.1 (0.2) the force under a small creepage is 0.9 % (2.6 %) too small for
+/// ν = 0.25, and 1.9 % (4.9 %) for ν = 0 (compared with `data/kalker_coefficients.csv`).
 ///
 /// ```
 /// use schlupf::reference::haines_ollerton::HainesOllerton;
@@ -63,15 +63,15 @@ impl HainesOllerton {
         }
     }
 
-    /// Creepage from which on all slides, 2 μ p0 (1 − ν)/G; dimensionless.
+    /// Creepage at the onset of full sliding, 2 μ p0 (1 − ν)/G; dimensionless.
     pub fn full_sliding_creepage(&self) -> f64 {
         self.strip(0.0).full_sliding_creepage()
     }
 
-    /// Force on the wheel over μN (dimensionless) under the creepage ξ (dimensionless).
+    /// Force on the wheel divided by μN (dimensionless) under the creepage ξ (dimensionless).
     ///
-    /// With κ = d/a = |ξ| over the creepage of full sliding, the strips of |y| < b √(1 − κ²) stick
-    /// in part, and what they lack of full sliding, (c/a)² of each strip's own load, sums up to
+    /// With κ = d/a = |ξ| over the full-sliding creepage, the strips of |y| < b √(1 − κ²) stick in
+    /// part, and what they lack of full sliding, (c/a)² of each strip's own load, integrates to
     ///
     /// F/μN = −sgn ξ (1 − (3/2) √(1 − κ²) + ½ (1 − κ²)^{3/2} + (3/2) κ acos κ).
     pub fn force_over_limit(&self, creepage: f64) -> f64 {
@@ -109,7 +109,7 @@ mod tests {
         poisson_ratio: 0.28,
     };
 
-    /// The closed form is the sum of the strips' forces, those that slide as a whole included.
+    /// The closed form is the sum of the strips' forces, including those that slide completely.
     #[test]
     fn the_strips_add_up_to_the_force() {
         const STRIPS: u32 = 4000;

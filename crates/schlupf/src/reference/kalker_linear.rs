@@ -1,4 +1,4 @@
-//! Kalker's linear theory of rolling: forces for vanishing creepage, when the whole patch sticks.
+//! Kalker's linear theory of rolling: forces for vanishing creepage, in full adhesion.
 
 use crate::kinematics::Kinematics;
 use crate::solution::Resultant;
@@ -23,7 +23,7 @@ impl CreepCoefficients {
     ///
     /// Fx = −G c² C11 ξ,  Fy = −G c² (C22 η + c C23 φ),  Mz = −G c³ (−C23 η + c C33 φ).
     ///
-    /// They hold as long as they are small against μN.
+    /// They hold as long as they are small compared with μN.
     ///
     /// ```
     /// use schlupf::{kalker_coefficients::interpolated_coefficients, kinematics::Kinematics};

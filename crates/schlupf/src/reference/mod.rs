@@ -1,4 +1,4 @@
-//! Exact solutions, to test against and to compare with.
+//! Exact solutions, for tests and comparisons.
 
 pub mod carter;
 pub mod cattaneo_mindlin;

@@ -1,9 +1,10 @@
-//! Surface temperature under a fast moving heat source.
+//! Surface temperature under a fast-moving heat source.
 
 use std::f64::consts::PI;
 
 /// A semi-elliptic source q0 √(1 − x²/a²) that moves fast over a half-space: the largest surface
-/// temperature rise is 1.2346 q √(a/v)/β at x = −0.65 a, with q the part of q0 that the body takes.
+/// temperature rise is 1.2346 q √(a/v)/β at x = −0.65 a, with q the share of q0 that the body
+/// receives.
 ///
 /// ```
 /// use schlupf::reference::moving_source::SemiEllipticSource;
@@ -17,7 +18,7 @@ use std::f64::consts::PI;
 pub struct SemiEllipticSource {
     /// Largest heat flux into the body q, in W/m².
     pub flux: f64,
-    /// Half the length of the source a, in m.
+    /// Half-length of the source a, in m.
     pub half_length: f64,
     /// Speed of the body through the source v, in m/s.
     pub speed: f64,
@@ -56,8 +57,8 @@ mod tests {
 
     use super::*;
 
-    /// Knothe and Liebelt 1995: the maximum is 1.2346 q √(a/v)/β at x = −0.65 a, and the trailing
-    /// edge has 0.862 of it.
+    /// Knothe and Liebelt 1995: the maximum is 1.2346 q √(a/v)/β at x = −0.65 a, and the rise at
+    /// the trailing edge is 0.862 of it.
     #[test]
     fn knothe_liebelt_1995_flash_temperature() {
         let source =

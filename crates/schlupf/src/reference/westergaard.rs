@@ -4,8 +4,8 @@
 
 use std::f64::consts::PI;
 
-/// Elastic contact without friction over the undeformed distance Δ (1 − cos(2πx/λ)), the same for
-/// all y.
+/// Frictionless elastic contact over the undeformed distance Δ (1 − cos(2πx/λ)), the same for all
+/// y.
 ///
 /// ```
 /// use schlupf::reference::westergaard::Westergaard;
@@ -24,12 +24,12 @@ pub struct Westergaard {
 }
 
 impl Westergaard {
-    /// Mean pressure p* = πE*Δ/λ (in Pa) from which on all of the surface is in contact.
+    /// Mean pressure p* = πE*Δ/λ (in Pa) at which full contact is reached.
     pub fn closing_pressure(&self) -> f64 {
         PI * self.contact_modulus * self.amplitude / self.wavelength
     }
 
-    /// Width of the strip of contact in each wave over the wavelength, 2a/λ = (2/π) arcsin
+    /// Ratio of the width of the contact strip in each wave to the wavelength, 2a/λ = (2/π) arcsin
     /// √(p̄/p*), dimensionless, under a mean pressure p̄ (in Pa).
     pub fn contact_fraction(&self, mean_pressure: f64) -> f64 {
         2.0 / PI * (mean_pressure / self.closing_pressure()).min(1.0).sqrt().asin()
@@ -58,7 +58,7 @@ mod tests {
     const WAVE: Westergaard =
         Westergaard { amplitude: 1e-7, wavelength: 1e-4, contact_modulus: 115e9 };
 
-    /// The pressure has the mean asked for, and is nowhere negative.
+    /// The pressure has the required mean, and is nowhere negative.
     #[test]
     fn the_pressure_carries_the_load() {
         const NODES: u32 = 100_000;

@@ -5,9 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Force over μN (dimensionless, magnitude) under a pure creepage of magnitude ξ (dimensionless).
 ///
-/// With κ = c ξ a/(μ p0), c the bedding in N/m³, the traction of every strip of half-length h rises
-/// linearly from the leading edge, c ξ h (1 − s) at x = h s, and meets the bound μ p0 (h/a) √(1 −
-/// s²) at s = (κ² − 1)/(κ² + 1), the same in all strips; behind it the strip slides. Integrated,
+/// With κ = c ξ a/(μ p0), where c is the bedding in N/m³, the traction of every strip of
+/// half-length h rises linearly from the leading edge, c ξ h (1 − s) at x = h s, and meets the
+/// bound μ p0 (h/a) √(1 − s²) at s = (κ² − 1)/(κ² + 1), the same in all strips; behind it the strip
+/// slides. Integrated,
 ///
 /// F/μN = (κ (1 − s)² + asin s + s √(1 − s²) + π/2)/π.
 ///
@@ -31,8 +32,8 @@ mod tests {
 
     use super::force_over_limit;
 
-    /// Full slip in the limit of large creepage; for small creepage all sticks, and the integral of
-    /// c ξ (x_e − x) is F = (8/3) a² b c ξ.
+    /// Full slip in the limit of large creepage; for small creepage everything sticks, and the
+    /// integral of c ξ (x_e − x) is F = (8/3) a² b c ξ.
     #[test]
     fn limits_are_full_stick_and_full_slip() {
         assert_relative_eq!(force_over_limit(1e6), 1.0, max_relative = 1e-5);

@@ -1,8 +1,8 @@
-//! Undeformed distance of two bodies: given at points, cubic in between.
+//! Undeformed distance of two bodies: given at points, interpolated by cubics.
 //!
 //! Between two points the distance is Hermite's cubic with the slopes of the parabolas through
-//! three neighbours (Bessel): exact for parabolas on any spacing, with an error of third order in
-//! the spacing elsewhere, and it does not swing beyond two intervals. On equidistant points these
+//! three neighbours (Bessel): exact for parabolas on any spacing, otherwise with an error of third
+//! order in the spacing, and without oscillations beyond two intervals. On equidistant points these
 //! are the cubics of Catmull and Rom (1974).
 
 use super::interpolation::{Weights, weights_at};
@@ -11,28 +11,27 @@ use crate::grid::Extent;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// Undeformed distance of two bodies (profile of the wheel less that of the rail) around their
-/// contact. Only differences count, so it may be measured from anywhere.
+/// Undeformed distance of two bodies (profile of the wheel minus that of the rail) around their
+/// contact. Only differences matter, so it may include any constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UndeformedDistance {
     pub(super) shape: Shape,
 }
 
-/// How it is given.
+/// Representation of the distance.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Shape {
     /// d(y) + x²/(2R).
     Across { y: Vec<f64>, distance: Vec<f64>, radius: f64 },
-    /// On the points x × y, rows along x.
+    /// Given at the points x × y, rows along x.
     Lattice { x: Vec<f64>, y: Vec<f64>, distance: Vec<f64> },
 }
 
-/// Points in each direction: fewer make no shape.
+/// Minimum number of points in each direction.
 const FEWEST: usize = 4;
 
 impl UndeformedDistance {
-    /// How many of its points lie within a rectangle, in each direction along which it is given by
-    /// points.
+    /// Number of its points within a rectangle, in each direction in which it is given by points.
     pub(super) fn points_within(&self, extent: &Extent) -> Vec<usize> {
         let within = |line: &[f64], [from, to]: [f64; 2]| {
             line.iter().filter(|at| (from..=to).contains(*at)).count()
@@ -43,8 +42,9 @@ impl UndeformedDistance {
         }
     }
 
-    /// From the distance across at x = 0, `distance` (in m) at the positions `y` (in m, ascending),
-    /// and the relative radius of rolling R (in m), 1/R = 1/R_wheel + 1/R_rail: d(y) + x²/(2R).
+    /// A distance given across at x = 0 by `distance` (in m) at the positions `y` (in m,
+    /// ascending), with the relative rolling radius R (in m), 1/R = 1/R_wheel + 1/R_rail: d(y) +
+    /// x²/(2R).
     pub fn across(y: Vec<f64>, distance: Vec<f64>, relative_radius: f64) -> Result<Self, Error> {
         require_positive(Quantity::WheelRadiusX, relative_radius)?;
         check_positions('y', &y)?;
@@ -52,7 +52,7 @@ impl UndeformedDistance {
         Ok(Self { shape: Shape::Across { y, distance, radius: relative_radius } })
     }
 
-    /// From the distance (in m) at the positions `x` × `y` (in m, ascending), rows along x: the
+    /// A distance given (in m) at the positions `x` × `y` (in m, ascending), rows along x: the
     /// value at (i, j) is `distance[j * x.len() + i]`.
     pub fn on_lattice(x: Vec<f64>, y: Vec<f64>, distance: Vec<f64>) -> Result<Self, Error> {
         check_positions('x', &x)?;
@@ -61,7 +61,7 @@ impl UndeformedDistance {
         Ok(Self { shape: Shape::Lattice { x, y, distance } })
     }
 
-    /// The rectangle on which the distance is known, in m; without end along x where only a profile
+    /// The rectangle on which the distance is known, in m; unbounded along x if only a profile
     /// across is given.
     pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
         let ends = |v: &[f64]| [v[0], v[v.len() - 1]];
@@ -134,7 +134,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// Both ways to give a parabola are exact, between the points and up to the edge.
+    /// Both representations of a parabola are exact, between the points and up to the edge.
     #[test]
     fn a_parabola_is_exact() {
         let y: Vec<f64> = (0..9).map(|k| 1e-3 * (f64::from(k) + 0.2 * f64::from(k % 3))).collect();

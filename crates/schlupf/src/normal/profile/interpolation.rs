@@ -2,7 +2,7 @@
 
 use crate::numerics::interpolation::hermite;
 
-/// What a value in between takes of the points around it.
+/// Weights of the neighbouring points in an interpolated value.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Weights {
     first: usize,
@@ -17,8 +17,8 @@ impl Weights {
     }
 }
 
-/// Weights of the points for the position `at` (same unit); beyond the ends the outermost cubics go
-/// on. There must be at least three points, ascending.
+/// Weights of the points for the position `at` (same unit); beyond the ends the outermost cubics
+/// are extrapolated. There must be at least three points, ascending.
 pub(super) fn weights_at(points: &[f64], at: f64) -> Weights {
     let last = points.len() - 1;
     let above = points.partition_point(|point| *point <= at);
@@ -41,8 +41,8 @@ pub(super) fn weights_at(points: &[f64], at: f64) -> Weights {
     Weights { first, values: weights, count }
 }
 
-/// Slope of the parabola through three points at some position: its weights of the three values, in
-/// one over the unit of the points.
+/// Slope of the parabola through three points at a given position: its weights of the three values,
+/// in the inverse unit of the points.
 fn slope(points: &[f64], at: f64) -> [f64; 3] {
     std::array::from_fn(|k| {
         let (p, q) = (points[(k + 1) % 3], points[(k + 2) % 3]);

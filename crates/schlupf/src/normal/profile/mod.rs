@@ -1,25 +1,25 @@
 //! Pressure from the shape of both bodies: a wheel's profile over that of a rail, new or worn.
 //!
-//! The undeformed distance h(x, y) of the bodies and their load N make a normal contact of two
+//! The undeformed distance h(x, y) of the bodies and their load N define a normal contact of two
 //! elastic half-spaces, gap = h + u − δ ≥ 0, p ≥ 0, gap p = 0, ∫ p dA = N, which
 //! [`super::rough_contact`] solves on cells. The patch may have any shape and several separate
 //! parts.
 //!
-//! The contact is first looked for on a coarse lattice, from a rectangle that surely holds it
-//! inwards; then it is solved on a lattice of [`Profile::DEFAULT_CELLS`] cells across it, along x
-//! and y. The pressure of that lattice is used as a [`PressureTable`]. On a Hertzian contact with
-//! the default, semi-axes, peak pressure, approach and creep forces are within 0.3 % of the exact
-//! ones.
+//! The contact is first located on a coarse lattice, starting from a rectangle that is certain to
+//! contain it; then it is solved on a lattice of [`Profile::DEFAULT_CELLS`] cells across it, along
+//! x and y. The pressure on that lattice is used as a [`PressureTable`]. For a Hertzian contact
+//! with the default, semi-axes, peak pressure, approach and creep forces are within 0.3 % of the
+//! exact ones.
 //!
-//! The origin of the contact frame is the middle of the rectangle that the patch spans under the
-//! source's own load, and stays there when the load changes. Semi-axes are half the sides of that
+//! The origin of the contact frame is the centre of the bounding rectangle of the patch under the
+//! source's own load, and does not move when the load changes. Semi-axes are half the sides of that
 //! rectangle.
 //!
 //! Limits: half-spaces, and one tangent plane for all parts of the patch (no flange with a steep
-//! contact angle, no conformal throat); tangential tractions do not change the pressure (similar
-//! materials). Between the points of a file the distance is cubic; roughness and rounding in it are
-//! part of the shape, and show in the pressure: a wave of amplitude Δ and length λ makes one of π
-//! E* Δ/λ.
+//! contact angle, no conformal contact in the flange root); tangential tractions do not change the
+//! pressure (similar materials). Between the points of a file the distance is cubic; its roughness
+//! and rounding are part of the shape, and affect the pressure: a wave of amplitude Δ and length λ
+//! makes one of π E* Δ/λ.
 
 mod distance;
 mod interpolation;
@@ -41,7 +41,8 @@ pub use distance::UndeformedDistance;
 
 use search::{Search, Solved};
 
-/// Points of the distance across each part of a patch: fewer do not show its shape.
+/// Minimum number of points of the distance across each part of a patch, needed to resolve its
+/// shape.
 const FEWEST_POINTS: usize = 7;
 
 /// Contact of two bodies of given shape under a load.
@@ -51,7 +52,7 @@ pub struct Profile {
     contact_modulus: f64,
     load: f64,
     cells: usize,
-    /// Loads that were solved, in N, and their contacts, the latest last.
+    /// Solved loads, in N, and their contacts, the latest last.
     solved: Mutex<Vec<(f64, Placed)>>,
 }
 
@@ -63,18 +64,20 @@ struct Placed {
     table: Arc<PressureTable>,
 }
 
-/// A history may come back to so many loads without solving them again.
+/// Number of contacts kept for a history that returns to earlier loads.
 const KEPT: usize = 256;
 
-/// Cells across a contact: less is no shape, more takes too long.
+/// Range of the number of cells across a contact: fewer do not resolve its shape, more take too
+/// long.
 const CELLS_RANGE: [usize; 2] = [16, 512];
 
 impl Profile {
-    /// Cells across the contact each way that are enough for a smooth profile.
+    /// Number of cells across the contact in each direction that is sufficient for a smooth
+    /// profile.
     pub const DEFAULT_CELLS: usize = 128;
 
-    /// From the undeformed distance, the contact modulus E* (in Pa), the load (in N), and the
-    /// number of cells across the contact each way on which it is solved.
+    /// A contact with the undeformed distance, the contact modulus E* (in Pa), the load (in N), and
+    /// the number of cells across the contact in each direction for the solution.
     ///
     /// ```
     /// use schlupf::normal::PressureSource;
@@ -124,13 +127,14 @@ impl Profile {
     }
 
     fn kept(&self) -> MutexGuard<'_, Vec<(f64, Placed)>> {
-        // Whole entries are put in and taken out, so whoever failed left nothing half done.
+        // Entries are inserted and removed as a whole, so a panic elsewhere leaves nothing half
+        // done.
         self.solved.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// 1/R = 1/R_wheel + 1/R_rail (in m) from the radii along rolling of wheel and rail (in m):
-/// positive where convex, negative where concave, infinite where flat.
+/// positive if convex, negative if concave, infinite if flat.
 pub fn relative_radius(radii: [f64; 2]) -> Result<f64, Error> {
     let radii = [(Quantity::WheelRadiusX, radii[0]), (Quantity::RailRadiusX, radii[1])];
     let curvature = curvature_sum(radii)?;

@@ -1,4 +1,4 @@
-//! Where the bodies touch, and the pressure there.
+//! Locates the contact and solves for the pressure.
 
 use super::distance::{Shape, UndeformedDistance};
 use crate::error::Error;
@@ -8,19 +8,19 @@ use crate::normal::rough_contact::{
 use crate::progress::Watch;
 use crate::surface::{HeightMap, Lattice};
 
-/// What is solved.
+/// The contact problem.
 pub(super) struct Search<'a> {
     pub distance: &'a UndeformedDistance,
     /// E*, in Pa.
     pub contact_modulus: f64,
     /// N, in N.
     pub load: f64,
-    /// Across the contact each way.
+    /// Number of cells across the contact in each direction.
     pub cells: usize,
     pub watch: Watch<'a>,
 }
 
-/// A pressure on equidistant positions, in the coordinates of the distance.
+/// A pressure at equidistant positions, in the coordinates of the distance.
 pub(super) struct Solved {
     /// Positions along rolling, in m.
     pub x: Vec<f64>,
@@ -32,7 +32,7 @@ pub(super) struct Solved {
     pub approach: f64,
 }
 
-/// Side of a rectangle, from and to, in m.
+/// Side of a rectangle, lower and upper end, in m.
 type Side = [f64; 2];
 
 /// A rectangle: its sides along x and y.
@@ -47,20 +47,22 @@ struct Pressed {
     distance: Vec<f64>,
 }
 
-/// What a body carries at the least over E* δ √A, dimensionless.
+/// Lower bound of the load that a body carries, relative to E* δ √A, dimensionless.
 const LEAST_CARRIED: f64 = 0.3;
 
-/// Cells each way of the lattices on which the contact is looked for.
+/// Cells in each direction of the lattices on which the contact is located.
 const COARSE: usize = 64;
 
-/// Looking for the contact ends when it takes this part of the rectangle each way, dimensionless.
+/// The search ends when the contact takes up this fraction of the rectangle in each direction,
+/// dimensionless.
 const TIGHT: f64 = 0.5;
 
-/// Rounds in which rectangles close in on the contact; each may shrink by more than ten.
+/// Rounds in which rectangles close in on the contact; each may shrink by more than a factor of
+/// ten.
 const MOST_ROUNDS: usize = 24;
 
-/// Where several parts lie side by side there are more cells, so that the widest one has as many as
-/// a single contact would; but not more than so many times as many each way.
+/// If several parts lie side by side the number of cells is increased, so that the widest part has
+/// as many as a single contact would, but at most by this factor in each direction.
 const MOST_REFINED: f64 = 4.0;
 
 const SEARCHING: RoughContactOptions = RoughContactOptions { tolerance: 1e-4, max_iterations: 300 };
@@ -90,11 +92,11 @@ impl Search<'_> {
         Err(lost(rectangle))
     }
 
-    /// The rectangle that the contact spans, to a few hundredths of its sides, and the width along
+    /// The bounding rectangle of the contact, to a few hundredths of its sides, and the width along
     /// x and y of its widest part.
     fn locate(&self) -> Result<(Rectangle, [f64; 2]), Error> {
         let mut rectangle = self.within_bounds(self.overlap(self.greatest_approach()));
-        // Parts that a lattice so coarse may pass over.
+        // Parts that such a coarse lattice may miss.
         let mut beside: Option<Rectangle> = None;
         for _ in 0..MOST_ROUNDS {
             let pressed = self.press(rectangle, [COARSE; 2], &SEARCHING)?;
@@ -118,10 +120,10 @@ impl Search<'_> {
         Err(lost(rectangle))
     }
 
-    /// An approach (in m) that is hardly less than that under the load, and not much more.
+    /// An upper estimate of the approach (in m) under the load, and not much larger.
     ///
-    /// With the area A that lies within δ of first contact, a flat punch carries 1.1 E* δ √A, a
-    /// sphere half as much, a cone 0.36 E* δ √A.
+    /// With A the area within δ of first contact, a flat punch carries 1.1 E* δ √A, a sphere half
+    /// as much, a cone 0.36 E* δ √A.
     fn greatest_approach(&self) -> f64 {
         let [_, across] = self.distance.bounds();
         let carries = |approach: f64| {
@@ -149,8 +151,8 @@ impl Search<'_> {
         }
     }
 
-    /// The rectangle that holds all points within an approach (in m) of first contact. The contact
-    /// lies in it, because pressure moves the surfaces apart everywhere.
+    /// The rectangle that contains all points within an approach (in m) of first contact. It
+    /// contains the contact, because pressure moves the surfaces apart everywhere.
     fn overlap(&self, approach: f64) -> Rectangle {
         let level = self.distance.lowest() + approach;
         match &self.distance.shape {
@@ -193,7 +195,8 @@ impl Search<'_> {
         Ok(Pressed { lattice, rectangle, solution, distance })
     }
 
-    /// The rectangle grown to where the contact goes on; itself where it holds all of the contact.
+    /// The rectangle enlarged where the contact continues beyond it; unchanged if it contains all
+    /// of the contact.
     fn widened(
         &self,
         rectangle: Rectangle,
@@ -215,7 +218,7 @@ impl Search<'_> {
         self.within_bounds(missed.map_or(grown, |missed| joined(grown, missed)))
     }
 
-    /// The rectangle of the given points outside of the lattice at which the bodies would overlap.
+    /// The rectangle of the given points outside the lattice at which the bodies would overlap.
     fn pressed_in_outside(&self, pressed: &Pressed) -> Option<Rectangle> {
         let level = pressed.level();
         let forces = pressed.forces();
@@ -250,7 +253,7 @@ impl Search<'_> {
         }
     }
 
-    /// Refuses a contact that reaches to where the distance is not known any more.
+    /// Rejects a contact that extends to the limits of the known distance.
     fn refuse_edge(&self, pressed: &Pressed, touched: Rectangle) -> Result<(), Error> {
         let bounds = self.distance.bounds();
         for (k, axis) in ['x', 'y'].into_iter().enumerate() {
@@ -266,13 +269,12 @@ impl Search<'_> {
     }
 }
 
-/// What overlaps outside of the lattice by less than this part of the approach carries nothing that
-/// would be seen.
+/// An overlap outside the lattice below this fraction of the approach carries a negligible load.
 const NEGLIGIBLE: f64 = 1e-3;
 
 impl Pressed {
-    /// The rectangle of the cells in contact. Its sides are exactly those of the lattice where it
-    /// reaches them.
+    /// The rectangle of the cells in contact. Where it reaches the lattice's sides, it has exactly
+    /// those sides.
     fn touched(&self) -> Rectangle {
         let Lattice { columns, rows, .. } = self.lattice;
         let is_contact = |i: usize, j: usize| self.solution.pressure[j * columns + i] > 0.0;
@@ -296,7 +298,7 @@ impl Pressed {
         })
     }
 
-    /// Longest run of lines along x and along y that the contact takes without a break, in m.
+    /// Longest uninterrupted run of columns and of rows that contain contact, along x and y, in m.
     fn widest_parts(&self) -> [f64; 2] {
         let Lattice { columns, rows, spacing_x, spacing_y } = self.lattice;
         let is_contact = |i: usize, j: usize| self.solution.pressure[j * columns + i] > 0.0;
@@ -312,13 +314,13 @@ impl Pressed {
         [spacing_x * longest(columns, &column), spacing_y * longest(rows, &row)]
     }
 
-    /// δ on the scale of the distance, in m.
+    /// δ relative to the origin of the distance, in m.
     fn level(&self) -> f64 {
         self.solution.approach + self.distance.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// The pressure as forces (in N) at places x and y (in m), one for each block of cells that
-    /// carries.
+    /// The pressure as forces (in N) at positions x and y (in m), one for each loaded block of
+    /// cells.
     fn forces(&self) -> Vec<[f64; 3]> {
         let Lattice { columns, rows, .. } = self.lattice;
         let [x, y] = positions(&self.lattice, self.rectangle);
@@ -354,10 +356,10 @@ impl Pressed {
     }
 }
 
-/// Blocks of cells each way, whose forces act as one far away.
+/// Blocks of cells in each direction whose forces act as one at a distance.
 const BLOCKS: usize = 16;
 
-/// Middles of the columns and rows of a lattice on a rectangle, in m.
+/// Centres of the columns and rows of a lattice on a rectangle, in m.
 fn positions(lattice: &Lattice, rectangle: Rectangle) -> [Vec<f64>; 2] {
     let middle = |side: Side| 0.5 * (side[0] + side[1]);
     [
@@ -370,7 +372,7 @@ fn length(side: Side) -> f64 {
     side[1] - side[0]
 }
 
-/// The smallest rectangle that holds both.
+/// The smallest rectangle that contains both.
 fn joined(p: Rectangle, q: Rectangle) -> Rectangle {
     [0, 1].map(|k| [p[k][0].min(q[k][0]), p[k][1].max(q[k][1])])
 }
@@ -386,13 +388,13 @@ fn padded(side: Side, by: f64) -> Side {
     [side[0] - by, side[1] + by]
 }
 
-/// Length that a point stands for, in its unit.
+/// Length that a point represents, in its unit.
 fn share(points: &[f64], k: usize) -> f64 {
     let (before, after) = (k.saturating_sub(1), (k + 1).min(points.len() - 1));
     0.5 * (points[after] - points[before])
 }
 
-/// From the point before the first one that counts to the one after the last.
+/// From the point before the first counted one to the one after the last.
 fn spanned(points: &[f64], counts: impl Fn(usize) -> bool) -> Side {
     let first = (0..points.len()).position(&counts).unwrap_or(0);
     let last = (0..points.len()).rposition(&counts).unwrap_or(0);

@@ -3,11 +3,11 @@
 use super::Boundary;
 use crate::surface::Lattice;
 
-/// (π − 1 + ln 2)/24, dimensionless: what a cell on the edge of a spot counts too much, per edge.
+/// (π − 1 + ln 2)/24, dimensionless: the excess area of a cell on the edge of a spot, per edge.
 const EDGE_SHARE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
-/// Area of all cells in contact, and the same without what cells on the edge of the spots count too
-/// much; in m².
+/// Area of all cells in contact, and the same without the excess of the cells on the edge of the
+/// spots; in m².
 ///
 /// The correction is S Δ (π − 1 + ln 2)/24 with the perimeter S of the spots along the edges of the
 /// cells (Yastrebov, Anciaux and Molinari 2017, Tribology International 114, 161).
@@ -43,7 +43,7 @@ fn edges(lattice: &Lattice, is_contact: impl Fn(usize) -> bool, boundary: Bounda
     count
 }
 
-/// Whether a cell in contact lies on the edge of the lattice.
+/// Whether a cell in contact is at the edge of the lattice.
 pub(super) fn touches_edge(lattice: &Lattice, is_contact: impl Fn(usize) -> bool) -> bool {
     let Lattice { columns, rows, .. } = *lattice;
     let ends = (0..rows).flat_map(|j| [j * columns, (j + 1) * columns - 1]);

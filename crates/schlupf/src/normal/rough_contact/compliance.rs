@@ -1,15 +1,15 @@
 //! Displacement of two elastic half-spaces under normal pressure, u = S p.
 //!
-//! *Periodic*: a wave of pressure moves the surface by a wave, u_k = 2/(E*|k|) p_k (Westergaard
-//! 1939; Johnson, *Contact Mechanics*, 1985, §13.2). The mean pressure moves nothing: displacements
-//! count from the mean plane.
+//! *Periodic*: a wave of pressure displaces the surface by a wave, u_k = 2/(E*|k|) p_k (Westergaard
+//! 1939; Johnson, *Contact Mechanics*, 1985, §13.2). The mean pressure causes no displacement:
+//! displacements are relative to the mean plane.
 //!
-//! *Free*: pressure is constant in each cell and the displacement in the middle of another one,
+//! *Free*: pressure is constant in each cell and the displacement at the centre of another one,
 //! with sums over the corners X = x ± Δx/2, Y = y ± Δy/2 and signs (+, −, −, +), is
 //!
 //! πE* u = p (X asinh(Y/|X|) + Y asinh(X/|Y|))      (Love 1929; Johnson 1985, §3.5).
 //!
-//! It depends on the distance of two cells only: a convolution, by Fourier transform on a grid
+//! It depends only on the distance between two cells: a convolution, by Fourier transform on a grid
 //! padded to twice its size.
 
 use std::f64::consts::PI;
@@ -23,9 +23,9 @@ use crate::surface::Lattice;
 #[derive(Debug)]
 pub(super) struct NormalCompliance {
     transform: RealTransform,
-    /// By wave number, over the number of points.
+    /// By wave number, divided by the number of points.
     symbol: Vec<f64>,
-    /// E*|k|/2 by wave number, over the number of points.
+    /// E*|k|/2 by wave number, divided by the number of points.
     stiffness: Vec<f64>,
 }
 
@@ -63,7 +63,8 @@ impl NormalCompliance {
         self.transform.inverse(displacement);
     }
 
-    /// The pressure (in Pa) that would move an unbounded surface so (in m): nearly the inverse.
+    /// The pressure (in Pa) that would cause this displacement (in m) of an unbounded surface: an
+    /// approximate inverse.
     pub(super) fn stiffness(&mut self, displacement: &[f64], pressure: &mut [f64]) {
         self.transform.forward(displacement);
         self.transform.multiply(&self.stiffness);
@@ -71,7 +72,7 @@ impl NormalCompliance {
     }
 }
 
-/// Influence of the cell at the origin on all cells, distances beyond half the size being negative.
+/// Influence of the cell at the origin on all cells; distances beyond half the size are negative.
 fn kernel(size: [usize; 2], spacing: [f64; 2], contact_modulus: f64) -> Vec<f64> {
     let over = (PI * contact_modulus).recip();
     let reach = size.map(|count| count / 2 + 1);
@@ -95,7 +96,8 @@ mod tests {
 
     const MODULUS: f64 = 115e9;
 
-    /// Westergaard 1939: a wave of pressure p cos(k·x) moves the surface by 2p/(E*|k|) cos(k·x).
+    /// Westergaard 1939: a wave of pressure p cos(k·x) displaces the surface by 2p/(E*|k|)
+    /// cos(k·x).
     #[test]
     fn westergaard_1939_a_wave_of_pressure() {
         let lattice = Lattice { columns: 12, rows: 15, spacing_x: 1e-6, spacing_y: 2e-6 };
@@ -116,8 +118,9 @@ mod tests {
         }
     }
 
-    /// Boussinesq 1885: far away a loaded cell acts as a point force, u = F/(πE* r); and Love 1929:
-    /// under uniform pressure the middle of a square of half-side a sinks by 8 a asinh(1) p/(πE*).
+    /// Boussinesq 1885: at large distances a loaded cell acts as a point force, u = F/(πE* r); and
+    /// Love 1929: under uniform pressure the centre of a square of half-side a sinks by 8 a
+    /// asinh(1) p/(πE*).
     #[test]
     fn boussinesq_1885_love_1929_a_loaded_cell() {
         let lattice = Lattice { columns: 41, rows: 31, spacing_x: 1e-6, spacing_y: 2e-6 };

@@ -1,23 +1,23 @@
-//! Conjugate gradients under constraints for the pressure.
+//! Constrained conjugate gradients for the pressure.
 //!
-//! As Polonsky and Keer (1999), with these differences, which make the iterations few and nearly
-//! independent of the grid:
+//! The method of Polonsky and Keer (1999), with these differences, which keep the number of
+//! iterations small and nearly independent of the grid:
 //! - The gap is preconditioned with the stiffness of the unbounded surface, E*|k|/2 (Vollebregt
 //!   2014).
-//! - Cells that are pressed in without pressure, or yield while the gap opens, take part in the
-//!   search direction at once. It is kept when they come, with Polak's and Ribière's weight, which
-//!   by itself becomes small where the contact changed much.
-//! - Where no cell meets a constraint the displacement is updated instead of computed anew.
-//! - Where constraints spoil a step so that the energy ½ pᵀSp + pᵀh would rise, it is shortened: it
-//!   falls in every iteration.
+//! - Cells that are pressed in without pressure, or yield while the gap opens, join the search
+//!   direction immediately. The direction is kept when they do, with Polak and Ribière's weight,
+//!   which by itself becomes small where the contact has changed much.
+//! - Where no cell meets a constraint the displacement is updated instead of recomputed.
+//! - Where constraints spoil a step so that the energy ½ pᵀSp + pᵀh would rise, the step is
+//!   shortened: the energy decreases in every iteration.
 //!
 //! Convergence is measured by the duality gap. With λ the level of the gap in contact, and P the
-//! largest pressure that may occur (the hardness, or twice the largest one there is),
+//! largest possible pressure (the hardness, or twice the largest one present),
 //!
 //! Σ p (g − λ)⁺ + (P − p) (λ − g)⁺
 //!
-//! bounds how far the energy is from its minimum: half the squared error of the pressure in the
-//! energy norm. Its ratio to pᵀu is the residual.
+//! bounds the distance of the energy from its minimum, which is half the squared error of the
+//! pressure in the energy norm. Its ratio to pᵀu is the residual.
 
 use crate::error::Error;
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -38,11 +38,11 @@ pub(super) struct Equilibrium<'a> {
     pub compliance: &'a mut NormalCompliance,
 }
 
-/// Where the iteration ended.
+/// Result of the iteration.
 pub(super) struct Outcome {
     /// Pressure, in Pa.
     pub pressure: Vec<f64>,
-    /// g − λ, in m.
+    /// Gap relative to its level, g − λ, in m.
     pub gap: Vec<f64>,
     /// λ = δ, in m.
     pub level: f64,
@@ -56,7 +56,7 @@ pub(super) struct Outcome {
 struct State {
     pressure: Vec<f64>,
     displacement: Vec<f64>,
-    /// Whether the displacement is that of the pressure, or was updated.
+    /// Whether the displacement was computed from the pressure or updated.
     is_fresh: bool,
     /// g − λ.
     gap: Vec<f64>,
@@ -66,12 +66,12 @@ struct State {
     /// Search direction and the displacement under it.
     direction: Vec<f64>,
     response: Vec<f64>,
-    /// The preconditioned gap of the cells that may move; and their gap in the iteration before.
+    /// The preconditioned gap of the cells that may move, and their gap in the previous iteration.
     steepest: Vec<f64>,
     last_gap: Vec<f64>,
-    /// The product of both in the iteration before; zero at first.
+    /// The product of both in the previous iteration; initially zero.
     last_product: f64,
-    /// Whether to go without preconditioner, because with it the bounds spoiled all steps.
+    /// Whether to omit the preconditioner, because with it the bounds spoiled all steps.
     is_plain: bool,
     /// Pressure before a step.
     before: Vec<f64>,
@@ -79,7 +79,7 @@ struct State {
 }
 
 impl Equilibrium<'_> {
-    /// From any pressure that is nowhere negative.
+    /// Starts from any pressure that is nowhere negative.
     ///
     /// # Errors
     /// [`Error::Stopped`].
@@ -96,7 +96,7 @@ impl Equilibrium<'_> {
         let residual = loop {
             let residual = self.measure(&mut state);
             if residual <= options.tolerance && !state.is_fresh {
-                // Rounding may have gathered in the updates.
+                // Rounding error may have accumulated in the updates.
                 self.move_surface(&mut state);
                 continue;
             }
@@ -127,13 +127,13 @@ impl Equilibrium<'_> {
         pressure > 0.0 && pressure < self.hardness
     }
 
-    /// Whether the pressure of a cell with this gap over the level may move: away from a bound
-    /// only.
+    /// Whether the pressure of a cell with this gap relative to the level may move: away from a
+    /// bound only.
     fn may_move(&self, pressure: f64, gap: f64) -> bool {
         (pressure > 0.0 || gap < 0.0) && (pressure < self.hardness || gap > 0.0)
     }
 
-    /// Gap and its level; the residual.
+    /// Gap and its level; returns the residual.
     fn measure(&self, state: &mut State) -> f64 {
         let State { pressure, displacement, gap, .. } = state;
         let (mut sum, mut free) = (0.0, 0_usize);
@@ -160,10 +160,10 @@ impl Equilibrium<'_> {
     }
 
     /// The next search direction: preconditioned gap of the cells that may move, conjugate to the
-    /// last one.
+    /// previous one.
     fn choose_direction(&mut self, state: &mut State) {
         let State { pressure, gap, direction, response, steepest, last_gap, .. } = state;
-        // The response serves as room for the gap of the cells that may move.
+        // The response is used as a buffer for the gap of the cells that may move.
         for (k, masked) in response.iter_mut().enumerate() {
             *masked = if self.may_move(pressure[k], gap[k]) { gap[k] } else { 0.0 };
         }
@@ -189,9 +189,9 @@ impl Equilibrium<'_> {
         state.last_product = product;
     }
 
-    /// Makes a field a direction in which the pressure can go: away from the bounds only, and with
-    /// a sum of zero. Free cells make up for the sum; their gap has a mean of zero, so that the
-    /// energy does not care to first order.
+    /// Makes a field an admissible direction of the pressure: away from the bounds only, and with a
+    /// sum of zero. Free cells compensate for the sum; their gap has zero mean, so the energy does
+    /// not change to first order.
     fn restrict(&self, pressure: &[f64], gap: &[f64], field: &mut [f64]) {
         let (mut sum, mut free) = (0.0, 0_usize);
         for (k, value) in field.iter_mut().enumerate() {
@@ -208,7 +208,7 @@ impl Equilibrium<'_> {
         }
     }
 
-    /// Steps to the minimum along the direction, and keeps the bounds.
+    /// Steps to the minimum along the direction and enforces the bounds.
     fn step(&mut self, state: &mut State) {
         self.compliance.displacement(&state.direction, &mut state.response);
         state.products += 1;
@@ -238,23 +238,23 @@ impl Equilibrium<'_> {
                 return;
             }
             length *= 0.5;
-            // What was learned from the last directions does not hold here.
+            // What was learned from earlier directions no longer holds.
             state.last_product = 0.0;
         }
         state.is_plain = !state.is_plain;
     }
 
-    /// Whether a step leaves all cells that it moves between the bounds.
+    /// Whether a step leaves all cells that it moves within the bounds.
     fn is_inside(&self, state: &State, length: f64) -> bool {
         let mut steps = state.pressure.iter().zip(&state.direction);
         steps.all(|(p, t)| *t == 0.0 || self.is_free(p - length * t))
     }
 
-    /// Brings the pressure of the cells that move within its bounds and makes it carry the load:
-    /// the nearest such pressure, which is q less the same for all of these cells, cut at the
-    /// bounds.
+    /// Moves the pressure of the moving cells to the nearest one that is within the bounds and
+    /// carries the load: q minus a common shift for all of these cells, clipped at the bounds.
     ///
-    /// The load falls with what is taken away, in a broken line: Newton's method within a bracket.
+    /// The load is a piecewise linear, decreasing function of the shift: Newton's method within a
+    /// bracket.
     fn project(&self, pressure: &mut [f64], moves: impl Fn(usize) -> bool) {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut less = 0.0;
@@ -297,17 +297,17 @@ impl Equilibrium<'_> {
             }
             self.project(pressure, |k| was[k]);
         } else {
-            // What is in contact cannot carry it.
+            // The cells in contact cannot carry it.
             pressure.fill(self.total / pressure.len() as f64);
         }
     }
 }
 
-/// Rounds in which the load is met, cuts of a step to half.
+/// Maximum number of iterations to meet the load, and of halvings of a step.
 const MOST_ROUNDS: usize = 100;
 const MOST_CUTS: usize = 6;
 
-/// By so much of itself the energy may seem to rise.
+/// Relative increase of the energy that may be due to rounding error.
 const ROUNDING: f64 = 1e-13;
 
 impl State {

@@ -1,18 +1,18 @@
-//! Normal contact of two elastic bodies of any shape: rough surfaces, or profiles of wheel and
-//! rail.
+//! Normal contact of two elastic bodies of arbitrary shape: rough surfaces, or profiles of wheel
+//! and rail.
 //!
 //! With the undeformed distance h(x, y), the displacement u = S p of both bodies and the approach
 //! δ,
 //!
 //! gap g = h + u − δ ≥ 0,  p ≥ 0,  g p = 0,  ∫ p dA = N.
 //!
-//! That is the minimum of ½ pᵀSp + pᵀh under p ≥ 0 and the load, found by conjugate gradients with
-//! constraints (Polonsky and Keer 1999, Wear 231, 206), which are preconditioned (Vollebregt 2014,
-//! J. Tribol. 136, 021402) and kept when the contact changes; see `conjugate_gradients.rs`. With a
-//! hardness H also p ≤ H, and where p = H the material yields, g ≤ 0 being the depth that is
-//! flattened (elastic–perfectly plastic cut-off; Almqvist et al. 2007, J. Tribol. 129, 306).
+//! This is the minimum of ½ pᵀSp + pᵀh under p ≥ 0 and the load, found by constrained conjugate
+//! gradients (Polonsky and Keer 1999, Wear 231, 206), which are preconditioned (Vollebregt 2014, J.
+//! Tribol. 136, 021402) and continued when the contact changes; see `conjugate_gradients.rs`. With
+//! a hardness H also p ≤ H, and where p = H the material yields, −g being the flattened depth
+//! (elastic–perfectly plastic cut-off; Almqvist et al. 2007, J. Tribol. 129, 306).
 //!
-//! Limits: half-spaces, slopes small against one, no friction in the normal problem.
+//! Limits: half-spaces, small slopes, no friction in the normal problem.
 
 mod area;
 mod compliance;
@@ -26,19 +26,19 @@ use crate::surface::{HeightMap, Lattice};
 use compliance::NormalCompliance;
 use conjugate_gradients::{Equilibrium, Outcome};
 
-/// What lies around the surface.
+/// Surroundings of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Boundary {
-    /// The same surface again and again: a piece of a large rough surface.
+    /// Periodic repetition: a piece of a large rough surface.
     Periodic,
-    /// Nothing: all of a contact, such as a sphere or the patch of wheel and rail.
+    /// Nothing: a complete contact, such as a sphere or the patch of wheel and rail.
     Free,
 }
 
-/// How exactly to solve.
+/// Accuracy of the solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughContactOptions {
-    /// Relative error of the energy to reach, dimensionless; in practice that of the pressure.
+    /// Relative error of the energy, dimensionless; in practice also that of the pressure.
     pub tolerance: f64,
     /// Maximum number of iterations.
     pub max_iterations: usize,
@@ -50,7 +50,7 @@ impl Default for RoughContactOptions {
     }
 }
 
-/// Two bodies that can be pressed together. Each solution starts from the one before.
+/// Two bodies that can be pressed together. Each solution starts from the previous one.
 #[derive(Debug)]
 pub struct RoughContact {
     distance: HeightMap,
@@ -58,17 +58,17 @@ pub struct RoughContact {
     boundary: Boundary,
     hardness: f64,
     compliance: NormalCompliance,
-    /// The last pressure; empty at first.
+    /// The last pressure; initially empty.
     pressure: Vec<f64>,
 }
 
-/// A solved normal contact. Fields are row after row, as the heights.
+/// A solved normal contact. Fields are stored row by row, like the heights.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct RoughContactSolution {
     /// Whether the residual is below the tolerance.
     pub is_converged: bool,
-    /// Duality gap over the elastic energy, dimensionless: it bounds the error of the energy.
+    /// Duality gap divided by the elastic energy, dimensionless: it bounds the error of the energy.
     pub residual: f64,
     /// Iterations.
     pub iterations: usize,
@@ -78,12 +78,12 @@ pub struct RoughContactSolution {
     pub load: f64,
     /// Pressure, in Pa.
     pub pressure: Vec<f64>,
-    /// Gap, in m; zero in contact, not positive where the material yields.
+    /// Gap, in m; zero in contact, zero or negative where the material yields.
     pub gap: Vec<f64>,
-    /// By how much the bodies have approached since they first touched, in m: distant points, or
-    /// mean planes of a periodic surface.
+    /// Approach of the bodies since first contact, in m: of distant points, or of the mean planes
+    /// of a periodic surface.
     pub approach: f64,
-    /// Mean gap, in m: the distance of the mean planes.
+    /// Mean gap, in m: the distance between the mean planes.
     pub mean_gap: f64,
     /// Area of all cells in contact, in m².
     pub contact_area: f64,
@@ -91,14 +91,13 @@ pub struct RoughContactSolution {
     pub corrected_contact_area: f64,
     /// Area of all cells that yield, in m².
     pub plastic_area: f64,
-    /// Whether the contact reaches the edge of the lattice: with free boundaries it is cut off
-    /// there.
+    /// Whether the contact reaches the edge of the lattice, where free boundaries truncate it.
     pub touches_edge: bool,
 }
 
 impl RoughContact {
-    /// From the undeformed distance (see [`HeightMap::distance_to_plane`]) and the contact modulus
-    /// E* (in Pa, see [`crate::material::contact_modulus`]).
+    /// Two bodies with the undeformed distance (see [`HeightMap::distance_to_plane`]) and the
+    /// contact modulus E* (in Pa, see [`crate::material::contact_modulus`]).
     ///
     /// ```
     /// use schlupf::normal::rough_contact::{Boundary, RoughContact};
@@ -124,7 +123,7 @@ impl RoughContact {
     ) -> Result<Self, Error> {
         require_positive(Quantity::WheelYoungModulus, contact_modulus)?;
         if boundary == Boundary::Periodic {
-            // Nothing else would decide where such a contact carries.
+            // Otherwise nothing determines where such a contact carries.
             distance.require_rough()?;
         }
         let compliance = NormalCompliance::new(distance.lattice(), contact_modulus, boundary);
@@ -132,7 +131,7 @@ impl RoughContact {
         Ok(Self { distance, contact_modulus, boundary, hardness, compliance, pressure })
     }
 
-    /// The same with a largest pressure: the hardness H of the softer body, in Pa.
+    /// The same with an upper limit of the pressure: the hardness H of the softer body, in Pa.
     pub fn with_hardness(self, hardness: f64) -> Result<Self, Error> {
         if !hardness.is_infinite() || hardness < 0.0 {
             require_positive(Quantity::Hardness, hardness)?;
@@ -155,8 +154,8 @@ impl RoughContact {
         self.hardness
     }
 
-    /// The bodies after a solution: flattened where they yielded, and elastic, because no smaller
-    /// load and not the same one makes them yield again.
+    /// The bodies after a solution: flattened where they yielded, and elastic, because no load up
+    /// to the same one makes them yield again.
     pub fn flattened(&self, solution: &RoughContactSolution) -> Result<Self, Error> {
         let depth = |cell: usize| {
             let has_yielded = solution.pressure[cell] >= self.hardness;
@@ -169,7 +168,7 @@ impl RoughContact {
         Ok(Self { pressure: solution.pressure.clone(), ..contact })
     }
 
-    /// What lies around the surface.
+    /// The surroundings of the surface.
     pub fn boundary(&self) -> Boundary {
         self.boundary
     }
