@@ -1,4 +1,4 @@
-//! The solvers of steady states by method and by way.
+//! Selection of the solver of steady states by method and driver.
 
 use crate::error::Error;
 use crate::method::Method;
@@ -13,7 +13,7 @@ use super::marching::march;
 use super::steady::SteadySolver;
 
 impl Method {
-    /// What finds steady states with this method.
+    /// The solver of steady states for this method.
     ///
     /// ```
     /// use schlupf::{Method, Options, Problem, method::FastMethod, unwatched};
@@ -34,14 +34,14 @@ impl Method {
     }
 }
 
-/// Marches to steady states of the full equations, from rest each. Derivatives are those of a
+/// Marches to steady states of the full equations, each from rest. Derivatives are those of a
 /// [`SteadySolver`].
 pub struct MarchingSolver {
     steady: SteadySolver,
 }
 
 impl MarchingSolver {
-    /// A solver without a past.
+    /// A solver without previous solutions.
     pub fn new(options: &Options) -> Self {
         Self { steady: SteadySolver::new(options) }
     }

@@ -1,14 +1,15 @@
-//! What the elements bring into their new cells when the material moves on by one cell, and when
-//! and where those that are new came into contact.
+//! Transfer of the elements into their new cells when the material moves on by one cell, and time
+//! and place of entry of new elements.
 //!
 //! A material point that enters within a step is compared with the displacement where and when it
-//! entered, not with that of the last instant. With λ the part of the step that the material of a
-//! cell has spent in contact, m its upstream neighbour, u = A p and e the displacement where the
-//! material entered, it slides by
+//! entered, not with that of the previous instant. With λ the fraction of the step that the
+//! material of a cell has spent in contact, m its upstream neighbour, u = A p and e the
+//! displacement where the material entered, it slides by
 //!
 //! Δs_k = D_k − u_k(t) + (u_m − e_m)(t − Δt) + λ e_k(t − Δt) + (1 − λ) e_k(t),
 //!
-//! D_k being the rigid slip over its way; (u_m − e_m) is zero where nothing comes from upstream.
+//! where D_k is the rigid slip along its path; (u_m − e_m) is zero where nothing comes from
+//! upstream.
 //!
 //! Where the load changes, the edges of the patch move: [`super::moving_edge`].
 
@@ -23,30 +24,30 @@ use crate::state::Element;
 use super::moving_edge::{Motion, motions};
 use super::past::{Departure, Past};
 
-/// What an element brings into its new cell.
+/// State that an element brings into its new cell.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Arrival {
-    /// Its history; the increment and the turn are still to come.
+    /// Its history; the increment and the turn are added later.
     pub slide: Slide,
-    /// Length of its last way (in m) and the elastic part of the sliding on it over that length
-    /// (dimensionless); if it has come from a cell.
+    /// Length of its last path (in m) and the elastic part of the sliding along it divided by that
+    /// length (dimensionless); if it has come from a cell.
     pub stretch: Option<(f64, [f64; 2])>,
-    /// What is known of the displacement that A p of its new cell is compared with, in m.
+    /// The known part of the displacement with which A p of its new cell is compared, in m.
     pub displacement: [f64; 2],
-    /// Length of its way in contact within the step, in m.
+    /// Length of its path in contact within the step, in m.
     pub way: f64,
-    /// λ: part of the step that it has spent in contact, dimensionless.
+    /// λ: fraction of the step that it has spent in contact, dimensionless.
     pub in_contact: f64,
-    /// Whether it came into contact where it is, not over the leading edge.
+    /// Whether it came into contact in place, not over the leading edge.
     pub in_place: bool,
     /// Heat that it has received.
     pub heat: Vec<HeatStep>,
-    /// Its coefficient of friction (dimensionless), if it remembers one.
+    /// Its coefficient of friction (dimensionless), with friction memory.
     pub friction: Option<f64>,
 }
 
-/// Moves all elements on by one cell. The contact has its new patch already, if the load changes
-/// (`moves`); the displacement is that of the last instant.
+/// Moves all elements on by one cell. If the load changes (`moves`), the contact already has its
+/// new patch; the displacement is that of the previous instant.
 pub(super) fn carry_over(
     contact: &DiscreteContact,
     displacement: &VectorField,
@@ -75,19 +76,20 @@ pub(super) fn carry_over(
     arrivals
 }
 
-/// A cell into which an element comes.
+/// A cell that receives an element.
 struct Place<'a> {
     cell: &'a Cell,
-    /// How the edges of its strip move, if they do.
+    /// Motion of the edges of its strip, if they move.
     motion: Option<&'a Motion>,
     grid: &'a Grid,
-    /// A p of the last instant where the material of the cell entered then, in m; if the strip was
-    /// in contact.
+    /// A p of the previous instant where the material of the cell entered at that time, in m; if
+    /// the strip was in contact.
     entered: Option<[f64; 2]>,
 }
 
 impl Place<'_> {
-    /// An element that came into contact within the step; `here` is A p of the last instant, in m.
+    /// An element that came into contact within the step; `here` is A p of the previous instant, in
+    /// m.
     fn enter(&self, here: [f64; 2]) -> Arrival {
         let cell = self.cell;
         let way = self.motion.map_or(cell.since_entry.distance, |motion| {
@@ -105,7 +107,7 @@ impl Place<'_> {
         }
     }
 
-    /// An element that was in contact at the last instant.
+    /// An element that was in contact at the previous instant.
     fn carry_on(&self, element: &Element, departure: &Departure) -> Arrival {
         let cell = self.cell;
         let way = self.motion.map_or(cell.way_in.distance, |motion| {
@@ -133,13 +135,14 @@ impl Place<'_> {
         }
     }
 
-    /// λ of a way (in m) within the step.
+    /// λ for a path (in m) within the step.
     fn part_of_step(&self, way: f64) -> f64 {
         (way / self.grid.spacing_x).clamp(0.0, 1.0)
     }
 }
 
-/// Longest way into a cell over its size: more is the noise of edges that move with the material.
+/// Longest path into a cell relative to its size: anything longer is noise of edges that move with
+/// the material.
 const LONGEST_WAY: f64 = 2.0;
 
 /// The cell of the grid from which the material of a cell comes, unless another strip ends there.
@@ -149,7 +152,7 @@ fn upstream_index(patch: &Patch, strip: &Strip, k: usize) -> Option<usize> {
     (!is_of_other).then_some(upstream)
 }
 
-/// Which element stands in which cell of the grid.
+/// The index of the element in each cell of the grid.
 pub(super) fn positions(patch: &Patch, elements: &[Element]) -> Vec<Option<usize>> {
     let mut at = vec![None; patch.grid.len()];
     for (e, element) in elements.iter().enumerate() {

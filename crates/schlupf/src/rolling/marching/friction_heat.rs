@@ -1,5 +1,5 @@
-//! Temperatures that follow from the friction power in the cells; Eqs. (17)–(22). The heat is
-//! released on the way through a cell, evenly.
+//! Temperatures due to the friction power in the cells; Eqs. (17)–(22). The heat is released
+//! uniformly along the path through a cell.
 
 use crate::heat::{Heat, HeatStep};
 use crate::numerics::root::fixed_point;
@@ -10,8 +10,8 @@ use crate::summary::snapshot::Snapshot;
 
 use super::arrival::Arrival;
 
-/// Temperatures of all cells. `records` holds the heat that each cell's element has received before
-/// it came in; on return, what it has when it leaves.
+/// Temperatures of all cells. On entry `records` holds the heat that each cell's element has
+/// received before arriving; on return, the heat when it leaves.
 pub(super) fn set_temperatures(
     now: &mut Snapshot,
     patch: &Patch,
@@ -27,23 +27,23 @@ pub(super) fn set_temperatures(
     }
 }
 
-/// What was rubbed in a place last.
+/// Friction at a place at the last evaluation.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Rubbing {
     /// Coefficient of friction, dimensionless.
     pub friction: f64,
-    /// Friction power over area, in W/m².
+    /// Friction power per unit area, in W/m².
     pub power: f64,
-    /// Pressure times slip speed, in W/m²: the power where friction was one and all slid.
+    /// Pressure times slip speed, in W/m²: the power for a coefficient of one in full sliding.
     pub bound_power: f64,
     /// Slip speed, in m/s.
     pub slip_speed: f64,
 }
 
 impl Rubbing {
-    /// The coefficient of friction (dimensionless) in a cell to which an element with a heat record
-    /// has come: the root of μ = law(T(μ)), the friction power going with μ. From the leading edge
-    /// on there is one where μ falls with T.
+    /// The coefficient of friction (dimensionless) in a cell into which an element with a heat
+    /// record has come: the root of μ = law(T(μ)), where the friction power is proportional to μ.
+    /// If μ decreases with T, it is unique.
     pub fn coefficient(
         &self,
         problem: &Problem,
@@ -71,11 +71,11 @@ impl Rubbing {
     }
 }
 
-/// Material that has been rubbed on its way through a cell, or a part of it.
+/// Material after friction along its path through a cell, or a part of it.
 pub(super) struct Rubbed {
-    /// Where the cell is across rolling, in m.
+    /// Position of the cell across rolling, in m.
     pub y: f64,
-    /// The way, in m.
+    /// The path length, in m.
     pub way: f64,
     /// Temperature rise times effusivity, in W √s/m².
     pub rise: f64,

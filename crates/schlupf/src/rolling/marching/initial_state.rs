@@ -1,4 +1,4 @@
-//! The state from which a march goes on: whether it can be, and its elements in the cells of the
+//! The state from which a march continues: its validity, and its elements in the cells of the
 //! patch.
 
 use crate::error::Error;
@@ -9,10 +9,10 @@ use crate::state::{Element, State};
 
 use super::arrival::positions;
 
-/// Largest coefficient of friction that a state may hold, dimensionless.
+/// Largest coefficient of friction allowed in a state, dimensionless.
 const LARGEST_FRICTION: f64 = 1e3;
 
-/// A state can only be taken up on the grid on which it was left.
+/// A march can only continue from a state on the grid on which the state was left.
 pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
     let mut taken = vec![false; grid.len()];
@@ -55,7 +55,7 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     })
 }
 
-/// The elements in the order of the patch; a cell that had none gets one without a past.
+/// The elements in the order of the patch; a cell that had none gets one without history.
 pub(super) fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
     let at = positions(patch, elements);
     let blank = |index| Element { index, ..Element::default() };

@@ -1,4 +1,4 @@
-//! The march: all that changes from step to step.
+//! Marching in time: everything that changes from step to step.
 
 use crate::equilibrium::{Limits, Newton, Outcome, measure};
 use crate::error::{Error, require_finite};
@@ -76,13 +76,12 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
 }
 
 /// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift`
-/// (along and across rolling, in m), in one go: a history with nothing but a shift.
+/// (along and across rolling, in m), in one step: a history that consists of a shift alone.
 ///
-/// The bodies do not roll: creepages and spin of the problem play no part, and those of the
-/// solution are zero, as is its speed. A shift has no duration either, so there is no slip
-/// velocity, no friction power and no heat; friction is that of the temperature with which the
-/// bodies meet. How far each element has slid, in m, is in the solution's state, from which
-/// marching can go on.
+/// The bodies do not roll: creepages and spin of the problem are ignored, and those of the solution
+/// are zero, as is its speed. As a shift has no duration, there is no slip velocity, no friction
+/// power and no heat; friction is that at the temperature at which the bodies meet. The sliding
+/// distance of each element, in m, is in the solution's state, from which marching can continue.
 ///
 /// ```
 /// use schlupf::{Options, Problem, rolling::marching::shift, unwatched};
@@ -111,13 +110,14 @@ pub fn shift(
     march(&transient, options, watch)
 }
 
-/// Time steps in succession without an equilibrium after which a march to the steady state ends.
+/// Number of successive time steps without an equilibrium after which a march to the steady state
+/// ends.
 const HOPELESS: usize = 10;
 
 /// Maximum number of time steps of a history.
 const MAX_HISTORY_STEPS: f64 = 1e6;
 
-/// All that changes from step to step.
+/// Everything that changes from step to step.
 struct March<'a> {
     problem: &'a Problem,
     history: &'a History,
@@ -136,16 +136,16 @@ struct March<'a> {
     powers: Option<StepPower>,
     /// Largest ‖p‖₂ so far, in Pa.
     largest_traction: f64,
-    /// Relative change of traction and temperature in the last step.
+    /// Relative change in traction and temperature in the last step.
     change: f64,
     /// The same over the last passage of the material through the whole patch.
     passage_change: f64,
     /// The largest change in one step of the present passage.
     largest_step: f64,
-    /// Traction and temperature rises a passage ago.
+    /// Traction and temperature rises one passage ago.
     passage_start: [Vec<f64>; 2],
     worst_residual: f64,
-    /// Time steps in succession whose equilibrium was not found.
+    /// Number of successive time steps whose equilibrium was not found.
     failures: usize,
     work: Work,
     instants: Vec<Instant>,
@@ -196,7 +196,7 @@ impl<'a> March<'a> {
         Ok(march)
     }
 
-    /// A history must end within the steps that are allowed.
+    /// Checks that a history ends within the maximum number of steps.
     fn check_length(&self) -> Result<(), Error> {
         let [start, end] = self.history.span();
         let fastest = self.history.fastest(&self.problem.kinematics);
@@ -219,8 +219,8 @@ impl<'a> March<'a> {
         is_steady || self.failures >= HOPELESS || self.work.steps >= self.options.max_steps
     }
 
-    /// At the end of a passage, compares with its start. What is left to come is about as much as
-    /// a passage changes, but many times what a step does.
+    /// At the end of a passage, compares with its start. The remaining change is about as large as
+    /// that of a passage, but many times that of a step.
     fn compare_passages(&mut self) {
         self.largest_step = self.largest_step.max(self.change);
         let longest = self.contact.patch.strips.iter().map(|s| s.cells.len()).max().unwrap_or(1);
@@ -232,15 +232,14 @@ impl<'a> March<'a> {
             let scale = measure(norm(&self.now.bound(&self.contact.patch)), self.largest_traction);
             let warmed = largest_change(rise, &self.now.rise);
             let changed = relative_change(traction, &self.now.traction, scale);
-            // What swings to and fro may be the same after a passage.
+            // An oscillation may return to the same values after a passage.
             self.passage_change = changed.max(warmed).max(self.largest_step);
         }
         self.largest_step = 0.0;
         self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
     }
 
-    /// The wheel is shifted at rest (in m), with the friction of the temperature that the material
-    /// has.
+    /// Shifts the wheel at rest (in m), with the friction at the temperature of the material.
     fn shift(&mut self, distance: [f64; 2], watch: Watch) -> Result<(), Error> {
         let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
         self.now.conduction = self.problem.conduction(&at_rest);
@@ -288,7 +287,7 @@ impl<'a> March<'a> {
         Ok(arrivals)
     }
 
-    /// Takes over the patch of a load that changes with time; returns the one before.
+    /// Switches to the patch of a load that changes with time; returns the previous one.
     fn follow_load(&mut self, watch: Watch) -> Result<Option<Former>, Error> {
         let Some(load) =
             self.history.load(self.time).filter(|load| *load != self.contact.normal.load)
@@ -300,9 +299,9 @@ impl<'a> March<'a> {
         self.contact.set_normal(&normal).map(Some)
     }
 
-    /// What stays in its place while the material moves: the last step's traction is the initial
-    /// guess. Friction, Eq. (23), follows the temperature of the element that has come, which
-    /// contains the heat that friction itself makes here now: both are found together.
+    /// Quantities that stay in place while the material moves: the previous traction is the initial
+    /// guess. Friction, Eq. (23), follows the temperature of the arriving element, including the
+    /// heat that friction itself generates here now: both are found together.
     fn stay_in_place(&mut self, arrivals: &[Arrival]) {
         let patch = &self.contact.patch;
         let at = positions(patch, &self.elements);
@@ -373,7 +372,7 @@ impl<'a> March<'a> {
         Ok(())
     }
 
-    /// Elastic part of the sliding on a way (in m) into a cell, over that way.
+    /// Elastic part of the sliding along a path (in m) into a cell, divided by its length.
     fn stretch(&self, k: usize, way: f64, slid: [f64; 2]) -> [f64; 2] {
         let rigid = rigid_slip(&self.contact.patch.cells[k], way, &self.now.over_step);
         [0, 1].map(|c| if way > 0.0 { (slid[c] - rigid[c]) / way } else { 0.0 })
@@ -381,7 +380,8 @@ impl<'a> March<'a> {
 
     fn limits(&self) -> Limits {
         Limits {
-            // Below the tolerance of the steady state, so that its noise does not hide the end.
+            // Below the tolerance of the steady state, so that solver noise does not hide the end
+            // of the transient.
             tolerance: 0.1 * self.options.tolerance,
             max_iterations: self.options.max_iterations,
             is_monotone: false,
@@ -397,7 +397,7 @@ impl<'a> March<'a> {
         self.work.operator_products += 1.0;
     }
 
-    /// What remains of an instant whose elements have come over whole cells.
+    /// The record of an instant whose elements have moved by whole cells.
     fn past_in_place(&self) -> Past {
         let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
         Past::of(&self.contact, &self.displacement, ways)
@@ -443,7 +443,7 @@ impl<'a> March<'a> {
         }
     }
 
-    /// Counts the work and keeps the forces of the step.
+    /// Adds up the work and records the forces of the step.
     fn note(&mut self) {
         self.work.steps += 1;
         self.work.cells = self.contact.patch.len();
@@ -529,8 +529,8 @@ impl<'a> March<'a> {
     }
 }
 
-/// Rigid slip (in m) on a way in contact (in m) into a cell, which is all of that from its upstream
-/// neighbour or from the leading edge unless the edge moves.
+/// Rigid slip (in m) along a path in contact (in m) into a cell, which is the whole path from its
+/// upstream neighbour or from the leading edge unless the edge moves.
 fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
     let part = way / cell.way_in.distance;
     cell.way_in.rigid_slip(kinematics).map(|slip| part * slip)
@@ -549,7 +549,7 @@ fn relative_change(old: &[f64], new: &[f64], scale: f64) -> f64 {
     if scale > 0.0 { norm(&moved) / scale } else { 0.0 }
 }
 
-/// One grid over the largest patch.
+/// A single grid over the largest patch.
 fn grid_over_history(transient: &Transient, options: &Options) -> Result<Grid, Error> {
     let largest = transient.history.largest_load();
     let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;

@@ -1,7 +1,7 @@
-//! Marching: the paper's simulation procedure. The material moves on by one cell a time step, and
-//! every step is an equilibrium. Friction follows the temperature that it makes itself in the step,
-//! and the slip speed of the step before: where it falls steeply with the slip speed, a march may
-//! swing for ever, and says so.
+//! Marching: the paper's simulation procedure. The material moves on by one cell per time step, and
+//! every step is an equilibrium. Friction follows the temperature that it generates in the step
+//! itself, and the slip speed of the previous step: if it falls steeply with the slip speed, a
+//! march may oscillate indefinitely, which is reported.
 
 mod time_step;
 mod past;

@@ -1,15 +1,14 @@
-//! How long the material of a cell has been in contact where the load changes and the edges of the
-//! patch move.
+//! Contact time of the material of a cell when the load changes and the edges of the patch move.
 //!
-//! In a row, the patch reaches from its middle c by l on either side. Where bodies are round l²
-//! changes evenly with time, and so it is taken to do within a step: by G. Material at a distance x
-//! from the middle moves by Δx in a step, relative to the middle by s = Δx + Δc; it has met the
-//! edge θ steps before, with
+//! In a row, the patch extends from its middle c by l to either side. For round bodies l² changes
+//! linearly with time, and this is assumed within a step: by G. Material at a distance x from the
+//! middle moves by Δx in a step, and relative to the middle by s = Δx + Δc; it met the edge θ steps
+//! ago, where
 //!
 //! (x + θ s)² = l² − θ G,
 //!
-//! at the leading edge, or where the patch has overtaken it at the trailing one. With edges that
-//! stay θ Δx is the distance from the leading edge.
+//! at the leading edge, or, where the patch has overtaken it, at the trailing edge. With stationary
+//! edges θ Δx is the distance from the leading edge.
 
 use std::ops::Range;
 
@@ -17,33 +16,35 @@ use crate::patch::Patch;
 
 use super::past::{Past, Reach};
 
-/// How the edges of a strip have moved within a step.
+/// Motion of the edges of a strip within a step.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Motion {
     /// Middle of the strip at the end of the step, in m.
     middle: f64,
-    /// s: by how much material moves relative to the middle, in m.
+    /// s: displacement of the material relative to the middle, in m.
     passed: f64,
-    /// G: gain of the square of half the length, in m².
+    /// G: increase of the square of the half-length, in m².
     gain: f64,
     /// Δx, in m.
     spacing: f64,
 }
 
 impl Motion {
-    /// Way in contact (in m) until now of material that is at x, with the leading edge at `edge`,
+    /// Path in contact (in m) until now of material that is at x, with the leading edge at `edge`,
     /// in m.
     pub fn way_until_end(&self, x: f64, edge: f64) -> f64 {
         self.way(x - self.middle, edge - self.middle)
     }
 
-    /// The same until the start of the step, when it was at x and the edge at `edge`, in m.
+    /// The same until the start of the step, when the material was at x and the edge at `edge`, in
+    /// m.
     pub fn way_until_start(&self, x: f64, edge: f64) -> f64 {
         let middle = self.middle - (self.passed - self.spacing);
         self.way(x - middle, edge - middle)
     }
 
-    /// Whether material at x (in m), in contact for a way (in m), has come over the leading edge.
+    /// Whether material at x (in m), in contact over a path (in m), has entered over the leading
+    /// edge.
     pub fn is_from_leading_edge(&self, x: f64, way: f64) -> bool {
         x - self.middle + way * self.passed / self.spacing > 0.0
     }
@@ -56,15 +57,15 @@ impl Motion {
         let b = x * self.passed + 0.5 * self.gain;
         let c = ((half - x) * (half + x)).max(0.0);
         let root = (b * b + self.passed * self.passed * c).sqrt();
-        // The form that does not cancel.
+        // The form without cancellation.
         let steps = if b > 0.0 { c / (b + root) } else { (root - b) / self.passed.powi(2) };
         steps * self.spacing
     }
 }
 
-/// The motion of every strip, from what the past says of the same cells. Where a row is not covered
-/// over its width, its mean edges tell how it fills, not how they move: such a strip takes the gain
-/// of the nearest one that is.
+/// The motion of every strip, from the past of the same cells. If a row is not covered over its
+/// full width, its mean edges describe how it fills, not how they move: such a strip takes G from
+/// the nearest strip that is.
 pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
     let spacing = patch.grid.spacing_x;
     let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
@@ -87,7 +88,7 @@ pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
             (Some(model), None) => Motion { middle, ..model },
             (None, Some(own)) => own,
             (None, None) => {
-                // Born alone: in its middle, at the start of the step.
+                // A new isolated strip: it starts at its middle, at the start of the step.
                 let half = patch.cells[patch.strips[n].cells.start].entry_x() - middle;
                 Motion { middle, passed: spacing, gain: half * half, spacing }
             }
@@ -96,8 +97,8 @@ pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
     (0..reaches.len()).map(motion).collect()
 }
 
-/// From the cell next to the middle of the strip that was in contact before, whose entry is the
-/// mean of the edge over the row.
+/// Measured at the cell next to the middle of the strip that was in contact before, whose entry is
+/// the mean of the edge over the row.
 fn measured(patch: &Patch, cells: &Range<usize>, reach: &Reach, past: &Past) -> Option<Motion> {
     let center = usize::midpoint(cells.start, cells.end);
     let known = |k: &usize| past.at(patch.cells[*k].index).is_some();
@@ -121,19 +122,19 @@ mod tests {
     use super::*;
     use crate::numerics::root::bisection;
 
-    /// Edges that stay: the way is the distance from the leading edge.
+    /// Stationary edges: the path is the distance from the leading edge.
     #[test]
     fn edges_that_stay() {
         let still = Motion { middle: 1.0, passed: 0.1, gain: 0.0, spacing: 0.1 };
         assert_relative_eq!(still.way_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
         assert_relative_eq!(still.way_until_start(1.7, 2.0), 0.3, max_relative = 1e-12);
-        // Without the short cut, too.
+        // The same without the short cut.
         let nearly = Motion { gain: 1e-15, ..still };
         assert_relative_eq!(nearly.way_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
     }
 
-    /// l² = 1 + 2t, the material at x − t: the way since x(t) = l(t), by bisection; whether the
-    /// patch grows or shrinks, and for material that it overtakes at the trailing edge.
+    /// l² = 1 + 2t, the material at x − t: the path since x(t) = l(t), by bisection; for growing
+    /// and shrinking patches, and for material overtaken at the trailing edge.
     #[test]
     fn material_meets_the_edge_where_it_was() {
         for (gain, x) in [(0.2, 0.5), (0.2, 0.99), (-0.15, 0.9), (-0.4, 0.2), (0.5, -0.98)] {
@@ -147,12 +148,13 @@ mod tests {
         }
     }
 
-    /// Material that stays in contact gains a step: the same law told from both ends of it.
+    /// Material that stays in contact gains one step: the same law evaluated at both ends of the
+    /// step.
     #[test]
     fn a_step_adds_a_step() {
         let motion = Motion { middle: 0.02, passed: 0.12, gain: 0.05, spacing: 0.1 };
         let (x, edge) = (0.3, 1.02);
-        // The edge before: l² = 1 − G, about a middle 0.02 farther back.
+        // The previous edge: l² = 1 − G, about a middle 0.02 farther back.
         let before = (1.0_f64 - 0.05).sqrt();
         let gained = motion.way_until_end(x, edge) - motion.way_until_start(x + 0.1, before);
         assert_relative_eq!(gained, 0.1, max_relative = 1e-12);

@@ -1,11 +1,11 @@
-//! What is left of the patch at the last instant, when the material has moved on.
+//! Record of the patch at the previous instant, after the material has moved on.
 
 use crate::grid::VectorField;
 use crate::patch::{Patch, Strip};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 
-/// What the material leaves a cell with.
+/// State in which the material leaves a cell.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Departure {
     /// A p in the cell, in m.
@@ -14,26 +14,26 @@ pub(super) struct Departure {
     pub at_entry: [f64; 2],
     /// Centroid of its covered part along rolling, in m.
     pub x: f64,
-    /// Position of the leading edge, on the mean over that part, in m.
+    /// Position of the leading edge, averaged over that part, in m.
     pub entry_x: f64,
     /// Middle of its strip along rolling, in m.
     pub middle: f64,
-    /// Length of the way into the cell, in m.
+    /// Length of the path into the cell, in m.
     pub way: f64,
 }
 
-/// The patch at the last instant.
+/// The patch at the previous instant.
 #[derive(Debug, Default)]
 pub(super) struct Past {
-    /// Of each cell of the grid, if it was in contact: the number of its element, and what it
-    /// leaves the cell with.
+    /// For each cell of the grid that was in contact: the index of its element, and the state in
+    /// which the material leaves the cell.
     pub cells: Vec<Option<(usize, Departure)>>,
     /// Its strips.
     pub reaches: Vec<Reach>,
 }
 
 impl Past {
-    /// What remains of an instant with the displacement `field`. `ways` are the lengths of the ways
+    /// The record of an instant with the displacement `field`. `ways` are the lengths of the paths
     /// into the cells, in m.
     pub fn of(
         contact: &DiscreteContact,
@@ -64,7 +64,7 @@ impl Past {
         Self { cells, reaches }
     }
 
-    /// What the material left a cell of the grid with, if that was in contact.
+    /// The state in which the material left a cell of the grid, if that was in contact.
     pub fn at(&self, index: usize) -> Option<&Departure> {
         self.cells[index].as_ref().map(|(_, departure)| departure)
     }
@@ -96,7 +96,8 @@ impl Reach {
         self.columns[0] <= other.columns[1] && other.columns[0] <= self.columns[1]
     }
 
-    /// Whether there is a strip beside it on both sides, so that its row is covered over its width.
+    /// Whether there is a strip on both sides of it, so that its row is covered over its full
+    /// width.
     pub fn is_inside(&self, strips: &[Self]) -> bool {
         let has = |row: Option<usize>| {
             row.is_some_and(|row| strips.iter().any(|s| s.row == row && s.overlaps(self)))

@@ -1,8 +1,8 @@
 //! Two bodies at rest, pressed together and shifted tangentially: Cattaneo's and Mindlin's problem,
 //! for any patch, elasticity and contact law.
 //!
-//! Nothing is carried along, so there is one equilibrium: every cell slides by the shift less what
-//! the bodies yield, with the same shift in all of them.
+//! No material is transported, so there is one equilibrium: every cell slides by the shift minus
+//! the elastic deformation of the bodies, with the same shift in all cells.
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
@@ -19,12 +19,12 @@ use super::time_step::{Prescribed, TimeStep};
 pub(super) const AT_REST: Kinematics =
     Kinematics { speed: 0.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
 
-/// A shift on top of what the elements have gone through.
+/// A shift added to the history of the elements.
 pub(super) struct Shift<'a> {
     /// Along and across rolling, in m.
     pub distance: [f64; 2],
     pub contact: &'a mut DiscreteContact,
-    /// A p of the traction before on the whole grid, in m.
+    /// A p of the previous traction on the whole grid, in m.
     pub displacement: &'a VectorField,
     pub law: &'a dyn ContactLaw,
     /// μ pₙ of each cell, in Pa.
@@ -34,8 +34,8 @@ pub(super) struct Shift<'a> {
 }
 
 impl Shift<'_> {
-    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and
-    /// leaves it there and in the elements.
+    /// Finds the equilibrium after the shift, starting from the traction on the rail p before it
+    /// (in Pa), and stores it there and in the elements.
     pub fn find(
         self,
         newton: &mut Newton,

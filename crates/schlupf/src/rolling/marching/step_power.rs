@@ -1,15 +1,15 @@
-//! Slip and friction power at an instant, the powers over the time step before it, and the energy
-//! that the bodies store.
+//! Slip and friction power at an instant, the powers over the preceding time step, and the stored
+//! elastic energy.
 //!
 //! Over a step the traction is the mean of that at its two ends, and the displacement changes by
 //! its difference, both in place. With a symmetric compliance the elastic part of the work is then
-//! exactly the change of the stored energy ½ Σ p·(A p) ΔA, whatever the step, and what the material
-//! carries through the patch cancels, so that
+//! exactly the change in the stored energy ½ Σ p·(A p) ΔA, whatever the step, and the contributions
+//! of the material transport through the patch cancel, so that
 //!
-//! power of the creep forces = friction power + change of the stored energy over the duration.
+//! power of the creep forces = friction power + change in the stored energy over the duration.
 //!
-//! Heat follows from the friction power at the instant: an element is in the middle of its cell
-//! then.
+//! Heat follows from the friction power at the instant, when an element is in the middle of its
+//! cell.
 
 use crate::grid::VectorField;
 use crate::kinematics::Kinematics;
@@ -19,13 +19,13 @@ use crate::rolling::shared::passage::{power, rigid_velocity, slip};
 use crate::solution::Resultant;
 use crate::summary::{self, snapshot::Snapshot};
 
-/// The last instant, as far as the powers of the step after it depend on it.
+/// The previous instant, as needed for the powers of the following step.
 #[derive(Debug)]
 pub(super) struct Start {
     displacement: VectorField,
     traction: Vec<f64>,
     force: Resultant,
-    /// The patch of that instant, where the step has another one.
+    /// The patch at that instant, if the step has a different one.
     pub former: Option<Former>,
 }
 
@@ -49,9 +49,8 @@ impl Start {
         }
     }
 
-    /// Slip velocity and friction power of every cell at the instant in which a step has ended.
-    /// Each cell's friction power is that of its traction with the mean slip over the cell, so
-    /// rigid slip works with the whole force.
+    /// Slip velocity and friction power of every cell at the end of a step. Each cell multiplies
+    /// its traction by the mean slip over the cell, so rigid slip works with the whole force.
     pub fn set_friction_power(
         &self,
         now: &mut Snapshot,
@@ -64,7 +63,7 @@ impl Start {
         now.friction_power = powers(&now.traction, &now.slip);
     }
 
-    /// Powers over the step that has ended, with those cells that the patch has left within it.
+    /// Powers over the completed step, including the cells that the patch has left within it.
     pub fn powers_until(
         &self,
         now: &Snapshot,
@@ -88,9 +87,9 @@ impl Start {
         StepPower { friction, creep: summary::creep_power(&now.over_step, &force) }
     }
 
-    /// By how much A p changes while a material point passes each cell of a patch within the step:
-    /// what it changes in passing a field, and what changes in place until the displacement at the
-    /// end of the step.
+    /// Change of A p while a material point passes each cell of a patch within the step: the change
+    /// due to moving through the field, plus the change in place up to the displacement at the end
+    /// of the step.
     fn change(
         &self,
         interpolation: &Interpolation,
@@ -98,7 +97,7 @@ impl Start {
         displacement: &VectorField,
         passed: &VectorField,
     ) -> Vec<f64> {
-        // The border of the grid, where no cell is, keeps the values.
+        // The border of the grid, where there are no cells, keeps its values.
         let mut passing = VectorField::zeros(patch.grid.len());
         differences(passed, patch.grid.columns, &mut passing);
         let gained = combined(displacement, 1.0, &self.displacement, -1.0);
@@ -113,7 +112,7 @@ impl Start {
     }
 }
 
-/// A sum of multiples of two fields.
+/// A linear combination of two fields.
 fn combined(one: &VectorField, share: f64, other: &VectorField, rest: f64) -> VectorField {
     let sum = |(p, q): (&f64, &f64)| share * p + rest * q;
     VectorField {
@@ -122,7 +121,7 @@ fn combined(one: &VectorField, share: f64, other: &VectorField, rest: f64) -> Ve
     }
 }
 
-/// Slip velocity of every cell (in m/s) from the change of A p on the way through it (in m).
+/// Slip velocity of every cell (in m/s) from the change of A p along the path through it (in m).
 fn slips(motion: &Kinematics, patch: &Patch, change: &[f64]) -> Vec<[f64; 2]> {
     let cells = patch.cells.iter().zip(change.chunks_exact(2));
     let rate = motion.speed / patch.grid.spacing_x;

@@ -1,11 +1,11 @@
 //! One time step: the material moves on by a cell and finds a new equilibrium, Eqs. (8), (13)–(16).
 //!
 //! A stiff contact law makes p − μ pₙ law(D − A p) nearly discontinuous, and Newton's method slow.
-//! So the equation is put differently: with any γ > 0, p solves it exactly when
+//! The equation is therefore reformulated: for any γ > 0, p solves it exactly when
 //!
 //! F(p) = p − μ pₙ law(s) = 0,  where s solves  μ pₙ law(s) + γ s = p + γ (D − A p)
 //!
-//! for each cell on its own. The law appears only together with γ s, and F stays smooth from the
+//! for each cell separately. The law appears only together with γ s, and F stays smooth from the
 //! softest law to Coulomb's. With γ ≤ 1/‖A‖ the step p ← p − F(p) is a forward–backward splitting
 //! (Lions and Mercier 1979) of 0 = A p − D + law⁻¹(p), which never leads away from the solution.
 
@@ -17,23 +17,23 @@ use crate::progress::Watch;
 use crate::rolling::shared::cell::{CellSolver, inverse_2x2, solve_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 
-/// What is known of a time step beforehand, cell by cell.
+/// Known data of a time step, cell by cell.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Prescribed {
-    /// D: what each cell would slide if the displacement were zero now, x and y in turn, in m.
+    /// D: sliding of each cell if the displacement were zero now, x and y in turn, in m.
     pub sliding: Vec<f64>,
-    /// λ: part of the step that its material has spent in contact, dimensionless.
+    /// λ: fraction of the step that its material has spent in contact, dimensionless.
     pub in_contact: Vec<f64>,
-    /// Whether its material came into contact where it is, not over the leading edge.
+    /// Whether its material came into contact in place, not over the leading edge.
     pub in_place: Vec<bool>,
 }
 
-/// The equilibrium of one instant: p = μ pₙ law(D − B p), each cell with its own history.
+/// The equilibrium of one instant: p = μ pₙ law(D − B p), where each cell has its own history.
 ///
 /// Material that came into contact within the step is compared with the displacement where and when
-/// it entered: B = A − diag(1 − λ) A_lead, A_lead p being the displacement at its place of entry
-/// now: at the leading edge, or, where it came into contact in its place, what the tractions of the
-/// others make there.
+/// it entered: B = A − diag(1 − λ) A_lead, where A_lead p is the present displacement at its place
+/// of entry: at the leading edge, or, if it came into contact in place, the displacement caused
+/// there by the tractions of the other cells.
 pub(super) struct TimeStep<'a> {
     contact: &'a mut DiscreteContact,
     cell: CellSolver<'a>,
@@ -42,19 +42,19 @@ pub(super) struct TimeStep<'a> {
     prescribed: &'a Prescribed,
     /// History of each cell; the increment is that of the last evaluation.
     pub slides: Vec<Slide>,
-    /// Answer of each cell at the last evaluation.
+    /// Response of each cell at the last evaluation.
     pub responses: Vec<Response>,
     /// s of each cell.
     sliding: Vec<[f64; 2]>,
     /// ∂(μ pₙ law)/∂(p + γ (D − A p)) of each cell.
     yielding: Vec<[[f64; 2]; 2]>,
-    /// Displacement over traction of the patch as a whole, for each component, in m/Pa.
+    /// Ratio of displacement to traction of the patch as a whole, for each component, in m/Pa.
     stand_in: [f64; 2],
-    /// Whether what enters is displaced by what is in contact.
+    /// Whether entering material is displaced by the material in contact.
     is_coupled: bool,
     /// A p where the material of each cell entered, in m.
     at_entry: Vec<f64>,
-    /// Largest ‖p‖₂ of the steps before, in Pa.
+    /// Largest ‖p‖₂ of the previous steps, in Pa.
     largest: f64,
 }
 
@@ -85,13 +85,13 @@ impl<'a> TimeStep<'a> {
         }
     }
 
-    /// Measures residuals against a traction (‖p‖₂ in Pa), where this step's is smaller: what fades
-    /// away need not be known more exactly than it was.
+    /// Measures residuals relative to a traction (‖p‖₂ in Pa) if that of this step is smaller: a
+    /// decaying traction need not be known more accurately than it was.
     pub fn measured_against(self, largest: f64) -> Self {
         Self { largest, ..self }
     }
 
-    /// Solves for the traction on the rail p, from the given one.
+    /// Solves for the traction on the rail p, starting from the given one.
     pub fn solve(
         &mut self,
         newton: &mut Newton,
@@ -165,7 +165,7 @@ impl Equilibrium for TimeStep<'_> {
         }
     }
 
-    /// Each cell on its own, on a bedding as stiff as the patch as a whole.
+    /// Each cell separately, on a bedding as stiff as the patch as a whole.
     fn precondition(&mut self, v: &mut [f64]) {
         for (k, [[xx, xy], [yx, yy]]) in self.yielding.iter().enumerate() {
             let share = if self.is_coupled { self.prescribed.in_contact[k] } else { 1.0 };

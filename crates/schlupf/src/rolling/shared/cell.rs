@@ -1,23 +1,23 @@
-//! One cell on its own: the sliding s that solves μ pₙ law(s) + γ s = target.
+//! Solver for a single cell: the sliding s that solves μ pₙ law(s) + γ s = target.
 
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
 
-/// Newton steps of a cell on its own.
+/// Maximum number of Newton steps for a single cell.
 const ITERATIONS: usize = 100;
 
-/// Shortest part of such a step that is tried.
+/// Shortest fraction of such a step that is tried.
 const SHORTEST: f64 = 1e-9;
 
-/// Relative excess of a cell on its own that is left: far below any tolerance, above rounding.
+/// Relative excess that remains in a single cell: far below any tolerance, above rounding error.
 const ACCURACY: f64 = 1e-13;
 
-/// Relative excess from which on a last step needs no look at the law.
+/// Relative excess below which a last step needs no further evaluation of the law.
 const NEAR: f64 = 1e-8;
 
-/// Relative excess of a initial guess that needs no rival.
+/// Relative excess of an initial guess that needs no alternative.
 const GOOD: f64 = 1e-2;
 
-/// The law of a contact, and γ (in Pa/m) beside it.
+/// The law of a contact, combined with γ (in Pa/m).
 #[derive(Clone, Copy)]
 pub(crate) struct CellSolver<'a> {
     pub law: &'a dyn ContactLaw,
@@ -26,10 +26,11 @@ pub(crate) struct CellSolver<'a> {
 }
 
 impl CellSolver<'_> {
-    /// Finds the sliding by Newton's method with a line search, from the increment in `slide`,
-    /// where it leaves it. `bound` is μ pₙ. The equation is strongly monotone, so there is one.
+    /// Finds the sliding by Newton's method with a line search, starting from the increment in
+    /// `slide`, where the result is stored. `bound` is μ pₙ. The equation is strongly monotone, so
+    /// there is exactly one solution.
     pub fn solve(&self, slide: &mut Slide, bound: f64, target: [f64; 2]) -> Response {
-        // What cancels: a small pull is answered as exactly as a large one.
+        // The terms that cancel: a small load is solved as accurately as a large one.
         let scale = bound * length(slide.traction) + length(target);
         let (mut response, mut rest) = self.first_guess(slide, bound, target, GOOD * scale);
         for _ in 0..ITERATIONS {
@@ -40,7 +41,7 @@ impl CellSolver<'_> {
             let step = solve_2x2(self.stiffness(&response, bound), rest);
             let start = slide.increment;
             if before <= NEAR * scale {
-                // What is left after this step is beyond rounding.
+                // The remainder after this step is below rounding error.
                 slide.increment = [start[0] - step[0], start[1] - step[1]];
                 let fall = times(&response.by_increment, step);
                 response.traction[0] -= fall[0];
@@ -74,8 +75,8 @@ impl CellSolver<'_> {
         (response, [rest(0), rest(1)])
     }
 
-    /// The given increment, or that with Coulomb friction if the given one leaves more than `good`
-    /// and this leaves less.
+    /// The given increment, or that of Coulomb friction if the given one leaves more than `good`
+    /// and the other leaves less.
     fn first_guess(
         &self,
         slide: &mut Slide,
@@ -125,7 +126,7 @@ mod tests {
     use super::*;
     use crate::interface::contact_law::Incremental;
 
-    /// From the softest law to Coulomb's, sticking and sliding, the local equation is solved.
+    /// The local equation is solved from the softest law to Coulomb's, in stick and in slip.
     #[test]
     fn every_cell_finds_its_sliding() {
         for stiffness in [1.0, 1e6, 1e8, 1e12] {

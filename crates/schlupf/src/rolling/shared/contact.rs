@@ -15,11 +15,11 @@ pub(crate) struct DiscreteContact {
     pub patch: Patch,
     pub compliance: Box<dyn Compliance>,
     pub interpolation: Interpolation,
-    /// Room for the fields of a product, to be overwritten.
+    /// Buffers for the fields of a product.
     room: Room,
-    /// μ0 k_c, in 1/m: times the pressure, the stiffness of the contact law at the start.
+    /// μ0 k_c, in 1/m: times the pressure, the initial stiffness of the contact law.
     bristles: f64,
-    /// Infinite between rigid bodies.
+    /// Infinite for rigid bodies.
     cell_stiffness: f64,
     estimates: Option<Estimates>,
 }
@@ -27,37 +27,37 @@ pub(crate) struct DiscreteContact {
 struct Room {
     traction: VectorField,
     displacement: VectorField,
-    /// Differences of the displacement in passing.
+    /// Differences of the displacement along the passage.
     passing: VectorField,
 }
 
-/// What a product makes: the displacement A p under a traction p.
+/// The result of a product: the displacement A p under a traction p.
 pub(crate) struct Displaced<'a> {
     patch: &'a Patch,
     interpolation: &'a Interpolation,
     room: &'a mut Room,
 }
 
-/// A patch that a changing load has replaced by another one on the same grid.
+/// A patch replaced by another one on the same grid when the load changed.
 #[derive(Debug)]
 pub(crate) struct Former {
     pub patch: Patch,
     pub interpolation: Interpolation,
 }
 
-/// What marching must know of the compliance of the whole patch.
+/// Estimates of the compliance of the whole patch, used by marching.
 #[derive(Debug, Clone, Copy)]
 struct Estimates {
     stand_in: [f64; 2],
     safe_stiffness: f64,
 }
 
-/// Stiffness of the bristles over that of a cell up to which the interpolation is cubic, and from
-/// which on it is linear; dimensionless.
+/// Ratio of the bristle stiffness to that of a cell up to which the interpolation is cubic, and
+/// above which it is linear; dimensionless.
 const CUBIC_RANGE: [f64; 2] = [250.0, 1250.0];
 
 impl DiscreteContact {
-    /// A normal contact of a problem on a grid that spans it.
+    /// The normal contact of a problem on a grid that covers it.
     pub fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
         let compliance = problem.elasticity.compliance(&grid)?;
         let patch = touching_patch(normal, grid)?;
@@ -76,7 +76,7 @@ impl DiscreteContact {
         Ok(contact)
     }
 
-    /// Another normal contact on the same grid; returns the patch that it replaces.
+    /// Sets another normal contact on the same grid; returns the patch that it replaces.
     pub fn set_normal(&mut self, normal: &NormalContact) -> Result<Former, Error> {
         let patch = touching_patch(normal, self.patch.grid)?;
         let patch = std::mem::replace(&mut self.patch, patch);
@@ -86,7 +86,7 @@ impl DiscreteContact {
         Ok(Former { patch, interpolation })
     }
 
-    /// The same contact with other laws of friction and contact.
+    /// Sets other friction and contact laws on the same contact.
     pub fn set_laws(&mut self, problem: &Problem) {
         let bristles = bristles(problem);
         if bristles != self.bristles {
@@ -95,7 +95,7 @@ impl DiscreteContact {
         }
     }
 
-    /// Weights and stiffness of a new patch.
+    /// Sets weights and stiffness for a new patch.
     fn settle(&mut self) {
         self.interpolation = Interpolation::uncoupled(&self.patch);
         self.estimates = None;
@@ -109,20 +109,20 @@ impl DiscreteContact {
         }
     }
 
-    /// How much of the interpolation at the leading edge is cubic.
+    /// The cubic share of the interpolation at the leading edge.
     ///
-    /// Where the bristles of the contact law are so much stiffer than a cell that it sticks as a
-    /// whole, the displacement has a kink at the edge, and negative weights would let neighbouring
-    /// strips swing against each other. Linear interpolation cannot; it is half as exact on softer
-    /// bristles.
+    /// If the bristles of the contact law are so much stiffer than a cell that it sticks as a
+    /// whole, the displacement has a kink at the edge, and negative weights would let adjacent
+    /// strips oscillate against each other. Linear interpolation cannot; with softer bristles it is
+    /// half as accurate.
     fn cubic_share(&self) -> f64 {
         let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness();
         let [all, none] = CUBIC_RANGE;
         ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
     }
 
-    /// Change of that share with the logarithm of the stiffness of the bristles over a cell's,
-    /// dimensionless.
+    /// Derivative of that share with respect to the logarithm of the ratio of bristle to cell
+    /// stiffness, dimensionless.
     pub fn cubic_share_by_stiffness(&self) -> f64 {
         let [all, none] = CUBIC_RANGE;
         let share = self.cubic_share();
@@ -133,7 +133,7 @@ impl DiscreteContact {
         }
     }
 
-    /// Change of the logarithm of a cell's stiffness with that of the size of the patch,
+    /// Derivative of the logarithm of a cell's stiffness with respect to that of the patch size,
     /// dimensionless; if the elasticity knows it.
     pub fn cell_stiffness_by_size(&mut self) -> Option<f64> {
         let (p, middle) = self.lone_cell();
@@ -141,7 +141,7 @@ impl DiscreteContact {
         Some(-grown * self.cell_stiffness())
     }
 
-    /// Traction of 1 Pa in both directions on the cell in the middle, and its number.
+    /// Traction of 1 Pa in both directions on the middle cell, and the index of that cell.
     fn lone_cell(&self) -> (Vec<f64>, usize) {
         let strip = &self.patch.strips[self.patch.strips.len() / 2].cells;
         let middle = usize::midpoint(strip.start, strip.end);
@@ -150,14 +150,15 @@ impl DiscreteContact {
         (p, middle)
     }
 
-    /// A p, the traction being given in each cell.
+    /// A p, with the traction given in each cell.
     pub fn product(&mut self, p: &[f64]) -> Displaced<'_> {
         self.interpolation.spread(p, &mut self.room.traction);
         self.compliance.displacement(&self.room.traction, &mut self.room.displacement);
         self.displaced()
     }
 
-    /// The change of A p with the logarithm of the size of the patch, if the elasticity knows it.
+    /// The derivative of A p with respect to the logarithm of the patch size, if the elasticity
+    /// knows it.
     pub fn product_by_size(&mut self, p: &[f64]) -> Option<Displaced<'_>> {
         let Room { traction, displacement, .. } = &mut self.room;
         self.interpolation.spread(p, traction);
@@ -169,18 +170,19 @@ impl DiscreteContact {
         Displaced { patch: &self.patch, interpolation: &self.interpolation, room: &mut self.room }
     }
 
-    /// Displacement at the outer edge of the modelled surface over the largest one, dimensionless.
+    /// Ratio of the displacement at the outer edge of the modelled surface to the largest one,
+    /// dimensionless.
     pub fn edge_displacement(&mut self, p: &[f64]) -> f64 {
         self.interpolation.spread(p, &mut self.room.traction);
         self.compliance.edge_displacement(&self.room.traction)
     }
 
-    /// Displacement over traction of the patch as a whole, for each component, in m/Pa.
+    /// Ratio of displacement to traction of the patch as a whole, for each component, in m/Pa.
     pub fn stand_in(&mut self) -> [f64; 2] {
         self.estimates().stand_in
     }
 
-    /// 1/‖A‖ or somewhat less, in Pa/m; of rigid bodies as [`Self::cell_stiffness`].
+    /// 1/‖A‖ or slightly less, in Pa/m; for rigid bodies as [`Self::cell_stiffness`].
     pub fn safe_stiffness(&mut self) -> f64 {
         let stiffness = self.estimates().safe_stiffness;
         if stiffness.is_finite() { stiffness } else { self.like_rigid() }
@@ -195,13 +197,13 @@ impl DiscreteContact {
         estimates
     }
 
-    /// Whether displacements fade within the patch.
+    /// Whether displacements decay within the patch.
     pub fn is_short_ranged(&self) -> bool {
         self.compliance.is_short_ranged()
     }
 
-    /// Traction over displacement of a cell in the middle under its own traction, in Pa/m. Between
-    /// rigid bodies it is one beside which the bristles give way alone.
+    /// Ratio of traction to displacement of the middle cell under its own traction, in Pa/m. For
+    /// rigid bodies it is so large that only the bristles are compliant.
     pub fn cell_stiffness(&self) -> f64 {
         if self.cell_stiffness.is_finite() { self.cell_stiffness } else { self.like_rigid() }
     }
@@ -210,7 +212,7 @@ impl DiscreteContact {
         (RIGID * self.bristles * self.normal.peak_pressure).max(LEAST_RIGID)
     }
 
-    /// Displacement over traction of that cell, in m/Pa; zero between rigid bodies.
+    /// Ratio of displacement to traction of that cell, in m/Pa; zero for rigid bodies.
     pub fn cell_looseness(&self) -> f64 {
         self.cell_stiffness.recip()
     }
@@ -221,7 +223,7 @@ impl DiscreteContact {
         if own > 0.0 { own.recip() } else { f64::INFINITY }
     }
 
-    /// Under tractions like the pressure.
+    /// Under tractions proportional to the pressure.
     fn estimate_stand_in(&mut self) -> [f64; 2] {
         let p: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
         let mut u = vec![0.0; p.len()];
@@ -271,7 +273,8 @@ impl Displaced<'_> {
         self.interpolation.gather_at_entries(&self.room.displacement, u);
     }
 
-    /// What those gain with the share to which the interpolation at the leading edge is cubic.
+    /// Derivative of those with respect to the cubic share of the interpolation at the leading
+    /// edge.
     pub fn at_entries_by_share(&self, u: &mut [f64]) {
         self.interpolation.gather_at_entries_by_share(&self.room.displacement, u);
     }
@@ -289,11 +292,11 @@ impl Displaced<'_> {
         0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
     }
 
-    /// By how much it changes while a material point passes a cell: the difference of its
-    /// neighbours' values over two cells.
+    /// Change of the displacement while a material point passes a cell: the difference of the
+    /// neighbouring values over two cells.
     ///
-    /// A symmetric compliance that is the same everywhere does no work on such changes in total,
-    /// Σ p·change = 0 exactly: elasticity returns what it takes.
+    /// A symmetric, translation-invariant compliance does no net work on such changes, Σ p·change =
+    /// 0 exactly: elasticity is conservative.
     pub fn change_in_passing(&mut self, change: &mut [f64]) {
         let Room { displacement, passing, .. } = &mut *self.room;
         differences(displacement, self.patch.grid.columns, passing);
@@ -301,7 +304,7 @@ impl Displaced<'_> {
     }
 }
 
-/// Half the difference of the neighbours' values along rolling, downstream less upstream; the
+/// Half the difference of the neighbouring values along rolling, downstream minus upstream; the
 /// border keeps its values.
 pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorField) {
     for (from, to) in [(&from.x, &mut to.x), (&from.y, &mut to.y)] {
@@ -315,18 +318,18 @@ pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorFie
 
 const POWER_ITERATIONS: usize = 10;
 
-/// The power iteration comes from below.
+/// Safety factor, because the power iteration converges from below.
 const SAFETY: f64 = 1.1;
 
-/// Stiffness of rigid bodies over that of the bristles at the start, dimensionless: what they leave
-/// of the rigid slip is then an explicit recursion down the strips, to the tolerance of a Newton
-/// step.
+/// Ratio of the stiffness of rigid bodies to the initial stiffness of the bristles, dimensionless:
+/// the remaining rigid slip is then an explicit recursion down the strips, to the tolerance of a
+/// Newton step.
 const RIGID: f64 = 1e8;
 
-/// The same in Pa/m, where there are no bristles: that of steel in a patch of some millimetres.
+/// The same in Pa/m, if there are no bristles: that of steel for a patch of some millimetres.
 const LEAST_RIGID: f64 = 1e13;
 
-/// The patch, which must touch the grid somewhere.
+/// The patch, which must contain at least one cell of the grid.
 fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
     let patch = Patch::new(normal, grid);
     let load = patch.load();
@@ -337,7 +340,7 @@ fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
     Err(Error::NoPressure { load, semi_axes: [semi_axis_x, semi_axis_y] })
 }
 
-/// Cold coefficient of friction times the slope of the contact law at rest, in 1/m.
+/// Cold coefficient of friction times the initial slope of the contact law, in 1/m.
 fn bristles(problem: &Problem) -> f64 {
     let slope = problem.contact_law.respond(&Slide::default()).by_increment[0][0];
     problem.friction.cold_coefficient() * slope

@@ -1,4 +1,4 @@
-//! What steady rolling and marching have in common.
+//! Shared by steady rolling and marching.
 
 pub(crate) mod contact;
 pub(crate) mod cell;

@@ -1,12 +1,12 @@
-//! The passage of the material through a cell: its ways, its slip, and the heat of friction that is
-//! released evenly on the way; Eqs. (17), (18).
+//! The passage of the material through a cell: path lengths, slip, and frictional heat, which is
+//! released uniformly along the path; Eqs. (17), (18).
 
 use crate::kinematics::Kinematics;
 use crate::patch::{Cell, Patch, Strip};
 
-/// Where and how far material passes a cell.
+/// Path of the material through a cell.
 pub(crate) struct Passage {
-    /// Where the cell is across rolling, in m.
+    /// Position of the cell across rolling, in m.
     pub y: f64,
     /// See [`ways_through`]; in m.
     pub ways: [f64; 2],
@@ -15,7 +15,7 @@ pub(crate) struct Passage {
 }
 
 impl Passage {
-    /// Through a cell of a strip.
+    /// The passage through a cell of a strip.
     pub fn of(patch: &Patch, strip: &Strip, k: usize) -> Self {
         let ways = ways_through(patch, strip, k);
         let flux_over_heat = flux_over_heat(patch.grid.spacing_x, ways);
@@ -23,8 +23,8 @@ impl Passage {
     }
 }
 
-/// The ways of the material in a cell, before and after the cell's point (in m): half of those to
-/// its neighbours, and all of those to an edge.
+/// The paths of the material in a cell, before and after the cell's point (in m): half of those to
+/// its neighbours, and the full path to an edge.
 pub(crate) fn ways_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
     let way_in = patch.cells[k].way_in.distance;
     let before = if k == strip.cells.start { way_in } else { 0.5 * way_in };
@@ -47,8 +47,8 @@ pub(crate) fn rigid_velocity(motion: &Kinematics, cell: &Cell) -> [f64; 2] {
     motion.rigid_slip(cell.x, cell.y).map(|slip| motion.speed * slip)
 }
 
-/// Slip velocity (in m/s) from the rigid one, the cells that the material passes a second, and the
-/// change of A p on the way through the cell (in m).
+/// Slip velocity (in m/s) from the rigid one, the number of cells that the material passes per
+/// second, and the change of A p along the path through the cell (in m).
 #[inline]
 pub(crate) fn slip(rigid: [f64; 2], cells_a_second: f64, change: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|c| rigid[c] - cells_a_second * change[c])
@@ -66,15 +66,15 @@ pub(crate) fn power(traction: [f64; 2], slip: [f64; 2]) -> f64 {
     traction[0] * slip[0] + traction[1] * slip[1]
 }
 
-/// Heat that a friction power over area releases (in W/m² both): what the bristles of the contact
-/// law return does not cool.
+/// Heat released by a friction power per unit area (in W/m² both): power returned by the bristles
+/// of the contact law does not cool.
 #[inline]
 pub(crate) fn heat(power: f64) -> f64 {
     power.max(0.0)
 }
 
-/// Heat flux on the way through a cell over the heat that is released in it, dimensionless: that is
-/// a mean over a whole cell of a size along rolling, in m.
+/// Ratio of the heat flux along the path through a cell to the heat released in it, dimensionless:
+/// the latter is a mean over a whole cell of the given size along rolling, in m.
 pub(crate) fn flux_over_heat(spacing: f64, [before, after]: [f64; 2]) -> f64 {
     spacing / (before + after)
 }

@@ -1,26 +1,26 @@
-//! By how much sliding turns between the middle and the end of an increment.
+//! Rotation of the sliding direction between the middle and the end of an increment.
 //!
-//! An increment tells the direction of sliding half a cell upstream of the point. The rigid slip is
-//! known at the point itself; the elastic part is carried on from the last two increments.
+//! An increment gives the direction of sliding half a cell upstream of the point. The rigid slip is
+//! known at the point itself; the elastic part is extrapolated from the last two increments.
 
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 
-/// A way from cell to cell.
+/// A path from cell to cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Way {
     /// Its length, in m.
     pub distance: f64,
-    /// Rigid slip on it, in m.
+    /// Rigid slip along it, in m.
     pub rigid: [f64; 2],
 }
 
-/// Where the way before was shorter than this part of the present one, it says nothing: it was that
-/// through the tip of an edge cell.
+/// A previous path shorter than this fraction of the present one is ignored: it was that through
+/// the tip of an edge cell.
 const SHORTEST_WAY: f64 = 0.3;
 
-/// The slide with the turn on a way. `upstream` is the length of the way before and the elastic
-/// part of the sliding over that length, where there was one.
+/// The slide with the turn along a path. `upstream` is the length of the previous path and the
+/// elastic part of the sliding divided by that length, if there was one.
 pub(crate) fn with_turn(
     slide: Slide,
     kinematics: &Kinematics,
@@ -39,8 +39,9 @@ pub(crate) fn with_turn(
     Slide { turn, turn_by_increment: share, ..slide }
 }
 
-/// The elastic sliding per length changes by its difference over (d₁ + d₂)/2 from the middle of one
-/// way to that of the next, and by this share of the difference over the second half of d₂.
+/// From the middle of one path to that of the next, over (d₁ + d₂)/2, the elastic sliding per
+/// length changes by its difference; over the second half of d₂ it changes by this share of the
+/// difference.
 fn elastic_share(distance: f64, before: f64) -> f64 {
     distance / (distance + before)
 }

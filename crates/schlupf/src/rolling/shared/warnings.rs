@@ -1,4 +1,4 @@
-//! What the reader of the full solver's numbers must know.
+//! Warnings of the full solver for whoever uses the results.
 
 use crate::material::contact_modulus;
 use crate::problem::{Options, Problem};
@@ -10,23 +10,24 @@ use crate::warning::Warning;
 
 use super::contact::DiscreteContact;
 
-/// Largest displacement at the outer edge of the surroundings over the largest one.
+/// Largest admissible ratio of the displacement at the outer edge of the surroundings to the
+/// largest one.
 const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
 
-/// Largest part of the friction power that the bristles may return unmentioned.
+/// Largest fraction of the friction power that the bristles may return without a warning.
 const LARGEST_RETURNED_POWER: f64 = 0.01;
 
-/// Largest pressure over E* from which on steel, too, is no longer elastic: its hardness is below
-/// that.
+/// Ratio of the largest pressure to E* above which even steel is no longer elastic: its hardness is
+/// lower.
 const YIELDING: f64 = 0.03;
 
-/// A largest pressure (in Pa) that no body stands.
+/// A warning of a largest pressure (in Pa) that no body can bear.
 fn yielding(problem: &Problem, pressure: f64) -> Option<Warning> {
     let modulus = contact_modulus(&problem.wheel.material, &problem.rail.material);
     (pressure > YIELDING * modulus).then_some(Warning::BeyondElastic { pressure, modulus })
 }
 
-/// Whatever the reader must know.
+/// All warnings of the solution.
 pub(crate) fn warnings(
     problem: &Problem,
     options: &Options,

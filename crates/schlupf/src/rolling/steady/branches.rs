@@ -1,59 +1,59 @@
-//! Several steady states at one motion. Where friction falls faster with the slip than the bodies
-//! relax, a part of the patch may stick as well as slide. Which state a wheel is in depends on
-//! where it comes from, so this follows the creepage: from low slip, and from high slip.
+//! Multiple steady states for one motion. Where friction falls faster with slip than the bodies
+//! relax, a part of the patch may either stick or slide. The state of a wheel depends on its
+//! history, so the creepage is followed: from low slip, and from high slip.
 
 use crate::kinematics::Kinematics;
 use crate::problem::{Branch, Problem};
 
 use super::level::Level;
 
-/// Feedback from which on there may be several states, dimensionless: how much slip follows from
-/// the fall of friction by a little slip, as a cell alone would answer. It is an estimate: of 8000
-/// random contacts with steep friction none below it had two states.
+/// Feedback above which there may be several states, dimensionless: the slip that follows from the
+/// decrease of friction due to a small slip, for a single cell. It is an estimate: of 8000 random
+/// contacts with steep friction none below it had two states.
 const STRONG: f64 = 1.0;
 
-/// Largest slip speeds at which the law is sampled over the present ones, and how densely.
+/// Largest slip speeds at which the law is sampled, relative to the present ones, and how densely.
 const SAMPLED: f64 = 10.0;
 const SAMPLES: usize = 60;
 
-/// Speeds at which each cell is sampled.
+/// Number of speeds at which each cell is sampled.
 const SPEEDS: usize = 4;
 
-/// Parts of the motion along which the low branch is followed.
+/// Number of steps of the motion along which the low branch is followed.
 const STEPS_UP: u32 = 16;
 
-/// The same for the high one, from this many times the motion on.
+/// The same for the high branch, starting from this multiple of the motion.
 const STEPS_DOWN: u32 = 10;
 const HIGHEST: f64 = 6.0;
 
-/// Part of the largest share of the motion with which the wheel still rolls forwards.
+/// Fraction of the largest multiple of the motion with which the wheel still rolls forwards.
 const ROLLING: f64 = 0.95;
 
-/// Difference of the forces over μ0 N from which on two states are two, in tolerances.
+/// Difference of the forces over μ0 N above which two states are distinct, in tolerances.
 pub(super) const DISTINCT: f64 = 30.0;
 
-/// Whether friction feeds back on the slip so strongly that there may be several steady states;
-/// `has_state` says that the slip is that of one.
+/// Whether the feedback of friction on slip is so strong that there may be several steady states;
+/// `has_state` tells whether the slip is that of a steady state.
 pub(super) fn may_be_several(problem: &Problem, level: &Level, has_state: bool) -> bool {
     level.friction.is_coupled && feedback(problem, level, has_state) > STRONG
 }
 
-/// Slip speed that follows elastically, over the one that caused it, dimensionless. Heat does not
-/// count: it comes from upstream, so that it acts on the slip that made it only by way of the
-/// elasticity of the whole patch; no contact with several states by heat was found.
+/// Ratio of the slip speed that follows elastically to the one that caused it, dimensionless. Heat
+/// is not included: it comes from upstream, so it affects the slip that generated it only through
+/// the elasticity of the whole patch; no contact with several states due to heat was found.
 fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let Level { contact, friction, .. } = level;
     let loosening =
         contact.cell_looseness() * problem.kinematics.speed / contact.patch.grid.spacing_x;
-    // Where no state was found the slip is any, and may hide where the law is steep: the rigid one
-    // counts.
+    // If no state was found the slip is arbitrary and may hide the steep part of the law: the rigid
+    // slip is used.
     let rigid =
         contact.patch.cells.iter().map(|cell| problem.kinematics.rigid_slip(cell.x, cell.y));
     let rigid = rigid.map(|v| problem.kinematics.speed * v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = friction.slip.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = if has_state { fastest } else { rigid };
-    // Every cell at its y and its temperature, each at another speed: neighbours complete each
-    // other.
+    // Every cell at its y and its temperature, each at another speed: neighbouring cells complement
+    // each other.
     let cells = contact.patch.cells.iter().zip(&friction.rise).enumerate();
     let fall = cells.map(|(k, (cell, rise))| {
         let falls = (0..SPEEDS).map(|n| {

@@ -1,5 +1,5 @@
-//! The coefficient of friction of the cells in steady rolling, which may lag behind its law: what a
-//! cell leaves off with, the next one downstream begins with.
+//! The coefficient of friction of the cells in steady rolling, which may lag behind its law: the
+//! value with which the material leaves a cell is the initial value in the next one downstream.
 
 use crate::interface::friction::FrictionResponse;
 use crate::interface::friction::memory::{FrictionMemory, Kept};
@@ -16,20 +16,20 @@ pub(super) struct Lag {
     pub entry: Vec<FrictionResponse>,
 }
 
-/// How the friction of the material changes in a cell.
+/// Change of the friction of the material in a cell.
 #[derive(Debug, Clone, Copy, Default)]
 struct Passage {
-    /// What is kept of a difference on the way to the cell's point, and through the whole cell.
+    /// Decay of a difference along the path to the cell's point, and through the whole cell.
     kept: [Kept; 2],
-    /// Coefficient on arrival less that of the law, dimensionless.
+    /// Coefficient on arrival minus that of the law, dimensionless.
     gap: f64,
     /// Coefficient on leaving, dimensionless.
     left: f64,
 }
 
-/// What the friction of a cell depends on.
+/// Variables on which the friction of a cell depends.
 pub(super) struct Rubbed {
-    /// Coefficient that the law asks for, dimensionless.
+    /// Coefficient according to the law, dimensionless.
     pub law: f64,
     /// Slip speed, in m/s.
     pub slip_speed: f64,
@@ -39,19 +39,19 @@ pub(super) struct Rubbed {
     pub is_first: bool,
 }
 
-/// Small changes of what the friction of a cell depends on.
+/// Small changes of the variables on which the friction of a cell depends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct LagCause {
     /// Of the coefficient of the law, dimensionless.
     pub law: f64,
     /// Of the slip speed, in m/s.
     pub slip_speed: f64,
-    /// Of the logarithm of the way through the cell, dimensionless.
+    /// Of the logarithm of the path through the cell, dimensionless.
     pub way: f64,
 }
 
 impl Lag {
-    /// For so many cells; [`Self::set_problem`] says which friction.
+    /// For the given number of cells; [`Self::set_problem`] sets the friction.
     pub fn new(cells: usize) -> Self {
         Self {
             memory: None,
@@ -61,7 +61,7 @@ impl Lag {
         }
     }
 
-    /// Takes over another law.
+    /// Switches to another law.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
         self.memory = problem.friction_memory();
         if self.memory.is_some() {
@@ -87,7 +87,7 @@ impl Lag {
         self.passages[k] = Passage { kept, gap, left: law + gap * kept[1].part };
     }
 
-    /// Coefficient (dimensionless) with which the material leaves a cell, if it remembers.
+    /// Coefficient (dimensionless) with which the material leaves a cell, with friction memory.
     pub fn on_leaving(&self, k: usize) -> Option<f64> {
         self.memory.as_ref().map(|_| self.passages[k].left)
     }

@@ -1,5 +1,4 @@
-//! One of the nested grids on which a steady state is found, from the coarsest to the one asked
-//! for.
+//! One of the nested grids on which a steady state is found, from the coarsest to the finest.
 
 use crate::error::Error;
 use crate::grid::Grid;
@@ -11,25 +10,25 @@ use super::steady_friction::SteadyFriction;
 use super::strip_law::StripLaw;
 use super::transfer::Transfer;
 
-/// A grid with its discrete contact, and the last solutions on it.
+/// A grid with its discrete contact, and the previous solutions on it.
 pub(super) struct Level {
     pub contact: DiscreteContact,
     pub strips: StripLaw,
     pub friction: SteadyFriction,
-    /// To the next coarser level, if there is one.
+    /// Transfer to the next coarser level, if there is one.
     pub descent: Option<Descent>,
     /// Traction on the rail p of this level's solution, in Pa.
     pub traction: Vec<f64>,
     /// The linear response to it, in m.
     pub response: Vec<f64>,
-    /// The same of the points before, the latest first, in Pa.
+    /// The same for the previous points, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
-    /// Its initial guess from those before alone, in Pa.
+    /// Its initial guess from previous solutions alone, in Pa.
     pub foreseen: Vec<f64>,
     pub room: Room,
 }
 
-/// Room for a level's part in products and preconditioning, to be overwritten.
+/// Buffers for a level's part in products and preconditioning.
 #[derive(Default)]
 pub(super) struct Room {
     /// Displacements where the material entered, in m.
@@ -40,20 +39,20 @@ pub(super) struct Room {
     pub bound: Vec<f64>,
 }
 
-/// The way to the next coarser level and back, with room for tractions of that level.
+/// Transfer to the next coarser level and back, with buffers for tractions of that level.
 pub(super) struct Descent {
     pub transfer: Transfer,
-    /// What is carried over, in Pa.
+    /// Transferred tractions, in Pa.
     pub carried: Vec<f64>,
-    /// What this level has of it already, in Pa.
+    /// The part of them already contained in this level, in Pa.
     pub known: Vec<f64>,
 }
 
-/// A grid of fewer cells across the patch than this is not halved again. On five cells the long
-/// waves of a half-space are so wrong that they mislead the preconditioner.
+/// A grid with fewer cells across the patch than this is not coarsened further. On five cells the
+/// long waves of a half-space are so wrong that they mislead the preconditioner.
 const COARSEST: usize = 16;
 
-/// The same where displacements fade within the patch.
+/// The same if displacements decay within the patch.
 const COARSEST_SHORT_RANGED: usize = 8;
 
 /// The nested grids of a normal contact, the finest first.
@@ -105,7 +104,7 @@ impl Level {
         })
     }
 
-    /// Takes over another motion and other laws on the same grid.
+    /// Switches to another motion and other laws on the same grid.
     pub fn set_problem(&mut self, problem: &Problem) {
         let patch = &self.contact.patch;
         self.friction.set_problem(problem, patch);
@@ -128,7 +127,7 @@ impl Level {
         2 * self.strips.len()
     }
 
-    /// Shortens the tractions that exceed μ pₙ.
+    /// Reduces tractions that exceed μ pₙ to the bound.
     pub fn clip(&mut self) {
         for (p, bound) in self.traction.chunks_exact_mut(2).zip(&self.strips.bound) {
             let length = p[0].hypot(p[1]);

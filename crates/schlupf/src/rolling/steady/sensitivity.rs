@@ -1,10 +1,11 @@
-//! Derivatives of the steady forces, exact: from F(p, θ) = 0 follows J dp/dθ = −∂F/∂θ with the
-//! Jacobian of the converged equilibrium, one linear solution for each parameter θ.
+//! Exact derivatives of the steady forces: F(p, θ) = 0 gives J dp/dθ = −∂F/∂θ with the Jacobian of
+//! the converged equilibrium, one linear solution for each parameter θ.
 //!
-//! ∂F/∂θ is known in closed form: creepages and spin enter by the rigid slip, μ0 by the bound μ pₙ.
-//! The contact law depends on k_c times lengths only, so its derivative by k_c follows from those
-//! by the lengths. A load that makes the patch grow scales all lengths. Only what conduction along
-//! the surface changes with speeds and lengths is a difference of two kernels.
+//! ∂F/∂θ is known in closed form: creepages and spin enter through the rigid slip, μ0 through the
+//! bound μ pₙ. The contact law depends only on k_c times lengths, so its derivative with respect to
+//! k_c follows from those with respect to the lengths. A load that enlarges the patch scales all
+//! lengths. Only the change of conduction along the surface with speeds and lengths is a finite
+//! difference of two kernels.
 
 use crate::equilibrium::{Equilibrium, Gmres};
 use crate::interface::InterfaceConstant;
@@ -21,18 +22,18 @@ use super::level::Level;
 use super::steady_friction::{Scaling, SteadyFriction};
 use super::steady_state::{Direct, SteadyState};
 
-/// Linear residual of the derivatives relative to ∂F/∂θ, over the tolerance of the solution, within
-/// these limits; and over that, what is not accepted any more.
+/// Linear residual of the derivatives relative to ∂F/∂θ, divided by the tolerance of the solution,
+/// within these limits; and the residual above which the result is rejected.
 const ACCURACY: f64 = 0.1;
 const ACCURACY_RANGE: [f64; 2] = [1e-10, 1e-5];
 const WORST: f64 = 100.0;
 
 /// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds;
-/// and its largest size, in numbers.
+/// and its largest size, as a count of numbers.
 const MAX_DIMENSION: usize = 500;
 const MAX_SIZE: usize = 50_000_000;
 
-/// Times the Krylov method is begun anew for one derivative.
+/// Maximum number of restarts of the Krylov method for one derivative.
 const RESTARTS: usize = 4;
 
 /// The derivatives at the solution of the first of `levels`, if all linear systems could be solved;
@@ -47,7 +48,7 @@ pub(super) fn sensitivity(
     (found, derivatives.products)
 }
 
-/// The same by some constants of the interface only, one derivative for each.
+/// The same with respect to some constants of the interface only, one derivative for each.
 pub(super) fn by_constants(
     problem: &Problem,
     levels: &mut [Level],
@@ -65,7 +66,7 @@ struct Derivatives<'a> {
     krylov: Gmres,
     products: usize,
     accuracy: f64,
-    /// Change of the linear response with the logarithm of the stiffness of the bristles.
+    /// Derivative of the linear response with respect to the logarithm of the bristle stiffness.
     by_bristles: Option<Vec<f64>>,
     step: Vec<f64>,
     response_step: Vec<f64>,
@@ -123,7 +124,7 @@ impl<'a> Derivatives<'a> {
         }
     }
 
-    /// What changes with a constant of the friction law other than μ0.
+    /// Direct changes due to a constant of the friction law other than μ0.
     fn by_friction_constant(&self, constant: FrictionConstant) -> Option<Direct> {
         let law = self.problem.friction.law.adjustable()?;
         let Level { contact, friction, .. } = &self.levels[0];
@@ -137,8 +138,8 @@ impl<'a> Derivatives<'a> {
         Some(direct)
     }
 
-    /// Change of the contact temperature in every cell (in K) with ln(v0/(ωR)), at the same
-    /// friction power.
+    /// Derivative of the contact temperature in every cell (in K) with respect to ln(v0/(ωR)), at
+    /// constant friction power.
     fn warmer(&self) -> Vec<f64> {
         let Level { contact, friction, .. } = &self.levels[0];
         let by_slowness = |rise: &f64| friction.conduction.contact_temperature_by_slowness(*rise);
@@ -148,8 +149,8 @@ impl<'a> Derivatives<'a> {
             .unwrap_or_else(perpendicular)
     }
 
-    /// What changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`, with which
-    /// the contact temperature changes by `warmer` (in K).
+    /// Direct changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`, where the
+    /// contact temperature changes by `warmer` (in K).
     fn by_motion(&self, motion: &Kinematics, slowness: f64, warmer: &[f64]) -> Direct {
         let Level { contact, friction, .. } = &self.levels[0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());
@@ -174,8 +175,8 @@ impl<'a> Derivatives<'a> {
         direct
     }
 
-    /// Adds what follows from a change of ln(μ0 k_c p0 / cell stiffness) for the interpolation at
-    /// the leading edge.
+    /// Adds the effect of a change of ln(μ0 k_c p0 / cell stiffness) on the interpolation at the
+    /// leading edge.
     fn stiffen(&self, direct: &mut Direct, change: f64) {
         if let Some(by_bristles) = &self.by_bristles {
             direct.response.resize(by_bristles.len(), 0.0);
@@ -191,7 +192,7 @@ impl<'a> Derivatives<'a> {
         Some(scaled(&self.by(&direct)?, stiffness.recip()))
     }
 
-    /// What changes with the logarithm of the load, if the elasticity knows how it grows.
+    /// Direct changes with the logarithm of the load, if the elasticity knows how it scales.
     fn direct_by_load(&mut self) -> Option<Direct> {
         let growth = self.problem.normal.growth()?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
@@ -209,7 +210,7 @@ impl<'a> Derivatives<'a> {
         let turning = Kinematics { spin: kinematics.spin, ..standing(self.problem) };
         let warmer = friction.contact_temperature_by(self.problem, &contact.patch, Scaling::Size);
         for (k, cell) in contact.patch.cells.iter().enumerate() {
-            // All ways grow; what the spin makes of them does so twice.
+            // All paths grow; the contribution of spin grows with the square.
             direct.set_motion(k, cell, &turning);
             let (rigid, half_turn) =
                 (cell.way_in.rigid_slip(kinematics), turning.half_turn(cell.way_in.distance));
@@ -219,7 +220,7 @@ impl<'a> Derivatives<'a> {
                 direct.cause.turn[2 * k + c] = 2.0 * growth * half_turn[c];
                 direct.friction.slip[k][c] *= growth;
             }
-            // T β is a flux times the root of a time.
+            // T β is a flux times the square root of a time.
             let by_size = warmer.as_ref().map_or(0.5 * friction.rise[k], |warmer| {
                 warmer[k] / friction.conduction.contact_factor()
             });
@@ -229,7 +230,7 @@ impl<'a> Derivatives<'a> {
             direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k];
         }
         direct.friction.way = growth;
-        // The slip is the change of A p in passing over the size of a cell, which grows.
+        // The slip is the change of A p along the passage divided by the cell size, which grows.
         if friction.is_coupled {
             let size = strips.len() * 2;
             add_scaled(&mut direct.response[size..], -growth, &response[size..]);
@@ -244,19 +245,19 @@ impl<'a> Derivatives<'a> {
         let moved = self.by(direct)?;
         let Level { contact, traction, .. } = &self.levels[0];
         let whole = summary::resultant(&contact.patch, traction);
-        // The area of the cells grows as well, and the levers.
+        // The area of the cells also grows, and so do the lever arms.
         let grown = moved.plus(growth, &whole.scaled(2.0, 3.0));
         Some(scaled(&grown, contact.normal.load.recip()))
     }
 
-    /// Change of ln(cell stiffness) with that of the size of the patch, where it matters.
+    /// Derivative of ln(cell stiffness) with respect to that of the patch size, where it matters.
     fn stiffness_by_size(&mut self) -> Option<f64> {
         self.by_bristles.as_ref()?;
         self.products += 1;
         self.levels[0].contact.cell_stiffness_by_size()
     }
 
-    /// Change of the forces with what changes directly.
+    /// Change of the forces due to direct changes.
     fn by(&mut self, direct: &Direct) -> Option<Resultant> {
         let size = self.step.len();
         let mut residual = vec![0.0; size];
@@ -283,7 +284,7 @@ impl<'a> Derivatives<'a> {
     }
 }
 
-/// No motion but that of the frame.
+/// The motion of the frame alone.
 fn standing(problem: &Problem) -> Kinematics {
     let speed = problem.kinematics.speed;
     Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }

@@ -1,5 +1,5 @@
-//! What steady states with one normal contact and one elasticity share, and the way to a state on
-//! nested grids.
+//! Shared data of steady states with the same normal contact and elasticity, and the search for a
+//! state on nested grids.
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ use super::branches;
 use super::level::{self, Descent, Level};
 use super::steady_state::SteadyState;
 
-/// How a state is looked for, and the work that it was.
+/// Parameters of the search for a state, and its work.
 pub(super) struct Search<'a> {
     pub options: &'a Options,
     pub newton: &'a mut Newton,
@@ -33,16 +33,16 @@ pub(super) struct Search<'a> {
     pub watch: Watch<'a>,
 }
 
-/// What problems with one normal contact and elasticity share.
+/// Shared data of problems with the same normal contact and elasticity.
 pub(super) struct Setup {
     /// The problem solved last.
     problem: Problem,
     pub levels: Vec<Level>,
-    /// Motions of the solutions that the levels remember, the latest first.
+    /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
 }
 
-/// Parts of k_c by way of which a state is looked for that is not found otherwise.
+/// Fractions of k_c through which a state is approached that is not found otherwise.
 const SOFTER: [f64; 2] = [0.01, 0.1];
 
 /// The same problem with softer bristles, the softest first, if the law can be made softer.
@@ -55,11 +55,11 @@ fn softened(problem: &Problem) -> Vec<Problem> {
     SOFTER.into_iter().filter_map(soften).collect()
 }
 
-/// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same where
-/// only the change since an earlier solution counts.
+/// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same if
+/// only the change since an earlier solution matters.
 const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
 
-/// Farthest extrapolation, in distances between the last two solutions.
+/// Farthest extrapolation, as a multiple of the distance between the last two solutions.
 const FARTHEST: f64 = 2.5;
 
 impl Setup {
@@ -74,8 +74,8 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
     }
 
-    /// The steady state, from the solutions before; where that fails, from none; and then by way of
-    /// softer bristles, with which it is smoother.
+    /// The steady state, starting from previous solutions; if that fails, from none; and then
+    /// through softer bristles, with which the problem is smoother.
     pub fn find(&mut self, problem: &Problem, search: &mut Search) -> Result<Outcome, Error> {
         if !self.earlier.is_empty() {
             let outcome = self.find_equilibrium(problem, search)?;
@@ -138,9 +138,9 @@ impl Setup {
         Ok(outcome)
     }
 
-    /// Follows the creepage to a problem from high slip and from low slip, the branch that is asked
-    /// for last. The state on it, with a warning if the other one is another; where a branch is
-    /// lost, whichever state is found, with a warning that says so.
+    /// Follows the creepage to a problem from high slip and from low slip, the requested branch
+    /// last. Returns the state on it, with a warning if the other one differs; if a branch is lost,
+    /// whichever state is found, with a warning to that effect.
     pub fn follow_branches(
         &mut self,
         problem: &Problem,
@@ -173,7 +173,7 @@ impl Setup {
         Ok((outcome, warning))
     }
 
-    /// The end of a branch with its forces; nothing where it is lost.
+    /// The end of a branch with its forces; `None` if the branch is lost.
     fn follow(
         &mut self,
         problem: &Problem,
@@ -194,8 +194,8 @@ impl Setup {
         Ok(end.map(|outcome| (outcome, force)))
     }
 
-    /// The initial guess on a level: what extrapolation along the earlier solutions gives, and the
-    /// part of the next coarser solution that this did not foresee.
+    /// The initial guess on a level: the extrapolation along the earlier solutions, plus the part
+    /// of the next coarser solution that the extrapolation did not predict.
     fn guess(&mut self, depth: usize, ahead: f64) {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
         let level = &mut levels[depth];
@@ -233,8 +233,8 @@ impl Setup {
         self.earlier.insert(0, kinematics);
     }
 
-    /// How far a motion lies ahead on the line through the last two, in distances between them;
-    /// zero where it does not lie on that line.
+    /// Distance of a motion ahead on the line through the last two, as a multiple of the distance
+    /// between them; zero if it is not on that line.
     fn extrapolation(&self, problem: &Problem) -> f64 {
         let [last, before] = self.earlier.as_slice() else { return 0.0 };
         let normal = &self.levels[0].contact.normal;

@@ -1,4 +1,4 @@
-//! The solver of steady states at once.
+//! The direct solver for steady states.
 
 use crate::equilibrium::{Newton, Outcome};
 use crate::error::Error;
@@ -19,7 +19,7 @@ use super::setup::{Search, Setup};
 
 /// Solves a problem for its steady state.
 ///
-/// Where Newton's method fails, the state is marched to instead, and a warning says so.
+/// Where Newton's method fails, the solver marches to the state instead, and a warning says so.
 ///
 /// ```
 /// use schlupf::{Options, Problem, rolling, unwatched};
@@ -38,19 +38,19 @@ pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solut
     SteadySolver::new(options).solve(problem, watch)
 }
 
-/// Finds steady states of the full equations at once.
+/// Finds steady states of the full equations directly.
 ///
-/// Each starts from the solutions before; where that fails, from none.
+/// Each solution starts from previous ones; if that fails, from none.
 pub struct SteadySolver {
     options: Options,
     setup: Option<Setup>,
     newton: Newton,
 }
 
-/// What an attempt to find the steady state at once came to.
+/// Outcome of an attempt to find the steady state directly.
 enum Attempt {
     Found(Box<Solution>),
-    /// How far Newton's method got from a cold start, and what is to be said beside.
+    /// How far Newton's method got from a cold start, and an additional warning.
     Failed(Outcome, Option<Warning>),
 }
 
@@ -108,14 +108,14 @@ impl Solver for SteadySolver {
 }
 
 impl SteadySolver {
-    /// A solver without a past.
+    /// A solver without previous solutions.
     pub fn new(options: &Options) -> Self {
         Self { options: options.clone(), setup: None, newton: Newton::default() }
     }
 
-    /// The steady state with the derivatives of forces and moment by some constants of contact law
-    /// and friction, one for each (in N and N m over the unit of the constant). A constant that a
-    /// law does not have has no effect. Nothing where Newton's method or a linear system fails.
+    /// The steady state with the derivatives of forces and moment with respect to some constants of
+    /// contact law and friction, one for each (in N and N m per unit of the constant). A constant
+    /// that a law does not have has no effect. `None` if Newton's method or a linear system fails.
     pub fn solve_with_derivatives_by(
         &mut self,
         problem: &Problem,
@@ -150,7 +150,7 @@ impl SteadySolver {
             None => Setup::new(problem, &self.options)?,
         };
         if problem.kinematics.is_pure_rolling() {
-            // Nothing slides: no earlier solution is as near as none.
+            // Nothing slides: no earlier solution is closer than none.
             setup.earlier.clear();
         }
         let mut search = Search {
@@ -179,7 +179,7 @@ impl SteadySolver {
         Ok(attempt)
     }
 
-    /// Adds the derivatives to a solution that was just found.
+    /// Adds the derivatives to a solution that has just been found.
     fn differentiate(&self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
         let tolerance = self.options.tolerance;
         let (found, products) = sensitivity(problem, &mut setup.levels, tolerance);

@@ -1,14 +1,13 @@
 //! Friction in steady rolling, as a function of traction and slip: the heat in a cell is what the
 //! cells upstream of it and the cell itself release now; Eqs. (17)–(23).
 //!
-//! Each cell's friction power is that of its traction with the mean slip over the cell, so rigid
-//! slip works with the whole force, and the elastic parts cancel: the integral of the friction
-//! power is the power of the creep forces. The heat is released on the way through the cell,
-//! evenly.
+//! Each cell multiplies its traction by the mean slip over the cell, so rigid slip works with the
+//! whole force, and the elastic parts cancel: the integral of the friction power is the power of
+//! the creep forces. The heat is released uniformly along the path through the cell.
 //!
 //! In slow rolling the temperatures are those of conduction in all directions
-//! ([`ContactConduction`]), which act on all cells; then the weights of those upstream in a strip
-//! only precondition.
+//! ([`ContactConduction`]), which couples all cells; then the weights of the upstream cells in a
+//! strip only serve as a preconditioner.
 
 use crate::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
 use crate::heat::partition::Conduction;
@@ -34,7 +33,7 @@ pub(super) struct SteadyFriction {
     spacing: f64,
     pub conduction: Conduction,
     pub heat: StripHeat,
-    /// Heat flux on the way through a cell over its friction power, dimensionless.
+    /// Ratio of the heat flux along the path through a cell to its friction power, dimensionless.
     flux_over_power: Vec<f64>,
     /// Rigid slip velocity of each cell, in m/s.
     rigid: Vec<[f64; 2]>,
@@ -47,20 +46,20 @@ pub(super) struct SteadyFriction {
     pub power: Vec<f64>,
     /// Temperature rise times effusivity, in W √s/m².
     pub rise: Vec<f64>,
-    /// What the law says of each cell.
+    /// Response of the law in each cell.
     pub response: Vec<FrictionResponse>,
-    /// The coefficients that follow.
+    /// The resulting coefficients.
     pub lag: Lag,
-    /// What conducts heat along the surface too, where that counts.
+    /// Bodies in which heat also flows along the surface, if this matters.
     conductors: Option<Conductors>,
-    /// Their conduction, once it is asked for.
+    /// Their conduction, once requested.
     conduction_along: Option<Box<ContactConduction>>,
-    /// Changes of the rise times effusivity, to be overwritten, in W √s/m².
+    /// Changes of the rise times effusivity, a buffer, in W √s/m².
     risen: Vec<f64>,
 }
 
 impl SteadyFriction {
-    /// Friction of a patch; [`Self::set_problem`] says which.
+    /// Friction of a patch; [`Self::set_problem`] sets the laws.
     pub fn new(problem: &Problem, patch: &Patch) -> Self {
         let cells = patch.len();
         let spacing = patch.grid.spacing_x;
@@ -85,7 +84,7 @@ impl SteadyFriction {
         }
     }
 
-    /// Takes over another motion, and other laws of friction and heat.
+    /// Switches to another motion, and other friction and heat laws.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
         self.is_coupled = !problem.friction.law.is_constant();
         self.conduction = problem.conduction(&problem.kinematics);
@@ -114,7 +113,7 @@ impl SteadyFriction {
         }
     }
 
-    /// Conduction along the surface, if it counts.
+    /// Conduction along the surface, if it matters.
     fn prepare_conduction(&mut self, patch: &Patch) {
         let ready = self.conduction_along.as_ref().map(|conduction| conduction.conductors);
         if ready != self.conductors {
@@ -123,7 +122,7 @@ impl SteadyFriction {
         }
     }
 
-    /// The weights of the cells upstream where heat flows along the surface too.
+    /// The weights of the upstream cells if heat also flows along the surface.
     fn weigh_upstream(&mut self) {
         let Some(conduction) = &self.conduction_along else { return };
         let over_factor = self.conduction.contact_factor().recip();
@@ -136,8 +135,8 @@ impl SteadyFriction {
         }
     }
 
-    /// Rises by the friction power, where heat flows along the surface too: those which give the
-    /// contact temperature of that.
+    /// Rises due to the friction power, if heat also flows along the surface: those that give the
+    /// contact temperature of that conduction.
     fn conduct(&mut self) {
         let heat = self.released();
         let Some(conduction) = &mut self.conduction_along else { return };
@@ -148,21 +147,21 @@ impl SteadyFriction {
         }
     }
 
-    /// Heat that is released in the cells, in W/m².
+    /// Heat released in the cells, in W/m².
     fn released(&self) -> Vec<f64> {
         self.power.iter().map(|power| passage::heat(*power)).collect()
     }
 
-    /// Both surfaces at the last evaluation, where heat flows along them too.
+    /// Both surfaces at the last evaluation, if heat also flows along them.
     pub fn surfaces(&mut self, patch: &Patch) -> Option<Surfaces> {
         let heat = self.released();
         let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
         conduction.map(|conduction| conduction.surfaces(patch, &heat))
     }
 
-    /// Change of the contact temperature at the same friction power with the logarithm of v0/(ωR)
-    /// or of the size of the patch, in K; nothing where heat flows perpendicular to the surface
-    /// only.
+    /// Derivative of the contact temperature at constant friction power with respect to the
+    /// logarithm of v0/(ωR) or of the patch size, in K; `None` if heat flows perpendicular to the
+    /// surface only.
     pub fn contact_temperature_by(
         &self,
         problem: &Problem,
@@ -187,7 +186,7 @@ impl SteadyFriction {
         Some(change)
     }
 
-    /// What the law is given in a cell, and for the material that enters at its y.
+    /// The arguments of the law in a cell, and for the material that enters at its y.
     pub fn states(&self, problem: &Problem, patch: &Patch, k: usize) -> [FrictionState; 2] {
         let y = patch.cells[k].y;
         let given = [[self.rise[k], speed_of(self.slip[k])], [0.0; 2]];
@@ -204,8 +203,8 @@ impl SteadyFriction {
         self.response[k] = response;
     }
 
-    /// Slip, heat, temperature and friction for the traction p, `change` being by how much A p
-    /// changes while a material point passes each cell, in m.
+    /// Slip, heat, temperature and friction for the traction p, where `change` is the change of A p
+    /// while a material point passes each cell, in m.
     pub fn evaluate(&mut self, problem: &Problem, patch: &Patch, p: &[f64], change: &[f64]) {
         self.traction.copy_from_slice(p);
         let is_along = self.conductors.is_some();
@@ -228,9 +227,9 @@ impl SteadyFriction {
         }
     }
 
-    /// The traction on the rail p (in Pa) that goes with its share of μ pₙ in each cell
+    /// The traction on the rail p (in Pa) for a given fraction of μ pₙ in each cell
     /// (dimensionless), if all slip is rigid: cell by cell down the strips, each with the friction
-    /// that its own heat leaves.
+    /// at the resulting temperature.
     pub fn rub_rigidly(
         &mut self,
         problem: &Problem,
@@ -257,7 +256,8 @@ impl SteadyFriction {
         }
     }
 
-    /// Rise of a cell by the heat from upstream and its own, perpendicular to the surface.
+    /// Rise of a cell due to the heat from upstream and its own, conducted perpendicular to the
+    /// surface.
     fn warm(&mut self, k: usize) {
         let inherited = self.heat.inherited(k);
         self.rise[k] = self.heat.rise(k, inherited, self.heat.flux[k]);
@@ -268,14 +268,15 @@ impl SteadyFriction {
         self.response[k].by_temperature * self.conduction.contact_factor()
     }
 
-    /// Change of the heat flux with that of the traction of a cell, in W/m².
+    /// Change of the heat flux due to a change of the traction of a cell, in W/m².
     pub fn flux_change(&self, k: usize, traction: [f64; 2]) -> f64 {
         let power = passage::power(traction, self.slip[k]);
         if self.power[k] >= 0.0 { power * self.flux_over_power[k] } else { 0.0 }
     }
 
-    /// Change of μ pₙ in a cell (in Pa) whose traction changes by `traction` and by `by_bound` for
-    /// each Pa of it, `upstream` being the changes of flux of the cells before; the slip stays.
+    /// Change of μ pₙ in a cell (in Pa) whose traction changes by `traction` and by `by_bound` per
+    /// Pa of it, where `upstream` contains the changes of flux of the preceding cells; at constant
+    /// slip.
     pub fn raised_bound(
         &self,
         k: usize,
@@ -293,8 +294,8 @@ impl SteadyFriction {
         raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))
     }
 
-    /// Change of μ pₙ in every cell (in Pa) with another change, and with a cause besides. `flux`
-    /// is room for the changes of the heat flux.
+    /// Change of μ pₙ in every cell (in Pa) due to another change, and to a cause. `flux` is a
+    /// buffer for the changes of the heat flux.
     pub fn bound_changes(
         &mut self,
         Change { traction, passing }: Change,
@@ -332,7 +333,7 @@ impl SteadyFriction {
         self.risen = risen;
     }
 
-    /// Changes of the rises times effusivity (in W √s/m²) with those of the heat fluxes, in W/m².
+    /// Changes of the rises times effusivity (in W √s/m²) due to those of the heat fluxes, in W/m².
     fn rise_changes(&mut self, flux: &[f64], risen: &mut [f64]) {
         let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
         let Some(conduction) = conduction else {
@@ -349,8 +350,8 @@ impl SteadyFriction {
         }
     }
 
-    /// Change of the slip velocity (in m/s) with that of A p in passing a cell (in m), and with a
-    /// cause.
+    /// Change of the slip velocity (in m/s) due to that of A p along the passage of a cell (in m),
+    /// and to a cause.
     fn slip_change(&self, change: &[f64], cause: Option<&FrictionCause>, k: usize) -> [f64; 2] {
         let per_length = self.kinematics.speed / self.spacing;
         let given = cause.map_or([0.0; 2], |cause| cause.slip[k]);
@@ -358,13 +359,13 @@ impl SteadyFriction {
     }
 }
 
-/// The ways of the material in every cell of a patch; see [`ways_through`].
+/// The paths of the material in every cell of a patch; see [`ways_through`].
 fn ways(patch: &Patch) -> impl Iterator<Item = [f64; 2]> {
     let cells = patch.strips.iter().flat_map(|strip| strip.cells.clone().map(move |k| (strip, k)));
     cells.map(|(strip, k)| ways_through(patch, strip, k))
 }
 
-/// The conductors of a problem where heat flows along the surface too.
+/// The conducting bodies of a problem if heat also flows along the surface.
 fn conductors_along(problem: &Problem, patch: &Patch) -> Option<Conductors> {
     let peclet = problem.peclet(&problem.kinematics, semi_axes_of_grid(&patch.grid));
     let is_conduction = problem.heat.model.as_ref().is_some_and(|model| model.is_conduction());
@@ -376,7 +377,7 @@ fn conductors_along(problem: &Problem, patch: &Patch) -> Option<Conductors> {
     })
 }
 
-/// What is scaled when heat flows along the surface.
+/// The quantity that is scaled when heat flows along the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Scaling {
     /// v0/(ωR).
@@ -385,11 +386,11 @@ pub(super) enum Scaling {
     Size,
 }
 
-/// Change of a logarithm by which a central difference is taken.
+/// Step of the logarithm for central differences.
 const DIFFERENCE: f64 = 1e-4;
 
 impl Scaling {
-    /// The conductors after a change of the logarithm.
+    /// The conducting bodies after a change of the logarithm.
     fn of(self, problem: &Problem, conductors: Conductors, change: f64) -> Conductors {
         if self == Self::Size {
             return Conductors { scale: change.exp(), ..conductors };
@@ -407,11 +408,11 @@ impl Scaling {
 pub(super) struct Change<'a> {
     /// Of the traction, in Pa.
     pub traction: &'a [f64],
-    /// Of A p in passing the cell, in m.
+    /// Of A p along the passage of the cell, in m.
     pub passing: &'a [f64],
 }
 
-/// Small changes of what friction is given, cell by cell.
+/// Small changes of the arguments of friction, cell by cell.
 pub(super) struct FrictionCause {
     /// Of the rigid slip velocity, in m/s.
     pub slip: Vec<[f64; 2]>,
@@ -419,15 +420,15 @@ pub(super) struct FrictionCause {
     pub rise: Vec<f64>,
     /// Of the coefficient of the law at the same slip and rise, dimensionless.
     pub law: Vec<f64>,
-    /// Of the coefficient of the material that enters, for the first cell of each strip;
+    /// Of the coefficient of the entering material, for the first cell of each strip;
     /// dimensionless.
     pub entry: Vec<f64>,
-    /// Of the logarithm of all ways, dimensionless.
+    /// Of the logarithm of all paths, dimensionless.
     pub way: f64,
 }
 
 impl FrictionCause {
-    /// Nothing changes in any of `cells` cells.
+    /// No change in any of `cells` cells.
     pub fn nothing(cells: usize) -> Self {
         Self {
             slip: vec![[0.0; 2]; cells],

@@ -1,5 +1,5 @@
-//! The steady state at once: an element's history is what lies upstream of it in its own strip, and
-//! so is its heat. Traction, temperature and friction are one equilibrium.
+//! The steady state as one equilibrium: the history of an element, including its heat, is what lies
+//! upstream of it in its strip. Traction, temperature and friction are found together.
 
 use crate::equilibrium::{self, Equilibrium};
 use crate::numerics::vector::norm;
@@ -10,18 +10,18 @@ use super::level::{Descent, Level};
 use super::steady_friction::{Change, FrictionCause, SteadyFriction};
 use super::strip_law::{Cause, StripLaw};
 
-/// The steady equilibrium on the first of some levels. The coarser ones, solved before, help to
-/// precondition it.
+/// The steady equilibrium on the first of several levels. The coarser ones, solved before, are part
+/// of the preconditioner.
 ///
-/// The linear response to p is b, the change of A p from cell to cell; and where friction depends
-/// on heat or slip, also the change of A p in passing each cell.
+/// The linear response to p is b, the change of A p from cell to cell; and if friction depends on
+/// heat or slip, also the change of A p along the passage of each cell.
 pub(super) struct SteadyState<'a> {
     problem: &'a Problem,
     levels: &'a mut [Level],
 }
 
 impl<'a> SteadyState<'a> {
-    /// The state on the first of `levels`, of which there must be one.
+    /// The state on the first of `levels`, which must not be empty.
     pub fn new(problem: &'a Problem, levels: &'a mut [Level]) -> Self {
         Self { problem, levels }
     }
@@ -34,7 +34,7 @@ impl<'a> SteadyState<'a> {
         self.level().friction.is_coupled
     }
 
-    /// Friction at p, and the bound that follows.
+    /// Evaluates friction at p, and the resulting bound.
     fn rub(&mut self, p: &[f64], u: &[f64]) {
         if self.is_coupled() {
             let level = &mut self.levels[0];
@@ -85,7 +85,7 @@ impl Equilibrium for SteadyState<'_> {
         strips.tangent(v, response, Some(&room.bound), None, product);
     }
 
-    /// The state of rigid bodies, which is near where friction follows a fast slip.
+    /// The state of rigid bodies, which is a good guess where friction follows a high slip speed.
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         if self.is_coupled() {
             let Level { contact, strips, friction, .. } = &mut self.levels[0];
@@ -99,8 +99,8 @@ impl Equilibrium for SteadyState<'_> {
     }
 }
 
-/// The linear response to what a product made: the displacement at the cells relative to the
-/// upstream neighbour, and the change in passing if that is wanted.
+/// The linear response from the result of a product: the displacement at the cells relative to the
+/// upstream neighbour, and the change along the passage if required.
 fn relate(
     mut made: Displaced,
     strips: &StripLaw,
@@ -120,20 +120,20 @@ fn relate(
     }
 }
 
-/// Small changes of what the equilibrium is given.
+/// Small changes of the data of the equilibrium.
 pub(super) struct Direct {
-    /// Of what the contact law is given.
+    /// Of the data of the contact law.
     pub cause: Cause,
     /// Of the linear response at the same traction, in m; empty if there is none.
     pub response: Vec<f64>,
     /// Of μ pₙ at the same friction, in Pa.
     pub bound: Vec<f64>,
-    /// Of what friction is given.
+    /// Of the data of friction.
     pub friction: FrictionCause,
 }
 
 impl Direct {
-    /// Nothing changes in any of `cells` cells.
+    /// No change in any of `cells` cells.
     pub fn nothing(cells: usize) -> Self {
         Self {
             cause: Cause {
@@ -174,9 +174,9 @@ impl SteadyState<'_> {
         strips.tangent(&nothing, b, Some(&room.bound), Some(&direct.cause), change);
     }
 
-    /// Change of the linear response (in m) at the solution with the logarithm of the stiffness of
-    /// the bristles over a cell's, on which the interpolation at the leading edge depends; nothing
-    /// where it does not.
+    /// Derivative of the linear response (in m) at the solution with respect to the logarithm of
+    /// the ratio of bristle to cell stiffness, on which the interpolation at the leading edge
+    /// depends; `None` if it does not.
     pub fn response_by_stiffness(&mut self) -> Option<Vec<f64>> {
         let mut response = vec![0.0; self.response_size()];
         let Level { contact, strips, traction, room, .. } = &mut self.levels[0];
@@ -193,8 +193,8 @@ impl SteadyState<'_> {
         Some(response)
     }
 
-    /// Change of the linear response at the solution with the logarithm of the size of the patch;
-    /// whether the elasticity knows it.
+    /// Derivative of the linear response at the solution with respect to the logarithm of the patch
+    /// size; returns whether the elasticity knows it.
     pub fn response_by_size(&mut self, response: &mut [f64]) -> bool {
         let is_coupled = self.is_coupled();
         let Level { contact, strips, traction, room, .. } = &mut self.levels[0];
@@ -207,8 +207,8 @@ impl SteadyState<'_> {
     }
 }
 
-/// One pass down the strips of the first level, its long waves replaced by those of the coarser
-/// levels.
+/// One pass down the strips of the first level, with its long waves replaced by those of the
+/// coarser levels.
 fn precondition(levels: &mut [Level], v: &mut [f64]) {
     let Some((level, coarser)) = levels.split_first_mut() else { return };
     let Some(Descent { transfer, carried, known }) = &mut level.descent else {

@@ -1,9 +1,9 @@
-//! The contact law along the strips of a patch, from the leading edge on.
+//! The contact law along the strips of a patch, starting from the leading edge.
 //!
 //! With b = B p the change of A p, relative to that at the leading edge, from cell to cell, and D
-//! the rigid slip on the way, every cell slides by D − b, and the contact law carries the traction
-//! on from its upstream neighbour. As in a time step the law is evaluated together with γ s (see
-//! `rolling/marching/time_step.rs`), now from cell to cell down the strip.
+//! the rigid slip along the path, every cell slides by D − b, and the contact law continues the
+//! traction of its upstream neighbour. As in a time step the law is evaluated together with γ s
+//! (see `rolling/marching/time_step.rs`), here from cell to cell down the strip.
 
 use std::sync::Arc;
 
@@ -28,14 +28,14 @@ pub(super) struct StripLaw {
     ways: Vec<Way>,
     /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
-    /// Slide and answer of each cell at the last residual, and p + γ (D − b) there, in Pa.
+    /// Slide and response of each cell at the last residual, and p + γ (D − b) there, in Pa.
     slides: Vec<Slide>,
     targets: Vec<[f64; 2]>,
     responses: Vec<Response>,
     tangents: Vec<Tangent>,
     /// Whether the law depends on the distance since entry.
     remembers_distance: bool,
-    /// Changes of the heat flux of each cell while the preconditioner goes down the strips.
+    /// Changes of the heat flux of each cell during a pass of the preconditioner down the strips.
     flux_changes: Vec<f64>,
 }
 
@@ -43,9 +43,9 @@ pub(super) struct StripLaw {
 /// them.
 #[derive(Clone, Copy, Default)]
 struct Tangent {
-    /// ∂law/∂(traction before), dimensionless.
+    /// ∂law/∂(previous traction), dimensionless.
     kept: f64,
-    /// ∂law/∂(increment of the upstream neighbour) by way of the turn, in 1/m.
+    /// ∂law/∂(increment of the upstream neighbour) through the turn, in 1/m.
     by_upstream: Matrix,
     /// (∂(μ pₙ law)/∂s + γ)⁻¹, in m/Pa.
     softness: Matrix,
@@ -55,7 +55,7 @@ struct Tangent {
 
 type Matrix = [[f64; 2]; 2];
 
-/// What a cell hands on to the next one downstream.
+/// State that a cell passes on to the next one downstream.
 #[derive(Clone, Copy, Default)]
 struct Handed {
     traction: [f64; 2],
@@ -64,7 +64,7 @@ struct Handed {
 }
 
 impl Handed {
-    /// What a cell hands on after it has slid.
+    /// State that a cell passes on after it has slid.
     fn after(slide: &Slide, response: &Response) -> Self {
         Self {
             traction: response.traction,
@@ -73,7 +73,7 @@ impl Handed {
         }
     }
 
-    /// The difference to what was handed on before.
+    /// The difference from the state passed on before.
     fn since(&self, before: &Self) -> Self {
         let difference = |now: [f64; 2], then: [f64; 2]| [now[0] - then[0], now[1] - then[1]];
         Self {
@@ -83,7 +83,8 @@ impl Handed {
         }
     }
 
-    /// What is handed on when this is handed, and the traction and the sliding change a little.
+    /// The state passed on when this one is received, and the traction and the sliding change
+    /// slightly.
     #[inline]
     fn changed(&self, traction: [f64; 2], increment: [f64; 2]) -> Self {
         let distance = [self.distance[0] + increment[0], self.distance[1] + increment[1]];
@@ -91,19 +92,19 @@ impl Handed {
     }
 }
 
-/// Small changes of what the law is given, cell by cell (x then y); in the order of the cells.
+/// Small changes of the data of the law, cell by cell (x then y); in the order of the cells.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Cause {
     /// Of the rigid slip D, in m.
     pub rigid: Vec<f64>,
-    /// Of the turn between the middle and the end of the way as far as it is rigid, in m.
+    /// Of the rigid part of the turn between the middle and the end of the path, in m.
     pub turn: Vec<f64>,
-    /// Of k_c over k_c, dimensionless.
+    /// Relative change of k_c, dimensionless.
     pub stiffness: f64,
 }
 
 impl StripLaw {
-    /// The strips of a patch; [`Self::set_problem`] says what happens in them.
+    /// The strips of a patch; [`Self::set_problem`] sets motion and laws.
     pub fn new(problem: &Problem, patch: &Patch) -> Self {
         let cells = patch.len();
         let mut is_first = vec![false; cells];
@@ -126,7 +127,7 @@ impl StripLaw {
         }
     }
 
-    /// Takes over another motion and another law, and γ in Pa/m.
+    /// Switches to another motion and another law, with γ in Pa/m.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64) {
         self.gamma = gamma;
         self.law = Arc::clone(&problem.contact_law);
@@ -145,7 +146,7 @@ impl StripLaw {
         self.slides.len()
     }
 
-    /// Turns displacements at the cells, relative to those at their entries, into b, in place.
+    /// Converts displacements at the cells, relative to those at their entries, into b, in place.
     pub fn differences(&self, b: &mut [f64]) {
         for k in (0..self.len()).rev() {
             if !self.is_first[k] {
@@ -155,7 +156,7 @@ impl StripLaw {
         }
     }
 
-    /// The history of a cell from what its upstream neighbour hands on.
+    /// The history of a cell from the state passed on by its upstream neighbour.
     fn slide(&self, k: usize, handed: &Handed) -> Slide {
         let slide =
             Slide { traction: handed.traction, distance: handed.distance, ..Slide::default() };
@@ -167,7 +168,7 @@ impl StripLaw {
         with_turn(slide, &self.kinematics, &self.ways[k], upstream)
     }
 
-    /// Lets every cell slide by D − b, and hands each slide and the law's answer on.
+    /// Lets every cell slide by D − b, and passes on each slide and the law's response.
     fn follow(&self, b: &[f64], mut visit: impl FnMut(usize, &Slide, &Response)) {
         let mut handed = Handed::default();
         for k in 0..self.len() {
@@ -182,7 +183,7 @@ impl StripLaw {
         }
     }
 
-    /// Traction on the rail over μ pₙ of each cell, if nothing gave way but the bristles;
+    /// Traction on the rail divided by μ pₙ of each cell, if only the bristles were compliant;
     /// dimensionless.
     pub fn rigid_saturation(&self) -> Vec<[f64; 2]> {
         let mut saturation = Vec::with_capacity(self.len());
@@ -247,8 +248,8 @@ impl StripLaw {
         }
     }
 
-    /// What a cell slides when its target changes from that of the last residual, and what it was
-    /// handed, to first order.
+    /// Sliding of a cell, to first order, when its target and the state passed to it differ from
+    /// those of the last residual.
     fn foreseen(&self, k: usize, target: [f64; 2], change: &Handed) -> [f64; 2] {
         let gain = self.gain(k, change);
         let rest = [0, 1].map(|c| target[c] - self.targets[k][c] - self.bound[k] * gain[c]);
@@ -273,7 +274,7 @@ impl StripLaw {
         }
     }
 
-    /// What a cell's traction gains from small changes of what it was handed, dimensionless.
+    /// Change of a cell's traction due to small changes of the state passed to it, dimensionless.
     #[inline]
     fn gain(&self, k: usize, handed: &Handed) -> [f64; 2] {
         let tangent = &self.tangents[k];
@@ -289,7 +290,7 @@ impl StripLaw {
         [gain[0] + come[0], gain[1] + come[1]]
     }
 
-    /// What a cell's traction gains from a cause at a given sliding, dimensionless.
+    /// Change of a cell's traction due to a cause at given sliding, dimensionless.
     fn gain_from(&self, k: usize, cause: &Cause) -> [f64; 2] {
         let (slide, response) = (&self.slides[k], &self.responses[k]);
         let pair = |values: &[f64], k: usize| [values[2 * k], values[2 * k + 1]];
@@ -300,7 +301,7 @@ impl StripLaw {
             let (here, before) = (pair(&cause.rigid, k), pair(&cause.rigid, k - 1));
             turn = [0, 1].map(|c| turn[c] - share * (here[c] - ratio * before[c]));
         }
-        // The law depends on k_c times lengths, so a stiffer law is one with longer lengths.
+        // The law depends on k_c times lengths, so a stiffer law is equivalent to longer lengths.
         let longer = [0, 1].map(|c| turn[c] + cause.stiffness * slide.turn[c]);
         let turned = times(&response.by_turn, longer);
         let slid = times(&response.by_increment, slide.increment);
@@ -308,7 +309,7 @@ impl StripLaw {
         [0, 1].map(|c| turned[c] + cause.stiffness * (slid[c] + come[c]))
     }
 
-    /// Change of F with that of p, of b and of μ pₙ (`bound`, if it changes), and with a cause.
+    /// Change of F due to changes of p, of b and of μ pₙ (`bound`, if it changes), and to a cause.
     pub fn tangent(
         &self,
         p: &[f64],
@@ -342,7 +343,7 @@ impl StripLaw {
     }
 
     /// Changes of the traction over μ pₙ and of the increment of a cell on which `pull` acts (in
-    /// Pa) beside the gain.
+    /// Pa) in addition to the gain.
     #[inline]
     fn moved(&self, k: usize, pull: [f64; 2], gain: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let (tangent, bound) = (&self.tangents[k], self.bound[k]);
@@ -352,8 +353,8 @@ impl StripLaw {
     }
 
     /// With B replaced by 1/γ times the difference to the upstream neighbour, the Jacobian is
-    /// triangular: one pass down every strip. Where `friction` depends on the heat from upstream,
-    /// that is part of it.
+    /// triangular: one pass down every strip. If `friction` depends on the heat from upstream, this
+    /// is included.
     pub fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
         let mut handed = Handed::default();
         let mut upstream = [0.0; 2];
@@ -368,7 +369,8 @@ impl StripLaw {
             let bound = self.bound[k];
             upstream = [v[2 * k] + bound * traction[0], v[2 * k + 1] + bound * traction[1]];
             if let Some(friction) = friction {
-                // A raised bound moves the traction by γ (∂(μ pₙ law)/∂s + γ)⁻¹ law for each Pa.
+                // An increase of the bound changes the traction by γ (∂(μ pₙ law)/∂s + γ)⁻¹ law per
+                // Pa.
                 let law = self.responses[k].traction;
                 let by_bound = times(&self.tangents[k].softness, law).map(|t| self.gamma * t);
                 let raised = friction.raised_bound(k, &self.flux_changes, upstream, by_bound);

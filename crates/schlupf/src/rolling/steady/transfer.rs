@@ -1,19 +1,19 @@
-//! From a grid to a coarser one and back: tractions over the normal pressure.
+//! Transfer between a grid and a coarser one: tractions divided by the normal pressure.
 
 use crate::grid::Grid;
 use crate::patch::{Cell, Patch};
 
 /// Weights between the cells of a fine and a coarse patch of the same contact.
 ///
-/// What is carried is the traction over the pressure, bilinear between the cells of the coarse
-/// patch, and as a weighted mean the other way.
+/// The transferred quantity is the traction divided by the pressure: bilinear between the cells of
+/// the coarse patch in one direction, and as a weighted mean in the other.
 #[derive(Debug)]
 pub(super) struct Transfer {
-    /// Of each fine cell in the coarse ones: prolongation.
+    /// Stencil of each fine cell in the coarse ones: prolongation.
     stencils: Vec<Stencil>,
-    /// Of each coarse cell in the fine ones, one cell after another: restriction.
+    /// Weights of each coarse cell in the fine ones, one cell after another: restriction.
     shares: Vec<(usize, f64)>,
-    /// Where the shares of each coarse cell end.
+    /// End of the shares of each coarse cell.
     ends: Vec<usize>,
 }
 
@@ -51,7 +51,8 @@ impl Transfer {
         transfer
     }
 
-    /// Adds to fine tractions what coarse ones are over the pressure, times the fine pressure.
+    /// Adds coarse tractions, divided by the coarse pressure and multiplied by the fine pressure,
+    /// to fine ones.
     pub fn add_prolonged(&self, coarse: &[f64], fine: &mut [f64]) {
         for (stencil, fine) in self.stencils.iter().zip(fine.chunks_exact_mut(2)) {
             for (cell, weight) in stencil.cell.iter().zip(stencil.weight) {
@@ -61,8 +62,8 @@ impl Transfer {
         }
     }
 
-    /// Overwrites coarse tractions with the means of fine ones over the pressure, times the coarse
-    /// pressure.
+    /// Overwrites coarse tractions with the means of fine ones divided by the pressure, multiplied
+    /// by the coarse pressure.
     pub fn restrict(&self, fine: &[f64], coarse: &mut [f64]) {
         let mut start = 0;
         for (end, coarse) in self.ends.iter().zip(coarse.chunks_exact_mut(2)) {
@@ -77,7 +78,7 @@ impl Transfer {
     }
 }
 
-/// 1/x, and nothing for nothing.
+/// 1/x, and zero for zero.
 fn over(x: f64) -> f64 {
     if x > 0.0 { x.recip() } else { 0.0 }
 }
