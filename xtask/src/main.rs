@@ -1,4 +1,4 @@
-//! Development tasks: `cargo xtask ci` and its parts, and what takes longer.
+//! Development tasks: `cargo xtask ci` and its parts, and tasks that take longer.
 
 #![forbid(unsafe_code)]
 
@@ -10,7 +10,7 @@ use std::process::ExitCode;
 
 use parts::Part;
 
-/// Exit code of a wrong command line; 1 is that of a failed part.
+/// Exit code for a wrong command line; 1 is that of a failed part.
 const USAGE_ERROR: u8 = 2;
 
 fn main() -> ExitCode {
@@ -34,7 +34,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// The parts that a command line asks for.
+/// The parts requested by a command line.
 fn requested(arguments: &[String]) -> Result<Vec<Part>, String> {
     match arguments {
         [] => Err("no task named".to_owned()),
@@ -62,8 +62,8 @@ fn help() -> String {
     lines.join("\n")
 }
 
-/// The root of the workspace. Cargo names the package at run time too, and rightly so after the
-/// checkout has moved.
+/// The root of the workspace. The package directory that cargo sets at run time is right even after
+/// the checkout has moved.
 fn workspace() -> PathBuf {
     let package = std::env::var_os("CARGO_MANIFEST_DIR")
         .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);

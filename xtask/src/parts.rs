@@ -1,4 +1,4 @@
-//! The tasks, and what `cargo xtask ci` consists of.
+//! The tasks, and the composition of `cargo xtask ci`.
 
 use std::fmt;
 use std::fs;
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::sources;
 
-/// A part of the checks, or what takes too long to be one; a command of its own.
+/// A part of the checks, or a task that takes too long to be one; each is a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// The formatting.
@@ -19,7 +19,7 @@ pub enum Part {
     Test,
     /// The documentation of the crates.
     Doc,
-    /// The rules that the sources keep.
+    /// The rules for the sources.
     Sources,
     /// The examples of the library.
     Examples,
@@ -27,7 +27,7 @@ pub enum Part {
     Wasm,
     /// The packages as they would be published.
     Package,
-    /// The oldest Rust that is promised.
+    /// The oldest supported Rust.
     Oldest,
     /// The tests that take long.
     Long,
@@ -49,10 +49,10 @@ impl Part {
         Self::Oldest,
     ];
 
-    /// What runs only when it is asked for.
+    /// Tasks that run only on request.
     pub const ASIDE: [Self; 2] = [Self::Long, Self::Bench];
 
-    /// Its name on the command line.
+    /// Name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fmt => "fmt",
@@ -69,7 +69,7 @@ impl Part {
         }
     }
 
-    /// Its line in the help.
+    /// Line in the help.
     pub fn about(self) -> &'static str {
         match self {
             Self::Fmt => "is everything formatted? (`cargo fmt --all` formats it)",
@@ -86,7 +86,7 @@ impl Part {
         }
     }
 
-    /// What it runs, one after the other; the sources are read here, without cargo.
+    /// The steps of the part, in order; the sources are read here, without cargo.
     fn steps(self, workspace: &Path) -> Result<Vec<Step>, String> {
         Ok(match self {
             Self::Fmt => vec![Step::cargo("fmt --all --check")],
@@ -99,7 +99,8 @@ impl Part {
                 vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings")), ..doc }]
             }
             Self::Sources => Vec::new(),
-            // Those of the tests are the same build; that of examples alone would be another.
+            // The build of the tests includes the examples; building them alone would be another
+            // build.
             Self::Examples => {
                 let names = sources::examples(workspace)?;
                 let folder = workspace.join(target()).join("debug/examples");
@@ -113,7 +114,7 @@ impl Part {
                 vec![Step::cargo(&format!("{build}{packages}"))]
             }
             Self::Package => {
-                // Building them from their packages takes minutes: that is among what is long.
+                // Building them from their packages takes minutes and is part of the long tests.
                 vec![Step::cargo("publish --workspace --dry-run --allow-dirty --no-verify")]
             }
             Self::Oldest => vec![Step {
@@ -137,7 +138,7 @@ impl Part {
     }
 }
 
-/// The packages that others build on; the command needs an operating system.
+/// The packages that others build on; the command itself needs an operating system.
 const LIBRARIES: [&str; 3] = ["schlupf", "schlupf-case", "schlupf-output"];
 
 /// The `rust-version` of the workspace.
@@ -149,12 +150,12 @@ fn oldest(workspace: &Path) -> Result<String, String> {
     manifest.lines().find_map(version).ok_or_else(|| "Cargo.toml has no rust-version".to_owned())
 }
 
-/// Where cargo builds, from the root of the workspace.
+/// The target directory of cargo, from the root of the workspace.
 fn target() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
 }
 
-/// A program that is run.
+/// A program to be run.
 struct Step {
     program: PathBuf,
     /// Separated by blanks.
@@ -196,8 +197,8 @@ impl fmt::Display for Step {
     }
 }
 
-/// Runs every part, also after one has failed, so that one run shows all there is to mend. Whether
-/// all passed.
+/// Runs every part, even after one has failed, so that one run shows everything that needs fixing.
+/// Returns whether all passed.
 pub fn run(parts: &[Part], workspace: &Path) -> bool {
     let results: Vec<_> = parts.iter().map(|&part| timed(part, workspace)).collect();
     if parts.len() > 1 {

@@ -1,4 +1,4 @@
-//! Whoever allows a lint says why.
+//! Every allowed lint needs a reason.
 
 use syn::visit::{self, Visit};
 use syn::{Attribute, Meta};
@@ -26,7 +26,7 @@ fn check(sources: &[Source]) -> Vec<Finding> {
     findings.collect()
 }
 
-/// Lines of an attribute, from 1, and the column behind it in the last.
+/// Lines of an attribute, starting from 1, and the column after its end in the last line.
 struct Place {
     first: usize,
     last: usize,

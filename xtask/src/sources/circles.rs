@@ -1,8 +1,8 @@
-//! Files of a crate that use each other in a circle cannot be read, tested or moved one by one.
+//! Files of a crate that use each other in a cycle cannot be read, tested or moved one by one.
 //!
-//! A file uses another where its code names an item of it, by whatever way: what a `pub use` hands
-//! on is an item of the file that it comes from. Files above and below each other in the tree of
-//! modules are one house: a `mod.rs` may call what its children make of the types that it gives
+//! A file uses another if its code names an item of it, by any path: an item re-exported by a
+//! `pub use` belongs to the file that it comes from. Files above and below each other in the module
+//! tree belong together: a `mod.rs` may call what its children make of the types that it gives
 //! them.
 
 use std::collections::{BTreeMap, VecDeque};
@@ -32,9 +32,9 @@ fn check(sources: &[Source]) -> Vec<Finding> {
 /// The files of a crate.
 struct Crate<'a> {
     files: Vec<(Module, &'a Source)>,
-    /// Names that a module hands on: module and name, and the path behind it.
+    /// Names that a module re-exports: module and name, and the path behind it.
     exports: BTreeMap<(Module, String), Module>,
-    /// Which files each file uses, and on which line first.
+    /// The files that each file uses, and the first line where it does.
     uses: Vec<BTreeMap<usize, usize>>,
 }
 
@@ -68,7 +68,7 @@ impl<'a> Crate<'a> {
         self.files.iter().position(|(other, _)| other == module)
     }
 
-    /// The file that an item comes from, by so many exports at most.
+    /// The file that an item comes from, through at most so many re-exports.
     fn file_of(&self, path: &[String], exports: usize) -> Option<usize> {
         let mut depth = 0;
         while depth < path.len() && self.file(&path[..=depth]).is_some() {
@@ -83,13 +83,13 @@ impl<'a> Crate<'a> {
         }
     }
 
-    /// Whether one of two files is the other or lies above it in the tree of modules.
+    /// Whether one of two files is the other or is above it in the module tree.
     fn are_related(&self, one: usize, other: usize) -> bool {
         let [one, other] = [one, other].map(|file| &self.files[file].0);
         one.starts_with(other) || other.starts_with(one)
     }
 
-    /// The shortest way from a file back to it by way of one that it uses.
+    /// The shortest path from a file back to it through one that it uses.
     fn circle(&self, start: usize, used: usize) -> Option<Vec<usize>> {
         let mut ways = VecDeque::from([vec![start, used]]);
         let mut is_reached = vec![false; self.files.len()];
@@ -107,10 +107,10 @@ impl<'a> Crate<'a> {
     }
 }
 
-/// More names for one item make no sense.
+/// More names for one item would be pointless.
 const MOST_EXPORTS: usize = 8;
 
-/// Each circle once, at the first of its files.
+/// Each cycle once, at the first of its files.
 fn circles(files: &Crate) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (start, (module, source)) in files.files.iter().enumerate() {

@@ -1,5 +1,6 @@
-//! Rules that the sources keep and no compiler knows. Each is a file here, with a test that holds
-//! the tree to it, so that `cargo test --workspace` fails where `cargo xtask sources` reports.
+//! Rules for the sources that no compiler checks. Each is a file here, with a test that applies it
+//! to the tree, so that `cargo test --workspace` fails where `cargo xtask sources` reports a
+//! violation.
 
 mod allowances;
 mod circles;
@@ -20,11 +21,11 @@ use tree::Source;
 
 /// A rule about the sources.
 struct Rule {
-    /// A word or two.
+    /// A short name.
     name: &'static str,
-    /// What it demands.
+    /// The requirement.
     demand: &'static str,
-    /// Finds whatever violates it.
+    /// Finds all violations.
     check: fn(&[Source]) -> Vec<Finding>,
 }
 
@@ -33,7 +34,7 @@ struct Rule {
 struct Finding {
     /// Path from the root of the workspace.
     path: String,
-    /// Line in the file, from 1.
+    /// Line in the file, starting from 1.
     line: usize,
     /// What is wrong there.
     what: String,
@@ -56,7 +57,7 @@ const RULES: [Rule; 8] = [
     allowances::RULE,
 ];
 
-/// Prints what violates the rules; an error says how many places do.
+/// Prints the violations of the rules; an error gives their number.
 pub fn report(workspace: &Path) -> Result<(), String> {
     let sources = tree::load(workspace)?;
     let mut count = 0;
@@ -89,7 +90,7 @@ const EXAMPLES: &str = "crates/schlupf/examples/";
 mod tests {
     use super::*;
 
-    /// Holds the tree to a rule; the message lists every violation.
+    /// Asserts that the tree satisfies a rule; the message lists every violation.
     pub fn assert_holds(rule: &Rule) {
         let sources = tree::load(&crate::workspace()).unwrap();
         let findings = (rule.check)(&sources);
@@ -97,7 +98,7 @@ mod tests {
         assert!(findings.is_empty(), "{}: {}\n{}", rule.name, rule.demand, list.join("\n"));
     }
 
-    /// What a rule finds in sources given as path and text: line and message.
+    /// The violations of a rule in sources given as path and text: line and message.
     pub fn found(rule: &Rule, files: &[(&str, &str)]) -> Vec<(usize, String)> {
         let sources: Vec<_> = files
             .iter()
@@ -111,7 +112,7 @@ mod tests {
         found(rule, &[(path, text)]).into_iter().map(|(line, _)| line).collect()
     }
 
-    /// The programs that show the library are short, and the one in the README is one of them.
+    /// The example programs of the library are short, and the one in the README is one of them.
     #[test]
     fn examples_are_short_and_one_is_in_the_readme() {
         let workspace = crate::workspace();

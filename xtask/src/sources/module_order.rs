@@ -1,4 +1,4 @@
-//! The modules of the core stand in the order in which data flows.
+//! The modules of the core are listed in the order of data flow.
 
 use syn::Item;
 
@@ -15,7 +15,7 @@ pub const RULE: Rule = Rule {
 
 const CORE: &str = "crates/schlupf/src/";
 
-/// The folders of the core whose modules stand in order, each with the file that names them.
+/// The folders of the core with ordered modules, each with the file that lists them.
 const ORDERED: [(&str, &str); 5] = [
     ("", "lib.rs"),
     ("rolling/", "mod.rs"),
@@ -34,14 +34,14 @@ fn check_folder(sources: &[Source], folder: &str, root: &str) -> Vec<Finding> {
         return Vec::new();
     };
     let root = Root::read(named, folder);
-    // The root itself stands for all modules: it only names them and re-exports.
+    // The root itself represents all modules: it only lists them and re-exports.
     let modules = sources.iter().filter(|source| !source.for_tests && source.path != named.path);
     modules.flat_map(|source| check_file(source, &root)).collect()
 }
 
 fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
     let Some(module) = source.path.strip_prefix(CORE).map(module_of) else { return Vec::new() };
-    // The root itself stands for all modules: it only names them and re-exports.
+    // The root itself represents all modules: it only lists them and re-exports.
     let below = module.strip_prefix(root.path.as_slice());
     let Some(top) = below.and_then(|below| below.first()) else { return Vec::new() };
     let Some(position) = root.position(top) else { return Vec::new() };
@@ -63,9 +63,9 @@ fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
     wrong.collect()
 }
 
-/// What lib.rs or mod.rs says: the modules in their order and whose items it re-exports.
+/// The contents of lib.rs or mod.rs: the modules in their order, and whose items it re-exports.
 struct Root {
-    /// The module that it is.
+    /// The module itself.
     path: Vec<String>,
     modules: Vec<String>,
     /// Name at the root, module it comes from.
@@ -144,7 +144,7 @@ mod tests {
         }
     }
 
-    /// Inside a folder that is ordered, too: by any of the ways.
+    /// Inside an ordered folder, too: by any of the paths.
     #[test]
     fn a_folder_has_its_own_order() {
         let root = ("crates/schlupf/src/rolling/mod.rs", "mod shared;\nmod steady;");

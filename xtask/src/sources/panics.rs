@@ -1,4 +1,4 @@
-//! Nothing a user can reach panics on purpose.
+//! No deliberate panic is reachable by a user.
 
 use syn::visit::{self, Visit};
 use syn::{ExprMethodCall, ExprPath, Ident, ImplItem, Item, Macro};
@@ -24,7 +24,7 @@ fn check(sources: &[Source]) -> Vec<Finding> {
     findings.collect()
 }
 
-/// Line and what stands there.
+/// Line and what was found there.
 struct Panics(Vec<(usize, String)>);
 
 impl Panics {

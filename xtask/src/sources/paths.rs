@@ -1,4 +1,4 @@
-//! The paths that a file names, from the root of its crate on.
+//! The paths that a file names, relative to the root of its crate.
 
 use proc_macro2::TokenTree;
 use syn::visit::{self, Visit};
@@ -6,14 +6,14 @@ use syn::{Ident, ImplItem, Item, ItemMod, ItemUse, Macro, UseTree, Visibility};
 
 use super::syntax::{flatten, is_punct, is_test_impl_item, is_test_item};
 
-/// A path from the root of the crate on. One that begins with a plain name is taken to begin in its
+/// A path from the root of the crate. One that begins with a plain name is assumed to begin in its
 /// module, whether it does or not.
 pub struct Path {
     /// Its segments.
     pub names: Vec<String>,
     /// Its line.
     pub line: usize,
-    /// The name under which a `pub use` hands it on.
+    /// The name under which a `pub use` re-exports it.
     pub export: Option<String>,
 }
 
@@ -37,12 +37,12 @@ pub fn named_paths(items: &[Item], module: &[String]) -> Vec<Path> {
 }
 
 struct Visitor {
-    /// The present module.
+    /// The current module.
     module: Vec<String>,
     named: Vec<Path>,
 }
 
-/// Segments of a path as it is written, with their lines.
+/// Segments of a path as written, with their lines.
 type Segments = Vec<(String, usize)>;
 
 impl Visitor {
@@ -59,7 +59,7 @@ impl Visitor {
         self.named.push(Path { names, line, export });
     }
 
-    /// The paths of a `use`, each with the name that it brings.
+    /// The paths of a `use`, each with the name that it introduces.
     fn note_tree(&mut self, tree: &UseTree, before: &mut Segments, is_export: bool) {
         let (last, name) = match tree {
             UseTree::Path(path) => {

@@ -1,4 +1,4 @@
-//! Files and functions that fit into a head.
+//! Limits on the size of files and functions.
 
 use syn::visit::{self, Visit};
 use syn::{Block, FnArg, ImplItemFn, ItemFn, Signature, TraitItemFn};
@@ -39,7 +39,7 @@ fn check_file(source: &Source) -> Vec<Finding> {
     findings
 }
 
-/// A line that says how long files and functions usually are.
+/// A line with the median length of files and functions.
 pub fn medians(sources: &[Source]) -> String {
     let files = median(sources.iter().map(|source| source.text.lines().count()).collect());
     let bodies = sources.iter().flat_map(functions).map(|function| function.lines);

@@ -1,9 +1,9 @@
-//! What several rules ask of a syntax tree.
+//! Queries of a syntax tree shared by several rules.
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::{Attribute, ImplItem, Item, Meta};
 
-/// Whether attributes make an item one of tests only.
+/// Whether attributes restrict an item to tests.
 pub fn is_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| match &attribute.meta {
         Meta::Path(path) => path.is_ident("test"),
@@ -69,7 +69,7 @@ pub fn is_punct(token: Option<&TokenTree>, character: char) -> bool {
     matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == character)
 }
 
-/// The line of a token, from 1.
+/// The line of a token, starting from 1.
 pub fn line(token: &TokenTree) -> usize {
     token.span().start().line
 }

@@ -34,7 +34,7 @@ impl Source {
         Finding { path: self.path.clone(), line, what: what.into() }
     }
 
-    /// The files of its modules that are compiled for tests only, as path without extension.
+    /// The module files that are compiled for tests only, as paths without extension.
     fn test_modules(&self) -> Vec<String> {
         let stem = self.path.trim_end_matches(".rs");
         let (folder, name) = stem.rsplit_once('/').unwrap_or(("", stem));
@@ -73,7 +73,7 @@ pub fn load(workspace: &Path) -> Result<Vec<Source>, String> {
     Ok(sources)
 }
 
-/// A module behind `#[cfg(test)]` may be a file of its own, with files below it.
+/// A module behind `#[cfg(test)]` may be in its own file, with files below it.
 fn mark_test_modules(sources: &mut [Source]) {
     let modules: Vec<String> = sources.iter().flat_map(Source::test_modules).collect();
     for source in sources {

@@ -19,7 +19,7 @@ pub const RULE: Rule = Rule {
 
 const CORE: &str = "crates/schlupf/src/";
 
-/// What a unit can begin with, apart from `1/`.
+/// Possible beginnings of a unit, apart from `1/`.
 const UNITS: [&str; 14] =
     ["m", "mm", "s", "kg", "N", "Pa", "MPa", "GPa", "K", "degC", "rad", "W", "J", "Hz"];
 
@@ -71,7 +71,7 @@ fn path_is_number(path: &syn::Path) -> bool {
     }
 }
 
-/// The doc comment, line breaks as spaces.
+/// The doc comment, with line breaks as spaces.
 fn doc(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(meta) if meta.path.is_ident("doc") => match &meta.value {
@@ -122,7 +122,7 @@ impl Numbers {
         }
     }
 
-    /// The fields of a struct or variant. One without a name has its doc comment at the owner.
+    /// The fields of a struct or variant. An unnamed field is documented at its owner.
     fn fields<'a>(
         &mut self,
         fields: impl Iterator<Item = &'a Field>,
@@ -192,7 +192,7 @@ impl<'ast> Visit<'ast> for Numbers {
         }
     }
 
-    // The items of a trait have their doc comments, and no visibility, at the trait.
+    // The items of a trait have their doc comments, and no visibility of their own, at the trait.
     fn visit_impl_item(&mut self, item: &'ast ImplItem) {
         if is_test_impl_item(item) {
             return;

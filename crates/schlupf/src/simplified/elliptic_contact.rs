@@ -1,4 +1,4 @@
-//! What the fast methods know of a contact: an ellipse, its load, and Kalker's coefficients.
+//! The contact of the fast methods: an ellipse, its load, and Kalker's coefficients.
 
 use std::f64::consts::PI;
 
@@ -12,8 +12,8 @@ use crate::problem::Problem;
 use crate::reference::kalker_linear::CreepCoefficients;
 use crate::solution::Resultant;
 
-/// An elliptic contact of two half-spaces. A patch that is no ellipse counts as one with its length
-/// and width.
+/// An elliptic contact of two half-spaces. A non-elliptical patch is represented by the ellipse
+/// with its length and width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EllipticContact {
     /// Load and semi-axes.
@@ -30,7 +30,7 @@ impl EllipticContact {
         Self::of(problem, problem.normal.normal_contact(None)?.summary)
     }
 
-    /// The contact of a problem with these sizes.
+    /// The contact of a problem with the given sizes.
     pub(super) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
         let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
         let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
@@ -41,32 +41,32 @@ impl EllipticContact {
         })
     }
 
-    /// Lever √(ab), in m.
+    /// Lever arm √(ab), in m.
     pub fn lever(&self) -> f64 {
         (self.normal.semi_axis_x * self.normal.semi_axis_y).sqrt()
     }
 
-    /// Forces and moment on the wheel if nothing slid.
+    /// Forces and moment on the wheel in full adhesion.
     pub fn linear_force(&self, kinematics: &Kinematics) -> Resultant {
         let semi_axes = [self.normal.semi_axis_x, self.normal.semi_axis_y];
         self.coefficients.force(kinematics, semi_axes, self.shear_modulus)
     }
 
     /// Polach's gradient of the tangential stress in the area of adhesion, dimensionless, for a
-    /// friction limit μN in N: ε = G π a b √((C11 ξ)² + (C22 η)²)/(4 μN), spin left out.
+    /// friction limit μN in N: ε = G π a b √((C11 ξ)² + (C22 η)²)/(4 μN), without spin.
     pub fn stress_gradient(&self, kinematics: &Kinematics, limit: f64) -> f64 {
         let force = self.linear_force(&Kinematics { spin: 0.0, ..*kinematics });
         0.25 * PI * force.x.hypot(force.y) / limit
     }
 }
 
-/// Limit μN of the force, in N: friction at the slip speed v0 √(ξ² + η²) of the contact as a whole,
-/// at y = 0, in material as warm as it enters.
+/// Friction limit μN of the force, in N, with friction at the slip speed v0 √(ξ² + η²) of the
+/// contact as a whole, at y = 0, at the temperature of the entering material.
 pub(super) fn friction_limit(problem: &Problem, load: f64) -> f64 {
     load * problem.friction.law.respond(&friction_state(problem)).coefficient
 }
 
-/// What friction is given there.
+/// The arguments of the friction law there.
 pub fn friction_state(problem: &Problem) -> FrictionState {
     let motion = &problem.kinematics;
     let slip_speed = motion.speed * motion.creepage_x.hypot(motion.creepage_y);

@@ -1,14 +1,14 @@
 //! Fast methods for the forces of steady rolling, with the problems and solutions of the full
-//! solver: for multibody codes, and to compare with.
+//! solver: for multibody codes, and for comparisons.
 //!
-//! | method | gives | cost |
+//! | method | computes | cost |
 //! |---|---|---|
 //! | Kalker's linear theory | forces, moment | a tenth of a microsecond |
 //! | [`shen_hedrick_elkins`] | forces, moment | the same |
 //! | [`polach`] | forces | the same |
 //! | FASTSIM, modified FASTSIM | forces, moment, fields, temperatures | microseconds |
 //!
-//! All rest on Kalker's coefficients for the ellipse of the contact, which come from a table. A
+//! All of them use Kalker's coefficients for the ellipse of the contact, which come from a table. A
 //! [`FastContact`] is set up once; forces for other motions and loads then allocate nothing.
 
 mod elliptic_contact;
@@ -39,7 +39,7 @@ pub use elliptic_contact::{EllipticContact, friction_state};
 use elliptic_contact::friction_limit;
 use fastsim::Fastsim;
 
-/// A contact that is set up for one of the fast methods.
+/// A contact set up for one of the fast methods.
 #[derive(Debug)]
 pub struct FastContact {
     at: AtPatch,
@@ -49,7 +49,7 @@ pub struct FastContact {
     kernel: Kernel,
 }
 
-/// What a method has beside the ellipse of the contact.
+/// Data of a method in addition to the ellipse of the contact.
 #[derive(Debug)]
 enum Kernel {
     KalkerLinear,
@@ -105,12 +105,13 @@ impl FastContact {
         Ok(Self { at, method, options: options.clone(), contact, kernel })
     }
 
-    /// The contact as the method sees it.
+    /// The contact in the representation of the method.
     pub fn contact(&self) -> &EllipticContact {
         &self.contact
     }
 
-    /// Takes over another problem; the set-up stays where the bodies and the normal contact do.
+    /// Switches to another problem; the set-up is kept if the bodies and the normal contact are the
+    /// same.
     pub fn set_problem(&mut self, problem: &Problem) -> Result<(), Error> {
         let bodies = |problem: &Problem| [problem.wheel.material, problem.rail.material];
         let fits = Arc::ptr_eq(&self.at.problem.normal, &problem.normal)
@@ -126,8 +127,8 @@ impl FastContact {
         Ok(())
     }
 
-    /// Takes over another load (in N); the patch grows as its source says. Allocates nothing,
-    /// unless that changes its shape.
+    /// Switches to another load (in N); the patch grows according to its source. Allocates nothing,
+    /// unless the load changes the shape of the patch.
     pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
         let problem = &self.at.problem;
         let contact = problem.normal.normal_contact(Some(load))?;
@@ -147,8 +148,8 @@ impl FastContact {
         Ok(())
     }
 
-    /// Forces and moment on the wheel that moves like this; a moment that the method does not give
-    /// is `None`. Allocates nothing.
+    /// Forces and moment on the wheel for the given motion; a moment that the method does not
+    /// compute is `None`. Allocates nothing.
     ///
     /// # Errors
     /// Whatever [`Kinematics::check`] rejects.
@@ -171,8 +172,8 @@ impl FastContact {
         }
     }
 
-    /// The solution of the problem. Where the method has no fields there are no cells, and
-    /// temperatures, areas of stick and slip, and whatever else it does not know are `None`.
+    /// The solution of the problem. If the method has no fields there are no cells, and
+    /// temperatures, areas of stick and slip, and all other unknown quantities are `None`.
     pub fn solution(&mut self) -> Solution {
         let solution = self.solution_at_patch();
         self.at.back(solution)
@@ -194,7 +195,7 @@ impl FastContact {
             work: Work::default(),
             state: State { grid: Grid::default(), time: 0.0, elements: Vec::new() },
         };
-        // What is dissipated in steady rolling is what the creep forces put in.
+        // In steady rolling the dissipated power equals the power of the creep forces.
         let creep_power = summary::creep_power(&problem.kinematics, &force);
         let mut instant = Instant {
             time: 0.0,
@@ -232,7 +233,7 @@ impl FastContact {
         let (problem, normal) = (&self.at.problem, self.contact.normal);
         let motion = problem.kinematics;
         let contact_area = PI * normal.semi_axis_x * normal.semi_axis_y;
-        // What is dissipated in steady rolling is what the creep forces put in.
+        // In steady rolling the dissipated power equals the power of the creep forces.
         let power = summary::creep_power(&motion, &force).map(|creep| {
             let shares = problem.conduction(&motion).shares();
             let [into_wheel, into_rail] = shares.map(|share| share * creep);

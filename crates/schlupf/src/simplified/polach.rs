@@ -1,4 +1,5 @@
-//! Polach: a creep curve in closed form with reduced slopes in the areas of adhesion and of slip.
+//! Polach's method: a creep curve in closed form with reduced slopes in the areas of adhesion and
+//! of slip.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -10,8 +11,8 @@ use super::EllipticContact;
 
 /// Forces on the wheel for a friction limit μN, in N; the moment is unknown: NaN.
 ///
-/// With the lateral creepage η_c = η + φa if that is larger in magnitude than η, else η, the total
-/// one ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν of the [stress
+/// With the lateral creepage η_c = η + φa if that is larger in magnitude than η, otherwise η, the
+/// total creepage ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν with the [stress
 /// gradient](EllipticContact::stress_gradient) ε:
 ///
 /// F = (2/π) μN (k_A ε_c/(1 + (k_A ε_c)²) + arctan(k_S ε_c)),
@@ -19,13 +20,13 @@ use super::EllipticContact;
 ///
 /// where K_M = −|ε_s| (δ³/3 − δ²/2 + 1/6) + ⅓ (1 − δ²)^(3/2), δ = (ε_s² − 1)/(ε_s² + 1) and ε_s =
 /// (8/3) G b √(ab) C23 |η_c|/(μN (1 + 6.3 (1 − e^(−a/b)))). For small creepages these are Kalker's
-/// forces, that under creepage times (k_A + k_S)/2.
+/// forces, with that due to creepage multiplied by (k_A + k_S)/2.
 ///
 /// Sources: Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dynamics
 /// Suppl. 33 (1999) 728–739, with k_A = k_S = 1; Polach, Creep forces in simulations of traction
 /// vehicles running on adhesion limit, Wear 258 (2005) 992–1000, for k_A, k_S and the falling
-/// friction. Limits: no moment; the force of spin is added without another cut, so both together
-/// may exceed μN by some per cent.
+/// friction. Limits: no moment; the spin force is added without further limitation, so both
+/// together may exceed μN by a few per cent.
 pub fn force(
     contact: &EllipticContact,
     kinematics: &Kinematics,
@@ -51,15 +52,16 @@ pub fn force(
 pub struct Differentiated {
     /// (Fx, Fy) on the wheel, in N.
     pub force: [f64; 2],
-    /// Their derivatives by the friction limit μN, dimensionless.
+    /// Derivatives with respect to the friction limit μN, dimensionless.
     pub by_limit: [f64; 2],
-    /// Their derivatives by k_A, in N.
+    /// Derivatives with respect to k_A, in N.
     pub by_area_adhesion: [f64; 2],
-    /// Their derivatives by k_S, in N.
+    /// Derivatives with respect to k_S, in N.
     pub by_area_slip: [f64; 2],
 }
 
-/// The same as [`force`], with its derivatives by the friction limit (in N) and the reductions.
+/// The same as [`force`], with its derivatives with respect to the friction limit (in N) and the
+/// reductions.
 pub fn differentiated_force(
     contact: &EllipticContact,
     kinematics: &Kinematics,
@@ -88,7 +90,7 @@ pub fn differentiated_force(
         let [adhesion, slip] = [reduction.area_adhesion, reduction.area_slip].map(|k| k * gradient);
         let bell = (1.0 - adhesion * adhesion) / (1.0 + adhesion * adhesion).powi(2);
         let lorentz = 1.0 / (1.0 + slip * slip);
-        // The gradient goes with 1/μN.
+        // The gradient is proportional to 1/μN.
         let by_gradient = FRAC_2_PI * (adhesion * bell + slip * lorentz);
         by_limit = curve(gradient, reduction) - by_gradient;
         by_reductions = [bell, lorentz].map(|shape| limit * FRAC_2_PI * gradient * shape);
@@ -104,7 +106,7 @@ pub fn differentiated_force(
     }
 }
 
-/// F/μN of creepage alone, dimensionless.
+/// F/μN due to creepage alone, dimensionless.
 fn curve(gradient: f64, AreaReduction { area_adhesion, area_slip }: AreaReduction) -> f64 {
     let adhesion = area_adhesion * gradient;
     FRAC_2_PI * (adhesion / (1.0 + adhesion * adhesion) + (area_slip * gradient).atan())
@@ -116,7 +118,7 @@ fn spin_share(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
     lever * spin_saturation(gradient)
 }
 
-/// Derivative of μN times that by μN, in m.
+/// Derivative of the product of μN and that share with respect to μN, in m.
 fn spin_share_by_limit(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
     let [lever, gradient] = spin_gradient(contact, eta_c, limit);
     lever * (spin_saturation(gradient) - gradient * spin_saturation_slope(gradient))
@@ -131,8 +133,8 @@ fn spin_gradient(contact: &EllipticContact, eta_c: f64, limit: f64) -> [f64; 2] 
     [9.0 / 16.0 * a * shape, gradient]
 }
 
-/// K_M, dimensionless. With 1 − δ = 2/(1 + ε²) the first term is ε (1 − δ)² (1 + 2δ)/6, in which
-/// nothing cancels.
+/// K_M, dimensionless. With 1 − δ = 2/(1 + ε²) the first term is ε (1 − δ)² (1 + 2δ)/6, which has
+/// no cancellation.
 fn spin_saturation(gradient: f64) -> f64 {
     let rest = 2.0 / (1.0 + gradient * gradient);
     let delta = 1.0 - rest;
@@ -159,7 +161,7 @@ mod tests {
     use crate::reference::kalker_linear::CreepCoefficients;
     use approx::assert_relative_eq;
 
-    /// Polach 1999, K_M as printed, where it can be computed so.
+    /// Polach 1999, K_M as printed, where that form can be evaluated.
     #[test]
     fn polach_1999_spin_saturation() {
         for gradient in [0.1, 0.5, 1.0, 3.0, 8.0_f64] {

@@ -1,20 +1,20 @@
-//! Shen, Hedrick and Elkins: the linear forces, saturated as Vermeulen and Johnson found it.
+//! Shen, Hedrick and Elkins: the linear forces, with the saturation of Vermeulen and Johnson.
 
 use crate::kinematics::Kinematics;
 use crate::solution::Resultant;
 
 use super::EllipticContact;
 
-/// Forces and moment on the wheel, all three the linear ones times |F|/|F_lin|, for a friction
-/// limit μN (in N):
+/// Forces and moment on the wheel, all three being the linear ones times |F|/|F_lin|, for a
+/// friction limit μN (in N):
 ///
 /// |F|/μN = ρ − ρ²/3 + ρ³/27 with ρ = |F_lin|/μN up to 3, and 1 beyond.
 ///
 /// Sources: Vermeulen and Johnson, Contact of nonspherical elastic bodies transmitting tangential
 /// forces, J. Appl. Mech. 31 (1964) 338–340; Shen, Hedrick and Elkins, A comparison of alternative
 /// creep force models for rail vehicle dynamic analysis, 8th IAVSD Symposium (1983) 591–605, who
-/// put Kalker's linear forces with spin into it. Limits: small spin, as large spin saturates the
-/// force in another way; the moment is scaled like the forces, which the sources leave open.
+/// apply it to Kalker's linear forces with spin. Limits: small spin, as large spin saturates the
+/// force differently; the moment is scaled like the forces, which the sources do not specify.
 pub fn force(contact: &EllipticContact, kinematics: &Kinematics, limit: f64) -> Resultant {
     let linear = contact.linear_force(kinematics);
     let saturation = reduction(linear.tangential() / limit);

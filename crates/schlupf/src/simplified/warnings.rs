@@ -1,4 +1,4 @@
-//! What the reader of a fast method's numbers must know.
+//! Warnings of the fast methods for whoever uses the results.
 
 use crate::interface::friction::FrictionState;
 use crate::kalker_coefficients::is_tabulated;
@@ -8,10 +8,10 @@ use crate::problem::Problem;
 use crate::solution::{Power, Resultant};
 use crate::warning::Warning;
 
-/// A force above the friction limit by less than this part of it is rounding.
+/// A force exceeding the friction limit by less than this fraction is rounding error.
 const ROUNDING: f64 = 1e-9;
 
-/// Whatever the reader must know; `limit` is μN, in N.
+/// All warnings of the solution; `limit` is μN, in N.
 pub(super) fn of(
     problem: &Problem,
     normal: &NormalSummary,
@@ -46,7 +46,7 @@ fn of_slender_patch(normal: &NormalSummary, method: &'static str) -> Option<Warn
     (!is_tabulated(axis_ratio)).then_some(Warning::SlenderPatch { method, axis_ratio })
 }
 
-/// A patch that is no ellipse counts as one.
+/// A non-elliptical patch is represented by an ellipse.
 fn of_shape(problem: &Problem, method: &'static str) -> Option<Warning> {
     let normal = problem.normal.normal_contact(None).ok()?;
     let is_table = matches!(normal.pressure, Pressure::Tabulated(..));
@@ -54,10 +54,10 @@ fn of_shape(problem: &Problem, method: &'static str) -> Option<Warning> {
     is_table.then_some(Warning::CountsAsEllipse { method, parts })
 }
 
-/// Part of the creep power by which the friction power may differ unmentioned.
+/// Fraction of the creep power by which the friction power may differ without a warning.
 const LARGEST_GAP: f64 = 0.05;
 
-/// FASTSIM with three flexibilities cannot close the balance of power where spin takes part.
+/// FASTSIM with three flexibilities does not balance the powers if there is spin.
 pub(super) fn of_power(power: Power) -> Option<Warning> {
     let gap = (power.friction - power.creep).abs();
     let (friction, creep, part) = (power.friction, power.creep, LARGEST_GAP);

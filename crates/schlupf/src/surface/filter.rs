@@ -1,9 +1,9 @@
-//! Waviness taken off by the Gaussian filter: of profiles after ISO 16610-21, of maps after ISO
-//! 16610-61.
+//! Removal of waviness by the Gaussian filter: of profiles according to ISO 16610-21, of maps
+//! according to ISO 16610-61.
 //!
 //! Waviness is the mean of the heights with the weights exp(−π (x/(α λc))²), α = √(ln 2/π), along x
 //! and y. A wave of the cut-off wavelength λc keeps half of its height, one of λ keeps 1 − exp(−π
-//! (α λc/λ)²). Near an edge the mean goes over what is there.
+//! (α λc/λ)²). Near an edge the mean is taken over the existing points.
 
 use std::f64::consts::{LN_2, PI};
 
@@ -13,11 +13,11 @@ use crate::error::{Error, require};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// Weights reach so many cut-off wavelengths: beyond, they are below 10⁻⁶.
+/// Range of the weights in cut-off wavelengths: beyond, they are below 10⁻⁶.
 const REACH: f64 = 1.0;
 
 impl HeightMap {
-    /// What is left without waviness of longer waves than a cut-off wavelength (in m).
+    /// The surface without waves longer than a cut-off wavelength (in m).
     pub fn without_waviness(&self, cutoff: f64) -> Result<Self, Error> {
         let lattice = *self.lattice();
         let Lattice { columns, rows, spacing_x, spacing_y } = lattice;
@@ -36,7 +36,7 @@ impl HeightMap {
 }
 
 impl Profile {
-    /// What is left without waviness of longer waves than a cut-off wavelength (in m).
+    /// The profile without waves longer than a cut-off wavelength (in m).
     pub fn without_waviness(&self, cutoff: f64) -> Result<Self, Error> {
         let length = self.spacing() * self.heights().len() as f64;
         require_cutoff(cutoff, self.spacing(), length)?;
@@ -52,14 +52,14 @@ fn require_cutoff(cutoff: f64, spacing: f64, length: f64) -> Result<(), Error> {
     require(Quantity::CutoffWavelength, range, cutoff)
 }
 
-/// Weights of a cell and those after it, dimensionless.
+/// Weights of a cell and the following ones, dimensionless.
 fn weights(cutoff: f64, spacing: f64) -> Vec<f64> {
     // π (x/(α λc))² with α² = ln 2/π
     let weight = |k: usize| libm::exp(-PI * PI / LN_2 * (k as f64 * spacing / cutoff).powi(2));
     (0..=(REACH * cutoff / spacing) as usize).map(weight).collect()
 }
 
-/// Weighted means over the rows, for lines of so many columns.
+/// Weighted means over the rows, for lines with the given number of columns.
 fn mean_across(heights: &[f64], columns: usize, weights: &[f64]) -> Vec<f64> {
     let rows = heights.len() / columns;
     let mut means = vec![0.0; heights.len()];
@@ -79,7 +79,7 @@ fn mean_across(heights: &[f64], columns: usize, weights: &[f64]) -> Vec<f64> {
     means
 }
 
-/// Columns as rows.
+/// Exchanges rows and columns.
 fn transposed(values: &[f64], columns: usize) -> Vec<f64> {
     (0..columns).flat_map(|i| values[i..].iter().step_by(columns).copied()).collect()
 }
@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     /// Goal: the transmission of ISO 16610-21 and -61, 1 − exp(−π (α λc/λ)²): half at the cut-off.
-    /// Away from the edges, for waves along x, along y and askew.
+    /// Away from the edges, for waves along x, along y and oblique.
     #[test]
     fn iso_16610_transmission() {
         let lattice = Lattice { columns: 200, rows: 160, spacing_x: 1e-6, spacing_y: 1.5e-6 };

@@ -1,13 +1,15 @@
 //! Removal of form: the plane, cylinder or sphere that fits a surface best (ISO 25178-2,
 //! F-operator).
 //!
-//! The sum of the squared vertical deviations is least. Cylinder and sphere are the quadric
+//! The fit minimises the sum of the squared vertical deviations. Cylinder and sphere are the
+//! quadric
 //!
 //! n·r = ½ κ (|r|² − (t·r)²)
 //!
 //! with r = (x, y, z − c), the unit normal n in the middle of the surface, the curvature κ, and the
-//! direction t of the axis (t = 0 for a sphere). Their parameters are well defined for a flat piece
-//! too, where the centre is at infinity. They are found by least squares from the best paraboloid.
+//! direction t of the axis (t = 0 for a sphere). These parameters are well defined for a flat
+//! piece, too, where the centre is at infinity. They are found by least squares, starting from the
+//! best paraboloid.
 
 use faer::Mat;
 
@@ -29,7 +31,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// Its name in case files and results.
+    /// Name in case files and results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Plane => "plane",
@@ -39,22 +41,22 @@ impl Form {
     }
 }
 
-/// A surface and the form that was taken off it.
+/// A surface and the form removed from it.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FormRemoval {
-    /// What is left: the vertical deviations.
+    /// The remaining vertical deviations.
     pub surface: HeightMap,
     /// Slope of the form along x and y in the middle, dimensionless.
     pub slope: [f64; 2],
-    /// Radius of the form (in m), positive where convex; infinite for a plane.
+    /// Radius of the form (in m), positive if convex; infinite for a plane.
     pub radius: f64,
-    /// Angle of a cylinder's axis from x (in rad), from −π/2 to π/2; zero for other forms.
+    /// Angle between a cylinder's axis and x (in rad), from −π/2 to π/2; zero for other forms.
     pub axis: f64,
 }
 
 impl HeightMap {
-    /// Takes a form off.
+    /// Removes a form.
     pub fn without_form(&self, form: Form) -> Result<FormRemoval, Error> {
         let lattice = self.lattice();
         let scale = 0.5 * lattice.length_x().hypot(lattice.length_y());
@@ -71,12 +73,12 @@ impl HeightMap {
     }
 }
 
-/// Heights (in m) along a line, points apart by a spacing (in m), over the circle that fits best,
-/// and its radius (in m), positive where convex.
+/// Heights (in m) along a line, with points at a given spacing (in m), above the circle that fits
+/// best, and its radius (in m), positive if convex.
 pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<f64>, f64), Error> {
     let half = 0.5 * heights.len() as f64;
     let scale = half * spacing;
-    // A line across a sphere over y = 0: what is said of y stays zero.
+    // A line across a sphere along y = 0: the parameters for y stay zero.
     let points = (0..heights.len()).map(|i| [(i as f64 + 0.5) / half - 1.0, 0.0]);
     let found = Fit::new(points, heights, scale).form(Form::Sphere)?;
     let Minimum { parameters, residuals, .. } =
@@ -84,26 +86,26 @@ pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<
     Ok((over(scale, residuals), -scale / parameters[3]))
 }
 
-/// How far heights lie over a form (in m), from the residuals of the fit.
+/// Heights above a form (in m), from the residuals of the fit.
 fn over(scale: f64, residuals: Vec<f64>) -> Vec<f64> {
     residuals.into_iter().map(|residual| -scale * residual).collect()
 }
 
-/// The same direction of a line between −π/2 and π/2.
+/// The same direction of a line, between −π/2 and π/2.
 fn half_turn(angle: f64) -> f64 {
     use std::f64::consts::PI;
     angle - PI * (angle / PI).round()
 }
 
-/// Parameters of the quadric, all lengths over the scale: height c and slopes in the middle,
-/// curvature κ (negative where convex), and the angle of a cylinder's axis. From the best
-/// paraboloid 1, x, y, x², xy, y².
+/// Parameters of the quadric, with all lengths divided by the scale: height c and slopes in the
+/// middle, curvature κ (negative if convex), and the angle of a cylinder's axis. Computed from the
+/// best paraboloid 1, x, y, x², xy, y².
 fn start(paraboloid: &[f64], form: Form) -> Vec<f64> {
     let [c, slope_x, slope_y, xx, xy, yy] = [0, 1, 2, 3, 4, 5].map(|k| paraboloid[k]);
     let mut parameters = vec![c, slope_x, slope_y, xx + yy];
     if form == Form::Cylinder {
         let turn = xy.hypot(xx - yy);
-        // The axis lies across the direction of the larger curvature.
+        // The axis is perpendicular to the direction of the larger curvature.
         let (curvature, sign) =
             if xx + yy >= 0.0 { (xx + yy + turn, 1.0) } else { (xx + yy - turn, -1.0) };
         let steepest = 0.5 * (sign * xy).atan2(sign * (xx - yy));
@@ -113,7 +115,7 @@ fn start(paraboloid: &[f64], form: Form) -> Vec<f64> {
     parameters
 }
 
-/// Height of the quadric at a point; NaN where it does not reach so far.
+/// Height of the quadric at a point; NaN where it does not extend that far.
 fn quadric(parameters: &[f64], [x, y]: [f64; 2]) -> f64 {
     let [c, slope_x, slope_y, curvature] = [0, 1, 2, 3].map(|k| parameters[k]);
     let length = (1.0 + slope_x * slope_x + slope_y * slope_y).sqrt();
@@ -141,20 +143,20 @@ fn tangent(n: [f64; 3], angle: f64) -> [f64; 3] {
     [0, 1, 2].map(|k| cosine * first[k] + sine * second[k])
 }
 
-/// Points and heights over the scale, and what is to run through them.
+/// Points and heights divided by the scale, and the form to be fitted.
 struct Fit {
     points: Vec<[f64; 2]>,
     heights: Vec<f64>,
     shape: fn(&[f64], [f64; 2]) -> f64,
 }
 
-/// How often the curvature to start from may be made less.
+/// Maximum number of reductions of the initial curvature.
 const FLATTENINGS: usize = 200;
 
 /// Step for the derivatives.
 const DIFFERENCE: f64 = 1e-6;
 
-/// Fits end where rounding begins.
+/// Fits end at rounding error.
 const LIMITS: Limits =
     Limits { tolerance: 1e-12, reducible: 1e-16, negligible: 0.0, max_iterations: 100 };
 
@@ -165,7 +167,7 @@ impl Residuals for Fit {
         Ok(norm(&deviations).is_finite().then_some(deviations))
     }
 
-    /// By central differences, which are zero for a parameter without influence.
+    /// By central differences, which are zero for a parameter without effect.
     fn jacobian(
         &mut self,
         parameters: &[f64],
@@ -193,7 +195,7 @@ impl Fit {
         Self { points: points.collect(), heights, shape: polynomial }
     }
 
-    /// The best form: its parameters, and the deviations from it, over the scale.
+    /// The best form: its parameters, and the deviations from it, divided by the scale.
     fn form(&mut self, form: Form) -> Result<Option<Minimum>, Error> {
         let terms = if form == Form::Plane { 3 } else { 6 };
         self.shape = polynomial;
@@ -208,7 +210,8 @@ impl Fit {
             if self.residuals(&start)?.is_some() {
                 break;
             }
-            // The paraboloid was too curved for a sphere of its curvature to reach the corners.
+            // The paraboloid was too strongly curved for a sphere of its curvature to reach the
+            // corners.
             start[3] *= 0.8;
         }
         minimise(self, &start, &LIMITS)
@@ -247,8 +250,7 @@ mod tests {
         assert_eq!(removal.radius.abs(), f64::INFINITY);
     }
 
-    /// A ball of radius 2 mm whose summit lies beside the middle, and a cup: exact to rounding
-    /// error.
+    /// A ball of radius 2 mm whose summit is off-centre, and a cup: exact to rounding error.
     #[test]
     fn a_sphere_is_taken_off() {
         for sign in [1.0, -1.0] {
@@ -263,7 +265,7 @@ mod tests {
         }
     }
 
-    /// A wheel tread of 5 mm radius whose axis lies askew and tilted.
+    /// A wheel tread of 5 mm radius whose axis is oblique and tilted.
     #[test]
     fn a_cylinder_is_taken_off() {
         for angle in [0.3_f64, -1.2, 1.5] {
@@ -280,7 +282,7 @@ mod tests {
         }
     }
 
-    /// Heights whose squares overflow have no form, and are told so in finite time.
+    /// Heights whose squares overflow have no form, and this is reported in finite time.
     #[test]
     fn heights_beyond_all_bounds_have_no_form() {
         let huge = HeightMap::from_fn(LATTICE, |x, _| 1e165 * (x / 1e-5).sin()).unwrap();
@@ -290,7 +292,7 @@ mod tests {
         }
     }
 
-    /// A surface without curvature has a sphere of nearly infinite radius, not an error.
+    /// A surface without curvature gives a sphere of nearly infinite radius, not an error.
     #[test]
     fn a_plane_is_a_large_sphere() {
         let surface = HeightMap::from_fn(LATTICE, |x, y| 0.3 * x + texture(x, y)).unwrap();

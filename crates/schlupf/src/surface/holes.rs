@@ -1,11 +1,11 @@
-//! Cells in which nothing was measured: NaN or infinite heights.
+//! Cells without a measured height: NaN or infinite heights.
 
 use super::{HeightMap, Lattice, require_count};
 use crate::error::{Error, SurfaceError};
 use crate::numerics::interpolation::bilinear;
 use crate::numerics::vector::{add_scaled, dot, norm};
 
-/// What becomes of holes.
+/// Treatment of holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Holes {
     /// They are an error.
@@ -15,18 +15,18 @@ pub enum Holes {
     Fill,
 }
 
-/// At most this part of the cells or points may be holes, dimensionless.
+/// Largest admissible fraction of cells or points that are holes, dimensionless.
 const LARGEST_SHARE: f64 = 0.5;
 
-/// Residual of a cell (root mean square) over the range of heights, dimensionless; and more
-/// iterations than reach it.
+/// Residual of a cell (root mean square) relative to the range of heights, dimensionless; and more
+/// iterations than are needed to reach it.
 const SETTLED: f64 = 1e-8;
 const ITERATIONS: usize = 20_000;
 
-/// Lattices with fewer cells than this along a side are not made coarser along it.
+/// Lattices with fewer cells than this along a side are not coarsened along it.
 const COARSEST: usize = 8;
 
-/// Refuses heights of which too many are missing.
+/// Rejects heights of which too many are missing.
 pub fn require_few(heights: &[f64]) -> Result<(), Error> {
     let missing = heights.iter().filter(|height| !height.is_finite()).count();
     if missing as f64 <= LARGEST_SHARE * heights.len() as f64 {
@@ -37,12 +37,13 @@ pub fn require_few(heights: &[f64]) -> Result<(), Error> {
 }
 
 impl HeightMap {
-    /// From heights (in m) row after row with holes, which are filled with the solution of
-    /// Laplace's equation: no summits or pits of their own, no step at their edges. Filled cells
-    /// are smoother than the surface, so the more there are the less rough is what comes out.
+    /// A map from heights (in m) row after row with holes, which are filled with the solution of
+    /// Laplace's equation: it has no summits or pits of its own, and no step at the edges of the
+    /// holes. Filled cells are smoother than the surface, so the more there are, the smoother the
+    /// result.
     ///
     /// # Errors
-    /// As [`HeightMap::new`] where holes are rejected; holes in more than half of the cells.
+    /// As [`HeightMap::new`] if holes are to be rejected; holes in more than half of the cells.
     pub fn with_holes(lattice: Lattice, heights: Vec<f64>, holes: Holes) -> Result<Self, Error> {
         if holes == Holes::Refuse {
             return Self::new(lattice, heights);
@@ -57,7 +58,8 @@ impl HeightMap {
 }
 
 /// Solves Laplace's equation in the holes, first on a lattice of half as many cells along the sides
-/// that are long enough. Where a hole reaches the edge of the map, there is no slope across it.
+/// that are long enough. Where a hole reaches the edge of the map, the slope normal to the edge is
+/// zero.
 fn fill(lattice: &Lattice, heights: &mut [f64]) -> Result<(), Error> {
     let missing: Vec<usize> =
         (0..heights.len()).filter(|cell| !heights[*cell].is_finite()).collect();
@@ -82,7 +84,7 @@ fn fill(lattice: &Lattice, heights: &mut [f64]) -> Result<(), Error> {
     Laplace::new(lattice, &missing, heights).solve(heights)
 }
 
-/// The mean of each so many by so many cells, of those that are known.
+/// The means of blocks of cells, over the known heights.
 fn coarser(lattice: &Lattice, heights: &[f64], by: [usize; 2]) -> (Lattice, Vec<f64>) {
     let columns = lattice.columns.div_ceil(by[0]);
     let coarse = Lattice {
@@ -100,7 +102,7 @@ fn coarser(lattice: &Lattice, heights: &[f64], by: [usize; 2]) -> (Lattice, Vec<
     (coarse, sums.iter().map(|[sum, count]| sum / count).collect())
 }
 
-/// The height of a fine cell, linear between the nearest coarse ones.
+/// The height of a fine cell, interpolated linearly between the nearest coarse ones.
 fn between(coarse: &Lattice, heights: &[f64], place: [usize; 2], by: [usize; 2]) -> f64 {
     let near = |at: usize, by: usize, count: usize| {
         if by == 1 {
@@ -116,20 +118,20 @@ fn between(coarse: &Lattice, heights: &[f64], place: [usize; 2], by: [usize; 2])
     bilinear([to_outer_x, to_outer_y]).iter().zip(corners).map(|(w, height)| w * height).sum()
 }
 
-/// Laplace's equation in some cells: Σ w (h − h of the neighbour) = 0, w the length of the common
-/// edge over the distance.
+/// Laplace's equation in some cells: Σ w (h − h of the neighbour) = 0, where w is the length of the
+/// common edge divided by the distance.
 struct Laplace<'a> {
     missing: &'a [usize],
-    /// Numbers of the missing neighbours of each missing cell.
+    /// Indices of the missing neighbours of each missing cell.
     neighbours: Vec<[u32; 4]>,
     weights: [f64; 4],
     /// Sums of the weights.
     diagonal: Vec<f64>,
-    /// What the known neighbours of each missing cell contribute, in m.
+    /// Contribution of the known neighbours of each missing cell, in m.
     known: Vec<f64>,
 }
 
-/// No missing cell.
+/// Marks the absence of a missing cell.
 const NONE: u32 = u32::MAX;
 
 impl<'a> Laplace<'a> {
@@ -161,13 +163,14 @@ impl<'a> Laplace<'a> {
         equations
     }
 
-    /// By conjugate gradients with the diagonal as preconditioner, from the heights that are there.
+    /// Solves by conjugate gradients with the diagonal as preconditioner, starting from the present
+    /// heights.
     fn solve(&self, heights: &mut [f64]) -> Result<(), Error> {
         let mut found: Vec<f64> = self.missing.iter().map(|cell| heights[*cell]).collect();
         let mut image = vec![0.0; found.len()];
         self.apply(&found, &mut image);
         let mut residual: Vec<f64> = self.known.iter().zip(&image).map(|(b, a)| b - a).collect();
-        // Heights count from anywhere: what is settled is measured by how much they differ.
+        // The origin of heights is arbitrary: convergence is measured relative to their range.
         let differ = spread(heights);
         let limit = SETTLED * differ * (found.len() as f64).sqrt();
         let mut direction = vec![0.0; found.len()];
@@ -200,15 +203,15 @@ impl<'a> Laplace<'a> {
     }
 }
 
-/// How far heights lie apart, in m.
+/// Range of heights, in m.
 fn spread(heights: &[f64]) -> f64 {
     let start = [f64::INFINITY, f64::NEG_INFINITY];
     let [low, high] = heights.iter().fold(start, |[low, high], h| [low.min(*h), high.max(*h)]);
-    // The rounding of equal heights is settled, too.
+    // Rounding error of equal heights counts as converged, too.
     (high - low).max(1e-6 * high.abs().max(low.abs()))
 }
 
-/// Cells that share an edge with a cell, left, right, below and above.
+/// Cells that share an edge with a cell: left, right, below and above.
 fn neighbours(lattice: &Lattice, cell: usize) -> [Option<usize>; 4] {
     let Lattice { columns, rows, .. } = *lattice;
     let (i, j) = (cell % columns, cell / columns);
@@ -226,8 +229,8 @@ mod tests {
 
     use super::*;
 
-    /// x² − y² solves Laplace's equation, also with differences of neighbours: a hole in it is
-    /// filled with it.
+    /// x² − y² solves Laplace's equation, also in its discrete form: a hole in it is filled
+    /// exactly.
     #[test]
     fn a_harmonic_surface_is_restored() {
         let lattice = Lattice { columns: 40, rows: 30, spacing_x: 1.0, spacing_y: 1.5 };

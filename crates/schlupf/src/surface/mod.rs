@@ -1,7 +1,7 @@
-//! Surfaces: heights on a regular lattice, measured or made up.
+//! Surfaces: heights on a regular lattice, measured or synthetic.
 //!
-//! Heights count out of the material. They are taken in the middle of rectangular cells; the first
-//! row holds the cells along x with the smallest y.
+//! Heights are positive out of the material. They are given at the centres of rectangular cells;
+//! the first row contains the cells along x with the smallest y.
 
 pub mod filter;
 pub mod form;
@@ -68,24 +68,24 @@ impl Lattice {
         self.length_x() * self.length_y()
     }
 
-    /// Middle of column `i` (in m), counted from the middle of the lattice.
+    /// Centre of column `i` (in m), relative to the centre of the lattice.
     pub fn x(&self, i: usize) -> f64 {
         (i as f64 + 0.5 - 0.5 * self.columns as f64) * self.spacing_x
     }
 
-    /// Middle of row `j` (in m), counted from the middle of the lattice.
+    /// Centre of row `j` (in m), relative to the centre of the lattice.
     pub fn y(&self, j: usize) -> f64 {
         (j as f64 + 0.5 - 0.5 * self.rows as f64) * self.spacing_y
     }
 
-    /// Middles of all cells, row after row, in m.
+    /// Centres of all cells, row after row, in m.
     pub fn points(&self) -> impl Iterator<Item = [f64; 2]> {
         let lattice = *self;
         (0..self.rows)
             .flat_map(move |j| (0..lattice.columns).map(move |i| [lattice.x(i), lattice.y(j)]))
     }
 
-    /// Checks that there are at least two cells each way, of positive size.
+    /// Checks that there are at least two cells in each direction, of positive size.
     pub fn check(&self) -> Result<(), Error> {
         let counts = [(Quantity::Columns, self.columns), (Quantity::Rows, self.rows)];
         for (quantity, count) in counts {
@@ -100,11 +100,11 @@ impl Lattice {
     }
 }
 
-/// Cells each way that memory and transforms still take.
+/// Maximum number of cells in one direction, limited by memory and transforms.
 const LARGEST: usize = 1 << 20;
 
-/// Cells whose transforms, twice as long each way and complex, fit into the addresses there are:
-/// 2²⁴ on a machine of 32 bits.
+/// Maximum number of cells, whose transforms, twice as long in each direction and complex, must fit
+/// into the address space: 2²⁴ on a 32-bit machine.
 const LARGEST_TOGETHER: usize = 1 << (usize::BITS - 8);
 
 /// Heights on a lattice, all finite.
@@ -116,11 +116,11 @@ pub struct HeightMap {
 }
 
 impl HeightMap {
-    /// From heights (in m) row after row.
+    /// A map from heights (in m), row after row.
     ///
     /// # Errors
-    /// A lattice without cells, another number of heights, one that is not finite: holes must be
-    /// filled before (see [`holes`]).
+    /// A lattice without cells, a wrong number of heights, a height that is not finite: holes must
+    /// be filled beforehand (see [`holes`]).
     pub fn new(lattice: Lattice, heights: Vec<f64>) -> Result<Self, Error> {
         lattice.check()?;
         require_count(&lattice, heights.len())?;
@@ -131,7 +131,7 @@ impl HeightMap {
         Ok(Self { lattice, heights, is_periodic: false })
     }
 
-    /// Heights given by a function of x and y (in m), counted from the middle of the lattice.
+    /// Heights given by a function of x and y (in m), relative to the centre of the lattice.
     ///
     /// ```
     /// use schlupf::surface::{HeightMap, Lattice, statistics::Statistics};
@@ -147,18 +147,18 @@ impl HeightMap {
         Self::new(lattice, lattice.points().map(|[x, y]| height(x, y)).collect())
     }
 
-    /// The same surface, known to continue periodically without a jump, as made ones do.
+    /// The same surface, marked as continuing periodically without a jump, like synthetic ones.
     pub fn into_periodic(self) -> Self {
         Self { is_periodic: true, ..self }
     }
 
-    /// Whether the surface is known to continue periodically without a jump. One that is not needs
-    /// a window before its spectrum is taken (see [`spectrum::Window::of`]).
+    /// Whether the surface is known to continue periodically without a jump. Otherwise a window is
+    /// needed before its spectrum is computed (see [`spectrum::Window::of`]).
     pub fn is_periodic(&self) -> bool {
         self.is_periodic
     }
 
-    /// Where the heights are.
+    /// The lattice of the heights.
     pub fn lattice(&self) -> &Lattice {
         &self.lattice
     }
@@ -179,13 +179,13 @@ impl HeightMap {
         self.heights.iter().fold(start, |[low, high], h| [low.min(*h), high.max(*h)])
     }
 
-    /// The same surface counted from its mean height.
+    /// The same surface with heights relative to its mean height.
     pub fn about_its_mean(&self) -> Self {
         let mean = self.mean();
         self.with_heights(|height| height - mean)
     }
 
-    /// The same surface with all heights times a factor (dimensionless).
+    /// The same surface with all heights multiplied by a factor (dimensionless).
     pub fn scaled(&self, factor: f64) -> Self {
         self.with_heights(|height| factor * height)
     }
@@ -196,13 +196,13 @@ impl HeightMap {
         self.with_heights(|height| summit - height)
     }
 
-    /// Undeformed distance between two surfaces that touch in one point: both heights count out of
-    /// their own body, and cells of the same number face each other.
+    /// Undeformed distance between two surfaces that touch at one point: both heights are positive
+    /// out of their own body, and cells with the same index face each other.
     pub fn distance_to(&self, other: &Self) -> Result<Self, Error> {
         Ok(self.plus(other)?.distance_to_plane())
     }
 
-    /// The sum of the heights of two surfaces: the roughness of both together.
+    /// The sum of the heights of two surfaces: their combined roughness.
     pub fn plus(&self, other: &Self) -> Result<Self, Error> {
         if self.lattice != other.lattice {
             let both = [&self.lattice, &other.lattice];
@@ -216,8 +216,8 @@ impl HeightMap {
         Ok(Self { lattice: self.lattice, heights, is_periodic })
     }
 
-    /// Refuses a surface without roughness: relative to its size, heights that differ by rounding
-    /// only.
+    /// Rejects a surface without roughness: one whose heights differ, relative to its size, only by
+    /// rounding error.
     pub fn require_rough(&self) -> Result<(), Error> {
         let [low, high] = self.range();
         let rounding = 1e-13 * low.abs().max(high.abs());

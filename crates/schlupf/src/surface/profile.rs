@@ -1,5 +1,4 @@
-//! A measured profile, one line across a surface, and the surface alike in all directions that has
-//! it.
+//! A measured profile, one line across a surface, and the isotropic surface that has this profile.
 
 use std::f64::consts::TAU;
 
@@ -22,12 +21,12 @@ pub struct Profile {
     heights: Vec<f64>,
 }
 
-/// The fewest points that make a spectrum.
+/// Minimum number of points for a spectrum.
 const FEWEST: usize = 64;
 
 impl Profile {
-    /// From the spacing (in m) and the heights (in m). The straight line that fits best is taken
-    /// off.
+    /// A profile from the spacing (in m) and the heights (in m). The best-fit straight line is
+    /// removed.
     pub fn new(spacing: f64, heights: &[f64]) -> Result<Self, Error> {
         require_positive(Quantity::SpacingX, spacing)?;
         let (quantity, fewest, count) = (Quantity::Heights, FEWEST, heights.len());
@@ -45,12 +44,12 @@ impl Profile {
         Ok(profile)
     }
 
-    /// Distance of two points, in m.
+    /// Distance between two points, in m.
     pub fn spacing(&self) -> f64 {
         self.spacing
     }
 
-    /// Heights over the best straight line, in m.
+    /// Heights above the best-fit straight line, in m.
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
@@ -60,8 +59,8 @@ impl Profile {
         root_mean_square(&self.heights)
     }
 
-    /// The profile without the circle that fits best, and its radius (in m), positive where convex.
-    /// This is the form of a line across a cylinder or a sphere.
+    /// The profile without its best-fit circle, and the radius of the circle (in m), positive if
+    /// convex. This removes the form of a line across a cylinder or a sphere.
     pub fn without_circle(&self) -> Result<(Self, f64), Error> {
         let (heights, radius) = line_without_circle(self.spacing, &self.heights)?;
         Ok((Self::new(self.spacing, &heights)?, radius))
@@ -72,14 +71,14 @@ impl Profile {
     pub fn isotropic_spectrum(&self) -> RingSpectrum {
         let (step, variances) = self.line_spectrum();
         let spectrum = RingSpectrum::of_line(&variances, step);
-        // The window made waves in the middle of the line count more.
+        // The window gave waves in the middle of the line a larger weight.
         let found = spectrum.root_mean_square_height();
         spectrum.scaled(self.root_mean_square_height() / found)
     }
 
-    /// A surface alike in all directions with the spectrum and the root mean square height of this
-    /// profile. Waves longer than the profile or the lattice and shorter than two of its points or
-    /// cells are not in it, nor their share of the height.
+    /// An isotropic surface with the spectrum and the root mean square height of this profile.
+    /// Waves longer than the profile or the lattice and shorter than two of its points or cells are
+    /// missing, and so is their share of the height.
     pub fn isotropic_surface(&self, lattice: Lattice, seed: u64) -> Result<HeightMap, Error> {
         let spectrum = self.isotropic_spectrum();
         let surface = isotropic(lattice, |q| spectrum.density(q), seed)?;
@@ -98,7 +97,7 @@ impl Profile {
         let mut field: Vec<f64> =
             self.heights.iter().zip(hann(count)).map(|(height, weight)| height * weight).collect();
         let mut values = transform.make_output_vec();
-        // It fails only on slices of a wrong length.
+        // It fails only for slices of the wrong length.
         let _ = transform.process(&mut field, &mut values);
         let variance = 2.0 / (count as f64 * count as f64);
         let mut variances: Vec<f64> =
@@ -111,7 +110,7 @@ impl Profile {
     }
 }
 
-/// Heights over the straight line that fits best.
+/// Heights above the best-fit straight line.
 fn levelled(heights: &[f64]) -> Vec<f64> {
     let count = heights.len() as f64;
     let mean = heights.iter().sum::<f64>() / count;
@@ -131,9 +130,9 @@ mod tests {
     use super::super::synthesis::{Roughness, SelfAffine};
     use super::*;
 
-    /// Goal: lines across an isotropic surface give its height and gradient back. Set-up:
-    /// self-affine surface of 1024² cells; every 64th line as a profile; the mean over them,
-    /// because a single line scatters.
+    /// Goal: lines across an isotropic surface return its height and gradient. Set-up: self-affine
+    /// surface of 1024² cells; every 64th line as a profile; the mean over them, because a single
+    /// line scatters.
     #[test]
     fn lines_across_a_surface_give_its_spectrum_back() {
         let lattice = Lattice::square(1024, 1e-3);
@@ -160,7 +159,7 @@ mod tests {
         assert_relative_eq!(found, gradient, max_relative = 0.05);
     }
 
-    /// A surface made from a profile has the spectrum's height, whatever the seed.
+    /// A surface generated from a profile has the height of the spectrum, whatever the seed.
     #[test]
     fn a_surface_from_a_profile_has_its_roughness() {
         let wave = |i: usize, length: f64, phase: f64| (TAU * i as f64 / length + phase).sin();
@@ -171,16 +170,16 @@ mod tests {
         let surface = profile.isotropic_surface(lattice, 5).unwrap();
         let statistics = Statistics::of(&surface).unwrap();
         let height = profile.isotropic_spectrum().root_mean_square_height();
-        // A part of 10⁻⁶ lies in waves too short for the lattice.
+        // A fraction of 10⁻⁶ is in waves too short for the lattice.
         assert_relative_eq!(statistics.root_mean_square_height, height, max_relative = 1e-5);
         assert_relative_eq!(height, profile.root_mean_square_height(), max_relative = 1e-9);
     }
 
     /// Goal: the spectrum from a single line is that of the surface ring by ring, without gaps.
     /// Set-up: 1024² cells, H = 0.8 and 0.3 with and without a plateau; 16 lines, each on its own.
-    /// A line holds few of the longest waves, and the end of a spectrum is blurred by a ring:
-    /// looked at is what lies between, from two thirds of the longest wave. Compared with the
-    /// spectrum put in.
+    /// A line contains few of the longest waves, and the end of a spectrum is blurred by one ring:
+    /// the comparison is restricted to what lies between, from two thirds of the longest wave.
+    /// Compared with the prescribed spectrum.
     #[test]
     fn single_lines_give_the_spectrum_without_gaps() {
         for (hurst_exponent, roll_off, seed) in [(0.8, 1e-4, 1), (0.8, 4e-5, 2), (0.3, 1e-4, 3)] {
@@ -213,7 +212,7 @@ mod tests {
         }
     }
 
-    /// A line across a tread of 0.46 m radius keeps its roughness only.
+    /// A line across a tread of 0.46 m radius retains only its roughness.
     #[test]
     fn a_circle_is_taken_off() {
         for radius in [0.46, -0.46] {

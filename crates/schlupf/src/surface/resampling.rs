@@ -5,9 +5,10 @@ use crate::error::Error;
 use crate::numerics::interpolation::catmull_rom;
 
 impl HeightMap {
-    /// The surface in `columns` × `rows` cells on the same area. Along a side that gets coarser,
-    /// cells take the mean of what they cover, which loses the waves that they could not carry;
-    /// along one that gets finer, heights are interpolated by cubics (Catmull and Rom 1974).
+    /// The surface in `columns` × `rows` cells on the same area. Along a side that becomes coarser,
+    /// cells take the mean of the cells they cover, which removes the waves that they could not
+    /// represent; along one that becomes finer, heights are interpolated by cubics (Catmull and Rom
+    /// 1974).
     pub fn resampled(&self, columns: usize, rows: usize) -> Result<Self, Error> {
         let old = self.lattice();
         let lattice = Lattice {
@@ -30,8 +31,8 @@ impl HeightMap {
         Self::new(lattice, heights)
     }
 
-    /// The surface in square cells as large as the shorter side of the present ones, on the same
-    /// area to within half a cell.
+    /// The surface in square cells with the shorter side of the present ones, on the same area to
+    /// within half a cell.
     pub fn with_square_cells(&self) -> Result<Self, Error> {
         let old = *self.lattice();
         if old.has_square_cells() {
@@ -46,17 +47,17 @@ impl HeightMap {
     }
 }
 
-/// What text files round spacings to, dimensionless.
+/// Rounding of spacings in text files, dimensionless.
 const ROUNDING: f64 = 1e-4;
 
 impl Lattice {
-    /// Whether the cells are as long as wide, to the rounding of a text file.
+    /// Whether the cells are square, to the rounding of a text file.
     pub fn has_square_cells(&self) -> bool {
         (self.spacing_x / self.spacing_y - 1.0).abs() <= ROUNDING
     }
 }
 
-/// What each new cell of a side takes of the old ones.
+/// Weights of the old cells in each new cell of a side.
 struct Weights(Vec<Vec<(usize, f64)>>);
 
 impl Weights {
@@ -73,8 +74,8 @@ impl Weights {
     }
 }
 
-/// Weights for the mean over a new cell, `ratio` old cells long. Within an old cell the surface
-/// slopes as its neighbours say.
+/// Weights for the mean over a new cell, `ratio` old cells long. Within an old cell the surface has
+/// the slope given by its neighbours.
 fn covered(cell: usize, ratio: f64, old: usize) -> Vec<(usize, f64)> {
     let (start, end) = (cell as f64 * ratio, (cell + 1) as f64 * ratio);
     let mut weights = Vec::with_capacity(ratio as usize + 6);
@@ -90,8 +91,8 @@ fn covered(cell: usize, ratio: f64, old: usize) -> Vec<(usize, f64)> {
     weights
 }
 
-/// Weights of the four nearest old cells for the middle of a new one; beyond the edge the surface
-/// goes on straight.
+/// Weights of the four nearest old cells for the centre of a new one; beyond the edge the surface
+/// is extrapolated linearly.
 fn cubic(cell: usize, ratio: f64, old: usize) -> Vec<(usize, f64)> {
     let position = (cell as f64 + 0.5) * ratio - 0.5;
     let first = position.floor();
@@ -127,7 +128,7 @@ mod tests {
         HeightMap::from_fn(lattice, |x, y| 2.0 + 3.0 * x - y).unwrap()
     }
 
-    /// A plane stays what it is on any lattice, its edges included.
+    /// A plane is unchanged on any lattice, including its edges.
     #[test]
     fn a_plane_stays_a_plane() {
         for (columns, rows) in [(12, 6), (24, 13), (5, 4), (7, 17), (2, 2)] {
@@ -139,7 +140,7 @@ mod tests {
         }
     }
 
-    /// Coarser cells keep the mean; a smooth wave is interpolated to third order.
+    /// Coarser cells preserve the mean; a smooth wave is interpolated to third order.
     #[test]
     fn the_mean_stays_and_a_wave_is_kept() {
         let lattice = Lattice { columns: 48, rows: 3, spacing_x: 1.0, spacing_y: 1.0 };

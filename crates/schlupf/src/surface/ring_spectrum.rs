@@ -1,17 +1,17 @@
-//! From the spectrum of a line to that of the isotropic surface that it crosses.
+//! The spectrum of an isotropic surface from that of a line across it.
 //!
 //! The spectrum of a line across an isotropic surface is C₁(qₓ) = ∫ C(√(qₓ² + q_y²)) dq_y, an Abel
-//! transform (Nayak 1971). One line scatters: each of its waves has a variance that is off by as
-//! much as itself, and to undo the transform makes that worse. So the surface is sought whose
-//! spectrum C, constant in rings, makes the line likely (Whittle 1953) and is smooth: with the mean
-//! variance I_k of the line in band k, n_k independent waves in it, and S_k = Σ_j K_kj exp θ_j of
-//! the rings' ln C = θ,
+//! transform (Nayak 1971). A single line scatters: the standard deviation of the variance of each
+//! of its waves is as large as the variance itself, and inverting the transform amplifies this.
+//! Therefore the surface is sought whose spectrum C, constant in rings, makes the line likely
+//! (Whittle 1953) and is smooth: with the mean variance I_k of the line in band k, n_k independent
+//! waves in it, and S_k = Σ_j K_kj exp θ_j of the rings' ln C = θ,
 //!
 //! Σ_k n_k (ln S_k + I_k/S_k) + λ Σ_j ψ(d_j)
 //!
-//! is least, where d_j is the change of the exponent d ln C/d ln q from ring to ring and ψ(d) = ½
-//! ε² ln(1 + d²/ε²) forgives where a spectrum begins or ends abruptly. It is found by Fisher's
-//! scoring, damped after Levenberg and Marquardt. C is positive by itself.
+//! is minimised, where d_j is the change of the exponent d ln C/d ln q from ring to ring and ψ(d) =
+//! ½ ε² ln(1 + d²/ε²) tolerates abrupt beginnings and ends of a spectrum. The minimum is found by
+//! Fisher's scoring with Levenberg–Marquardt damping. C is positive by construction.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,29 +27,30 @@ pub struct RingSpectrum {
     densities: Vec<f64>,
 }
 
-/// Bands of wave numbers in a decade, where there are as many waves.
+/// Number of bands of wave numbers per decade, where there are as many waves.
 const BANDS_IN_DECADE: f64 = 25.0;
 
 /// λ and ε, dimensionless.
 const SMOOTHNESS: f64 = 1.0;
 const FORGIVEN: f64 = 5.0;
 
-/// Part of the waves that are independent of their neighbours: a Hann window spreads each over
+/// Fraction of the waves that are independent of their neighbours: a Hann window spreads each over
 /// three.
 const INDEPENDENT: f64 = 0.5;
 
-/// Where nothing of the largest variance is left; dimensionless.
+/// Fraction of the largest variance below which nothing is left; dimensionless.
 const FLOOR: f64 = 1e-14;
 
-/// Scoring steps, the decrease that ends them, and the largest change of ln C in one.
+/// Maximum number of scoring steps, the decrease that ends them, and the largest change of ln C in
+/// one step.
 const STEPS: usize = 300;
 const SETTLED: f64 = 1e-6;
 const LARGEST_CHANGE: f64 = 5.0;
 const LARGEST_DAMPING: f64 = 1e12;
 
 impl RingSpectrum {
-    /// Of the surface that has a line with these variances (in m²) by number of waves, from none
-    /// on, the wave numbers apart by a step (in rad/m).
+    /// The spectrum of the surface that has a line with these variances (in m²) by number of waves,
+    /// starting from zero, where the wave numbers have a given step (in rad/m).
     pub(super) fn of_line(variances: &[f64], step: f64) -> Self {
         let bands = bands(variances.len());
         let edges: Vec<f64> = bands.iter().map(|band| (*band as f64 - 0.5) * step).collect();
@@ -63,12 +64,12 @@ impl RingSpectrum {
         let line: Vec<f64> = means.iter().map(|mean| mean.max(FLOOR * largest) / largest).collect();
         let likelihood = Likelihood::new(line, &bands);
         let densities = likelihood.most_likely();
-        // The rings were counted in waves, the line in its largest variance.
+        // The rings were counted in waves, the line in units of its largest variance.
         let unit = largest / (step * step);
         Self { densities: densities.iter().map(|theta| unit * theta.exp()).collect(), edges }
     }
 
-    /// C(q) (in m⁴) at a wave number (in rad/m); zero outside of all rings.
+    /// C(q) (in m⁴) at a wave number (in rad/m); zero outside all rings.
     pub fn density(&self, wave_number: f64) -> f64 {
         let above = self.edges.partition_point(|edge| *edge <= wave_number);
         above.checked_sub(1).and_then(|ring| self.densities.get(ring)).copied().unwrap_or(0.0)
@@ -89,7 +90,7 @@ impl RingSpectrum {
         self.moment([0.0, f64::INFINITY], |q| 0.5 * PI * q.powi(4)).sqrt()
     }
 
-    /// The same spectrum with all heights times a factor (dimensionless).
+    /// The same spectrum with all heights multiplied by a factor (dimensionless).
     pub(super) fn scaled(self, factor: f64) -> Self {
         let densities = self.densities.iter().map(|density| factor * factor * density).collect();
         Self { densities, ..self }
@@ -121,13 +122,13 @@ fn bands(end: usize) -> Vec<usize> {
     }
 }
 
-/// Area of a disc within the distance `half_width` of a line through its middle.
+/// Area of a disc within the distance `half_width` of a line through its centre.
 fn strip(radius: f64, half_width: f64) -> f64 {
     let angle = if half_width < radius { (half_width / radius).asin() } else { FRAC_PI_2 };
     radius * radius * (2.0 * angle + (2.0 * angle).sin())
 }
 
-/// How likely a line is, and how smooth the spectrum; wave numbers counted in waves.
+/// Likelihood of a line and smoothness of the spectrum; wave numbers are counted in waves.
 struct Likelihood {
     /// I.
     line: Vec<f64>,
@@ -135,7 +136,7 @@ struct Likelihood {
     independent: Vec<f64>,
     /// K: variance of a wave in a band (row) for C = 1 in a ring (column).
     shares: Mat<f64>,
-    /// Inverse distances of the rings in ln q.
+    /// Inverse distances between the rings in ln q.
     closeness: Vec<f64>,
 }
 
@@ -154,7 +155,7 @@ impl Likelihood {
         Self { line, independent, shares, closeness }
     }
 
-    /// θ = ln C for which the line is most likely.
+    /// The θ = ln C for which the line is most likely.
     fn most_likely(&self) -> Vec<f64> {
         let count = self.line.len();
         let mut theta: Vec<f64> =
@@ -171,7 +172,7 @@ impl Likelihood {
                     break (trial, trial_cost);
                 }
                 damping *= 5.0;
-                // Where no step is downhill any more the rest is rounding.
+                // If no step is downhill any more the rest is rounding error.
                 if damping > LARGEST_DAMPING {
                     return theta;
                 }
@@ -189,7 +190,7 @@ impl Likelihood {
     fn model(&self, theta: &[f64]) -> Vec<f64> {
         let densities: Vec<f64> = theta.iter().map(|theta| theta.exp()).collect();
         let of_band = |band: usize| {
-            // A ring is seen in no band beyond it.
+            // A ring contributes to no band beyond it.
             let seen = densities.iter().enumerate().skip(band);
             seen.map(|(ring, density)| self.shares[(band, ring)] * density).sum()
         };
@@ -244,7 +245,7 @@ impl Likelihood {
     }
 }
 
-/// After a damped step.
+/// θ after a damped step.
 fn moved(theta: &[f64], matrix: &Mat<f64>, gradient: &[f64], damping: f64) -> Vec<f64> {
     let count = theta.len();
     let mut damped = matrix.clone();

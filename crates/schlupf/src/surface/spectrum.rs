@@ -1,27 +1,27 @@
 //! The power spectral density of a surface.
 //!
-//! C(q) is the part of the variance of the heights in an area of wave vectors: ⟨h²⟩ = ∫ C(q) d²q,
-//! and h_rms² = 2π ∫ C(q) q dq where all directions are alike (Persson et al. 2005, J. Phys.
-//! Condens. Matter 17, R1). On a lattice of area A the wave vector q has C(q) = (A/4π²) |h_q|², h_q
-//! the mean of h(x) exp(−i q·x).
+//! C(q) is the contribution to the variance of the heights per unit area of wave vectors: ⟨h²⟩ = ∫
+//! C(q) d²q, and h_rms² = 2π ∫ C(q) q dq for an isotropic surface (Persson et al. 2005, J. Phys.
+//! Condens. Matter 17, R1). On a lattice of area A the wave vector q has C(q) = (A/4π²) |h_q|²,
+//! where h_q is the mean of h(x) exp(−i q·x).
 
 use std::f64::consts::{PI, TAU};
 
 use super::HeightMap;
 use crate::fourier::RealTransform;
 
-/// What is done against the jump where a surface that is not periodic is continued.
+/// Treatment of the jump where a surface that is not periodic is continued.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Window {
     /// Nothing: for periodic surfaces.
     None,
-    /// Heights fade out to the edge as sin², and count more in the middle.
+    /// Heights fade out towards the edge as sin², and have a larger weight in the middle.
     #[default]
     Hann,
 }
 
 impl Window {
-    /// The one that a surface needs.
+    /// The window that a surface needs.
     pub fn of(surface: &HeightMap) -> Self {
         if surface.is_periodic() { Self::None } else { Self::Hann }
     }
@@ -38,8 +38,8 @@ pub struct RadialSpectrum {
 }
 
 impl RadialSpectrum {
-    /// Of the heights about their mean, in rings as wide as the step of wave numbers along the
-    /// shorter side, up to the shortest wave that the lattice carries in every direction.
+    /// Spectrum of the heights about their mean, in rings as wide as the step of wave numbers along
+    /// the shorter side, up to the shortest wave that the lattice can represent in every direction.
     pub fn of(surface: &HeightMap, window: Window) -> Self {
         let lattice = surface.lattice();
         let weights = [lattice.columns, lattice.rows].map(|count| weights(count, window));
@@ -62,18 +62,18 @@ impl RadialSpectrum {
 pub struct PowerLaw {
     /// Hurst exponent H, dimensionless, from 0 to 1.
     pub hurst_exponent: f64,
-    /// Between which wave numbers, in rad/m.
+    /// Range of wave numbers, in rad/m.
     pub wave_numbers: [f64; 2],
 }
 
-/// The power law holds from the wave number up to which this part of the variance of the heights
-/// lies, to that with this part of the variance of the gradients; dimensionless.
+/// The power law is fitted from the wave number below which this fraction of the variance of the
+/// heights is found, to the one with this fraction of the variance of the gradients; dimensionless.
 const LAW_FROM: f64 = 0.7;
 const LAW_TO: f64 = 0.9;
 
 impl RadialSpectrum {
-    /// The power law between the waves that make the height and those that make the gradient;
-    /// nothing where there is less than half a decade between them, or where the exponent is none
+    /// The power law between the waves that determine the height and those that determine the
+    /// gradient; `None` if they are less than half a decade apart, or if the exponent is not that
     /// of a self-affine surface.
     pub fn power_law(&self) -> Option<PowerLaw> {
         let reached = |power: i32, share: f64| {
@@ -97,7 +97,7 @@ impl RadialSpectrum {
         if points().len() < FEWEST_RINGS || points().any(|point| !point[1].is_finite()) {
             return None;
         }
-        // Rings crowd at large wave numbers: each counts by its width in ln q.
+        // Rings become dense at large wave numbers: each is weighted by its width in ln q.
         let mut sums = [0.0; 5];
         for [x, y] in points() {
             let weight = (-x).exp();
@@ -113,8 +113,8 @@ impl RadialSpectrum {
 }
 
 impl RadialSpectrum {
-    /// Part of the variance of the heights (dimensionless) in waves longer than a wavelength (in
-    /// m).
+    /// Fraction of the variance of the heights (dimensionless) in waves longer than a wavelength
+    /// (in m).
     pub fn share_of_longer(&self, wavelength: f64) -> f64 {
         let terms = self.wave_numbers.iter().zip(&self.densities).map(|(q, c)| [*q, q * c]);
         let [mut longer, mut total] = [0.0; 2];
@@ -126,7 +126,7 @@ impl RadialSpectrum {
     }
 }
 
-/// Fewer rings, or a shorter range of wave numbers, make no power law: half a decade, √10.
+/// Minimum number of rings and range of wave numbers for a power law: half a decade, √10.
 const FEWEST_RINGS: usize = 5;
 const SHORTEST_LAW: f64 = 3.162_277_660_168_379_5;
 
@@ -144,7 +144,7 @@ pub(super) fn hann(count: usize) -> Vec<f64> {
     (0..count).map(|i| (8.0_f64 / 3.0).sqrt() * weight(i)).collect()
 }
 
-/// Wave number, |h_q|² and how often it occurs, for every wave vector of the half spectrum.
+/// Wave number, |h_q|² and multiplicity, for every wave vector of the half spectrum.
 fn squares(field: &[f64], surface: &HeightMap) -> Vec<(f64, [f64; 2])> {
     let lattice = surface.lattice();
     let size = [lattice.columns, lattice.rows];
@@ -156,21 +156,21 @@ fn squares(field: &[f64], surface: &HeightMap) -> Vec<(f64, [f64; 2])> {
     waves.zip(values).map(|(q, (value, m))| (q, [normalised * value.norm_sqr(), m])).collect()
 }
 
-/// Heights (in m) about their mean, times weights along x and y.
+/// Heights (in m) about their mean, multiplied by weights along x and y.
 fn weighted(surface: &HeightMap, [along, across]: &[Vec<f64>; 2]) -> Vec<f64> {
     let mean = surface.mean();
     let weights = across.iter().flat_map(|across| along.iter().map(move |along| across * along));
     surface.heights().iter().zip(weights).map(|(height, w)| w * (height - mean)).collect()
 }
 
-/// Root mean square gradient h'_rms from the spectrum, dimensionless: √(Σ q² |h_q|²) of a periodic
-/// surface. Of any other the mean over the squared weights w² of a window,
+/// Root mean square gradient h'_rms from the spectrum, dimensionless: √(Σ q² |h_q|²) for a periodic
+/// surface. For any other, the mean over the squared weights w² of a window,
 ///
 /// ⟨w² |∇h|²⟩ = ⟨|∇(w h)|²⟩ + ⟨h² w ∇²w⟩
 ///
 /// by parts, with the first term from the spectrum: neither the seam nor the slope of the window
-/// counts. The window is Tukey's, level but for sin² flanks over an eighth of each side at either
-/// end: it wastes less of the surface than Hann's.
+/// contributes. The window is Tukey's, constant except for sin² flanks over an eighth of each side
+/// at either end: it wastes less of the surface than Hann's.
 pub fn spectral_gradient(surface: &HeightMap) -> f64 {
     if surface.is_periodic() {
         return mean_square_gradient(surface.heights(), surface).sqrt();
@@ -196,7 +196,7 @@ fn mean_square_gradient(heights: &[f64], surface: &HeightMap) -> f64 {
     waves.map(|(q, [square, multiplicity])| multiplicity * q * q * square).sum()
 }
 
-/// Part of a side that each flank of Tukey's window takes.
+/// Fraction of a side taken by each flank of Tukey's window.
 const FLANK: f64 = 0.125;
 
 /// Weights along a side and their second derivatives; the mean of the squared weights is one.
@@ -207,10 +207,10 @@ struct Tukey {
 }
 
 impl Tukey {
-    /// For so many cells on a length (in m).
+    /// The window for a number of cells over a length (in m).
     fn new(count: usize, length: f64) -> Self {
         let from_end = |i: usize| (i.min(count - 1 - i) as f64 + 0.5) / count as f64;
-        // sin²(πt/2f) on the flank, of the second derivative ½ (π/f)² cos(πt/f)
+        // sin²(πt/2f) on the flank, with the second derivative ½ (π/f)² cos(πt/f)
         let flank = |t: f64| match t / FLANK {
             part if part < 1.0 => {
                 let bend = 0.5 * (PI / (FLANK * length)).powi(2) * libm::cos(PI * part);
@@ -243,7 +243,7 @@ impl Rings {
         Self { step, sums: vec![[0.0; 3]; (largest / step).floor() as usize + 1] }
     }
 
-    /// The mean height, in the ring around zero, is left out.
+    /// The mean height, in the ring around zero, is omitted.
     fn add(&mut self, q: f64, density: f64, multiplicity: f64) {
         let ring = (q / self.step).round() as usize;
         if let Some(sum) = self.sums.get_mut(ring).filter(|_| ring > 0) {
@@ -269,8 +269,8 @@ mod tests {
     use super::super::synthesis::{Roughness, SelfAffine};
     use super::*;
 
-    /// One wave of amplitude a has h_rms² = a²/2, all of it in the ring of its wave number:
-    /// C times the area of wave vectors in the ring.
+    /// A single wave of amplitude a has h_rms² = a²/2, all of it in the ring of its wave number: C
+    /// times the area of wave vectors in the ring.
     #[test]
     fn the_rings_hold_the_variance() {
         let lattice = Lattice { columns: 32, rows: 24, spacing_x: 1e-6, spacing_y: 2e-6 };
@@ -292,9 +292,9 @@ mod tests {
         assert_relative_eq!(spectral_gradient(&surface), gradient, max_relative = 1e-12);
     }
 
-    /// Goal: the seam of a map that is not periodic is no slope. Set-up: five pieces of 128² cells
-    /// of a periodic surface of 1024² cells, whose gradient is known; with a tilt that the form
-    /// takes off.
+    /// Goal: the seam of a map that is not periodic does not count as a slope. Set-up: five pieces
+    /// of 128² cells of a periodic surface of 1024² cells with known gradient; with a tilt that the
+    /// form removal eliminates.
     #[test]
     fn a_piece_of_a_surface_has_its_gradient() {
         let affine = SelfAffine {
@@ -319,7 +319,7 @@ mod tests {
         assert_relative_eq!(found.iter().sum::<f64>() / 5.0, 0.1423, max_relative = 0.05);
     }
 
-    /// Waves of which a fraction fits: the gradient is a k/√2 wherever the seam lies.
+    /// A non-integer number of waves: the gradient is a k/√2 wherever the seam is.
     #[test]
     fn a_wave_that_does_not_close_has_its_gradient() {
         let (amplitude, k) = (5e-7, 10.4 * TAU);
@@ -349,8 +349,8 @@ mod tests {
         assert_eq!(RadialSpectrum::of(&wave, Window::None).power_law(), None);
     }
 
-    /// No exponent from a spectrum that falls as q^(−2(1+H)) with H = 2.3 or −0.9, nor from one
-    /// over a third of a decade.
+    /// No exponent for a spectrum that falls as q^(−2(1+H)) with H = 2.3 or −0.9, nor for one over
+    /// a third of a decade.
     #[test]
     fn what_is_not_self_affine_has_no_exponent() {
         let law = |hurst_exponent: f64, decades: f64| {

@@ -4,8 +4,8 @@ use super::HeightMap;
 use super::spectrum::spectral_gradient;
 use crate::error::Error;
 
-/// What ISO 25178-2 calls height and hybrid parameters, about the mean height: form and tilt must
-/// be removed before (see [`super::form`]).
+/// Height and hybrid parameters of ISO 25178-2, about the mean height: form and tilt must be
+/// removed before (see [`super::form`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -29,12 +29,12 @@ pub struct Statistics {
     /// Developed area ratio Sdr = A/A₀ − 1 from differences of neighbours, dimensionless.
     pub developed_area_ratio: f64,
     /// Root mean square gradient h'_rms from the spectrum, dimensionless (see
-    /// [`spectral_gradient`]). It exceeds Sdq by what differences of neighbours smooth.
+    /// [`spectral_gradient`]). It exceeds Sdq because differences of neighbours smooth the surface.
     pub spectral_gradient: f64,
 }
 
 impl Statistics {
-    /// Of a surface that is not flat.
+    /// Statistics of a surface that is not flat.
     pub fn of(surface: &HeightMap) -> Result<Self, Error> {
         surface.require_rough()?;
         let mean = surface.mean();
@@ -61,8 +61,8 @@ impl Statistics {
 }
 
 /// Sdq and Sdr: gradients over each rectangle between four neighbours, from the differences along
-/// two of its edges that meet (Stout et al. 1993, *The development of methods for the
-/// characterisation of roughness in three dimensions*, EUR 15178).
+/// two adjacent edges (Stout et al. 1993, *The development of methods for the characterisation of
+/// roughness in three dimensions*, EUR 15178).
 fn gradients(surface: &HeightMap) -> (f64, f64) {
     let lattice = surface.lattice();
     let at = |i: usize, j: usize| surface.heights()[j * lattice.columns + i];

@@ -1,12 +1,12 @@
-//! Random surfaces of a given spectrum.
+//! Random surfaces with a given spectrum.
 //!
-//! Every wave vector q gets the amplitude that its spectral density demands and a random phase, so
+//! Every wave vector q gets the amplitude required by its spectral density and a random phase, so
 //! that the variance of heights and gradients is that of the spectrum in every single surface.
-//! Phases are drawn in the order of growing wave vectors, in square rings: the same seed on a finer
+//! Phases are drawn in order of increasing wave vectors, in square rings: the same seed on a finer
 //! lattice gives the same surface with more detail.
 //!
-//! Phases come from a PCG XSL 128/64 generator (O'Neill 2014), the same on every machine; heights
-//! are the same to rounding error of the Fourier transform.
+//! Phases come from a PCG XSL 128/64 generator (O'Neill 2014), identical on every machine; heights
+//! are identical to rounding error of the Fourier transform.
 
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ use crate::numerics::vector::root_mean_square;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// How rough a surface is.
+/// Prescribed roughness of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Roughness {
     /// Root mean square height h_rms, in m.
@@ -31,11 +31,11 @@ pub enum Roughness {
     Gradient(f64),
 }
 
-/// A self-affine spectrum: C(q) constant from the longest wavelength to the roll-off, from there
-/// C ∝ q^(−2(1+H)) down to the shortest wavelength, nothing beyond.
+/// A self-affine spectrum: C(q) constant from the longest wavelength to the roll-off, then C ∝
+/// q^(−2(1+H)) down to the shortest wavelength, zero elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SelfAffine {
-    /// How rough the surface is.
+    /// Roughness of the surface.
     pub roughness: Roughness,
     /// Hurst exponent H, dimensionless, between 0 and 1.
     pub hurst_exponent: f64,
@@ -47,16 +47,16 @@ pub struct SelfAffine {
     pub shortest_wavelength: f64,
 }
 
-/// Of a suitable lattice: cells in the shortest wave, most of the longest waves along a side, and
-/// most cells along a side while the longest wave fits twice.
+/// For a suitable lattice: cells per shortest wave, maximum number of longest waves along a side,
+/// and maximum number of cells along a side as long as the longest wave fits twice.
 const CELLS_IN_SHORTEST: f64 = 4.0;
 const LONGEST_WAVES: [f64; 2] = [2.0, 8.0];
 const MOST_CELLS: f64 = 1024.0;
 
 impl SelfAffine {
-    /// A square lattice that carries all waves: with four cells in the shortest one, and up to
-    /// eight of the longest along a side of at most 1024 cells. Where only two of them fit, the
-    /// cells grow to half the shortest wave; beyond that there are more cells.
+    /// A square lattice that represents all waves: with four cells per shortest one, and up to
+    /// eight of the longest along a side of at most 1024 cells. If only two of them fit, the cells
+    /// grow to half the shortest wave; beyond that there are more cells.
     pub fn suitable_lattice(&self) -> Lattice {
         let ratio = (self.longest_wavelength / self.shortest_wavelength).max(1.0);
         let [least, most] = LONGEST_WAVES;
@@ -66,7 +66,7 @@ impl SelfAffine {
         Lattice::square(cells, waves * self.longest_wavelength)
     }
 
-    /// A surface with mean height zero, of exactly the given roughness.
+    /// A surface with zero mean height and exactly the given roughness.
     ///
     /// ```
     /// use schlupf::surface::synthesis::{Roughness, SelfAffine};
@@ -95,7 +95,7 @@ impl SelfAffine {
         Ok(surface.scaled(wanted / there))
     }
 
-    /// C(q) over its value at the roll-off, dimensionless.
+    /// C(q) relative to its value at the roll-off, dimensionless.
     fn shape(&self, q: f64) -> f64 {
         let inside = |wavelength: f64, rounding: f64| TAU / wavelength * (1.0 + rounding);
         if q < inside(self.longest_wavelength, -ROUNDING)
@@ -129,11 +129,11 @@ impl SelfAffine {
     }
 }
 
-/// Wavelengths that a whole number of waves makes exactly must not be lost to rounding error.
+/// Wavelengths of exactly an integer number of waves must not be lost to rounding error.
 const ROUNDING: f64 = 1e-9;
 
-/// A surface whose spectral density is C(q) (in m⁴, of q in rad/m), alike in all directions, with
-/// mean height zero. Waves as short as two cells are left out.
+/// An isotropic surface with the spectral density C(q) (in m⁴, of q in rad/m) and zero mean height.
+/// Waves shorter than two cells are omitted.
 pub fn isotropic(
     lattice: Lattice,
     density: impl Fn(f64) -> f64,
@@ -167,7 +167,7 @@ pub fn isotropic(
     Ok(HeightMap::new(lattice, heights)?.into_periodic())
 }
 
-/// Wave vectors of which no two are opposite, by growing largest component.
+/// Wave vectors of which no two are opposite, in order of increasing largest component.
 fn half_plane(reach: i64) -> impl Iterator<Item = [i64; 2]> {
     (1..=reach).flat_map(|ring| {
         let side = (-ring..=ring).map(move |j| [ring, j]);
@@ -209,7 +209,7 @@ mod tests {
         assert_relative_eq!(statistics.spectral_gradient, 0.1, max_relative = 1e-12);
     }
 
-    /// The spectrum measured is the one put in: a plateau, then q^(−2(1+H)).
+    /// The computed spectrum is the prescribed one: a plateau, then q^(−2(1+H)).
     #[test]
     fn the_spectrum_is_that_asked_for() {
         let surface = SPECTRUM.surface(Lattice::square(200, 100e-6), 1).unwrap();
@@ -221,15 +221,15 @@ mod tests {
         assert!(at(22) < 1e-12 * at(18), "{} {}", at(22), at(18));
     }
 
-    /// Goal: a finer lattice has the same waves and more. Its shortest waves are new, and at the
-    /// coarse lattice's points the old ones agree.
+    /// Goal: a finer lattice has the same waves and additional ones. Its shortest waves are new,
+    /// and at the points of the coarse lattice the old ones agree.
     #[test]
     fn a_finer_lattice_keeps_the_surface() {
         let coarse = SPECTRUM.surface(Lattice::square(60, 100e-6), 3).unwrap();
         let fine = SPECTRUM.surface(Lattice::square(180, 100e-6), 3).unwrap();
         for (row, column) in [(0, 0), (17, 5), (59, 31)] {
-            // The middle of a coarse cell is that of the middle one of three fine ones; the whole
-            // surface starts in the middle of the first cell.
+            // The centre of a coarse cell is that of the middle one of three fine ones; the whole
+            // surface starts at the centre of the first cell.
             let here = coarse.heights()[row * 60 + column];
             let there = fine.heights()[3 * row * 180 + 3 * column];
             assert_relative_eq!(here, there, max_relative = 1e-9);

@@ -1,6 +1,6 @@
 //! One step of FASTSIM: the traction on the rail from cell to cell down a strip.
 
-/// What a cell hands on to the next one downstream.
+/// State that a cell passes on to the next one downstream.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Carried {
     /// Traction on the rail, mean over the covered part of the cell, in Pa.
@@ -12,13 +12,13 @@ pub(super) struct Carried {
 }
 
 impl Carried {
-    /// After a way on which the traction would grow by `rigid` (in Pa), if it stuck, under μ pₙ
-    /// (in Pa).
+    /// The state after a path along which the traction would grow by `rigid` (in Pa) in adhesion,
+    /// under μ pₙ (in Pa).
     ///
-    /// Where the sum exceeds the bound the cell slides, with the traction along that sum. From one
-    /// sliding cell to the next the direction turns towards `rigid` as it does where that and the
-    /// bound are constant: tan ψ/2 falls by the factor e^(−|rigid|/μpₙ), ψ being the angle between
-    /// both. That makes the error of second order in the size of the cells.
+    /// If the sum exceeds the bound the cell slides, with the traction along that sum. From one
+    /// sliding cell to the next the direction turns towards `rigid` according to the solution for
+    /// constant `rigid` and bound: tan ψ/2 decreases by the factor e^(−|rigid|/μpₙ), where ψ is the
+    /// angle between the two. The error is therefore of second order in the cell size.
     pub fn next(&self, rigid: [f64; 2], bound: f64) -> Self {
         let sum = [self.traction[0] + rigid[0], self.traction[1] + rigid[1]];
         let square = sum[0] * sum[0] + sum[1] * sum[1];
@@ -35,7 +35,7 @@ impl Carried {
     }
 }
 
-/// A traction (in Pa) cut to a bound, in Pa.
+/// A traction (in Pa) limited to a bound, in Pa.
 pub(super) fn cut(traction: [f64; 2], bound: f64) -> [f64; 2] {
     let square = traction[0] * traction[0] + traction[1] * traction[1];
     if square <= bound * bound {
@@ -45,7 +45,7 @@ pub(super) fn cut(traction: [f64; 2], bound: f64) -> [f64; 2] {
     traction.map(|t| share * t)
 }
 
-/// A direction that has turned towards a pull (in Pa) under a bound (in Pa).
+/// A direction after turning towards a traction increment `pull` (in Pa) under a bound (in Pa).
 fn turned(direction: [f64; 2], pull: [f64; 2], bound: f64) -> [f64; 2] {
     let length = (pull[0] * pull[0] + pull[1] * pull[1]).sqrt();
     if length == 0.0 {
@@ -54,7 +54,7 @@ fn turned(direction: [f64; 2], pull: [f64; 2], bound: f64) -> [f64; 2] {
     let along = pull.map(|p| p / length);
     let cos = direction[0] * along[0] + direction[1] * along[1];
     let sin = along[0] * direction[1] - along[1] * direction[0];
-    // Straight against the pull there is no side to turn to.
+    // Exactly opposite to the pull there is no side to turn to.
     let half = if 1.0 + cos > 0.0 { sin / (1.0 + cos) * (-length / bound).exp() } else { 0.0 };
     let over = (1.0 + half * half).recip();
     let (cos, sin) = ((1.0 - half * half) * over, 2.0 * half * over);
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// θ' = −|w| sin θ/g from θ = 2 rad over |w|/g = 1.3, by small steps (Euler with halved steps
+    /// θ' = −|w| sin θ/g from θ = 2 rad over |w|/g = 1.3, by small steps (Euler with step halving
     /// and extrapolation).
     #[test]
     fn the_turn_is_that_of_its_equation() {

@@ -19,8 +19,8 @@ pub(super) struct Flexibility {
 }
 
 impl Flexibility {
-    /// L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23): with these a patch that
-    /// sticks has the forces of the linear theory (Kalker 1982).
+    /// L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23): with these a patch in full
+    /// adhesion has the forces of the linear theory (Kalker 1982).
     fn three(contact: &EllipticContact) -> Self {
         let a = contact.normal.semi_axis_x;
         let per_modulus = a / contact.shear_modulus;
@@ -32,8 +32,8 @@ impl Flexibility {
         }
     }
 
-    /// The flexibilities of a motion: all three, or their mean
-    /// L = (|ξ| L1 + |η| L2 + c|φ| L3)/√(ξ² + η² + c²φ²) with c = √(ab) (Kalker 1982).
+    /// The flexibilities for a motion: all three, or their mean L = (|ξ| L1 + |η| L2 + c|φ|
+    /// L3)/√(ξ² + η² + c²φ²) with c = √(ab) (Kalker 1982).
     pub fn new(brush: Brush, contact: &EllipticContact, motion: &Kinematics) -> Self {
         let three = Self::three(contact);
         let Kinematics { creepage_x, creepage_y, spin, .. } = *motion;
@@ -49,7 +49,7 @@ impl Flexibility {
         Self { longitudinal: mean, lateral: mean, spin: mean }
     }
 
-    /// Growth of the traction on the rail on a way on which it sticks, in Pa.
+    /// Growth of the traction on the rail along a path in adhesion, in Pa.
     pub fn growth(&self, motion: &Kinematics, way: &Travel) -> [f64; 2] {
         let turning = motion.spin / self.spin;
         [
@@ -58,9 +58,9 @@ impl Flexibility {
         ]
     }
 
-    /// The one flexibility (in m³/N) that makes slip out of traction (in Pa) that is cut off: that
-    /// which turns the growth of the traction into the rigid slip (in m) of the same way, as far as
-    /// both have one direction, but none beyond the largest and the smallest of the three.
+    /// The single flexibility (in m³/N) that converts traction (in Pa) lost to the limit into slip:
+    /// the one that converts the growth of the traction into the rigid slip (in m) of the same
+    /// path, as far as both are parallel, but within the largest and the smallest of the three.
     pub fn along(&self, growth: [f64; 2], rigid_slip: [f64; 2]) -> f64 {
         let Self { longitudinal, lateral, spin } = *self;
         let smallest = longitudinal.min(lateral).min(spin);
@@ -73,7 +73,7 @@ impl Flexibility {
         (product / square).clamp(smallest, largest)
     }
 
-    /// The same over k.
+    /// The flexibilities divided by k.
     pub fn softened(self, reduction: f64) -> Self {
         Self {
             longitudinal: self.longitudinal / reduction,
@@ -83,12 +83,12 @@ impl Flexibility {
     }
 }
 
-/// k = k0 ((1 − α)/(1 + β ε) + α) of a [stress gradient](EllipticContact::stress_gradient) ε, all
+/// k = k0 ((1 − α)/(1 + β ε) + α) for a [stress gradient](EllipticContact::stress_gradient) ε, all
 /// dimensionless.
 ///
 /// Source: Spiryagin, Polach and Cole, Creep force modelling for rail traction vehicles based on
-/// the Fastsim algorithm, Vehicle System Dynamics 51 (2013) 1765–1783. Here ε is that of Kalker's
-/// coefficients without k0, and spin does not count in it.
+/// the Fastsim algorithm, Vehicle System Dynamics 51 (2013) 1765–1783. Here ε is computed from
+/// Kalker's coefficients without k0 and without spin.
 pub(super) fn slope_reduction(reduction: SlopeReduction, gradient: f64) -> f64 {
     let SlopeReduction { initial, limit_ratio, decay } = reduction;
     initial * ((1.0 - limit_ratio) / (1.0 + decay * gradient) + limit_ratio)

@@ -1,18 +1,18 @@
-//! FASTSIM: the simplified theory of Kalker, a brush of bristles without coupling.
+//! FASTSIM: Kalker's simplified theory, a brush of uncoupled bristles.
 //!
 //! The displacement of a point is proportional to its traction, u = L t, so a strip needs only one
-//! pass from its leading to its trailing edge: the traction on the rail grows on the way dx by
-//! (ξ/L1 − φ y/L3, η/L2 + φ x/L3) dx while it sticks, and is cut to μ pₙ where it slides. Friction
-//! may depend on slip speed and temperature, which are those of the same pass: each cell finds the
-//! coefficient that agrees with the slip and the heat it makes.
+//! pass from its leading to its trailing edge: over a path dx in adhesion the traction on the rail
+//! grows by (ξ/L1 − φ y/L3, η/L2 + φ x/L3) dx, and it is limited to μ pₙ where it slides. Friction
+//! may depend on slip speed and temperature, which come from the same pass: each cell finds the
+//! coefficient that is consistent with the slip and the heat it causes.
 //!
 //! Sources: Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System
-//! Dynamics 11 (1982) 1–13; L1, L2, L3 there from equal forces in full adhesion. The cells are
-//! those of the full solver, with exact ways and mean pressures where the edge of the patch cuts
-//! them, so the forces of full adhesion and of full sliding are exact on any grid. Limits: with
-//! three flexibilities the sliding direction at large creepage is that of (ξ/L1, η/L2), and the
-//! friction power differs from the creep power where spin takes part; one flexibility does without
-//! both, but has worse forces with spin.
+//! Dynamics 11 (1982) 1–13; there, L1, L2, L3 follow from equal forces in full adhesion. The cells
+//! are those of the full solver, with exact path lengths and mean pressures where they are cut by
+//! the edge of the patch, so the forces of full adhesion and of full sliding are exact on any grid.
+//! Limits: with three flexibilities the sliding direction at large creepage is that of (ξ/L1,
+//! η/L2), and the friction power differs from the creep power if there is spin; one flexibility
+//! avoids both, but its forces with spin are less accurate.
 
 mod cell;
 mod flexibility;
@@ -39,7 +39,7 @@ use cell::{Carried, cut};
 use flexibility::{Flexibility, slope_reduction};
 use passage::Passage;
 
-/// Bristles, and how modified FASTSIM softens them.
+/// Bristles, and their softening in modified FASTSIM.
 type Kind = (Brush, Option<SlopeReduction>);
 
 /// A patch of bristles.
@@ -55,12 +55,12 @@ pub(super) struct Fastsim {
     friction: Vec<f64>,
     flexibility: Flexibility,
     heat: StripHeat,
-    /// With what the heat was set up: a model, and a speed in m/s.
+    /// Heat model and speed (in m/s) for which the heat was set up.
     heated: (Option<Arc<dyn HeatModel>>, f64),
 }
 
 impl Fastsim {
-    /// The patch of a normal contact of a problem; `reduction` makes it modified FASTSIM.
+    /// The patch of a normal contact of a problem; `reduction` selects modified FASTSIM.
     pub fn new(
         problem: &Problem,
         options: &Options,
@@ -89,7 +89,7 @@ impl Fastsim {
         Ok(fastsim)
     }
 
-    /// Takes over another law of friction.
+    /// Switches to another friction law.
     pub fn set_friction(&mut self, problem: &Problem) {
         let conduction = problem.conduction(&problem.kinematics);
         for (friction, cell) in self.friction.iter_mut().zip(&self.patch.cells) {
@@ -97,10 +97,10 @@ impl Fastsim {
         }
     }
 
-    /// Takes over another load, under which all lengths and all pressures have changed by a factor.
+    /// Switches to another load, which changes all lengths and all pressures by a factor.
     pub fn rescale(&mut self, length: f64, pressure: f64) {
         self.patch.rescale(length, pressure);
-        // The ways have changed.
+        // The paths have changed.
         self.heated.1 = 0.0;
     }
 
@@ -121,7 +121,7 @@ impl Fastsim {
         self.resultant()
     }
 
-    /// Takes over the model of heat and the speed, where they are others than before.
+    /// Sets the heat model and the speed, if they have changed.
     fn prepare_heat(&mut self, problem: &Problem) {
         let (model, speed) = (problem.heat.model.as_ref(), problem.kinematics.speed);
         let is_same_model = match (&self.heated.0, model) {
@@ -137,7 +137,7 @@ impl Fastsim {
         self.heat.set(model, ways.map(|way| [way / speed; 2]));
     }
 
-    /// From the leading to the trailing edges under the friction there is.
+    /// Passes from the leading to the trailing edges with the present friction.
     fn pass(&mut self, motion: &Kinematics) {
         for strip in &self.patch.strips {
             let mut carried = Carried::default();
@@ -150,10 +150,10 @@ impl Fastsim {
         }
     }
 
-    /// The same where friction follows from slip and heat.
+    /// The same for friction that depends on slip and heat.
     ///
-    /// A point that comes with more traction than its coefficient here would have let it have there
-    /// drops that part without slip and heat: see [`Self::way_in`].
+    /// A point that arrives with more traction than its coefficient here would have allowed there
+    /// loses the excess without slip and heat: see [`Self::way_in`].
     fn pass_with_friction(&mut self, problem: &Problem) {
         self.prepare_heat(problem);
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
@@ -198,7 +198,7 @@ impl Fastsim {
         Resultant::new(area * x, area * y, area * moment_z)
     }
 
-    /// Everything in the cells after the last pass.
+    /// All quantities in the cells after the last pass.
     pub fn snapshot(&mut self, problem: &Problem) -> Snapshot {
         let motion = &problem.kinematics;
         let conduction = problem.conduction(motion);
@@ -238,7 +238,7 @@ impl Fastsim {
             let inherited = self.heat.inherited(k);
             now.rise[k] = self.heat.rise(k, inherited, heat);
             self.heat.flux[k] = heat;
-            // Half of each way belongs to the cell, and all of that from or to an edge.
+            // Half of each path belongs to the cell, and all of a path from or to an edge.
             let shares = [
                 if k == strip.cells.start { 1.0 } else { 0.5 } * cell.way_in.distance,
                 if is_last { strip.exit.distance } else { 0.5 * way_out.distance },
@@ -255,11 +255,11 @@ impl Fastsim {
         now.exit_rise.push(self.heat.exit_rise_after(&strip, way_out));
     }
 
-    /// The way into a cell, from the cell before if there is one.
+    /// The path into a cell, from the previous cell if there is one.
     ///
-    /// Where friction falls along the strip, a part of the traction is not held any more and
-    /// springs back. How much slip and heat that makes in a cell depends on the size of the cell,
-    /// and so would friction that depends on them; so that part does not count.
+    /// Where friction decreases along the strip, a part of the traction can no longer be sustained
+    /// and springs back. The resulting slip and heat in a cell depend on the cell size, and so
+    /// would friction that depends on them; this part is therefore ignored.
     fn way_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
         let held =
             |j: usize| cut(self.traction[j], self.friction[k] * pressure(&self.patch.cells[j]));
@@ -274,7 +274,7 @@ fn pressure(cell: &Cell) -> f64 {
 }
 
 /// Replaces the pressure by 2N/(πab) (1 − x²/a² − y²/b²). Its mean over the covered part of a cell
-/// follows from the moment of the way since entry, as 1 − x²/a² − y²/b² = (x_e² − x²)/a² with
+/// follows from the moment of the path since entry, as 1 − x²/a² − y²/b² = (x_e² − x²)/a² with
 /// x_e(y) the leading edge.
 fn make_parabolic(patch: &mut Patch, normal: &NormalSummary) {
     let (a, b) = (normal.semi_axis_x, normal.semi_axis_y);

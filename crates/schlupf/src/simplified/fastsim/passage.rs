@@ -1,24 +1,24 @@
-//! What happens on the way from one cell to the next.
+//! Slip and friction power along the path from one cell to the next.
 
 use crate::kinematics::Kinematics;
 use crate::patch::Travel;
 
 use super::flexibility::Flexibility;
 
-/// A way with the slip and the friction power on it.
+/// A path with its slip and friction power.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Passage {
-    /// How long it is, in m.
+    /// Length, in m.
     pub distance: f64,
-    /// Slip velocity of the wheel over the rail, mean over the way, in m/s.
+    /// Slip velocity of the wheel over the rail, mean over the path, in m/s.
     pub slip: [f64; 2],
-    /// Friction power over area, mean over the way, in W/m².
+    /// Friction power per unit area, mean over the path, in W/m².
     pub power: f64,
 }
 
 impl Passage {
-    /// A way with the tractions on the rail (in Pa) at both ends. Where these differ by what the
-    /// traction grows while it sticks, nothing slips.
+    /// A path with the tractions on the rail (in Pa) at both ends. If these differ by the growth of
+    /// the traction in adhesion, nothing slips.
     pub fn new(
         flexibility: &Flexibility,
         motion: &Kinematics,
