@@ -16,12 +16,12 @@ use crate::report::{Report, reasons, verdict};
 use crate::summary::{entry, friction_power, line, without_noise};
 use crate::table;
 
-/// The balance of a wheel's heat, with what it was found for.
+/// The heat balance of a wheel, with its input.
 #[derive(Debug, Clone)]
 pub struct BulkReport {
     /// Title of the case.
     pub title: String,
-    /// What cools the wheel.
+    /// The cooling of the wheel.
     pub cooling: Cooling,
     /// Bulk temperature of the rail, in degC.
     pub rail_temperature: f64,
@@ -34,7 +34,7 @@ pub struct BulkReport {
 }
 
 impl BulkReport {
-    /// How long a revolution lasts, in s.
+    /// Duration of a revolution, in s.
     fn revolution(&self) -> Option<f64> {
         let solution = &self.balance.solution;
         let (motion, _) = solution.seen_from(ReferencePoint::Patch)?;
@@ -98,7 +98,7 @@ struct CoolingEntry {
     area: f64,
 }
 
-/// Heat of the wheel in W, or in J for a revolution.
+/// Heat flows of the wheel in W, or in J per revolution.
 #[derive(Serialize)]
 struct Flows {
     frictional: f64,
@@ -118,8 +118,7 @@ impl Flows {
     }
 }
 
-/// The balance on a terminal: temperatures, what the wheel receives and gives, forces, status and
-/// warnings.
+/// The balance as text: temperatures, heat received and lost, forces, status and warnings.
 fn text(report: &BulkReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     temperatures(&mut text, report);
@@ -206,7 +205,7 @@ impl Report for BulkReport {
         text(self)
     }
 
-    /// The fields of the contact in the long run.
+    /// The fields of the contact in the long-term state.
     fn csv(&self) -> Option<String> {
         Some(table::csv(&self.balance.solution.fields, "contact of the warm wheel"))
     }

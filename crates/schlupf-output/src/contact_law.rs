@@ -1,20 +1,20 @@
-//! The stiffness k_c of the contact law, as results show it.
+//! The stiffness k_c of the contact law in results.
 
 use serde::Serialize;
 
 use crate::number::significant as number;
 
-/// k_c and where it comes from.
+/// k_c and its origin.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactLaw {
     /// k_c, in 1/m.
     pub stiffness: f64,
     /// `given`, `default`, `closed-form` or `micro-model`.
     pub from: &'static str,
-    /// h_rms of both surfaces together (in m), where k_c comes from a roughness.
+    /// Combined h_rms of both surfaces (in m), if k_c comes from a roughness.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rms_height: Option<f64>,
-    /// γ of the closed form, or that the micro model found; dimensionless.
+    /// γ of the closed form, or as found by the micro model; dimensionless.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slope_factor: Option<f64>,
     /// The fit of the micro model.
@@ -22,25 +22,26 @@ pub struct ContactLaw {
     pub fit: Option<Fit>,
 }
 
-/// How Eq. (8) fits the tangential curves of a micro model.
+/// Fit of Eq. (8) to the tangential curves of a micro model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fit {
     /// Mean pressures, in Pa.
     pub mean_pressures: Vec<f64>,
     /// k_c at each of them, in 1/m.
     pub stiffnesses: Vec<f64>,
-    /// Largest less smallest of them over the common k_c, dimensionless.
+    /// Difference between the largest and smallest of them relative to the common k_c,
+    /// dimensionless.
     pub spread: f64,
-    /// Root mean square of what the common k_c misses of Q/(μP), dimensionless.
+    /// Root mean square misfit of the common k_c to Q/(μP), dimensionless.
     pub root_mean_square_error: f64,
-    /// The largest of it, dimensionless.
+    /// Largest misfit, dimensionless.
     pub largest_error: f64,
     /// k_c of the closed form with γ = 0.45, in 1/m.
     pub closed_form: f64,
 }
 
 impl ContactLaw {
-    /// Where k_c comes from, in words.
+    /// The origin of k_c, in words.
     pub(crate) fn remark(&self) -> String {
         let height = number(self.rms_height.unwrap_or(0.0) / 1e-6);
         match (&self.fit, self.slope_factor) {

@@ -25,7 +25,7 @@ pub(crate) const PROGRAM: &str = concat!("schlupf ", env!("CARGO_PKG_VERSION"));
 pub(crate) fn text(document: &impl Serialize) -> String {
     let mut text = Vec::new();
     let formatter = Numbers { layout: PrettyFormatter::new() };
-    // Plain structs of numbers and text with text keys: there is nothing that could fail.
+    // Plain structs of numbers and text with text keys: nothing can fail.
     let _ = document.serialize(&mut Serializer::with_formatter(&mut text, formatter));
     String::from_utf8_lossy(&text).into_owned() + "\n"
 }
@@ -35,7 +35,7 @@ struct Numbers {
     layout: PrettyFormatter<'static>,
 }
 
-/// Hands methods of a formatter on to the layout.
+/// Forwards methods of a formatter to the layout.
 macro_rules! as_layout {
     ($($method:ident($($argument:ident: $kind:ty),*);)*) => {
         $(fn $method<W: ?Sized + io::Write>(
@@ -66,7 +66,7 @@ impl Formatter for Numbers {
     }
 }
 
-/// A solution with its title, and the k_c that was used where the method has one.
+/// A solution with its title, and the k_c used if the method has one.
 #[derive(Serialize)]
 pub(crate) struct Document<'a> {
     program: &'static str,
@@ -100,7 +100,8 @@ struct Temperatures<'a> {
     peclet_rail: f64,
 }
 
-/// Which point creepages and moments of the document refer to, and both by each.
+/// The reference point of creepages and moments in the document, and their values for each of the
+/// points.
 #[derive(Serialize)]
 struct Reference {
     point: ReferencePoint,
@@ -164,7 +165,7 @@ impl<'a> Document<'a> {
         }
     }
 
-    /// The same with the k_c that was used and where it comes from.
+    /// The same with the k_c used and its origin.
     pub(crate) fn with_law(self, contact_law: Option<&'a ContactLaw>) -> Self {
         Self { contact_law, ..self }
     }

@@ -1,7 +1,7 @@
-//! Numbers for people.
+//! Formatting of numbers in text.
 
-/// Four significant digits without trailing zeros, in powers of ten where digits would not fit;
-/// `n/a` for what is not known.
+/// Four significant digits without trailing zeros, in powers of ten if the digits would not fit;
+/// `n/a` for an unknown number.
 pub(crate) fn significant(value: impl Into<Option<f64>>) -> String {
     let Some(value) = value.into().filter(|value| value.is_finite()) else {
         return "n/a".to_owned();
@@ -16,7 +16,7 @@ pub(crate) fn significant(value: impl Into<Option<f64>>) -> String {
     }
 }
 
-/// The same number, but 0 for −0.
+/// The same number, with 0 for −0.
 pub(crate) fn without_sign_of_zero(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { value }
 }

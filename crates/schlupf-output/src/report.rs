@@ -1,11 +1,11 @@
-//! What every command has in common: a result that is written in several forms.
+//! The interface shared by all commands: a result that is written in several forms.
 
 use schlupf::Status;
 use schlupf::message::Message;
 
 use crate::figures::{self, Drawing, Figure, FigureError};
 
-/// A result with all forms in which it can be written.
+/// A result with all its output forms.
 ///
 /// ```
 /// use schlupf::{Options, Problem, rolling, unwatched};
@@ -27,45 +27,44 @@ pub trait Report {
     /// Warnings for whoever uses the results.
     fn warnings(&self) -> &[Message];
 
-    /// For other programs; a number that is not known is `null`.
+    /// For other programs; an unknown number is `null`.
     fn json(&self) -> String;
 
-    /// For people, on a terminal.
+    /// Text summary for the terminal.
     fn summary(&self) -> String;
 
     /// As a table: a comment line (`#`) with the units, a header line, then one row per record.
-    /// Every number has the digits that give back the same number when read; what is not known is
-    /// empty.
+    /// Every number has enough digits to be read back exactly; unknown values are empty.
     fn csv(&self) -> Option<String> {
         None
     }
 
-    /// Names of all figures that there may be.
+    /// Names of all possible figures.
     fn figure_names() -> Vec<String>
     where
         Self: Sized;
 
-    /// What there is to draw.
+    /// The available drawings.
     fn drawings(&self) -> Result<Vec<Drawing>, FigureError>;
 
-    /// The same with pictures.
+    /// The same as rendered figures.
     fn figures(&self) -> Result<Vec<Figure>, FigureError> {
         figures::render(self.drawings()?)
     }
 
-    /// The bytes of a file that only this kind of result has, by the name of its format.
+    /// The bytes of a file specific to this kind of result, by the name of its format.
     fn own_file(&self, _format: &str) -> Option<Vec<u8>> {
         None
     }
 }
 
-/// Why results did not converge, one reason a line, to stand beside their status.
+/// The reasons why results did not converge, one per line, to be shown next to their status.
 pub(crate) fn reasons(warnings: &[Message]) -> impl Iterator<Item = &str> {
     let reasons = warnings.iter().filter(|message| message.is_of_convergence());
     reasons.map(|message| message.text.as_str())
 }
 
-/// A status for people.
+/// A status in words.
 pub(crate) fn verdict(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",

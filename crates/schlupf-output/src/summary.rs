@@ -1,4 +1,4 @@
-//! Lines of a summary for people, in engineering units.
+//! Lines of a text summary, in engineering units.
 
 use std::fmt::Write;
 
@@ -7,14 +7,13 @@ use schlupf::solution::Resultant;
 
 use crate::number::significant as number;
 
-/// A force or moment, 0 where it is rounding noise: where it is next to nothing over μ0 N or μ0 N
-/// √(ab).
+/// A force or moment, 0 if it is rounding noise: negligible relative to μ0 N or μ0 N √(ab).
 pub(crate) fn without_noise(value: f64, normalised: f64) -> f64 {
     const NOISE: f64 = 1e-9;
     if normalised.abs() < NOISE { 0.0 } else { value }
 }
 
-/// The moment (in N m), 0 where it is rounding noise, if it is known.
+/// The moment (in N m), 0 if it is rounding noise, if it is known.
 pub(crate) fn moment(force: &Resultant, normalised: &Resultant) -> Option<f64> {
     Some(without_noise(force.moment_z?, normalised.moment_z?))
 }

@@ -15,14 +15,14 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// A table with a column of text before those of records.
+    /// A table with a column of text before the columns of records.
     pub fn with(mut self, name: &str, unit: &str) -> Self {
         self.names.push(name.to_owned());
         self.units.push(unit.to_owned());
         self
     }
 
-    /// The same with the columns of a record.
+    /// The same table with the columns of a record added.
     pub fn with_columns<R: Record + ?Sized>(mut self) -> Self {
         for column in R::columns() {
             self = self.with(column.name, unit(column.quantity));
@@ -35,7 +35,7 @@ impl Table {
         self.rows.push(entries.into_iter().collect::<Vec<_>>().join(","));
     }
 
-    /// It as CSV; `note` says what else there is to know, and stands behind the units.
+    /// The table as CSV; `note` contains additional information, written after the units.
     pub fn csv(&self, note: &str) -> String {
         let note = if note.is_empty() { String::new() } else { format!("; {note}") };
         let head = format!("# units: {}{note}\n{}\n", self.units.join(", "), self.names.join(","));
@@ -70,7 +70,7 @@ pub(crate) fn entry(value: Value) -> String {
     }
 }
 
-/// What the entries of a column are.
+/// The unit of the entries of a column.
 fn unit(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Sliding => "0 or 1",
@@ -82,7 +82,7 @@ fn unit(quantity: Quantity) -> &'static str {
     }
 }
 
-/// A text in quotes where it would not be one entry without (RFC 4180).
+/// A text, quoted if it would otherwise not be a single entry (RFC 4180).
 pub(crate) fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r', '#']) {
         format!("\"{}\"", text.replace('"', "\"\""))
@@ -105,7 +105,7 @@ impl<R: Record + ?Sized> Serialize for Arrays<'_, R> {
     }
 }
 
-/// The first row of a record; all entries are `null` where there is no record.
+/// The first row of a record; all entries are `null` if there is no record.
 pub(crate) struct Row<'a, R: ?Sized>(pub Option<&'a R>);
 
 impl<R: Record + ?Sized> Serialize for Row<'_, R> {
@@ -153,7 +153,7 @@ impl Serialize for Object {
     }
 }
 
-/// A value as JSON has it.
+/// A value in JSON form.
 struct Entry(Value);
 
 impl Serialize for Entry {

@@ -1,11 +1,11 @@
-//! The fields as a legacy VTK file, for `ParaView` and its kin.
+//! The fields as a legacy VTK file, for `ParaView` and similar programs.
 
 use schlupf::Quantity;
 use schlupf::columns::Record;
 use schlupf::solution::{Fields, Solution};
 
 /// The fields on the uniform grid of the patch: binary structured points, one value per cell, zero
-/// outside the contact; `contact` tells the cells of the patch from the others.
+/// outside the contact; `contact` distinguishes the cells of the patch from the others.
 pub fn structured_points(title: &str, solution: &Solution) -> Vec<u8> {
     let fields = &solution.fields;
     let mut file = header(title, fields).into_bytes();
@@ -22,7 +22,7 @@ pub fn structured_points(title: &str, solution: &Solution) -> Vec<u8> {
     file
 }
 
-/// Columns that the grid gives.
+/// Columns provided by the grid.
 const POSITION: [Quantity; 2] = [Quantity::X, Quantity::Y];
 
 /// The column of a component.
@@ -68,7 +68,7 @@ fn vectors(file: &mut Vec<u8>, fields: &Fields, name: &str) {
     append(file, &on_grid(fields, |cell| [x(cell), y(cell), 0.0]));
 }
 
-/// Values of the contact cells at their places on the grid, zero elsewhere.
+/// Values of the contact cells at their positions on the grid, zero elsewhere.
 fn on_grid<const N: usize>(fields: &Fields, value: impl Fn(usize) -> [f64; N]) -> Vec<[f64; N]> {
     let mut values = vec![[0.0; N]; fields.grid.len()];
     for (cell, &[column, row]) in fields.cell.iter().enumerate() {
@@ -77,7 +77,7 @@ fn on_grid<const N: usize>(fields: &Fields, value: impl Fn(usize) -> [f64; N]) -
     values
 }
 
-/// The format wants the most significant byte first.
+/// The format requires the most significant byte first.
 fn append<const N: usize>(file: &mut Vec<u8>, values: &[[f64; N]]) {
     file.extend(values.iter().flatten().flat_map(|value| value.to_be_bytes()));
     file.push(b'\n');

@@ -1,5 +1,5 @@
-//! Half-space, calibrated layer and uncoupled springs side by side: forces over creepage, and the
-//! traction in the centre of the patch.
+//! Half-space, calibrated layer and uncoupled springs side by side: forces against creepage, and
+//! the traction along the centre line of the patch.
 
 use schlupf::calibration::side_by_side::{Answer, Course, Model, SideBySide};
 
@@ -13,7 +13,7 @@ use crate::figures::svg::Drawing;
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 24.0;
 const SIZE: [f64; 2] = [372.0, 270.0];
-/// From one plot area to the next.
+/// Gaps between plot areas.
 const BETWEEN: [f64; 2] = [84.0, 92.0];
 const TOP: f64 = HEADING + 64.0;
 const TITLE_SIZE: f64 = 15.0;
@@ -82,7 +82,7 @@ fn curves(course: &Course, points: impl Fn(&Answer) -> Vec<(f64, f64)>) -> Vec<C
     course.answers.iter().map(curve).collect()
 }
 
-/// The half-space is drawn first, broad, so that what lies on it is seen.
+/// The half-space is drawn first, with a wide line, so that lines on top of it remain visible.
 fn stroke(model: Model) -> String {
     let (color, width, dashes) = match model {
         Model::HalfSpace => ("#b8b8b8", 5.0, ""),
@@ -112,7 +112,7 @@ fn legend(drawing: &mut Drawing, course: &Course) {
     marks::legend(drawing, [LEFT, TOP - 36.0], width, &entries);
 }
 
-/// Curves with axes of their own.
+/// Curves with their own axes.
 struct Plot {
     title: String,
     axes: [String; 2],

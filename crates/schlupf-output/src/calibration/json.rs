@@ -59,7 +59,7 @@ struct Bodies {
     poisson_ratio: f64,
 }
 
-/// Names as in a case file, each less its component.
+/// Names as in a case file, without the component.
 #[derive(Serialize)]
 struct StiffnessEntry {
     bedding: f64,

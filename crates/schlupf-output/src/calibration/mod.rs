@@ -21,7 +21,7 @@ use crate::table::{Table, entry};
 /// Name of the figure.
 const FIGURE: &str = "calibration";
 
-/// Stiffnesses for a patch, and what they were fitted to.
+/// Stiffnesses for a patch, and the data they were fitted to.
 #[derive(Debug, Clone)]
 pub struct CalibrationReport {
     /// Title of the case.
@@ -32,17 +32,17 @@ pub struct CalibrationReport {
     pub shear_modulus: f64,
     /// Combined Poisson's ratio ν of the bodies, dimensionless.
     pub poisson_ratio: f64,
-    /// From the table; none for a patch that is outside.
+    /// From the table; `None` for a patch outside it.
     pub tabulated: Option<Layer>,
-    /// Calibrated for this very patch.
+    /// Calibrated for this particular patch.
     pub anew: Option<Anew>,
     /// Fitted to displacements.
     pub fitted: Option<Fitted>,
-    /// What the reader must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
-    /// Forces and tractions of all models, to draw.
+    /// Forces and tractions of all models, for the figure.
     pub sides: Option<SideBySide>,
-    /// Whether all that was computed converged.
+    /// Whether everything that was computed converged.
     pub status: Status,
 }
 
@@ -51,7 +51,7 @@ pub struct CalibrationReport {
 pub struct Layer {
     /// The stiffnesses.
     pub stiffness: [LayerStiffness; 2],
-    /// How far the layer is from the half-space, where that was computed.
+    /// Deviation of the layer from the half-space, if computed.
     pub deviation: Option<Deviation>,
 }
 
@@ -60,7 +60,7 @@ pub struct Layer {
 pub struct Anew {
     /// The layer.
     pub layer: Layer,
-    /// A bed of springs without coupling, fitted to the same forces.
+    /// An uncoupled Winkler bedding, fitted to the same forces.
     pub uncoupled: Layer,
 }
 
@@ -96,7 +96,7 @@ impl Fitted {
     }
 }
 
-/// Stiffnesses and where they come from.
+/// Stiffnesses and their origin.
 struct Origin {
     name: &'static str,
     stiffness: [Option<LayerStiffness>; 2],
@@ -104,7 +104,7 @@ struct Origin {
 }
 
 impl CalibrationReport {
-    /// All stiffnesses, the last but the uncoupled ones being those that were asked for.
+    /// All stiffnesses; the last ones except the uncoupled ones are those requested.
     fn origins(&self) -> Vec<Origin> {
         let layer = |name, layer: &Layer| Origin {
             name,
@@ -124,7 +124,7 @@ impl CalibrationReport {
         origins
     }
 
-    /// The stiffnesses to take over.
+    /// The stiffnesses to use.
     fn best(&self) -> [Option<LayerStiffness>; 2] {
         let layer = self.anew.map(|anew| anew.layer).or(self.tabulated);
         match (&self.fitted, layer) {
@@ -152,7 +152,7 @@ impl Report for CalibrationReport {
         summary::text(self)
     }
 
-    /// A row for each component of each origin of stiffnesses.
+    /// One row for each component of each origin of stiffnesses.
     fn csv(&self) -> Option<String> {
         let table = Table::default().with("origin", "name").with("component", "x or y");
         let mut table = table.with("bedding", "N/m^3").with("coupling", "N/m");

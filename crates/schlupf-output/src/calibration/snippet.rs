@@ -4,14 +4,14 @@ use schlupf::elasticity::elastic_layer::LayerStiffness;
 
 use super::CalibrationReport;
 
-/// `[elasticity]` with the stiffnesses to take over; what has none is left to its default.
+/// `[elasticity]` with the stiffnesses to use; missing ones keep their defaults.
 pub(super) fn snippet(report: &CalibrationReport) -> String {
     let mut lines = vec!["[elasticity]".to_owned(), "model = \"elastic-layer\"".to_owned()];
     if report.anew.is_none() && report.fitted.is_none() {
         lines.push("# for this patch what calibration = \"half-space\" is for any".to_owned());
     }
     let components = match report.best() {
-        // Where only displacements along y are known, those along x need a value all the same.
+        // If only displacements along y are known, those along x still need a value.
         [None, Some(y)] => {
             lines.push("# along x as along y, of which alone something is known".to_owned());
             [Some(y), Some(y)]

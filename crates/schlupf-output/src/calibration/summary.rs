@@ -1,4 +1,4 @@
-//! Calibrated stiffnesses on a terminal.
+//! Calibrated stiffnesses as text.
 
 use schlupf::calibration::Deviation;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
@@ -9,8 +9,8 @@ use crate::number::significant as number;
 use crate::report::verdict;
 use crate::summary::{entry, line};
 
-/// The patch, the stiffnesses side by side, how far they are from what they were fitted to, and a
-/// section of a case file.
+/// The patch, the stiffnesses side by side, their deviations from the data they were fitted to, and
+/// a section for a case file.
 pub(super) fn text(report: &CalibrationReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     patch(&mut text, report);
@@ -98,7 +98,7 @@ fn displacements(text: &mut String, fitted: &Fitted) {
     text.push('\n');
 }
 
-/// A part in %, to two digits behind the point.
+/// A fraction in %, with two decimals.
 fn percent(part: f64) -> String {
     format!("{:.2}", 100.0 * part)
 }

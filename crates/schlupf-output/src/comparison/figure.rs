@@ -1,4 +1,4 @@
-//! What several methods make of one case: bars side by side.
+//! Results of several methods for one case: bars side by side.
 
 use schlupf::method::FastMethod;
 use schlupf::{Method, Status};
@@ -18,9 +18,9 @@ const COLUMN: f64 = 200.0;
 const GAP: f64 = 30.0;
 const ROW: f64 = 34.0;
 const BAR: f64 = 18.0;
-/// Between a bar and its number, and between the number and the edge.
+/// Spacing between a bar and its number, and between the number and the edge.
 const SPACE: f64 = 6.0;
-/// Room below the columns for their ticks.
+/// Space below the columns for their ticks.
 const TICKS: f64 = 46.0;
 /// Height of a line of the notes at the foot.
 const NOTE: f64 = 20.0;
@@ -55,12 +55,12 @@ const COLUMNS: [Column; 4] = [
     },
 ];
 
-/// Colours of the times from nothing and once more.
+/// Colours of the cold and the warm times.
 const TIME_COLORS: [&str; 2] = ["#c9c9c9", "#6a6a6a"];
 const TIME_NOTE: &str =
     "time: light from nothing, with set-up (the number); dark the forces once more, set-up there";
 
-/// Below this part of μ0 N (or of μ0 N √(ab)) there is nothing to see.
+/// Values below this fraction of μ0 N (or of μ0 N √(ab)) are invisible.
 const INVISIBLE: f64 = 1e-6;
 
 /// The figure; `None` where there is nothing to draw.
@@ -102,7 +102,7 @@ pub(super) fn draw(comparison: &Comparison) -> Option<String> {
     Some(drawing.finish())
 }
 
-/// What the lines at the foot say: what is left out and why, and what the times are.
+/// The footnotes: what is omitted and why, and the meaning of the times.
 fn notes(comparison: &Comparison) -> Vec<String> {
     let missing = comparison.entries.iter().filter_map(|entry| {
         entry.reason().map(|reason| format!("{}: not available: {reason}", entry.name))
@@ -124,17 +124,17 @@ fn conditions(answer: &Answer) -> String {
     parts.join(", ")
 }
 
-/// Middle of a row.
+/// Centre of a row.
 fn middle(top: f64, row: usize) -> f64 {
     top + ROW * (row as f64 + 0.5)
 }
 
-/// Base line of a text in the middle of a row.
+/// Baseline of a text centred in a row.
 fn baseline(middle: f64) -> f64 {
     middle + 0.36 * TICK_SIZE
 }
 
-/// What a number and the space on both sides take.
+/// Width of a number including the space on both sides.
 fn room(text: &str) -> f64 {
     /// Width of a digit, in font sizes.
     const DIGIT: f64 = 0.64;
@@ -147,7 +147,8 @@ fn text(value: f64) -> String {
     if value.is_finite() { short(value) } else { NOT_GIVEN.to_owned() }
 }
 
-/// How values become places: zero, in the drawing from the left edge, and drawing units per unit.
+/// Mapping from values to positions: zero, as distance from the left edge in the drawing, and
+/// drawing units per unit.
 #[derive(Clone, Copy)]
 struct Scale {
     zero: f64,
@@ -155,7 +156,7 @@ struct Scale {
 }
 
 impl Scale {
-    /// The widest bars that leave room for their numbers.
+    /// The widest bars that leave space for their numbers.
     fn new(values: &[(f64, bool)]) -> Self {
         let mut sides = [vec![(0.0, 0.0)], vec![(0.0, 0.0)]];
         for &(value, counts) in values {
@@ -179,7 +180,7 @@ impl Scale {
 }
 
 impl Column {
-    /// Size of the number of an answer, 0 where it is not given.
+    /// Magnitude of the number of an answer, 0 if it is not given.
     fn size(&self, answer: &Answer) -> f64 {
         (self.value)(answer).unwrap_or(0.0).abs()
     }
@@ -192,11 +193,11 @@ impl Column {
         comparison.answers().any(|answer| self.size(answer) > INVISIBLE * scale(answer))
     }
 
-    /// All values, NaN for one that is not given, each with whether its size counts for the axis.
-    /// Of the linear theory, which knows no bound, only the direction counts where it would dwarf
-    /// all others.
+    /// All values, NaN for one that is not given, each with a flag telling whether its magnitude
+    /// affects the axis. For the linear theory, which has no bound, only the sign counts if it
+    /// would dwarf all others.
     fn values(&self, answers: &[&Answer]) -> Vec<(f64, bool)> {
-        /// Over the largest of the others.
+        /// Ratio to the largest of the others.
         const DWARFING: f64 = 1.5;
         let is_bounded =
             |answer: &Answer| answer.solution.method != Method::Fast(FastMethod::KalkerLinear);
@@ -226,8 +227,8 @@ impl Column {
         draw_outline(drawing, [left, top], height, self.label);
     }
 
-    /// A bar with its number beyond its end. One that leaves no room for that is pale, cut off at
-    /// the edge of the column, and has its number within.
+    /// A bar with its number beyond its end. A bar too long for that is pale, cut off at the edge
+    /// of the column, and contains its number.
     fn draw_bar(&self, drawing: &mut Drawing, [left, middle]: [f64; 2], value: f64, scale: Scale) {
         let zero = left + scale.zero;
         let text = text(value);
@@ -239,7 +240,7 @@ impl Column {
         }
         let end = left + scale.at(value).clamp(0.0, COLUMN);
         let edge = if value < 0.0 { left } else { left + COLUMN };
-        // Rounding must not cut the bar that sets the scale.
+        // Rounding error must not cut the bar that sets the scale.
         let is_long = (edge - (left + scale.at(value))) * value.signum() < room(&text) - 1e-6;
         let fill =
             format!(r#"fill="{}"{}"#, self.color, if is_long { r#" opacity="0.45""# } else { "" });
@@ -257,7 +258,7 @@ impl Column {
     }
 }
 
-/// A line of the grid with its tick below and its number.
+/// A grid line with its tick below and its number.
 fn draw_tick(drawing: &mut Drawing, [x, top]: [f64; 2], height: f64, label: &str) {
     drawing.line([x, top], [x, top + height], GRID_LINE);
     drawing.line([x, top + height], [x, top + height + 5.0], &tick_line());
@@ -271,13 +272,13 @@ fn draw_outline(drawing: &mut Drawing, [left, top]: [f64; 2], height: f64, label
     drawing.text([left + 0.5 * COLUMN, top - 14.0], &style, label);
 }
 
-/// The column of times, in ms on a logarithmic axis: from nothing and once more.
+/// The column of times, in ms on a logarithmic axis: cold and warm.
 fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer]) {
     let height = ROW * answers.len() as f64;
     let times: Vec<[f64; 2]> =
         answers.iter().map(|answer| [answer.time, answer.time_again].map(|t| 1e3 * t)).collect();
     let logarithms = || times.iter().flatten().filter(|time| is_time(**time)).map(|t| t.log10());
-    // The shortest time has a bar, too.
+    // The shortest time also has a bar.
     let low = logarithms().reduce(f64::min).unwrap_or(0.0).floor() - 0.3;
     let unit = times
         .iter()
@@ -301,7 +302,7 @@ fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer])
     draw_outline(drawing, [left, top], height, "time (ms)");
 }
 
-/// Whether a time has a place on a logarithmic axis.
+/// Whether a time can be shown on a logarithmic axis.
 fn is_time(time: f64) -> bool {
     time > 0.0 && time.is_finite()
 }

@@ -15,7 +15,7 @@ use crate::table::{Table, entries, quoted};
 /// Name of the figure.
 const FIGURE: &str = "comparison";
 
-/// What several methods make of one case.
+/// Results of several methods for one case.
 #[derive(Debug, Clone)]
 pub struct Comparison {
     /// Title of the case.
@@ -26,27 +26,27 @@ pub struct Comparison {
     pub warnings: Vec<Message>,
 }
 
-/// A method, and what it makes of the case.
+/// A method and its result for the case.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// Name for people, such as `FASTSIM`.
+    /// Display name, such as `FASTSIM`.
     pub name: &'static str,
-    /// The method, as case files name it.
+    /// The method, as named in case files.
     pub method: &'static str,
-    /// Model of elasticity of the full method, as case files name it.
+    /// Elasticity model of the full method, as named in case files.
     pub elasticity: Option<&'static str>,
     /// The answer, or why there is none.
     pub answer: Result<Answer, String>,
 }
 
-/// What one method makes of the case.
+/// Result of one method for the case.
 #[derive(Debug, Clone)]
 pub struct Answer {
     /// The result.
     pub solution: Solution,
-    /// How long it took from nothing, set-up included, in s.
+    /// Time from a cold start, set-up included, in s.
     pub time: f64,
-    /// How long the forces take once more with the set-up there, in s.
+    /// Time to compute the forces again without set-up, in s.
     pub time_again: f64,
 }
 
@@ -56,7 +56,7 @@ impl Entry {
         self.answer.as_ref().is_ok_and(|answer| answer.solution.status != Status::Converged)
     }
 
-    /// Why there is no answer, if there is none.
+    /// The reason why there is no answer, if there is none.
     pub fn reason(&self) -> Option<&str> {
         self.answer.as_ref().err().map(String::as_str)
     }
@@ -79,7 +79,7 @@ impl Comparison {
     }
 }
 
-/// What the methods found, forces on the wheel.
+/// Results of the methods, forces on the wheel.
 impl Record for Comparison {
     fn rows(&self) -> usize {
         self.entries.len()

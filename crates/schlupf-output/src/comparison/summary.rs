@@ -1,4 +1,4 @@
-//! A comparison for people: one table.
+//! A comparison as text: one table.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use super::{Answer, Comparison};
 use crate::number::significant as number;
 use crate::summary::{moment, without_noise};
 
-/// Heading of a column, and how to get its number.
+/// Heading of a column, and getter of its number.
 type Column = (&'static str, fn(&Answer) -> Option<f64>);
 
 const COLUMNS: [Column; 7] = [
@@ -24,7 +24,7 @@ const COLUMNS: [Column; 7] = [
 /// Width of the names, in characters.
 const NAMES: usize = 24;
 
-/// All methods on a terminal: forces on the wheel, the largest temperature rise, and times.
+/// All methods as text: forces on the wheel, the largest temperature rise, and times.
 pub(super) fn text(comparison: &Comparison) -> String {
     let mut text = format!("{}\n\n", comparison.title);
     if let Some(answer) = comparison.answers().next() {

@@ -1,4 +1,4 @@
-//! Creep curves: force on the rail over load, moment and temperature rise over creepage.
+//! Creep curves: force on the rail over load, moment and temperature rise against creepage.
 
 use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, CreepCurve, Point};
@@ -43,7 +43,8 @@ pub(super) fn draw(family: &CurveFamily) -> Option<String> {
     Some(drawing.finish())
 }
 
-/// A part of the force: its direction in the plane of contact, name, and how its curves are dashed.
+/// A component of the force: its direction in the contact plane, name, and the dash pattern of its
+/// curves.
 struct Component {
     direction: [f64; 2],
     name: &'static str,
@@ -52,13 +53,13 @@ struct Component {
 }
 
 impl Component {
-    /// The part on the rail.
+    /// The component on the rail.
     fn of(&self, force: &Resultant) -> f64 {
         -(force.x * self.direction[0] + force.y * self.direction[1])
     }
 }
 
-/// What is drawn, and over what.
+/// Contents and abscissa of the figure.
 struct Picture<'a> {
     family: &'a CurveFamily,
     abscissa: Abscissa,
@@ -66,17 +67,17 @@ struct Picture<'a> {
     x: [f64; 2],
     /// Colour of each member.
     colors: Vec<String>,
-    /// The main component of the force, and the other one where it is seen.
+    /// The main component of the force, and the other one if it is visible.
     components: Vec<Component>,
 }
 
-/// A component of less than this part of the largest force is not seen.
+/// A component below this fraction of the largest force is invisible.
 const INVISIBLE: f64 = 0.01;
 
 /// Width of the legend of the members.
 const LEGEND: f64 = 170.0;
 
-/// Distance of its entries.
+/// Spacing of its entries.
 const LEGEND_ROW: f64 = 24.0;
 
 impl<'a> Picture<'a> {
@@ -127,7 +128,7 @@ impl<'a> Picture<'a> {
         marks::title_block(drawing, title, [&self.family.title, &self.conditions()], remark);
     }
 
-    /// What is the same at all points of all curves.
+    /// Conditions shared by all points of all curves.
     fn conditions(&self) -> String {
         let constant = |value: fn(&Point) -> f64| {
             let first = self.points().next().map(value)?;
@@ -202,7 +203,7 @@ impl<'a> Picture<'a> {
         panel
     }
 
-    /// The lines of the initial slopes of what is computed from the force.
+    /// The initial-slope lines of a quantity computed from the force.
     fn tangents(&self, value: impl Fn(&Member, &Resultant) -> f64) -> Vec<Tangent> {
         let members = self.family.members.iter().zip(&self.colors);
         let tangent = |(member, color): (&Member, &String)| {
@@ -224,7 +225,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Where points did not converge.
+    /// Points that did not converge.
     fn failures(&self, value: impl Fn(&Member, &Point) -> f64) -> Vec<[f64; 2]> {
         let mut crosses = Vec::new();
         for member in &self.family.members {
@@ -235,7 +236,7 @@ impl<'a> Picture<'a> {
         crosses
     }
 
-    /// Nothing where there is none and none is asked for.
+    /// `None` if there is no moment and none is requested.
     fn moments(&self) -> Option<MarkedPanel> {
         let is_seen = self.abscissa == Abscissa::Spin
             || self.largest(|point| point.normalised.moment_z.unwrap_or(0.0)) > INVISIBLE;
@@ -247,7 +248,7 @@ impl<'a> Picture<'a> {
         is_seen.then_some(panel)
     }
 
-    /// Nothing where there is no heat.
+    /// `None` if there is no heat.
     fn temperatures(&self) -> Option<MarkedPanel> {
         let value = |point: &Point| known(point.max_rise);
         (self.largest(value) > 0.0).then(|| self.panel("largest temp. rise (K)", value))
@@ -272,7 +273,7 @@ impl<'a> Picture<'a> {
         if self.family.over.is_some() { LEGEND_ROW * self.family.members.len() as f64 } else { 0.0 }
     }
 
-    /// The members with their colours, one below the other from the upper left corner.
+    /// The members with their colours, listed downwards from the upper left corner.
     fn legend(&self, drawing: &mut Drawing, [left, top]: [f64; 2]) {
         const SAMPLE: f64 = 26.0;
         let Some(field) = &self.family.over else { return };
@@ -291,7 +292,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// The component along the abscissa, and the one across.
+/// The component along the abscissa, and the transverse one.
 fn components(abscissa: Abscissa) -> [Component; 2] {
     const DASHES: &str = "8 4";
     let x = |dashes| Component { direction: [1.0, 0.0], name: "\u{2212}$F$_x", remark: "", dashes };
@@ -324,7 +325,7 @@ fn stroke(color: &str, dashes: &str) -> String {
     format!(r#"stroke="{color}" stroke-width="2.2" stroke-linejoin="round"{dashes}"#)
 }
 
-/// A curve of the forces with its maxima, which are solutions, too.
+/// A curve of the forces including its maxima, which are solutions, too.
 fn with_maxima(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64) -> Vec<[f64; 2]> {
     let points = curve.points.iter().map(|point| [point.abscissa, value(&point.force)]);
     let maxima = curve.maxima.iter().filter(|maximum| !maximum.is_saturated);
@@ -341,7 +342,7 @@ fn curve(points: &[[f64; 2]], color: &str, dashes: &str) -> Curve {
 
 /// The line of the initial slope.
 struct Tangent {
-    /// Value at zero of the abscissa, and slope.
+    /// Value at zero abscissa, and slope.
     value: f64,
     slope: f64,
     color: String,
@@ -374,7 +375,7 @@ struct Dot {
     hollow: bool,
 }
 
-/// A panel with what is marked on its curves.
+/// A panel with the marks on its curves.
 struct MarkedPanel {
     panel: Panel,
     tangents: Vec<Tangent>,
@@ -402,7 +403,7 @@ fn cross_stroke() -> String {
 }
 
 impl MarkedPanel {
-    /// Entries of the legend for what is marked.
+    /// Adds legend entries for the marks.
     fn explain(&mut self) {
         let mut entry = |sample, text: &str| {
             self.entries.push(Entry { sample, text: text.to_owned() });
@@ -420,7 +421,7 @@ impl MarkedPanel {
         }
     }
 
-    /// Range of the curves and zero, with some room for what is drawn on them.
+    /// Range of the curves including zero, with some margin for the marks.
     fn range(&self) -> [f64; 2] {
         const ROOM: f64 = 0.05;
         let values = || self.panel.curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);

@@ -91,7 +91,7 @@ struct Curve<'a> {
     value: Option<&'a str>,
     method: Method,
     normal: &'a NormalSummary,
-    /// Where creepages hold, and about which point moments are taken.
+    /// Reference point of creepages and moments.
     reference: ReferencePoint,
     initial_slope: Option<InitialSlope>,
     maximum: Option<&'a Maximum>,

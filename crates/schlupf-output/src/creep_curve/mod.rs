@@ -15,14 +15,14 @@ use crate::table::{Table, entries, entry, quoted};
 /// Name of the figure.
 const FIGURE: &str = "creep_curve";
 
-/// Creep curves over the same creepages, of cases that differ in one field.
+/// Creep curves over the same creepages, for cases that differ in one field.
 #[derive(Debug, Clone)]
 pub struct CurveFamily {
     /// Title of the case.
     pub title: String,
-    /// Dotted path of the field in which the members differ; `None` for one curve.
+    /// Dotted path of the field in which the members differ; `None` for a single curve.
     pub over: Option<String>,
-    /// How the points are spaced.
+    /// Spacing of the points.
     pub sampling: Sampling,
     /// At least one curve.
     pub members: Vec<Member>,
@@ -33,17 +33,17 @@ pub struct CurveFamily {
 /// One curve of a family.
 #[derive(Debug, Clone)]
 pub struct Member {
-    /// The value of the field, as it was written; `None` for one curve.
+    /// The value of the field, as written; `None` for a single curve.
     pub value: Option<String>,
-    /// What its reader must know.
+    /// Warnings for whoever uses the curve.
     pub warnings: Vec<Message>,
     /// The curve.
     pub curve: CreepCurve,
 }
 
 impl CurveFamily {
-    /// Curves with their warnings: one that all of them have once, the others with the name of
-    /// their curve.
+    /// Curves with their warnings: a warning common to all is listed once, the others with the name
+    /// of their curve.
     pub fn new(
         title: String,
         over: Option<String>,
@@ -55,12 +55,12 @@ impl CurveFamily {
         family
     }
 
-    /// What all curves are drawn over.
+    /// The common abscissa of all curves.
     pub fn abscissa(&self) -> Option<Abscissa> {
         self.members.first().map(|member| member.curve.path.abscissa())
     }
 
-    /// What a member is called, such as `normal.load = 60 kN`.
+    /// Name of a member, such as `normal.load = 60 kN`.
     pub fn name(&self, member: &Member) -> Option<String> {
         Some(format!("{} = {}", self.over.as_ref()?, member.value.as_ref()?))
     }
@@ -100,8 +100,8 @@ impl Report for CurveFamily {
         summary::text(self)
     }
 
-    /// The first column is the field in which the curves differ, if there is one; then comes the
-    /// total creepage where the curves run in a fixed direction.
+    /// The first column is the field in which the curves differ, if there is one; then follows the
+    /// total creepage if the curves have a fixed direction.
     fn csv(&self) -> Option<String> {
         let total = self.abscissa().filter(|a| matches!(a, Abscissa::Total { .. }));
         let mut table = Table::default();

@@ -1,4 +1,4 @@
-//! Creep curves for people: a table with some of the points, slope and maximum of every curve.
+//! Creep curves as text: a table with some of the points, slope and maximum of every curve.
 
 use std::fmt::Write;
 
@@ -11,13 +11,13 @@ use super::{CurveFamily, Member};
 use crate::number::significant as number;
 use crate::summary::{self, without_noise};
 
-/// What creepages and moments refer to where that is not the centre of the patch.
+/// Remark on the reference point of creepages and moments if it is not the centre of the patch.
 const FROM_THE_FILE: &str = "creepages and moment at the origin of the file";
 
 /// Maximum number of points of a curve in the table, apart from those that did not converge.
 const MOST_ROWS: usize = 21;
 
-/// The curves on a terminal: forces on the wheel, temperatures, slope and maximum.
+/// The curves as text: forces on the wheel, temperatures, slope and maximum.
 pub(super) fn text(family: &CurveFamily) -> String {
     let mut text = format!("{}\n", family.title);
     for member in &family.members {
@@ -76,7 +76,7 @@ fn conditions(text: &mut String, curve: &CreepCurve) {
     line(text, &parts.join(", "));
 }
 
-/// A column of the table: its heading, and how to get its number.
+/// A column of the table: its heading, and the getter of its number.
 type Column = (String, fn(&Point) -> Option<f64>);
 
 fn table(text: &mut String, curve: &CreepCurve) {
@@ -155,7 +155,7 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
     for ((what, value, unit, normalised, kalker), coefficient) in
         components.into_iter().zip(coefficients)
     {
-        // What is left of the tolerance of the solutions, or unknown.
+        // Within the tolerance of the solutions, or unknown.
         if normalised.abs() <= 1e-5 * largest {
             continue;
         }
@@ -186,7 +186,7 @@ fn top(text: &mut String, maximum: &Maximum, abscissa: Abscissa) {
     line(text, &format!("{:<18}{entry}", "maximum"));
 }
 
-/// Where the largest force is, if that is no maximum.
+/// The position of the largest force, if that is not a maximum.
 fn largest(text: &mut String, curve: &CreepCurve) {
     let converged = curve.points.iter().filter(|point| point.status == Status::Converged);
     let largest = converged
@@ -202,7 +202,7 @@ fn largest(text: &mut String, curve: &CreepCurve) {
     line(text, &format!("{:<18}{entry}", "maximum"));
 }
 
-/// Four significant digits: more are not known of a place.
+/// Four significant digits: positions are not known more accurately.
 fn significant(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }

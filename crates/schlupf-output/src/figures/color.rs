@@ -1,15 +1,15 @@
 //! Colours of text and lines, and perceptually uniform colour maps.
 //!
 //! The maps are equidistant samples of viridis and inferno (matplotlib, van der Walt and Smith
-//! 2015, CC0) and of vik (Crameri 2018, MIT), linear in between; at 33 samples the error is below
-//! what eight bits show.
+//! 2015, CC0) and of vik (Crameri 2018, MIT), linear in between; with 33 samples the error is below
+//! the resolution of eight bits.
 
 /// Colour of text and axes.
 pub(crate) const INK: &str = "#222222";
-/// Colour of what stands back: titles of the case, units, grid labels.
+/// Colour of secondary elements: titles of the case, units, grid labels.
 pub(crate) const MUTED: &str = "#5f5f5f";
 
-/// Line colours that colour-blind readers tell apart (Okabe and Ito 2008).
+/// Line colours that colour-blind readers can distinguish (Okabe and Ito 2008).
 pub(crate) const BLUE: &str = "#0072b2";
 /// Second line colour.
 pub(crate) const VERMILION: &str = "#d55e00";
@@ -27,7 +27,7 @@ pub(crate) enum Palette {
     Signed,
 }
 
-/// Colours told apart in a figure.
+/// Number of distinct colours in a figure.
 pub(crate) const LEVELS: usize = 256;
 
 /// Colours over a range of values.
@@ -73,9 +73,9 @@ pub(crate) fn paint(palette: Palette, level: usize) -> String {
     format!("#{color:06x}")
 }
 
-/// Colours of a series of curves, from dark to light, so that they differ in grey, too.
+/// Colours of a series of curves, from dark to light, so that they also differ in greyscale.
 pub(crate) fn series(count: usize) -> Vec<String> {
-    /// The light end of the palette is not seen on white.
+    /// The light end of the palette is invisible on white.
     const LIGHTEST: f64 = 0.78;
     if count == 1 {
         return vec![BLUE.to_owned()];

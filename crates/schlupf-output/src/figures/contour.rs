@@ -1,4 +1,4 @@
-//! Borders on the grid: between sticking and sliding, and of the contact itself.
+//! Borders on the grid: between stick and slip, and of the contact itself.
 
 use schlupf::grid::Grid;
 
@@ -7,8 +7,7 @@ use super::patch::Patch;
 /// A piece of a border, in m.
 pub(crate) type Segment = [[f64; 2]; 2];
 
-/// What tells sliding from sticking: a value for each contact cell that exceeds a level where the
-/// cell slides.
+/// Criterion for sliding: a value for each contact cell that exceeds a level where the cell slides.
 #[derive(Debug)]
 pub(crate) struct Sliding {
     /// The values.
@@ -17,8 +16,8 @@ pub(crate) struct Sliding {
     pub level: f64,
 }
 
-/// The share of the friction bound in use where it tells sliding cells from sticking ones, as it
-/// does by definition: its contour is smooth. Else the marks of the cells.
+/// The used fraction of the friction bound, if it separates sliding from sticking cells, as it does
+/// by definition: its contour is smooth. Otherwise the flags of the cells.
 pub(crate) fn sliding(patch: &Patch) -> Sliding {
     let used = used_friction(patch);
     let sliding = &patch.fields().sliding;
@@ -33,13 +32,13 @@ pub(crate) fn sliding(patch: &Patch) -> Sliding {
     Sliding { values: marks, level: 0.5 }
 }
 
-/// The border between sticking and sliding.
+/// The border between stick and slip.
 pub(crate) fn stick_border(patch: &Patch) -> Vec<Segment> {
     let Sliding { values, level } = sliding(patch);
     contour(patch, &values, level)
 }
 
-/// |t|/(μ pₙ) in every contact cell, zero where there is no telling.
+/// |t|/(μ pₙ) in every contact cell, zero where unknown.
 fn used_friction(patch: &Patch) -> Vec<f64> {
     let fields = patch.fields();
     (0..fields.len())
@@ -70,7 +69,7 @@ pub(crate) fn outline(patch: &Patch) -> Vec<Segment> {
     segments
 }
 
-/// The contour of a field between the cell centres, drawn on over the rim of the patch.
+/// The contour of a field between the cell centres, extended over the rim of the patch.
 fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Segment> {
     let field = Padded::new(patch, values);
     let mut segments = Vec::new();
@@ -88,7 +87,7 @@ fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Segment> {
     segments
 }
 
-/// Where the contour crosses the edges of a square, joined in pairs.
+/// Points where the contour crosses the edges of a square, joined in pairs.
 fn crossings(corners: [([f64; 2], f64); 4]) -> Vec<Segment> {
     let mut points = Vec::new();
     for (index, &(p, f)) in corners.iter().enumerate() {
@@ -101,8 +100,8 @@ fn crossings(corners: [([f64; 2], f64); 4]) -> Vec<Segment> {
     points.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// A field on the grid with one more cell all around. Two rings of cells around the contact take
-/// the mean of their neighbours within, so that contours reach its rim.
+/// A field on the grid with one more cell all around. Two rings of cells around the contact get the
+/// mean of their inner neighbours, so that contours reach the rim.
 struct Padded<'a> {
     grid: &'a Grid,
     columns: usize,
@@ -136,7 +135,7 @@ impl<'a> Padded<'a> {
         ]
     }
 
-    /// Gives the cells next to known ones the mean of these.
+    /// Sets the cells next to known ones to the mean of these.
     fn grow(&mut self) {
         let grown = (0..self.rows)
             .flat_map(|j| (0..self.columns).map(move |i| (i, j)))

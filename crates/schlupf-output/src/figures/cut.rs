@@ -1,4 +1,5 @@
-//! The contact along the line y = 0, or another one where there is no contact.
+//! A section of the contact along the line y = 0, or along another one if there is no contact
+//! there.
 
 use std::f64::consts::PI;
 
@@ -41,8 +42,8 @@ struct Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    /// The line y = 0, or the one nearest to it that crosses the grid; where that passes between
-    /// two parts of the patch, the one through the largest pressure.
+    /// The line y = 0, or the nearest one that crosses the grid; if that passes between two parts
+    /// of the patch, the one through the largest pressure.
     fn new(patch: &'a Patch<'a>) -> Self {
         let grid = &patch.fields().grid;
         let (first, last) = (grid.y(0), grid.y(grid.rows - 1));
@@ -77,8 +78,7 @@ impl<'a> Cut<'a> {
         [(self.range[0] - margin) / 1e-3, (self.range[1] + margin) / 1e-3]
     }
 
-    /// Values (one for each contact cell) along the line over x in mm; not a number outside the
-    /// contact.
+    /// Values (one for each contact cell) along the line against x in mm; NaN outside the contact.
     fn along(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<[f64; 2]> {
         if self.patch.elliptic {
             self.across_ellipse(values, vanishes_at_rim)
@@ -87,7 +87,7 @@ impl<'a> Cut<'a> {
         }
     }
 
-    /// At points that crowd at the ends, where a Hertzian field falls steeply.
+    /// At points concentrated towards the ends, where a Hertzian field falls steeply.
     fn across_ellipse(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<[f64; 2]> {
         const POINTS: u32 = 400;
         let sampler = Sampler::new(self.patch, values, vanishes_at_rim);
@@ -170,7 +170,7 @@ fn slip(cut: &Cut) -> Panel {
     Panel { label: format!("slip velocity ({})", unit.symbol), height: 150.0, curves }
 }
 
-/// Nothing where there is no heat.
+/// `None` if there is no heat.
 fn temperature(cut: &Cut) -> Option<Panel> {
     let fields = cut.patch.fields();
     let (wheel, rail) = (&fields.temperature_rise_wheel, &fields.temperature_rise_rail);

@@ -10,7 +10,7 @@ pub(crate) const TICK_SIZE: f64 = 13.0;
 /// Font size of axis labels.
 pub(crate) const LABEL_SIZE: f64 = 15.0;
 
-/// A plot area and the ranges it shows.
+/// A plot area and its ranges.
 #[derive(Debug, Clone)]
 pub(crate) struct Frame {
     /// Upper left corner in the drawing.
@@ -24,7 +24,7 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// Where a point lies in the drawing.
+    /// Position of a point in the drawing.
     pub(crate) fn at(&self, point: [f64; 2]) -> [f64; 2] {
         let u = (point[0] - self.x[0]) / (self.x[1] - self.x[0]);
         let v = (point[1] - self.y[0]) / (self.y[1] - self.y[0]);
@@ -46,7 +46,7 @@ impl Frame {
         self.corner[0] + self.size[0]
     }
 
-    /// Grid lines at the ticks, for what is drawn over them.
+    /// Grid lines at the ticks, to be drawn first.
     pub(crate) fn draw_grid(&self, drawing: &mut Drawing) {
         for tick in self.x_ticks() {
             let x = self.at([tick.value, self.y[0]])[0];
@@ -97,7 +97,8 @@ impl Frame {
     }
 }
 
-/// About so many ticks, and at least three: an axis with one does not tell its scale.
+/// Approximately the given number of ticks, but at least three: an axis with one tick has no
+/// recognisable scale.
 fn enough_ticks([low, high]: [f64; 2], about: usize) -> Vec<Tick> {
     const LEAST: usize = 3;
     let ticks = |about| round_ticks(low, high, about);

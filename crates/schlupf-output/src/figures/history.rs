@@ -1,4 +1,4 @@
-//! Forces and temperature while the wheel rolls.
+//! Forces and temperature against the distance rolled.
 
 use schlupf::solution::Instant;
 
@@ -8,7 +8,7 @@ use super::panels::{Curve, Panel, Stack, known};
 use super::patch::Patch;
 use super::units;
 
-/// Forces on the rail, creepages that change, and the largest temperature rise over the distance
+/// Forces on the rail, varying creepages, and the largest temperature rise against the distance
 /// rolled.
 pub(crate) fn draw(patch: &Patch) -> String {
     let history = &patch.solution.history;
@@ -50,7 +50,7 @@ fn forces(history: &[Instant], x: &[f64]) -> Panel {
     Panel { label: format!("force on the rail ({})", unit.symbol), height: 260.0, curves }
 }
 
-/// Nothing where they are constant. A shift at rest has none.
+/// `None` if they are constant. A shift at rest has none.
 fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
     let at_rest = history.iter().take_while(|instant| instant.kinematics.speed == 0.0).count();
     let (history, x) = (&history[at_rest..], &x[at_rest..]);
@@ -66,7 +66,7 @@ fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
     changes.then_some(Panel { label: "creepage".to_owned(), height: 150.0, curves })
 }
 
-/// Nothing where there is no heat.
+/// `None` if there is no heat.
 fn temperature(history: &[Instant], x: &[f64]) -> Option<Panel> {
     let hot = history.iter().any(|instant| instant.max_rise.is_some_and(|rise| rise != 0.0));
     let curves =

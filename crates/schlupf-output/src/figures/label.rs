@@ -1,13 +1,13 @@
 //! Text with italics and subscripts.
 //!
-//! Markup: `$` begins and ends italics, `_` and `^` lower and raise the next character or the text
+//! Markup: `$` starts and ends italics, `_` and `^` lower and raise the next character or the text
 //! in braces that follows: `$p$_n (MPa)`, `mm^{2}`.
 
 use std::fmt::Write;
 
 use super::color::INK;
 
-/// Where the given point lies in the text.
+/// Position of the given point within the text.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Anchor {
     /// At its start.
@@ -18,12 +18,12 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// How text is set.
+/// Style of a text.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TextStyle {
     /// Font size in user units.
     pub size: f64,
-    /// Where the given point lies along the text.
+    /// Position of the given point along the text.
     pub anchor: Anchor,
     /// Colour.
     pub color: &'static str,
@@ -38,7 +38,7 @@ impl TextStyle {
     }
 }
 
-/// The SVG element of a text whose inner part is given as SVG.
+/// The SVG element of a text whose content is given as SVG.
 pub(crate) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
     let [x, y] = at;
     let anchor = match style.anchor {
@@ -54,7 +54,7 @@ pub(crate) fn element(at: [f64; 2], style: &TextStyle, inner: &str) -> String {
         // Writing to a String cannot fail.
         let _ = write!(attributes, r#" transform="rotate({:.2} {x:.2} {y:.2})""#, style.rotation);
     }
-    // Spaces at the ends of spans count.
+    // Spaces at the ends of spans are significant.
     format!(r#"<text {attributes} xml:space="preserve">{inner}</text>"#)
 }
 
@@ -69,8 +69,8 @@ pub(crate) fn spans(markup: &str, size: f64) -> String {
             Script::Upper => (-0.38, 0.72),
         };
         let style = if run.italic { r#" font-style="italic""# } else { "" };
-        // A shift holds for all text behind it, so each run states its own against the last one.
-        // Writing to a String cannot fail.
+        // A shift applies to all following text, so each run states its own relative to the
+        // previous one. Writing to a String cannot fail.
         let _ = write!(
             inner,
             r#"<tspan dy="{:.2}" font-size="{:.2}"{style}>{}</tspan>"#,
@@ -90,7 +90,7 @@ enum Script {
     Upper,
 }
 
-/// Characters set alike.
+/// Characters with the same style.
 #[derive(Debug)]
 struct Run {
     text: String,
@@ -129,7 +129,7 @@ fn script(characters: &mut std::str::Chars) -> String {
     }
 }
 
-/// Text with the characters of XML escaped and control characters left out.
+/// Text with XML characters escaped and control characters removed.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
@@ -145,7 +145,7 @@ pub(crate) fn escape(text: &str) -> String {
     escaped
 }
 
-/// About how wide a text is, in font sizes; enough to keep labels apart.
+/// Approximate width of a text, in font sizes; accurate enough to keep labels apart.
 pub(crate) fn width(text: &str) -> f64 {
     0.57 * text.chars().filter(|c| !"$_^{}".contains(*c)).count() as f64
 }

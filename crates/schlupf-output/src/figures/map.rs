@@ -1,4 +1,4 @@
-//! Flat maps of the patch: colours, arrows, the border between sticking and sliding.
+//! Flat maps of the patch: colours, arrows, the border between stick and slip.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -19,9 +19,9 @@ pub(crate) struct Arrows {
     pub x: Vec<f64>,
     /// Component across rolling.
     pub y: Vec<f64>,
-    /// Whether they vanish at the rim, as [`Quantity`] has it.
+    /// Whether they vanish at the rim, as in [`Quantity`].
     pub vanish_at_rim: bool,
-    /// What they are.
+    /// Description in the legend.
     pub text: &'static str,
 }
 
@@ -73,7 +73,8 @@ struct Layout {
 }
 
 impl Layout {
-    /// The plot as large as its proportions allow, colour bar to its right, legend below.
+    /// The plot as large as its proportions allow, with the colour bar to its right and the legend
+    /// below.
     fn new(patch: &Patch) -> Self {
         const LARGEST: [f64; 2] = [600.0, 520.0];
         const LEAST_HEIGHT: f64 = 200.0;
@@ -105,7 +106,7 @@ impl Layout {
     }
 }
 
-/// What the map spans, in m: the patch and a little more.
+/// Extent of the map, in m: the patch and a margin.
 fn ranges(patch: &Patch) -> [[f64; 2]; 2] {
     let grid = &patch.fields().grid;
     if patch.elliptic {
@@ -117,8 +118,8 @@ fn ranges(patch: &Patch) -> [[f64; 2]; 2] {
     ]
 }
 
-/// The cells of each colour as one path on the lattice of the grid; cells of one colour that follow
-/// each other in a row are one rectangle.
+/// The cells of each colour as one path on the lattice of the grid; adjacent cells of one colour in
+/// a row form one rectangle.
 fn cells_by_level(
     patch: &Patch,
     quantity: &Quantity,
@@ -128,7 +129,7 @@ fn cells_by_level(
     let level = |column: usize, row: usize| {
         let cell = patch.cell(column, row)?;
         let value = quantity.values[cell];
-        // The patch is clipped at its rim, so its cells show the mean of what remains of them.
+        // The patch is clipped at its rim, so its cells show the mean over the part that remains.
         let partial = patch.elliptic && quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
         Some(scale.level(if partial { value / fields.covered[cell] } else { value }))
     };
@@ -209,7 +210,7 @@ fn segments_path(frame: &Frame, segments: &[Segment]) -> String {
     segments.iter().map(|segment| open_path(&segment.map(place))).collect()
 }
 
-/// Arrows on a lattice about the middle, the longest almost as long as they are apart.
+/// Arrows on a lattice about the centre, the longest almost as long as their spacing.
 fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arrows) {
     const SPACING: f64 = 36.0;
     let largest = arrows.x.iter().zip(&arrows.y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
@@ -241,7 +242,7 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
     drawing.path(&path, ARROW);
 }
 
-/// The end of half an arrow from a place (all in m), cut where it would stick out of the patch.
+/// The end of half an arrow from a point (all in m), shortened where it would leave the patch.
 fn end_inside(patch: &Patch, place: [f64; 2], half: [f64; 2]) -> [f64; 2] {
     let at = |share: f64| [place[0] + share * half[0], place[1] + share * half[1]];
     let shares = (0..=10).rev().map(|tenth| f64::from(tenth) / 10.0);

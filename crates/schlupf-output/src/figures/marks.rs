@@ -1,4 +1,4 @@
-//! What several figures have in common: heading, colour bar, arrows, legend.
+//! Elements shared by several figures: heading, colour bar, arrows, legend.
 
 use schlupf::Status;
 use schlupf::kinematics::ReferencePoint;
@@ -22,7 +22,7 @@ pub(crate) fn heading(drawing: &mut Drawing, patch: &Patch, title: &str) {
     title_block(drawing, title, [patch.title, &conditions(patch)], remark);
 }
 
-/// Title of the figure, title of the case as it stands and its conditions, and a remark in red.
+/// Title of the figure, unmodified title of the case and its conditions, and a remark in red.
 pub(crate) fn title_block(
     drawing: &mut Drawing,
     title: &str,
@@ -40,10 +40,10 @@ pub(crate) fn title_block(
     }
 }
 
-/// Colour of what did not converge.
+/// Colour for results that did not converge.
 pub(crate) const ALARM: &str = "#b40426";
 
-/// A text cut to a width in font sizes.
+/// A text truncated to a width in font sizes.
 pub(crate) fn shortened(text: &str, room: f64) -> String {
     if label::width(text) <= room {
         return text.to_owned();
@@ -89,7 +89,7 @@ pub(crate) fn color_bar(
     for level in 0..LEVELS {
         let y = top + height - (level + 1) as f64 * step;
         let fill = format!(r#"fill="{}""#, paint(scale.palette, level));
-        // A little taller than a level, so that no gap shows between two of them.
+        // Slightly taller than a level, so that no gap shows between two of them.
         drawing.rectangle([left, y], [WIDTH, step + 0.5], &fill);
     }
     drawing.end_group();
@@ -104,7 +104,7 @@ pub(crate) fn color_bar(
     drawing.text([left, top - 12.0], &TextStyle::new(LABEL_SIZE, Anchor::Start), label);
 }
 
-/// The outline of an arrow as path data; `width` is that of its head. Nothing without a length.
+/// The outline of an arrow as path data; `width` is that of its head. Empty for zero length.
 pub(crate) fn arrow(from: [f64; 2], to: [f64; 2], width: f64) -> String {
     let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     let length = dx.hypot(dy);
@@ -118,7 +118,7 @@ pub(crate) fn arrow(from: [f64; 2], to: [f64; 2], width: f64) -> String {
             from[1] + along[1] * distance + along[0] * aside,
         ]
     };
-    // A short arrow is a smaller one, not a squeezed one.
+    // A short arrow is scaled down, not squeezed.
     let head = (1.4 * width).min(0.6 * length);
     let half_head = head / 2.8;
     let half_shaft = 0.3 * half_head;
@@ -162,12 +162,12 @@ pub(crate) fn cross(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
     drawing.line([x - ARM, y + ARM], [x + ARM, y - ARM], style);
 }
 
-/// An entry of a legend: sample strokes (SVG attributes, drawn one over the other) and text.
+/// An entry of a legend: sample strokes (SVG attributes, drawn on top of each other) and text.
 #[derive(Debug)]
 pub(crate) struct Entry {
-    /// How the sample is drawn.
+    /// The sample.
     pub sample: Sample,
-    /// What it means.
+    /// Its meaning.
     pub text: String,
 }
 
@@ -188,8 +188,8 @@ pub(crate) enum Sample {
     Cross(String),
 }
 
-/// Entries in a row from the left end of its base line, in more rows if they do not fit; returns
-/// the height taken.
+/// Entries in a row from the left end of its baseline, in several rows if they do not fit; returns
+/// the height used.
 pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &[Entry]) -> f64 {
     const ROW: f64 = 22.0;
     const SAMPLE: f64 = 30.0;

@@ -8,8 +8,8 @@ use super::sampler::Sampler;
 pub(crate) struct Facet {
     /// Its corners.
     pub corners: Vec<[f64; 3]>,
-    /// Those of its edges that lie on the two far lines of its mesh; the near ones are drawn by its
-    /// neighbours, which come after it and would cover them.
+    /// Edges on the two far lines of its mesh; the near ones are drawn by its neighbours, which
+    /// come later and would cover them.
     pub edges: Vec<[[f64; 3]; 2]>,
     /// Whether it belongs to the wall between the rim of the surface and zero.
     pub wall: bool,
@@ -34,23 +34,24 @@ impl Facet {
         Self { corners, edges, wall: false }
     }
 
-    /// Mean height of the corners; for a wall that of its upper edge.
+    /// Mean height of the corners; for a wall, of its upper edge.
     pub(crate) fn value(&self) -> f64 {
         let count = if self.wall { 2 } else { self.corners.len() };
         self.corners.iter().take(count).map(|corner| corner[2]).sum::<f64>() / count.max(1) as f64
     }
 
-    /// Middle of its projection to the floor.
+    /// Centre of its projection onto the floor.
     pub(crate) fn place(&self) -> [f64; 2] {
         let count = self.corners.len().max(1) as f64;
         [0, 1].map(|axis| self.corners.iter().map(|corner| corner[axis]).sum::<f64>() / count)
     }
 }
 
-/// Meshes along each side: as many as can be told apart, and even, for a node in the middle.
+/// Meshes along each side: as many as can be distinguished, and an even number, for a node in the
+/// middle.
 const MESHES: usize = 40;
 
-/// What a surface spans: ±1 for a Hertzian patch, else the grid; over a and b.
+/// Extent of a surface: ±1 for a Hertzian patch, otherwise the grid; normalised by a and b.
 pub(crate) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
     if patch.elliptic {
         return [[-1.0, 1.0]; 2];
@@ -66,8 +67,8 @@ pub(crate) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
     ]
 }
 
-/// The surface in square meshes over the extent of the patch. Over a Hertzian patch it ends at the
-/// ellipse and falls from there to zero.
+/// The surface in square meshes over the extent of the patch. For a Hertzian patch it ends at the
+/// ellipse and drops from there to zero.
 pub(crate) fn facets(patch: &Patch, sampler: &Sampler) -> Vec<Facet> {
     let [x, y] = extent(patch);
     let node = |range: [f64; 2], index: usize| between(range, index, MESHES);
@@ -88,7 +89,8 @@ pub(crate) fn facets(patch: &Patch, sampler: &Sampler) -> Vec<Facet> {
     facets
 }
 
-/// The squares into which a mesh is cut: where a surface falls steeply to its rim, smaller ones.
+/// The squares into which a mesh is divided: smaller ones where a surface drops steeply towards its
+/// rim.
 fn parts(mesh: [[f64; 2]; 2], elliptic: bool) -> Vec<[[f64; 2]; 4]> {
     let [x, y] = mesh;
     let far = x.map(f64::abs).into_iter().fold(0.0, f64::max).powi(2)
@@ -103,14 +105,14 @@ fn parts(mesh: [[f64; 2]; 2], elliptic: bool) -> Vec<[[f64; 2]; 4]> {
     (0..count * count).map(square).collect()
 }
 
-/// The end of the part number `index` of `count` equal parts of a range; its end exactly for the
-/// last.
+/// The end of part `index` of `count` equal parts of a range; exactly the end of the range for the
+/// last one.
 fn between([low, high]: [f64; 2], index: usize, count: usize) -> f64 {
     let share = index as f64 / count as f64;
     low * (1.0 - share) + high * share
 }
 
-/// What lies of a square within the ellipse, and the wall at its rim.
+/// The part of a square within the ellipse, and the wall at its rim.
 fn rim_facets(
     square: [[f64; 2]; 4],
     mesh: [[f64; 2]; 2],
@@ -129,7 +131,7 @@ fn rim_facets(
     facets
 }
 
-/// The part of a square within the unit circle, and where its edges cross the circle.
+/// The part of a square within the unit circle, and the points where its edges cross the circle.
 fn within_ellipse(square: [[f64; 2]; 4]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     let (mut inside, mut rim) = (Vec::new(), Vec::new());
     let is_inside = |[x, y]: [f64; 2]| x * x + y * y <= 1.0;
@@ -151,7 +153,7 @@ fn within_ellipse(square: [[f64; 2]; 4]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     (inside, rim)
 }
 
-/// Where the line from a point inside to one outside crosses the unit circle.
+/// Point where the line from a point inside to one outside crosses the unit circle.
 fn circle_crossing(inside: [f64; 2], outside: [f64; 2]) -> [f64; 2] {
     let [x, y] = inside;
     let [dx, dy] = [outside[0] - x, outside[1] - y];

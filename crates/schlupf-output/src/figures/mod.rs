@@ -1,8 +1,8 @@
 //! Figures of a solution, of creep curves, of a fit, of temperatures below the surface, of a
 //! calibration or of a rough contact, each as SVG and as PNG of the same drawing.
 //!
-//! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so
-//! do the arrows of the maps. Quantities that are zero throughout have no figure.
+//! The surfaces and the section show the traction on the rail, −t, as in Neuhaus and Sextro (2014);
+//! so do the arrows of the maps. Quantities that are zero everywhere have no figure.
 
 pub(crate) mod color;
 mod contour;
@@ -36,7 +36,7 @@ use patch::Patch;
 /// A figure.
 #[derive(Debug, Clone)]
 pub struct Figure {
-    /// Name for its files, without an ending.
+    /// Name for its files, without extension.
     pub name: String,
     /// The drawing, with its fonts embedded.
     pub svg: String,
@@ -44,7 +44,7 @@ pub struct Figure {
     pub png: Vec<u8>,
 }
 
-/// Why there is no figure.
+/// Reason why there is no figure.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FigureError {
@@ -66,10 +66,10 @@ pub enum FigureError {
     /// There are no forces and tractions to draw.
     #[error("there are no forces and tractions of half-space and layer to draw")]
     NoSides,
-    /// All methods give nothing but zeros.
+    /// All methods give only zeros.
     #[error("there is nothing to compare: no method gives a force or a temperature rise")]
     NothingToCompare,
-    /// The drawing could not be turned into a picture.
+    /// The drawing could not be rendered.
     #[error("the figure could not be rendered: {0}")]
     Render(String),
 }
@@ -77,7 +77,7 @@ pub enum FigureError {
 /// A drawing: its name, and the SVG document.
 pub type Drawing = (String, String);
 
-/// Figures of drawings, with their pictures, which take most of the time.
+/// Renders drawings to figures with their pictures, which takes most of the time.
 pub fn render(drawings: Vec<Drawing>) -> Result<Vec<Figure>, FigureError> {
     let fonts = font::database();
     let figure = |(name, svg): Drawing| {
@@ -87,7 +87,7 @@ pub fn render(drawings: Vec<Drawing>) -> Result<Vec<Figure>, FigureError> {
     drawings.into_iter().map(figure).collect()
 }
 
-/// Names of all figures of a solution that there can be.
+/// Names of all possible figures of a solution.
 pub fn names() -> Vec<String> {
     const SURFACES: [&str; 6] =
         ["pressure", "force_x", "force_y", "slip", "friction_power", "temperature"];
@@ -97,11 +97,12 @@ pub fn names() -> Vec<String> {
     surfaces.chain(maps).chain(["cut_y0", "history"].map(str::to_owned)).collect()
 }
 
-/// All drawings that the solution has something to show in: `surface_…` over the patch, flat
-/// `map_…`, `cut_y0` along y = 0 (through the largest pressure where that line meets no contact),
-/// and `history` over the rolled distance.
+/// All drawings for which the solution has something to show: `surface_…` over the patch, flat
+/// `map_…`, `cut_y0` along y = 0 (through the largest pressure if that line has no contact), and
+/// `history` over the distance rolled.
 pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<Drawing>, FigureError> {
-    /// What is left out, over the largest that the normalised quantities of the paper can be.
+    /// Threshold below which a quantity is omitted, relative to the largest possible value of the
+    /// paper's normalised quantities.
     const INVISIBLE: f64 = 1e-3;
     let patch = Patch::new(title, solution).ok_or(FigureError::NoPatch)?;
     let mut drawings = Vec::new();

@@ -1,4 +1,4 @@
-//! Curves over a common horizontal axis, in panels one above the other.
+//! Curves over a common horizontal axis, in stacked panels.
 
 use super::color::INK;
 use super::frame::Frame;
@@ -6,7 +6,7 @@ use super::marks::{self, Entry, HEADING, Sample};
 use super::svg::Drawing;
 use super::ticks::round_axis;
 
-/// A coordinate; one that is not known interrupts its curve.
+/// A coordinate; an unknown one interrupts its curve.
 pub(crate) fn known(value: Option<f64>) -> f64 {
     value.unwrap_or(f64::NAN)
 }
@@ -18,7 +18,7 @@ pub(crate) struct Curve {
     pub points: Vec<[f64; 2]>,
     /// SVG attributes of its stroke.
     pub stroke: String,
-    /// Its name in the legend, in the markup of labels; none if empty.
+    /// Its name in the legend, in the markup of labels; empty for none.
     pub text: String,
 }
 
@@ -36,7 +36,7 @@ impl Curve {
     }
 }
 
-/// Curves with a vertical axis of their own.
+/// Curves with their own vertical axis.
 #[derive(Debug)]
 pub(crate) struct Panel {
     /// Label of the vertical axis.
@@ -58,7 +58,7 @@ pub(crate) struct Stack {
     pub panels: Vec<Panel>,
     /// Shaded ranges of the horizontal axis.
     pub shaded: Vec<[f64; 2]>,
-    /// What the shading means.
+    /// Meaning of the shading.
     pub shading: &'static str,
 }
 
@@ -66,7 +66,7 @@ pub(crate) struct Stack {
 pub(crate) const WIDTH: f64 = 900.0;
 /// Left end of the plot area.
 pub(crate) const LEFT: f64 = 92.0;
-/// What is right of the plot area.
+/// Margin to the right of the plot area.
 pub(crate) const RIGHT: f64 = 30.0;
 const SHADE: &str = r##"fill="#e9eef4""##;
 /// Stroke of the line at zero.
@@ -84,7 +84,7 @@ impl Stack {
         Drawing::new(WIDTH, self.height())
     }
 
-    /// Draws all panels, from `top` down.
+    /// Draws all panels, from `top` downwards.
     pub(crate) fn draw(&self, drawing: &mut Drawing, top: f64) {
         let mut top = top;
         for (index, panel) in self.panels.iter().enumerate() {
@@ -132,7 +132,7 @@ impl Stack {
     }
 }
 
-/// Between two panels, for the legend of the lower one.
+/// Gap between two panels, for the legend of the lower one.
 pub(crate) const GAP: f64 = 36.0;
 
 impl Panel {
@@ -147,7 +147,7 @@ impl Panel {
         }
     }
 
-    /// Range of its curves and zero, a little widened.
+    /// Range of its curves including zero, slightly widened.
     pub(crate) fn range(&self) -> [f64; 2] {
         let values = || {
             self.curves

@@ -1,25 +1,25 @@
-//! The contact patch as the figures see it.
+//! The contact patch as used by the figures.
 
 use schlupf::solution::{Fields, Solution};
 
-/// A solution with what all figures need to know of its patch.
+/// A solution with the patch data needed by all figures.
 #[derive(Debug)]
 pub(crate) struct Patch<'a> {
     /// The solution.
     pub solution: &'a Solution,
     /// Title of the case.
     pub title: &'a str,
-    /// Whether the pressure is the ellipsoid of Hertz; if so, the rim of the patch is known exactly
+    /// Whether the pressure is Hertz's semi-ellipsoid; if so, the rim of the patch is known exactly
     /// and the figures end there.
     pub elliptic: bool,
-    /// Cold coefficient of friction μ0, dimensionless; one where there is no telling.
+    /// Cold coefficient of friction μ0, dimensionless; one if unknown.
     pub cold_friction: f64,
-    /// Contact cell at each place of the grid.
+    /// Contact cell at each position of the grid.
     cell_at: Vec<Option<usize>>,
 }
 
 impl<'a> Patch<'a> {
-    /// The patch of a solution; none if it has no cells or no size.
+    /// The patch of a solution; `None` if it has no cells or no size.
     pub(crate) fn new(title: &'a str, solution: &'a Solution) -> Option<Self> {
         let fields = &solution.fields;
         let grid = &fields.grid;
@@ -76,14 +76,14 @@ impl<'a> Patch<'a> {
     }
 
     /// √(1 − x²/a² − y²/b²), the shape of the Hertzian pressure; zero outside. Dimensionless; the
-    /// position is over a and b.
+    /// position is normalised by a and b.
     pub(crate) fn ellipsoid(position: [f64; 2]) -> f64 {
         let [x, y] = position;
         (1.0 - x * x - y * y).max(0.0).sqrt()
     }
 }
 
-/// The cold coefficient of friction, by which the solver normalised the force; from the field where
+/// The cold coefficient of friction, by which the solver normalised the force; from the field if
 /// there is no force.
 fn cold_friction(solution: &Solution) -> f64 {
     let force = solution.force.x.hypot(solution.force.y);
@@ -97,8 +97,8 @@ fn cold_friction(solution: &Solution) -> f64 {
     if largest > 0.0 { largest } else { 1.0 }
 }
 
-/// Whether the cells cover the ellipse, and those inside it carry the pressure of Hertz. The
-/// tolerance is for the difference between the mean over a cell and the value in its centre.
+/// Whether the cells cover the ellipse, and those inside it carry Hertz's pressure. The tolerance
+/// allows for the difference between the mean over a cell and the value at its centre.
 fn is_elliptic(solution: &Solution) -> bool {
     let Solution { fields, normal, .. } = solution;
     let covered: f64 = fields.covered.iter().sum::<f64>() * fields.grid.cell_area();

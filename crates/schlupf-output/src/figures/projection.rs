@@ -1,11 +1,11 @@
 //! A parallel projection of a box, seen from behind its near corner: x to the lower right, y to the
-//! upper right, z up. The leading edge of a patch comes to lie front right, as in the paper.
+//! upper right, z up. The leading edge of a patch is at the front right, as in the paper.
 
 /// Azimuth of the view, in rad.
 const AZIMUTH: f64 = 0.70;
 /// Elevation of the view, in rad.
 const ELEVATION: f64 = 0.50;
-/// Height of the box over half its width.
+/// Ratio of the height of the box to half its width.
 const HEIGHT: f64 = 1.15;
 
 /// Maps a box to the drawing.
@@ -13,14 +13,14 @@ const HEIGHT: f64 = 1.15;
 pub(crate) struct Projection {
     /// Ranges of x, y and z.
     pub ranges: [[f64; 2]; 3],
-    /// Where the middle of the floor lies in the drawing.
+    /// Position of the centre of the floor in the drawing.
     pub center: [f64; 2],
     /// Half the width of the box, in drawing units.
     pub scale: f64,
 }
 
 impl Projection {
-    /// Where a point lies in the drawing.
+    /// Position of a point in the drawing.
     pub(crate) fn at(&self, point: [f64; 3]) -> [f64; 2] {
         let [u, v] = self.floor([point[0], point[1]]);
         let [low, high] = self.ranges[2];
@@ -30,13 +30,13 @@ impl Projection {
         [self.center[0] + self.scale * right, self.center[1] - self.scale * up]
     }
 
-    /// How far away a place on the floor is.
+    /// Distance of a point on the floor.
     pub(crate) fn distance(&self, place: [f64; 2]) -> f64 {
         let [u, v] = self.floor(place);
         Self::away(u, v)
     }
 
-    /// The angle under which a line on the floor is seen, clockwise, in degrees.
+    /// The apparent angle of a line on the floor, clockwise, in degrees.
     pub(crate) fn angle(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let low = self.ranges[2][0];
         let [p, q] = [from, to].map(|place| self.at([place[0], place[1], low]));
@@ -47,7 +47,7 @@ impl Projection {
         v * AZIMUTH.cos() - u * AZIMUTH.sin()
     }
 
-    /// A place on the floor, from −1 to 1.
+    /// A position on the floor, from −1 to 1.
     fn floor(&self, place: [f64; 2]) -> [f64; 2] {
         let unit = |value: f64, [low, high]: [f64; 2]| 2.0 * (value - low) / (high - low) - 1.0;
         [unit(place[0], self.ranges[0]), unit(place[1], self.ranges[1])]

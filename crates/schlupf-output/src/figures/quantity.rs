@@ -1,4 +1,4 @@
-//! The quantities that are shown over the patch.
+//! The quantities shown over the patch.
 
 use schlupf::columns::Record;
 use schlupf::solution::Fields;
@@ -18,25 +18,25 @@ pub(crate) struct Quantity {
     pub label: String,
     /// Value in every contact cell, in the unit of the label.
     pub values: Vec<f64>,
-    /// Whether it is bounded by the pressure and so vanishes at the rim of the patch. Such a field
-    /// is a mean over the whole cell, of which only a part may be covered.
+    /// Whether it is bounded by the pressure and therefore vanishes at the rim of the patch. Such a
+    /// field is a mean over the whole cell, which may be only partly covered.
     pub vanishes_at_rim: bool,
-    /// Whether it is dimensionless, one being the most it can be.
+    /// Whether it is dimensionless with a maximum of one.
     pub normalised: bool,
     /// Colours.
     pub palette: Palette,
 }
 
 impl Quantity {
-    /// Least and largest value, zero included.
+    /// Smallest and largest value, zero included.
     pub(crate) fn range(&self) -> [f64; 2] {
         let low = self.values.iter().copied().fold(0.0, f64::min);
         let high = self.values.iter().copied().fold(0.0, f64::max);
         [low, high]
     }
 
-    /// A field of negative values turned over, so that a surface is a hill and not a pit that hides
-    /// its own ground; the label says so.
+    /// A field of negative values with its sign reversed, so that a surface is a hill and not a pit
+    /// that hides its own bottom; the label says so.
     fn upright(mut self) -> Self {
         let [low, high] = self.range();
         if low < 0.0 && high < -STRAY * low {
@@ -48,18 +48,18 @@ impl Quantity {
         self
     }
 
-    /// Whether it has anything to show: some value larger than rounding.
+    /// Whether it has anything to show: some value above rounding error.
     pub(crate) fn is_visible(&self, threshold: f64) -> bool {
         let [low, high] = self.range();
         high.max(-low) > threshold
     }
 }
 
-/// The share of the largest value up to which values of the other sign are stray ones.
+/// The fraction of the largest value up to which values of the other sign are considered stray.
 const STRAY: f64 = 0.1;
 
-/// Colours over a range: from zero for values of one sign, but for a few stray ones, else symmetric
-/// about zero.
+/// Colours over a range: from zero for values of one sign, except for a few stray ones, otherwise
+/// symmetric about zero.
 pub(crate) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
     let [low, high] = range;
     let largest = high.max(-low);
@@ -73,7 +73,7 @@ pub(crate) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
     }
 }
 
-/// A field of the cells as maps show it: its length, if it is a vector.
+/// A field of the cells as shown in maps: its magnitude, if it is a vector.
 struct Map {
     name: &'static str,
     title: &'static str,
@@ -201,7 +201,7 @@ pub(crate) fn of_the_paper(patch: &Patch) -> Vec<Quantity> {
     ]
 }
 
-/// The rise of the hotter body over its bulk temperature.
+/// The rise of the hotter body above its bulk temperature.
 fn temperature(patch: &Patch) -> Quantity {
     let largest = |of| finite(column(patch, of).into_iter()).into_iter().fold(0.0, f64::max);
     let [wheel, rail] = [schlupf::Quantity::RiseWheel, schlupf::Quantity::RiseRail].map(largest);
@@ -216,7 +216,7 @@ fn temperature(patch: &Patch) -> Quantity {
     Quantity { title, ..Map { of, ..RISE }.physical(patch) }
 }
 
-/// A field in the unit that suits its largest value.
+/// A field in a unit suitable for its largest value.
 pub(crate) fn scaled(field: &[f64], candidates: &[Unit]) -> (Unit, Vec<f64>) {
     let values = finite(field.iter().copied());
     let unit = units::pick(candidates, values.iter().fold(0.0, |largest, v| v.abs().max(largest)));
@@ -224,7 +224,7 @@ pub(crate) fn scaled(field: &[f64], candidates: &[Unit]) -> (Unit, Vec<f64>) {
     (unit, values)
 }
 
-/// Values with zero in place of what is not a number: a figure shows the rest.
+/// Values with zero in place of NaN and infinity, so that a figure shows the rest.
 fn finite(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values.map(|v| if v.is_finite() { v } else { 0.0 }).collect()
 }

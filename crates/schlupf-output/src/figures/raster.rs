@@ -1,4 +1,4 @@
-//! From SVG to PNG.
+//! Conversion of SVG to PNG.
 
 use std::fmt::Display;
 use std::sync::Arc;
@@ -26,7 +26,8 @@ pub(crate) fn png(svg: &str, fonts: &Arc<Database>) -> Result<Vec<u8>, FigureErr
     encode(&pixels).map_err(render_error)
 }
 
-/// Without transparency, which a figure on white does not have, and fast rather than small.
+/// Without transparency, which a figure on white does not need, and optimised for speed rather than
+/// size.
 fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     let opaque: Vec<u8> =
         pixels.data().chunks_exact(4).flat_map(|rgba| &rgba[..3]).copied().collect();

@@ -1,8 +1,8 @@
-//! A field between the cells: what a smooth surface over the patch needs.
+//! Interpolation of a field between the cells, for a smooth surface over the patch.
 
 use super::patch::Patch;
 
-/// A field that can be asked for its value anywhere; positions are over a and b.
+/// A field that can be evaluated anywhere; positions are normalised by a and b.
 #[derive(Debug)]
 pub(crate) enum Sampler<'a> {
     /// A Hertzian patch: strips along rolling, stretched to the ellipse.
@@ -12,8 +12,8 @@ pub(crate) enum Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    /// A sampler for values of the contact cells. A field that vanishes at the rim is one that the
-    /// pressure bounds; see [`Quantity`](super::quantity::Quantity).
+    /// A sampler for values of the contact cells. A field that vanishes at the rim is one bounded
+    /// by the pressure; see [`Quantity`](super::quantity::Quantity).
     pub(crate) fn new(patch: &'a Patch, values: &'a [f64], vanishes_at_rim: bool) -> Self {
         if patch.elliptic {
             Self::Strips(Strips::new(patch, values, vanishes_at_rim))
@@ -31,22 +31,22 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// Values along strips of the ellipse. A field that vanishes at the rim is kept as its ratio to the
-/// pressure, which is smooth up to the rim, and multiplied by the exact pressure again.
+/// Values along strips of the ellipse. A field that vanishes at the rim is stored as its ratio to
+/// the pressure, which is smooth up to the rim, and multiplied by the exact pressure on evaluation.
 #[derive(Debug)]
 pub(crate) struct Strips {
     strips: Vec<Strip>,
     times_ellipsoid: bool,
 }
 
-/// Covered part below which a cell is passed over.
+/// Covered fraction below which a cell is skipped.
 const SLIVER: f64 = 0.25;
 
 #[derive(Debug)]
 struct Strip {
-    /// Over b.
+    /// Normalised by b.
     y: f64,
-    /// From the trailing to the leading edge: place along the chord from −1 to 1, and value.
+    /// From the trailing to the leading edge: position along the chord from −1 to 1, and value.
     knots: Vec<[f64; 2]>,
 }
 
@@ -90,7 +90,7 @@ impl Strip {
         let [a, b] = patch.semi_axes();
         let mut cells: Vec<usize> =
             (0..fields.grid.columns).filter_map(|column| patch.cell(column, row)).collect();
-        // A sliver at the rim says little, and its small numbers scatter.
+        // A sliver at the rim carries little information, and its small numbers scatter.
         if cells.iter().any(|&cell| fields.covered[cell] > SLIVER) {
             cells.retain(|&cell| fields.covered[cell] > SLIVER);
         }
@@ -105,7 +105,7 @@ impl Strip {
         (y.is_finite() && !knots.is_empty()).then_some(Self { y, knots })
     }
 
-    /// Linear between the knots, constant beyond the last ones.
+    /// Linear between the knots, constant beyond the outermost ones.
     fn value(&self, place: f64) -> f64 {
         let above = self.knots.partition_point(|knot| knot[0] < place);
         let upper = self.knots[above.min(self.knots.len() - 1)];
@@ -114,7 +114,7 @@ impl Strip {
     }
 }
 
-/// Half the length of the ellipse's chord at y, over a.
+/// Half-length of the ellipse's chord at y, normalised by a.
 fn half_chord(y: f64) -> f64 {
     (1.0 - y * y).max(1e-12).sqrt()
 }

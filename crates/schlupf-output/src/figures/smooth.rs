@@ -1,11 +1,11 @@
 //! Smooth curves through points.
 
-/// Points on a smooth curve through the given ones, which stand in the order of x: cubic between
-/// two, with slopes that let it neither overshoot nor wave (Fritsch and Butland, *SIAM J. Sci.
-/// Stat. Comput.* 5, 1984). Where points are not finite or x does not change, it is interrupted or
-/// straight.
+/// Points on a smooth curve through the given ones, in order of increasing x: cubic between two
+/// points, with slopes that prevent overshoots and oscillations (Fritsch and Butland, *SIAM J. Sci.
+/// Stat. Comput.* 5, 1984). The curve is interrupted where points are not finite, and straight
+/// where x does not change.
 pub(crate) fn smooth(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    /// Pieces between two points.
+    /// Number of pieces between two points.
     const PIECES: u32 = 8;
     let mut curve = Vec::with_capacity(points.len() * PIECES as usize);
     for k in 1..points.len() {
@@ -27,7 +27,7 @@ pub(crate) fn smooth(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     curve
 }
 
-/// Slope at a point: a harmonic mean of those before and behind it, none at a local extremum.
+/// Slope at a point: a harmonic mean of those before and after it, zero at a local extremum.
 fn slope(points: &[[f64; 2]], k: usize) -> f64 {
     let secant = |k: usize| {
         let [before, after] = [points.get(k)?, points.get(k + 1)?];

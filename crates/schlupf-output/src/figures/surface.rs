@@ -57,7 +57,7 @@ fn draw_facets(
     for facet in facets {
         let corners: Vec<[f64; 2]> = facet.corners.iter().map(|c| projection.at(*c)).collect();
         let color = scale.paint(facet.value());
-        // Walls are too narrow to be inflated about their middle.
+        // Walls are too narrow to be inflated about their centre.
         let stroke = if facet.wall { &color } else { "none" };
         let style = format!(r#"fill="{color}" stroke="{stroke}" stroke-opacity="1""#);
         drawing.polygon(&inflated(&corners), &style);
@@ -68,7 +68,7 @@ fn draw_facets(
     drawing.end_group();
 }
 
-/// A polygon a little larger than given, so that nothing shines through between two of them.
+/// A polygon slightly enlarged, so that no gap shows between two of them.
 fn inflated(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
     const OVERLAP: f64 = 0.7;
     let count = corners.len().max(1) as f64;
@@ -110,7 +110,7 @@ fn floor_ticks(low: f64, high: f64) -> Vec<Tick> {
     round_ticks(low, high, 4)
 }
 
-/// Ticks and label along the left upright.
+/// Ticks and label along the left vertical edge.
 fn draw_upright(drawing: &mut Drawing, projection: &Projection, z_ticks: &[Tick], label: &str) {
     let [[x0, _], [y0, _], [_, z1]] = projection.ranges;
     for Tick { value: z, label } in z_ticks {
@@ -128,7 +128,7 @@ fn draw_floor_axes(drawing: &mut Drawing, projection: &Projection) {
     let [[x0, x1], [y0, y1], [z0, _]] = projection.ranges;
     let [wide, deep] = [0.5 * (x1 - x0), 0.5 * (y1 - y0)];
     let floor = |x: f64, y: f64| projection.at([x, y, z0]);
-    // Below the numbers of the upright, to the side on which the axis recedes.
+    // Below the numbers of the vertical edge, on the side towards which the axis recedes.
     let beside = |[x, y]: [f64; 2], aside: f64| [x + aside, y + 1.2 * TICK_SIZE];
     let numbers = TextStyle::new(TICK_SIZE, Anchor::Middle);
     for Tick { value: x, label } in floor_ticks(x0, x1) {

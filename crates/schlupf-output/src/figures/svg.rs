@@ -20,7 +20,7 @@ pub(crate) struct Drawing {
     clips: usize,
 }
 
-/// What a drawing of ours has within its first lines, by which it is known again.
+/// Mark near the beginning of our drawings, by which they are recognised.
 pub const MARK: &str = "<desc>drawn by schlupf</desc>";
 
 impl Drawing {
@@ -52,14 +52,14 @@ impl Drawing {
         ));
     }
 
-    /// A path in SVG's path language; nothing if it is empty.
+    /// A path in SVG's path language; omitted if it is empty.
     pub(crate) fn path(&mut self, data: &str, style: &str) {
         if !data.is_empty() {
             self.element(&format!(r#"<path d="{data}" {style}/>"#));
         }
     }
 
-    /// A shape that is an SVG element already.
+    /// A shape given as an SVG element.
     pub(crate) fn shape(&mut self, element: &str) {
         self.element(element);
     }
@@ -69,12 +69,12 @@ impl Drawing {
         self.element(&label::element(at, style, &label::spans(markup, style.size)));
     }
 
-    /// Text as it stands, such as the title of a case.
+    /// Text without markup, such as the title of a case.
     pub(crate) fn plain_text(&mut self, at: [f64; 2], style: &TextStyle, text: &str) {
         self.element(&label::element(at, style, &label::escape(text)));
     }
 
-    /// Draws within a shape (an SVG element) only, until [`Self::end_group`].
+    /// Restricts drawing to a shape (an SVG element) until [`Self::end_group`].
     pub(crate) fn begin_clip(&mut self, shape: &str) {
         let clip = self.clips;
         self.clips += 1;

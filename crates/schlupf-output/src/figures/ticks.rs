@@ -3,7 +3,7 @@
 /// A tick of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
-    /// Where it is, in the unit of the axis.
+    /// Position, in the unit of the axis.
     pub value: f64,
     /// The number to write.
     pub label: String,
@@ -19,7 +19,7 @@ pub(crate) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
     ticks_by(round_step(range, about), low, high)
 }
 
-/// The range widened to the next ticks, and the ticks; 0 to 1 where there is no range.
+/// The range widened to the next ticks, and the ticks; 0 to 1 if there is no range.
 pub(crate) fn round_axis(low: f64, high: f64, about: usize) -> ([f64; 2], Vec<Tick>) {
     let range = high - low;
     if !(range.is_finite() && range > 0.0) {
@@ -43,7 +43,7 @@ pub(crate) fn powers_of_ten(low: f64, high: f64, about: usize) -> Vec<Tick> {
     shown.map(|value| Tick { value, label: power_of_ten(value) }).collect()
 }
 
-/// Ten to a whole number, in the markup of labels.
+/// An integer power of ten, in the markup of labels.
 pub(crate) fn power_of_ten(exponent: f64) -> String {
     format!("10^{{{exponent:.0}}}").replace('-', "\u{2212}")
 }
@@ -59,7 +59,7 @@ fn ticks_by(step: f64, low: f64, high: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// 1, 2 or 5 times a power of ten, about `range` / `about`.
+/// 1, 2 or 5 times a power of ten, approximately `range` / `about`.
 fn round_step(range: f64, about: usize) -> f64 {
     let raw = range / about.max(1) as f64;
     let magnitude = 10_f64.powf(raw.log10().floor());
@@ -67,7 +67,7 @@ fn round_step(range: f64, about: usize) -> f64 {
     magnitude * [1.0, 2.0, 5.0].into_iter().find(|s| *s >= digit * 0.75).unwrap_or(10.0)
 }
 
-/// A number with a true minus sign; in powers of ten where digits would not fit.
+/// A number with a true minus sign; in powers of ten if the digits would not fit.
 pub(crate) fn number(value: f64, decimals: usize) -> String {
     let text = if decimals > 4 || value.abs() >= 1e5 {
         if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }

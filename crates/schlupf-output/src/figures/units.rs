@@ -1,9 +1,9 @@
-//! Units in which figures and summaries show quantities: the largest that leaves no leading zero.
+//! Units of quantities in figures and summaries: the largest one without a leading zero.
 
 /// A unit and its size in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unit {
-    /// What one of it is in SI units.
+    /// Its size in SI units.
     pub size: f64,
     /// Its symbol, with the markup of figure labels.
     pub symbol: &'static str,
@@ -30,7 +30,7 @@ pub(crate) const DISTANCE: &[Unit] = &[unit(1.0, "m"), unit(1e-3, "mm")];
 /// Units of lengths on a rough surface.
 pub(crate) const ROUGH_LENGTH: &[Unit] = &[unit(1e-3, "mm"), unit(1e-6, "µm")];
 
-/// The first unit, from large to small, of which `largest` is at least one; else the last.
+/// The first unit, from large to small, in which `largest` is at least one; otherwise the last.
 pub(crate) fn pick(units: &[Unit], largest: f64) -> Unit {
     let fits = units.iter().find(|unit| largest >= unit.size);
     *fits.or(units.last()).unwrap_or(&Unit { size: 1.0, symbol: "" })

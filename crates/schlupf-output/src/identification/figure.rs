@@ -1,4 +1,4 @@
-//! A fit: measured forces with the fitted curves, a panel for each component, and what is left.
+//! A fit: measured forces with the fitted curves, a panel for each component, and the residuals.
 
 use schlupf::Status;
 use schlupf::creep_curve::Abscissa;
@@ -12,7 +12,7 @@ use crate::figures::marks::{self, Entry, HEADING, Sample, short};
 use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, known};
 use crate::figures::svg::Drawing;
 
-/// Height of the panel of forces where there is one, and of each where there are two.
+/// Height of the panel of forces if there is one, and of each if there are two.
 const FORCES: [f64; 2] = [340.0, 260.0];
 /// Height of the panel of residuals.
 const RESIDUALS: f64 = 170.0;
@@ -23,7 +23,7 @@ const LEGEND_ROW: f64 = 22.0;
 pub(super) fn draw(report: &FitReport) -> Option<String> {
     let picture = Picture::new(report)?;
     let entries = picture.entries();
-    // The legend may take several rows: it is drawn once to see.
+    // The legend may take several rows: it is drawn once to determine its height.
     let width = WIDTH - LEFT - RIGHT;
     let rows = marks::legend(&mut Drawing::new(WIDTH, 1.0), [LEFT, 0.0], width, &entries);
     let top = HEADING + 18.0 + rows;
@@ -51,19 +51,19 @@ struct Picture<'a> {
     x: [f64; 2],
     /// Components that were measured.
     components: Vec<Component>,
-    /// Conditions of the series, but for the creepage that varies; both components may have the
+    /// Conditions of the series, except for the varying creepage; both components may have the
     /// same.
     conditions: Vec<Condition>,
     coloring: Coloring,
 }
 
-/// What colours mean.
+/// Meaning of the colours.
 enum Coloring {
-    /// Nothing: all is of one colour.
+    /// None: everything has one colour.
     None,
     /// The condition; each has an entry in the legend.
     Conditions,
-    /// A number that goes with the condition, where there are too many for the legend.
+    /// A number related to the condition, if there are too many conditions for the legend.
     Number { of: Quantity, range: [f64; 2] },
 }
 
@@ -77,7 +77,7 @@ const SPEED: Quantity = Quantity { value: |condition, _| condition.kinematics.sp
 const LOAD: Quantity =
     Quantity { value: |condition, load| condition.load.unwrap_or(load) / 1e3, unit: "kN" };
 
-/// Most conditions that are told apart.
+/// Maximum number of conditions with separate colours.
 const MOST_CONDITIONS: usize = 8;
 
 impl Coloring {
@@ -167,13 +167,13 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Squares stand for lateral forces where there are both.
+    /// Squares mark lateral forces if there are both components.
     fn shape(&self, component: Component) -> Shape {
         let is_other = self.components.len() > 1 && component == Component::Lateral;
         if is_other { Shape::Square } else { Shape::Dot }
     }
 
-    /// Shapes of the marks, what a line and a cross mean, and colours.
+    /// Legend entries: shapes of the marks, meaning of a line and a cross, and colours.
     fn entries(&self) -> Vec<Entry> {
         let own = if matches!(self.coloring, Coloring::None) { BLUE } else { INK };
         let mut entries = Vec::new();
@@ -212,7 +212,7 @@ impl<'a> Picture<'a> {
         entries
     }
 
-    /// What a condition has that others do not.
+    /// The part of a condition that distinguishes it from the others.
     fn name(&self, condition: &Condition) -> String {
         let motion = &condition.kinematics;
         let differs = |value: fn(&Condition) -> f64| {
@@ -267,7 +267,7 @@ impl<'a> Picture<'a> {
         self.panel("measured \u{2212} fitted", RESIDUALS, &self.components, FittedPoint::residual)
     }
 
-    /// Marks of a value of all points of some components.
+    /// A panel with a value of all points of some components.
     fn panel(
         &self,
         label: &str,
@@ -322,9 +322,9 @@ fn symbol(text: &str) -> String {
     if index.is_empty() { format!("${letter}$") } else { format!("${letter}$_{{{index}}}") }
 }
 
-/// Colours from dark (0) to light (1), so that they differ in grey, too.
+/// Colours from dark (0) to light (1), so that they also differ in greyscale.
 fn color(share: f64) -> String {
-    /// The light end of the palette is not seen on white.
+    /// The light end of the palette is invisible on white.
     const LIGHTEST: f64 = 0.78;
     let level = LIGHTEST * share * (LEVELS - 1) as f64;
     paint(Palette::Mechanical, level.round() as usize)

@@ -10,7 +10,7 @@ use super::FitReport;
 use crate::json::{self, PROGRAM};
 use crate::table::Arrays;
 
-/// The fit as a JSON document: SI units, forces on the rail over the load.
+/// The fit as a JSON document: SI units, forces on the rail divided by the load.
 pub(super) fn document(report: &FitReport) -> String {
     let FitReport { fit, .. } = report;
     json::text(&Document {

@@ -18,30 +18,30 @@ use crate::table;
 /// Name of the figure.
 const FIGURE: &str = "fit";
 
-/// A fit with what it was made for.
+/// A fit with its input.
 #[derive(Debug, Clone)]
 pub struct FitReport {
     /// Title of the case.
     pub title: String,
-    /// Where the data come from.
+    /// Source of the data.
     pub data: String,
-    /// Load of the case, in N: that of points without one of their own.
+    /// Load of the case, in N: used for points without their own.
     pub load: f64,
     /// The fit.
     pub fit: Fit,
     /// The model between the points.
     pub curves: FittedCurves,
-    /// γ and the k_c (in 1/m) that follows, where the roughness was fitted.
+    /// γ and the resulting k_c (in 1/m), if the roughness was fitted.
     pub roughness: Option<FittedRoughness>,
-    /// What parameters are called, in the order of the estimates.
+    /// Names of the parameters, in the order of the estimates.
     pub names: Vec<String>,
-    /// The case with the values found, where it was asked for.
+    /// The case with the fitted values, if requested.
     pub case: Option<String>,
     /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 
-/// What a fitted height of the roughness gives.
+/// Results of a fitted roughness height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedRoughness {
     /// γ, dimensionless.
@@ -50,7 +50,7 @@ pub struct FittedRoughness {
     pub contact_stiffness: f64,
 }
 
-/// Measured forces with those of the fit, on the rail.
+/// Measured and fitted forces, on the rail.
 impl Record for FitReport {
     fn rows(&self) -> usize {
         self.fit.points.len()
@@ -109,7 +109,7 @@ impl Report for FitReport {
 }
 
 impl FitReport {
-    /// Format of the case with the values found.
+    /// Format of the case with the fitted values.
     pub const CASE: &str = "case";
 
     fn point(&self, k: usize) -> &FittedPoint {
@@ -122,7 +122,7 @@ impl FitReport {
     }
 }
 
-/// A component as results name it.
+/// Name of a component in results.
 pub(crate) fn component(component: Component) -> &'static str {
     match component {
         Component::Longitudinal => "x",
@@ -130,7 +130,7 @@ pub(crate) fn component(component: Component) -> &'static str {
     }
 }
 
-/// A value and the half-width of its interval in the unit that people use for the parameter.
+/// A value and the half-width of its interval in the customary unit of the parameter.
 pub(crate) fn in_usual_unit(parameter: Parameter, number: f64) -> (f64, &'static str) {
     match parameter {
         Parameter::Roughness => (number / 1e-6, "µm"),
@@ -138,8 +138,8 @@ pub(crate) fn in_usual_unit(parameter: Parameter, number: f64) -> (f64, &'static
     }
 }
 
-/// A value with the digits that its uncertainty leaves, and the uncertainty with two; without an
-/// uncertainty to speak of, the value with six.
+/// A value with the digits that its uncertainty justifies, and the uncertainty with two; the value
+/// with six digits if its uncertainty is negligible.
 pub(crate) fn with_uncertainty(value: f64, half_width: Option<f64>) -> [String; 2] {
     let is_large = |width: &f64| *width > 1e-5 * value.abs() && value != 0.0;
     let Some(half_width) = half_width.filter(is_large) else {

@@ -29,9 +29,9 @@ impl Shape {
 
 /// A point with the range of its standard deviation.
 pub(super) struct Mark {
-    /// Where it is.
+    /// Position.
     pub at: [f64; 2],
-    /// From where to where its ordinate may be; empty if that is not known.
+    /// Range of its ordinate; empty if unknown.
     pub range: Range<f64>,
     /// Its colour.
     pub color: String,
@@ -62,16 +62,16 @@ fn thin(color: &str) -> String {
     format!(r#"stroke="{color}" stroke-width="1.6""#)
 }
 
-/// Room above and below what is drawn, over the height.
+/// Margin above and below the contents, as a fraction of the height.
 const ROOM: f64 = 0.04;
 
 impl MarkedPanel {
-    /// Stroke of a computed point: dark, so that it is seen on the measured one.
+    /// Stroke of a computed point: dark, so that it is visible on top of the measured one.
     pub(super) fn cross() -> String {
         thin(INK)
     }
 
-    /// Range of all that is drawn, and zero.
+    /// Range of everything drawn, including zero.
     pub(super) fn range(&self) -> [f64; 2] {
         let ends = self.marks.iter().flat_map(|mark| [mark.range.start, mark.range.end]);
         let crosses = self.crosses.iter().map(|at| at[1]);
@@ -88,7 +88,7 @@ impl MarkedPanel {
         [if low < 0.0 { low - room } else { low }, if high > 0.0 { high + room } else { high }]
     }
 
-    /// Draws it into a frame.
+    /// Draws the panel into a frame.
     pub(super) fn draw(&self, drawing: &mut Drawing, frame: &Frame) {
         frame.draw_grid(drawing);
         let [zero_x, zero_y] = frame.at([0.0, 0.0]);

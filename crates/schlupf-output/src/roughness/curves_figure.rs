@@ -12,11 +12,11 @@ use crate::report::Report;
 
 /// Height of each of the two panels.
 const HEIGHT: f64 = 290.0;
-/// Below the first panel, for its axis.
+/// Space below the first panel, for its axis.
 const AXIS: f64 = 70.0;
-/// Over the first panel, for the legend.
+/// Space above the first panel, for the legend.
 const LEGEND: f64 = 40.0;
-/// Curves that are named: so many fit into a row.
+/// Maximum number of named curves: those that fit into a row.
 const MOST_NAMES: usize = 6;
 
 /// The figure; `None` where there is no curve.
@@ -46,12 +46,12 @@ fn heading(drawing: &mut Drawing, report: &RoughnessReport) {
     marks::title_block(drawing, title, [&report.title, &conditions], remark(report));
 }
 
-/// What stands in red over a figure.
+/// The remark in red above a figure.
 pub(super) fn remark(report: &RoughnessReport) -> &'static str {
     if report.status() == Status::Converged { "" } else { "not converged" }
 }
 
-/// Q/(μP) over u/u_s, each pressure with a fit of its own.
+/// Q/(μP) against u/u_s, with a separate fit for each pressure.
 fn normalised(report: &RoughnessReport) -> Option<Stack> {
     let result = &report.result;
     let mut curves = Vec::new();
@@ -79,7 +79,7 @@ fn exponential(stiffness: f64) -> Vec<[f64; 2]> {
     (0..=200).map(at).map(|x| [x, -(-stiffness * x).exp_m1()]).collect()
 }
 
-/// Q/(μP) over u in µm, all pressures with one fit.
+/// Q/(μP) against u in µm, with one fit for all pressures.
 fn over_displacement(report: &RoughnessReport) -> Option<Stack> {
     let result = &report.result;
     let colors = color::series(result.tangential.len());

@@ -1,4 +1,4 @@
-//! Flat maps of a rough surface: its heights, and the pressure where it carries.
+//! Flat maps of a rough surface: its heights, and the pressure in the contact spots.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,13 +13,13 @@ use crate::figures::marks::{self, HEADING, short};
 use crate::figures::svg::Drawing;
 use crate::figures::units;
 
-/// Cells along a side that a map of the heights, and one of the spots, shows at most: of larger
-/// surfaces every second or third.
+/// Maximum number of cells along a side in a map of the heights, and in one of the spots: larger
+/// surfaces are shown with every second or third cell.
 const MOST_HEIGHTS: usize = 256;
 const MOST_SPOTS: usize = 520;
 
 const MICROMETRE: f64 = 1e-6;
-/// Colour of what is not in contact.
+/// Colour of cells that are not in contact.
 const OPEN: &str = r##"fill="#f1f1f1""##;
 
 /// The heights about their mean.
@@ -67,7 +67,7 @@ struct Map<'a> {
 }
 
 impl Map<'_> {
-    /// The map over x and y to the same scale; `level` is the colour of a cell, if it has one.
+    /// The map against x and y to the same scale; `level` is the colour of a cell, if it has one.
     fn draw(&self, most: usize, level: &dyn Fn(usize) -> Option<usize>) -> String {
         const LARGEST: [f64; 2] = [560.0, 560.0];
         const LEFT: f64 = 96.0;
@@ -99,8 +99,7 @@ impl Map<'_> {
     }
 }
 
-/// The cells of each colour as one path; cells of one colour that follow each other in a row are
-/// one rectangle.
+/// The cells of each colour as one path; adjacent cells of one colour in a row form one rectangle.
 fn draw_cells(
     drawing: &mut Drawing,
     frame: &Frame,

@@ -132,7 +132,7 @@ struct Curve<'a> {
     points: CurvePoints<'a>,
 }
 
-/// All columns but the stiffness, whose name is that of k_c here.
+/// All columns except the stiffness, whose name is used for k_c here.
 struct CurvePoints<'a>(&'a TangentialCurve);
 
 impl Serialize for CurvePoints<'_> {

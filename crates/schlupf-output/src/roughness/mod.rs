@@ -24,12 +24,12 @@ use crate::table::{Table, entries, entry};
 const FIGURES: [&str; 4] =
     ["roughness_curves", "roughness_surface", "roughness_spots", "roughness_spectrum"];
 
-/// A rough surface with what the micro model found.
+/// A rough surface with the results of the micro model.
 #[derive(Debug, Clone)]
 pub struct RoughnessReport {
-    /// Where the surface comes from.
+    /// Origin of the surface.
     pub title: String,
-    /// Heights of both surfaces together, without form.
+    /// Combined heights of both surfaces, without form.
     pub surface: HeightMap,
     /// Its power spectral density.
     pub spectrum: RadialSpectrum,
@@ -43,13 +43,13 @@ pub struct RoughnessReport {
     pub result: MicroModelResult,
     /// The contact at one mean pressure, for a map.
     pub spots: Option<Spots>,
-    /// How the surface was made of what was given.
+    /// Processing steps from the given data to the surface.
     pub remarks: Vec<String>,
     /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 
-/// Where a surface carries.
+/// The contact spots of a surface.
 #[derive(Debug, Clone)]
 pub struct Spots {
     /// Mean pressure, in Pa.
@@ -57,14 +57,14 @@ pub struct Spots {
     /// Pressure in every cell, row after row, in Pa.
     pub pressure: Vec<f64>,
     /// Gap in every cell, row after row, in m; negative where the material has yielded, by the
-    /// depth that was flattened.
+    /// flattened depth.
     pub gap: Vec<f64>,
     /// Whether this solution converged.
     pub is_converged: bool,
 }
 
 impl RoughnessReport {
-    /// Format of the heights, of both surfaces together and without form, in m.
+    /// Format of the combined heights of both surfaces without form, in m.
     pub const HEIGHTS: &str = "heights";
     /// Format of the pressures in all cells at one mean pressure, in Pa.
     pub const PRESSURES: &str = "pressures";

@@ -4,15 +4,15 @@ use schlupf::surface::Lattice;
 
 use super::RoughnessReport;
 
-/// The header with its magic string ends at a multiple of this.
+/// The header including its magic string ends at a multiple of this.
 const ALIGNMENT: usize = 64;
 
-/// Heights of both surfaces together, without form, in m, each row along x: float64, little-endian.
+/// Combined heights of both surfaces, without form, in m, each row along x: float64, little-endian.
 pub(super) fn heights(report: &RoughnessReport) -> Vec<u8> {
     field(report.surface.lattice(), report.surface.heights())
 }
 
-/// Pressures in Pa and gaps in m at the largest mean pressure, in the same way.
+/// Pressures in Pa and gaps in m at the largest mean pressure, in the same format.
 pub(super) fn contact(report: &RoughnessReport) -> Option<[Vec<u8>; 2]> {
     let (spots, lattice) = (report.spots.as_ref()?, report.surface.lattice());
     Some([field(lattice, &spots.pressure), field(lattice, &spots.gap)])

@@ -1,4 +1,4 @@
-//! The power spectral density of a rough surface over the wave number, both on logarithmic axes.
+//! The power spectral density of a rough surface against the wave number, both on logarithmic axes.
 
 use super::RoughnessReport;
 use super::curves_figure::remark;
@@ -12,7 +12,7 @@ use crate::figures::ticks::power_of_ten;
 
 const CORNER: [f64; 2] = [104.0, HEADING + 36.0];
 const HEIGHT: f64 = 420.0;
-/// Decades of the density that are shown at most: below them is rounding.
+/// Maximum number of decades of the density shown: below them is rounding error.
 const DECADES: f64 = 14.0;
 
 /// The figure; `None` where there is nothing to draw.
@@ -63,7 +63,7 @@ fn heading(drawing: &mut Drawing, report: &RoughnessReport) {
     marks::title_block(drawing, title, [&report.title, &conditions], remark(report));
 }
 
-/// A frame that ends at whole powers of ten of the density, and where the wave numbers end.
+/// A frame that ends at integer powers of ten of the density, and at the ends of the wave numbers.
 fn frame(points: &[[f64; 2]]) -> Option<Frame> {
     let (first, last) = (points.first()?[0], points.last()?[0]);
     let low = points.iter().map(|point| point[1]).fold(f64::INFINITY, f64::min).floor();
@@ -78,10 +78,11 @@ fn frame(points: &[[f64; 2]]) -> Option<Frame> {
     })
 }
 
-/// The two ends of a line of a slope (in decades) through the middle of the points between them.
+/// The two ends of a line of a given slope (in decades) through the middle of the points between
+/// them.
 fn through(points: &[[f64; 2]], ends: [f64; 2], slope: f64) -> [[f64; 2]; 2] {
     let inside = points.iter().filter(|point| (ends[0]..=ends[1]).contains(&point[0]));
-    // Rings crowd at large wave numbers: each counts by its width.
+    // Rings become dense at large wave numbers: each is weighted by its width.
     let mut sums = [0.0; 3];
     for [x, y] in inside {
         let weight = 10_f64.powf(ends[0] - x);

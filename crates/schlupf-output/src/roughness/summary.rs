@@ -1,4 +1,4 @@
-//! A rough surface, its contact and its k_c for people.
+//! A rough surface, its contact and its k_c as text.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::number::significant as number;
 use crate::report::{Report, verdict};
 use crate::summary::{entry, line};
 
-/// Statistics, contact area and k_c on one screen of a terminal.
+/// Statistics, contact area and k_c on one terminal screen.
 pub(super) fn text(report: &RoughnessReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     surface(&mut text, report);

@@ -11,12 +11,12 @@ use crate::json::{self, Document};
 use crate::report::Report;
 use crate::{table, vtk};
 
-/// A solution with what it was found for.
+/// A solution with its input.
 #[derive(Debug, Clone)]
 pub struct SolutionReport {
     /// Title of the case.
     pub title: String,
-    /// k_c and where it comes from; none for a fast method, which has no contact law.
+    /// k_c and its origin; `None` for a fast method, which has no contact law.
     pub contact_law: Option<ContactLaw>,
     /// The solution.
     pub solution: Solution,
@@ -27,7 +27,7 @@ pub struct SolutionReport {
 impl SolutionReport {
     /// Format of the fields for `ParaView`.
     pub const VTK: &str = "vtk";
-    /// Format of the state at the end.
+    /// Format of the final state.
     pub const STATE: &str = "state";
 }
 

@@ -1,4 +1,4 @@
-//! A summary for people, in engineering units.
+//! A text summary in engineering units.
 
 use schlupf::Method;
 use schlupf::kinematics::ReferencePoint;
@@ -9,8 +9,7 @@ use crate::number::significant as number;
 use crate::report::{reasons, verdict};
 use crate::summary::{entry, friction_power, line, moment, without_noise};
 
-/// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work and
-/// status.
+/// The result on one terminal screen: forces on the wheel, temperatures, areas, work and status.
 pub(crate) fn text(report: &SolutionReport) -> String {
     let SolutionReport { title, contact_law, solution, .. } = report;
     let mut text = format!("{title}\n\n");
@@ -56,7 +55,7 @@ fn normal_contact(text: &mut String, solution: &Solution) {
     }
 }
 
-/// Where creepages hold and about which point the moment is taken, and both for the other point.
+/// The reference point of creepages and moment, and both for the other point.
 fn reference(text: &mut String, solution: &Solution) {
     let name = |point| match point {
         ReferencePoint::Patch => "the middle of the patch",
@@ -159,7 +158,7 @@ fn work(text: &mut String, report: &SolutionReport) {
     line(text, &done);
 }
 
-/// A fast method iterates nothing, so there is nothing that might not converge.
+/// A fast method does not iterate, so nothing can fail to converge.
 fn fast_work(text: &mut String, solution: &Solution) {
     let name = solution.method.name();
     let cells = solution.work.cells;

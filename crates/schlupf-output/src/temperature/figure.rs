@@ -1,4 +1,4 @@
-//! Temperatures along a row with its wake, and below a point.
+//! Temperatures along a row including its wake, and below a point.
 
 use schlupf::Status;
 
@@ -10,9 +10,9 @@ use crate::figures::svg::Drawing;
 
 /// Height of each of the two panels.
 const HEIGHT: f64 = 280.0;
-/// Below the first panel, for its axis.
+/// Space below the first panel, for its axis.
 const AXIS: f64 = 70.0;
-/// How strong the curves of the row are, from the surface down.
+/// Opacity of the curves of the row, from the surface downwards.
 const STRENGTHS: [f64; 3] = [1.0, 0.6, 0.35];
 
 /// The figure; `None` where there is nothing to draw.
@@ -41,7 +41,7 @@ fn heading(drawing: &mut Drawing, temperatures: &Temperatures) {
     marks::title_block(drawing, title, [&temperatures.title, &place], remark);
 }
 
-/// Over x, the contact shaded.
+/// Against x, with the contact shaded.
 fn row(temperatures: &Temperatures) -> Option<Stack> {
     let mut curves = Vec::new();
     for (row, strength) in temperatures.rows.iter().zip(STRENGTHS) {
@@ -59,7 +59,7 @@ fn row(temperatures: &Temperatures) -> Option<Stack> {
     })
 }
 
-/// Over the depth.
+/// Against the depth.
 fn profile(temperatures: &Temperatures) -> Option<Stack> {
     let line = &temperatures.profile;
     Some(Stack {
@@ -81,7 +81,7 @@ fn range(line: &Line) -> Option<[f64; 2]> {
     (start < end && start.is_finite() && end.is_finite()).then_some([start, end])
 }
 
-/// Wheel and rail; the rail is dashed, so that both are seen where they are the same.
+/// Wheel and rail; the rail is dashed, so that both are visible where they coincide.
 fn both(line: &Line, strength: f64, names: [&str; 2]) -> [Curve; 2] {
     let points = |values: &[f64]| -> Vec<[f64; 2]> {
         line.position.iter().zip(values).map(|(at, value)| [at / 1e-3, *value]).collect()

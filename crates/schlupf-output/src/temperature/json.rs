@@ -46,7 +46,7 @@ struct Point {
     y: f64,
 }
 
-/// Of the point's row.
+/// Contact of the point's row.
 #[derive(Serialize)]
 struct Contact {
     leading_edge: f64,

@@ -18,27 +18,27 @@ use crate::table::{Table, entries, entry};
 /// Name of the figure.
 const FIGURE: &str = "temperature";
 
-/// Where to look at the temperatures.
+/// Positions at which temperatures are requested.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
     /// The point (x, y), in m.
     pub point: [f64; 2],
-    /// Where its row enters the contact and where it leaves it, x in m.
+    /// Positions where its row enters and leaves the contact, x in m.
     pub passage: [f64; 2],
-    /// Depths between which the profile below the point runs, in m.
+    /// Range of depths of the profile below the point, in m.
     pub depth: [f64; 2],
-    /// Length behind the contact to which the row is followed, in m.
+    /// Length of the row behind the contact, in m.
     pub wake: f64,
-    /// Depths of the row below the surface, in m; the surface is always there.
+    /// Depths of the row below the surface, in m; the surface is always included.
     pub row_depths: [f64; 2],
-    /// Points of every line, at least two.
+    /// Number of points of every line, at least two.
     pub points: usize,
 }
 
 /// Temperatures along a line.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Line {
-    /// Where, in m: depths, or x of a row.
+    /// Positions, in m: depths, or x of a row.
     pub position: Vec<f64>,
     /// Temperature of the wheel, in degC.
     pub wheel: Vec<f64>,
@@ -47,7 +47,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// Samples the temperatures at positions; `place` makes x, y and depth of them.
+    /// Samples the temperatures at positions; `place` converts them to x, y and depth.
     fn sample(
         field: &TemperatureField,
         position: Vec<f64>,
@@ -69,22 +69,22 @@ impl Line {
 pub struct Row {
     /// Depth below the surface, in m.
     pub depth: f64,
-    /// Temperatures over x.
+    /// Temperatures against x.
     pub line: Line,
 }
 
-/// The temperatures that were asked for.
+/// The requested temperatures.
 #[derive(Debug, Clone)]
 pub struct Temperatures {
     /// Title of the case.
     pub title: String,
-    /// Whether the rolling that they belong to converged.
+    /// Whether the solution that they belong to converged.
     pub status: Status,
-    /// Where they are.
+    /// Their positions.
     pub request: Request,
     /// Bulk temperatures of wheel and rail, in degC.
     pub bulk: [f64; 2],
-    /// Below the point, over the depth.
+    /// Below the point, against the depth.
     pub profile: Line,
     /// Along the row: on the surface, and below it.
     pub rows: Vec<Row>,
@@ -92,7 +92,7 @@ pub struct Temperatures {
     pub warnings: Vec<Message>,
 }
 
-/// Part of the row ahead of the contact, where the bodies still have their bulk temperatures.
+/// Fraction of the row ahead of the contact, where the bodies still have their bulk temperatures.
 const AHEAD: f64 = 0.08;
 
 impl Temperatures {
@@ -112,13 +112,13 @@ impl Temperatures {
     }
 }
 
-/// Evenly from one end to the other.
+/// Equidistant from one end to the other.
 fn evenly([start, end]: [f64; 2], points: usize) -> Vec<f64> {
     let last = points.max(2) - 1;
     (0..=last).map(|k| start + (end - start) * k as f64 / last as f64).collect()
 }
 
-/// Evenly, and on both sides of the edges, where the temperature bends or jumps.
+/// Equidistant, plus points on both sides of the edges, where the temperature has a kink or a jump.
 fn row_positions(range: [f64; 2], edges: [f64; 2], points: usize) -> Vec<f64> {
     let mut positions = evenly(range, points);
     let nearby = 1e-9 * (range[1] - range[0]);
@@ -160,7 +160,7 @@ impl Report for Temperatures {
         summary::text(self)
     }
 
-    /// First the points of the profile below the point.
+    /// Starts with the points of the profile below the point.
     fn csv(&self) -> Option<String> {
         let places = Table::default().with("line", "profile or row").with("x", "m").with("y", "m");
         let mut table = places.with("depth", "m").with_columns::<Line>();

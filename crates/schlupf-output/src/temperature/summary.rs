@@ -1,4 +1,4 @@
-//! Temperatures along lines for people.
+//! Temperatures along lines as text.
 
 use super::{Line, Temperatures};
 use crate::number::significant as number;
@@ -8,7 +8,7 @@ use crate::summary::line;
 /// Maximum number of points of a line in a table.
 const MOST_ROWS: usize = 11;
 
-/// The profile below the point, and the surface along its row, on a terminal.
+/// The profile below the point, and the surface temperatures along its row, as text.
 pub(super) fn text(temperatures: &Temperatures) -> String {
     let mut text = format!("{}\n\n", temperatures.title);
     let request = &temperatures.request;
