@@ -366,11 +366,8 @@ fn deviations_that_are_too_small_do_not_make_intervals_small() {
     );
     for (one, other) in plain.estimates.iter().zip(&tiny.estimates) {
         assert_relative_eq!(one.value, other.value, max_relative = 1e-4);
-        assert_relative_eq!(
-            one.half_width.unwrap(),
-            other.half_width.unwrap(),
-            max_relative = 1e-2
-        );
+        let [one, other] = [one, other].map(|estimate| estimate.half_width.unwrap());
+        assert_relative_eq!(one, other, max_relative = 1e-2);
     }
 }
 
@@ -469,8 +466,8 @@ fn a_curve_between_the_points_goes_through_the_fit() {
     assert_eq!(series.curve.len(), 9 + 12 - 1);
     for point in &found.points {
         let at = point.data.condition.kinematics.creepage_x;
-        let there = series.curve.iter().find(|point| point.creepage == at).unwrap();
-        assert_relative_eq!(there.force_ratio.unwrap(), point.fitted, epsilon = 1e-5);
+        let there = series.curve.iter().find(|point| point.creepage == at).unwrap().force_ratio;
+        assert_relative_eq!(there.unwrap(), point.fitted, epsilon = 1e-5);
     }
 }
 
