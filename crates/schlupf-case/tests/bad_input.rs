@@ -428,7 +428,7 @@ fn impossible_friction_over_y_is_named() {
         (
             "[friction]\nvariation_y = [\"0 mm\", \"1 mm\"]\nvariation_factor = [1]",
             "friction.variation_factor",
-            &["case.toml:3:20", "must have 2 values, but has 1"],
+            &["case.toml:3:20", "needs 2 values, got 1"],
         ),
         (
             "[friction]\nvariation_y = [\"1 mm\", \"0 mm\"]\nvariation_factor = [1, 1]",

@@ -131,8 +131,9 @@ messages! {
         /// Points that each part needs.
         fewest: usize,
     } Quantity::UndeformedDistance, |name, words| format!(
-        "{name}: the distance is given at {points} points across the patch, too few to determine its \
-         shape between them; give at least {fewest}{}",
+        "{name}: the distance is given at {points} point{} across the patch, too few to determine its \
+         shape; give at least {fewest}{}",
+        if *points == 1 { "" } else { "s" },
         if *parts == 1 { String::new() } else { format!(" in each of its {parts} parts") }
     );
 

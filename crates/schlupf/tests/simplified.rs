@@ -521,7 +521,7 @@ fn methods_of_forces_claim_no_fields() {
         assert_eq!(solution.force.moment_z.is_none(), method == FastMethod::Polach(PLAIN));
         assert!(solution.warnings.iter().any(|text| text.to_string().contains("no fields")));
         let warns =
-            solution.warnings.iter().any(|text| text.to_string().contains("knows no temperatures"));
+            solution.warnings.iter().any(|text| text.to_string().contains("has no temperatures"));
         assert_eq!(warns, method != FastMethod::KalkerLinear);
     }
     let warnings = fast(&case, FastMethod::KalkerLinear, 24).warnings;

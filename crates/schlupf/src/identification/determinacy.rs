@@ -76,7 +76,7 @@ fn inseparable(combination: &[f64], values: Values) -> Error {
     FitError::Inseparable { parameters }.into()
 }
 
-/// Forces up to this part of μ0 N, and in proportion to the creepage within this factor, are in the linear
+/// Forces up to this part of μ0 N, and proportional to the creepage within this factor, are in the linear
 /// range.
 const LINEAR_RANGE: (f64, f64) = (0.5, 1.1);
 

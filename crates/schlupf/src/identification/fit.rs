@@ -130,7 +130,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// # Errors
 /// [`Error::Stopped`]; whatever [`check`] refuses; start values without a solution; forces of the
 /// wrong sign; and data that leave a parameter open: no force depends on it, μ0 is looked for in
-/// forces that are in proportion to the creepage, its 95 % interval is wider than itself on each
+/// forces that are proportional to the creepage, its 95 % interval is wider than itself on each
 /// side (for a parameter that may be zero, at least 0.1), or it goes with another one at a
 /// correlation above 0.999. For this, scatter that the data do not give is taken to be at least
 /// 10⁻³ of the largest force.

@@ -353,7 +353,7 @@ mod tests {
             PressureTable::new(x, y, p).unwrap_err().to_string()
         };
         let axis = [0.0, 1.0, 2.0];
-        assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("must have 6 values, but has 5"));
+        assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("needs 6 values, got 5"));
         assert!(refuse(&[0.0, 1.0, 3.0], &axis, vec![1.0; 9]).contains("equidistant"));
         assert!(refuse(&axis, &[0.0], vec![1.0; 3]).contains("at least 2 values of y"));
         assert!(refuse(&axis, &axis, vec![0.0; 9]).contains("largest pressure between"));
