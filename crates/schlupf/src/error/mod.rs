@@ -456,8 +456,11 @@ messages! {
         /// Where the wheel no longer rolls, in the unit of the creepage if it has one.
         value: f64,
     } quantity.own_component(), |name, words| {
-        let value = with_unit(*value, quantity.unit());
-        format!("{name}: the wheel must roll throughout a creep curve, but at {value} it does not")
+        let place = with_unit(*value, quantity.unit());
+        let abscissa = words.word(*quantity);
+        format!(
+            "{name}: the wheel must roll throughout a creep curve, but does not at {abscissa} = {place}"
+        )
     };
 
     /// Motions of a calibration that were not solved.
