@@ -29,7 +29,7 @@ pub struct BulkReport {
     pub wheel_radius: Option<f64>,
     /// The balance.
     pub balance: BulkTemperature,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 
@@ -118,7 +118,8 @@ impl Flows {
     }
 }
 
-/// The balance on a terminal: temperatures, what the wheel receives and gives, forces, status and warnings.
+/// The balance on a terminal: temperatures, what the wheel receives and gives, forces, status and
+/// warnings.
 fn text(report: &BulkReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     temperatures(&mut text, report);

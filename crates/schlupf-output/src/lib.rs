@@ -1,9 +1,10 @@
 //! What becomes of a solution: JSON, CSV, VTK, a summary for the terminal, and figures.
 //!
-//! Every function takes a [`Solution`](schlupf::Solution), a family of creep curves, temperatures along
-//! lines, the balance of a wheel's heat, a comparison of methods, calibrated stiffnesses, a fit or a rough contact,
-//! and returns text or bytes; writing files is left to the caller. Tractions and forces act on the wheel in all tables; the
-//! figures show the traction on the rail, −t, as Neuhaus and Sextro (2014) do, and say so on their axes.
+//! Every function takes a [`Solution`](schlupf::Solution), a family of creep curves, temperatures
+//! along lines, the balance of a wheel's heat, a comparison of methods, calibrated stiffnesses, a
+//! fit or a rough contact, and returns text or bytes; writing files is left to the caller.
+//! Tractions and forces act on the wheel in all tables; the figures show the traction on the rail,
+//! −t, as Neuhaus and Sextro (2014) do, and say so on their axes.
 
 #![forbid(unsafe_code)]
 

@@ -1,7 +1,7 @@
 //! Numbers for people.
 
-/// Four significant digits without trailing zeros, in powers of ten where digits would not fit; `n/a`
-/// for what is not known.
+/// Four significant digits without trailing zeros, in powers of ten where digits would not fit;
+/// `n/a` for what is not known.
 pub(crate) fn significant(value: impl Into<Option<f64>>) -> String {
     let Some(value) = value.into().filter(|value| value.is_finite()) else {
         return "n/a".to_owned();

@@ -21,10 +21,10 @@ use crate::figures::{self, Drawing, Figure, FigureError};
 /// # Ok::<(), schlupf::Error>(())
 /// ```
 pub trait Report {
-    /// Whether to trust it.
+    /// Whether the solution converged.
     fn status(&self) -> Status;
 
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     fn warnings(&self) -> &[Message];
 
     /// For other programs; a number that is not known is `null`.
@@ -33,8 +33,9 @@ pub trait Report {
     /// For people, on a terminal.
     fn summary(&self) -> String;
 
-    /// As a table: a comment line (`#`) with the units, a header line, then one row per record. Every
-    /// number has the digits that give back the same number when read; what is not known is empty.
+    /// As a table: a comment line (`#`) with the units, a header line, then one row per record.
+    /// Every number has the digits that give back the same number when read; what is not known is
+    /// empty.
     fn csv(&self) -> Option<String> {
         None
     }

@@ -7,7 +7,8 @@ use schlupf::solution::Resultant;
 
 use crate::number::significant as number;
 
-/// A force or moment, 0 where it is rounding noise: where it is next to nothing over μ0 N or μ0 N √(ab).
+/// A force or moment, 0 where it is rounding noise: where it is next to nothing over μ0 N or μ0 N
+/// √(ab).
 pub(crate) fn without_noise(value: f64, normalised: f64) -> f64 {
     const NOISE: f64 = 1e-9;
     if normalised.abs() < NOISE { 0.0 } else { value }

@@ -1,4 +1,4 @@
-//! A problem piece by piece: what is not said is as in a case file that does not say it.
+//! Builder for problems. Defaults are those of a case file.
 
 use std::sync::Arc;
 
@@ -16,11 +16,11 @@ use crate::normal::at_load::AtLoad;
 use crate::normal::hertz::{Hertz, Radii};
 use crate::problem::Problem;
 
-/// Normal load N where none is given, in N.
+/// Default normal load N, in N.
 const LOAD: f64 = 80e3;
 
 impl Problem {
-    /// A steel wheel that rolls freely over a steel rail; every method changes something about it.
+    /// A steel wheel in free rolling on a steel rail; every method changes one property.
     ///
     /// ```
     /// use schlupf::{Options, Problem, rolling, unwatched};
@@ -35,7 +35,7 @@ impl Problem {
     }
 }
 
-/// A problem in the making; see [`Problem::builder`].
+/// A problem under construction; see [`Problem::builder`].
 #[derive(Debug, Clone)]
 #[must_use]
 pub struct ProblemBuilder {
@@ -73,7 +73,7 @@ impl Default for ProblemBuilder {
 }
 
 impl ProblemBuilder {
-    /// Speed v0 in m/s; 30 m/s if none is given.
+    /// Speed v0, in m/s; default 30 m/s.
     pub fn speed(mut self, speed: f64) -> Self {
         self.kinematics.speed = speed;
         self
@@ -97,82 +97,79 @@ impl ProblemBuilder {
         self
     }
 
-    /// Speed, creepages and spin together, such as those of [`Kinematics::from_wheel`].
+    /// Speed, creepages and spin together, for example from [`Kinematics::from_wheel`].
     pub fn kinematics(mut self, kinematics: Kinematics) -> Self {
         self.kinematics = kinematics;
         self
     }
 
-    /// Where creepages hold, and about which point the moment is taken; the middle of the patch
-    /// unless another is given.
+    /// Reference point of the creepages and the moment; default: the centre of the patch.
     pub fn reference(mut self, reference: ReferencePoint) -> Self {
         self.reference = reference;
         self
     }
 
-    /// The wheel; steel at 20 degC if none is given.
+    /// The wheel; default: steel at 20 degC.
     pub fn wheel(mut self, wheel: Body) -> Self {
         self.wheel = wheel;
         self
     }
 
-    /// The rail; steel at 20 degC if none is given.
+    /// The rail; default: steel at 20 degC.
     pub fn rail(mut self, rail: Body) -> Self {
         self.rail = rail;
         self
     }
 
-    /// Radii of the wheel for Hertz's contact; 0.46 m along rolling and straight across if none are
-    /// given.
+    /// Radii of the wheel for Hertz's contact; default: 0.46 m along rolling and straight across.
     pub fn wheel_radii(mut self, radii: Radii) -> Self {
         self.radii[0] = radii;
         self
     }
 
-    /// Radii of the rail for Hertz's contact; straight along rolling and 0.3 m across if none are
-    /// given.
+    /// Radii of the rail for Hertz's contact; default: straight along rolling and 0.3 m across.
     pub fn rail_radii(mut self, radii: Radii) -> Self {
         self.radii[1] = radii;
         self
     }
 
-    /// Normal load N in N; if none is given, 80 kN, or the own load of a source of pressure.
+    /// Normal load N, in N; default: 80 kN, or the load of the pressure source itself.
     pub fn load(mut self, load: f64) -> Self {
         self.load = Some(load);
         self
     }
 
-    /// Where the pressure comes from, in place of Hertz's contact of the radii.
+    /// Source of the pressure, replacing Hertz's contact of the radii.
     pub fn normal(mut self, source: impl PressureSource + 'static) -> Self {
         self.normal = Some(Arc::new(source));
         self
     }
 
-    /// How the bodies deform tangentially, in place of the [`CalibratedLayer`] of their materials.
+    /// Tangential elasticity, replacing the [`CalibratedLayer`] of the materials.
     pub fn elasticity(mut self, model: impl Elasticity + 'static) -> Self {
         self.elasticity = Some(Arc::new(model));
         self
     }
 
-    /// How traction grows with sliding, in place of [`Incremental::default`].
+    /// Contact law, replacing [`Incremental::default`].
     pub fn contact_law(mut self, law: impl ContactLaw + 'static) -> Self {
         self.contact_law = Some(Arc::new(law));
         self
     }
 
-    /// The law of friction, in place of [`TemperatureLinear::default`].
+    /// Friction law, replacing [`TemperatureLinear::default`].
     pub fn friction(mut self, law: impl FrictionLaw + 'static) -> Self {
         self.friction = Some(Arc::new(law));
         self
     }
 
-    /// Temperature in degC from which the law of friction counts; the rail's if none is given.
+    /// Reference temperature of the friction law, in degC; default: that of the rail.
     pub fn reference_temperature(mut self, temperature: f64) -> Self {
         self.reference_temperature = Some(temperature);
         self
     }
 
-    /// Frictional heating, in place of [`Heat::default`].
+    /// Frictional heating, replacing [`Heat::default`].
     pub fn heat(mut self, heat: Heat) -> Self {
         self.heat = heat;
         self
@@ -181,8 +178,8 @@ impl ProblemBuilder {
     /// The problem.
     ///
     /// # Errors
-    /// A contact that Hertz does not have, materials that the layer is not calibrated for, and
-    /// whatever [`Problem::check`] refuses.
+    /// A contact outside Hertz's theory, materials for which the layer is not calibrated, and
+    /// everything [`Problem::check`] rejects.
     pub fn build(self) -> Result<Problem, Error> {
         let [wheel, rail] = [&self.wheel.material, &self.rail.material];
         let normal = match (self.normal, self.load) {

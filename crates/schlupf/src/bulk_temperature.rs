@@ -1,21 +1,22 @@
-//! The bulk temperature that a wheel takes on in the long run.
+//! The long-term bulk temperature of a wheel.
 //!
-//! A wheel point passes the contact once in a revolution, far too short to warm more than a skin; over
-//! minutes the whole wheel warms until it loses what it receives. In the steady state (Ertz and Knothe,
-//! *A comparison of analytical and numerical methods for the calculation of temperatures in wheel/rail
-//! contact*, Wear 253, 2002)
+//! A point of the wheel passes the contact once per revolution, too briefly to warm more than a
+//! skin; over minutes the whole wheel warms until it loses as much heat as it receives. In the
+//! steady state (Ertz and Knothe, *A comparison of analytical and numerical methods for the
+//! calculation of temperatures in wheel/rail contact*, Wear 253, 2002)
 //!
 //! α_w ∫ q dA = h A (T_w − T_air) + 2 β_w (T_w − T_m) ∫ √(v_w L/π) dy:
 //!
-//! the wheel's part of the frictional heat leaves by convection from its surface and through the contact
-//! into the cold rail. L is the length of the contact in a line y, v_w the speed of the wheel's material in
-//! it, and T_m the temperature to which both surfaces jump when they meet, the mean of the bulk
-//! temperatures weighted by β√v. A half-space whose surface is held by T_w − T_m below its bulk gives
-//! 2 β_w (T_w − T_m) √(t/π) over area in a time t = L/v_w (Carslaw and Jaeger 1959, §2.5), and
-//! v_w dy of its surface passes through the contact every second.
+//! the wheel's share of the frictional heat leaves by convection from its surface and through the
+//! contact into the cold rail. L is the length of the contact in a line y, v_w the speed of the
+//! wheel's material there, and T_m the temperature to which both surfaces jump when they meet, the
+//! mean of the bulk temperatures weighted by β√v. A half-space whose surface is held at T_w − T_m
+//! below its bulk temperature absorbs 2 β_w (T_w − T_m) √(t/π) per unit area in a time t = L/v_w
+//! (Carslaw and Jaeger 1959, §2.5), and v_w dy of its surface passes through the contact every
+//! second.
 //!
-//! Limits: the wheel has one temperature outside of a thin skin; friction that falls with the temperature is
-//! that of the warm wheel; heat by radiation, brake blocks or bearings is left out.
+//! Limits: the wheel has one temperature apart from a thin skin; temperature-dependent friction is
+//! that of the warm wheel; radiation and heat from brake blocks or bearings are neglected.
 
 use crate::error::{Error, HeatPurpose, require_finite, require_positive};
 use crate::grid::Grid;
@@ -29,12 +30,12 @@ use crate::solver::Solver;
 use crate::summary;
 use crate::warning::{Unconverged, Warning};
 
-/// How a wheel is cooled by the air.
+/// Cooling of a wheel by the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cooling {
     /// Heat transfer coefficient h, in W/(m² K).
     pub film_coefficient: f64,
-    /// Surface of the wheel that the air cools A, in m².
+    /// Area A of the wheel surface cooled by the air, in m².
     pub area: f64,
     /// Temperature of the air, in degC.
     pub air_temperature: f64,
@@ -54,36 +55,36 @@ impl Cooling {
 pub struct BulkTemperature {
     /// Bulk temperature of the wheel, in degC.
     pub temperature: f64,
-    /// Frictional heat that the wheel takes, in W.
+    /// Frictional heat into the wheel, in W.
     pub frictional_heat: f64,
-    /// Heat that it gives to the air, in W.
+    /// Heat lost to the air, in W.
     pub convection: f64,
-    /// Heat that it gives to the rail through the contact, in W.
+    /// Heat lost to the rail through the contact, in W.
     pub conduction: f64,
     /// Temperature to which both surfaces jump when they meet, in degC.
     pub entry_temperature: f64,
-    /// The steady rolling at that temperature; not converged where it is not, or where the balance was
-    /// not found.
+    /// The steady state at that temperature; not converged if it did not converge, or if the
+    /// balance was not found.
     pub solution: Solution,
-    /// Steady states that were solved.
+    /// Steady states solved.
     pub iterations: usize,
 }
 
 impl BulkTemperature {
-    /// Heat received less heat given, in W.
+    /// Heat received minus heat lost, in W.
     pub fn surplus(&self) -> f64 {
         self.frictional_heat - self.convection - self.conduction
     }
 }
 
-/// Largest surplus over the frictional heat, dimensionless.
+/// Largest admissible surplus relative to the frictional heat, dimensionless.
 const BALANCED: f64 = 1e-6;
 
-/// Most steady states until the balance must be found.
+/// Maximum number of steady states before giving up.
 const ITERATIONS: usize = 60;
 
-/// The bulk temperature of the wheel in steady rolling, in place of the one that the problem gives. The
-/// rail keeps its own: every piece of it meets the wheel once.
+/// Computes the bulk temperature of the wheel in steady rolling, replacing that given in the
+/// problem. The rail keeps its own: every piece of it meets the wheel once.
 ///
 /// ```
 /// use schlupf::bulk_temperature::{Cooling, bulk_temperature};
@@ -99,7 +100,7 @@ const ITERATIONS: usize = 60;
 /// ```
 ///
 /// # Errors
-/// What [`check`] and the solver refuse, a method without heat, and [`Error::Stopped`].
+/// Whatever [`check`] and the solver reject, a method without heat, and [`Error::Stopped`].
 pub fn bulk_temperature(
     problem: &Problem,
     solver: &mut dyn Solver,
@@ -114,10 +115,10 @@ pub fn bulk_temperature(
     Ok(BulkTemperature { solution: at.back(found.solution), ..found })
 }
 
-/// Checks whatever can be checked before the first solution.
+/// Performs all checks possible before the first solution.
 ///
 /// # Errors
-/// A model without heat, and what [`Problem::check`] refuses.
+/// A problem without heat model, and whatever [`Problem::check`] rejects.
 pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
     cooling.check()?;
     if problem.heat.model.is_none() {
@@ -127,7 +128,7 @@ pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
 }
 
 struct Balance<'a> {
-    /// With the creepages at the middle of the patch.
+    /// With the creepages at the centre of the patch.
     problem: Problem,
     cooling: Cooling,
     solver: &'a mut dyn Solver,
@@ -148,7 +149,7 @@ impl Balance<'_> {
         self.between(low, high)
     }
 
-    /// The balance at a bulk temperature of the wheel.
+    /// The balance at a given bulk temperature of the wheel.
     fn at(&mut self, temperature: f64) -> Result<BulkTemperature, Error> {
         self.problem.wheel.bulk_temperature = temperature;
         let progress = Progress::count(Stage::BulkTemperature, self.iterations);
@@ -176,8 +177,8 @@ impl Balance<'_> {
         film_coefficient * area * (temperature - air_temperature)
     }
 
-    /// Heat flow through the contact over the step from the wheel's bulk to its temperature in
-    /// the contact, in W/K.
+    /// Heat flow through the contact divided by the step from the wheel's bulk temperature to its
+    /// contact temperature, in W/K.
     fn chill(&self) -> Result<f64, Error> {
         let conduction = self.problem.conduction(&self.problem.kinematics);
         let wheel_speed = self.problem.kinematics.speed / conduction.slowness();
@@ -187,8 +188,8 @@ impl Balance<'_> {
         Ok(summary::chill(&self.problem, &Patch::new(&normal, grid), wheel_speed))
     }
 
-    /// A temperature at which the wheel gives more than it receives with the friction of a cold wheel;
-    /// short of that at which friction vanishes.
+    /// A temperature at which the wheel loses more heat than it receives with the friction of a
+    /// cold wheel; below the one at which friction vanishes.
     fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
         let weight = self.problem.conduction(&self.problem.kinematics).wheel_weight();
         let through = (1.0 - weight) * self.chill()?;
@@ -197,13 +198,13 @@ impl Balance<'_> {
         let given = cold.frictional_heat + air * self.cooling.air_temperature + through * rail;
         let limit = self.problem.friction.reference_temperature
             + self.problem.friction.law.temperature_limit();
-        // Material enters the contact at the mean of both bodies.
+        // Material enters the contact at the weighted mean of both bodies.
         let vanishing = (limit - (1.0 - weight) * rail) / weight;
         Ok((given / (air + through)).min(vanishing - 1e-6 * (vanishing - rail).abs()))
     }
 
-    /// A temperature with a surplus and one without, from a guess of the latter. Where friction rises
-    /// with the temperature the wheel gets hotter than with the friction of a cold one.
+    /// A temperature with a surplus and one without, from a guess of the latter. Where friction
+    /// rises with temperature, the wheel becomes hotter than with the friction of a cold one.
     fn bracket(
         &mut self,
         mut low: BulkTemperature,

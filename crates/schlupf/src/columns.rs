@@ -1,7 +1,7 @@
-//! Results as columns: for every record what each of its numbers is, and how to get it.
+//! Results as columns: name, quantity and getter of every number of a record.
 //!
-//! CSV, JSON, VTK and whatever else shows results reads these tables, so a new number stands in all of
-//! them as soon as it stands here.
+//! CSV, JSON, VTK and all other outputs read these tables, so a number added here appears in all of
+//! them.
 
 use crate::creep_curve::CreepCurve;
 use crate::interface::roughness::load_curve::LoadCurve;
@@ -16,16 +16,17 @@ pub enum Value {
     Number(f64),
     /// A whole number.
     Count(usize),
-    /// Whether or not.
+    /// A yes/no value.
     Flag(bool),
     /// One of several names.
     Name(&'static str),
-    /// What is not known.
+    /// An unknown value.
     Unknown,
 }
 
 impl Value {
-    /// It as a number (in the unit of the quantity, or dimensionless), where it is one; a flag is 0 or 1.
+    /// The entry as a number (in the unit of the quantity, or dimensionless), if it is one; a flag
+    /// is 0 or 1.
     pub fn number(self) -> Option<f64> {
         match self {
             Self::Number(number) => Some(number),
@@ -69,38 +70,38 @@ impl From<Status> for Value {
 /// A column of a record.
 #[derive(Debug, Clone, Copy)]
 pub struct Column<R: ?Sized> {
-    /// Its name in results.
+    /// Name in results.
     pub name: &'static str,
-    /// The quantity that it holds: symbol, unit, description.
+    /// The quantity in the column: symbol, unit, description.
     pub quantity: Quantity,
     /// The entry of a row.
     pub value: fn(&R, usize) -> Value,
 }
 
 impl<R: ?Sized> Column<R> {
-    /// A column that is called like its quantity.
+    /// A column with the name of its quantity.
     pub const fn new(quantity: Quantity, value: fn(&R, usize) -> Value) -> Self {
         Self { name: quantity.name(), quantity, value }
     }
 
-    /// The same with another name.
+    /// The same column under another name.
     #[must_use]
     pub const fn named(self, name: &'static str) -> Self {
         Self { name, ..self }
     }
 }
 
-/// A result of rows with the same columns.
+/// A result consisting of rows with the same columns.
 pub trait Record: 'static {
-    /// How many rows there are.
+    /// Number of rows.
     fn rows(&self) -> usize;
 
     /// The columns.
     fn columns() -> &'static [Column<Self>];
 }
 
-/// The columns of a record: `quantity => |record, row| entry`, with another name in quotes where the
-/// quantity has one that says too much.
+/// Defines the columns of a record: `quantity => |record, row| entry`, with another name in quotes
+/// if that of the quantity says too much.
 #[macro_export]
 macro_rules! columns {
     ($record:ty: $($quantity:ident $($name:literal)? => |$r:pat_param, $k:pat_param| $value:expr),* $(,)?) => {{

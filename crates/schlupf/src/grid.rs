@@ -10,7 +10,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// The smallest rectangle that holds both.
+    /// The smallest rectangle that contains both.
     pub fn union(&self, other: &Self) -> Self {
         let join = |p: [f64; 2], q: [f64; 2]| [p[0].min(q[0]), p[1].max(q[1])];
         Self { x: join(self.x, other.x), y: join(self.y, other.y) }
@@ -22,7 +22,7 @@ impl Extent {
 pub struct Axis {
     /// First position, in m.
     pub start: f64,
-    /// Distance of the positions, in m.
+    /// Distance between positions, in m.
     pub spacing: f64,
     /// Number of positions.
     pub count: usize,
@@ -34,7 +34,7 @@ impl Axis {
         self.start + k as f64 * self.spacing
     }
 
-    /// Number of the position that is nearest to one (in m) within the axis.
+    /// Index of the position nearest to a given one (in m), within the axis.
     pub fn nearest(&self, position: f64) -> usize {
         ((position - self.start) / self.spacing).round() as usize
     }
@@ -47,8 +47,8 @@ impl Axis {
 
 /// A regular grid of rectangular cells; cell (i, j) has column i along x and row j along y.
 ///
-/// The first and the last [`BORDER`] columns are never in contact: the displacement just ahead of
-/// the leading edge is interpolated there.
+/// The first and the last [`BORDER`] columns are never in contact; they are needed to interpolate
+/// the displacement just ahead of the leading edge.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Grid {
@@ -66,11 +66,11 @@ pub struct Grid {
     pub origin_y: f64,
 }
 
-/// Columns of border on each side.
+/// Number of border columns on each side.
 pub const BORDER: usize = 2;
 
 impl Grid {
-    /// A grid with `cells_x` × `cells_y` cells exactly across `extent`, and the border.
+    /// A grid with exactly `cells_x` × `cells_y` cells across `extent`, plus the border.
     pub fn across(extent: &Extent, cells_x: usize, cells_y: usize) -> Self {
         let spacing_x = (extent.x[1] - extent.x[0]) / cells_x as f64;
         let spacing_y = (extent.y[1] - extent.y[0]) / cells_y as f64;
@@ -94,7 +94,7 @@ impl Grid {
         self.len() == 0
     }
 
-    /// Position of cell (i, j) in a field: rows along x, one after another.
+    /// Index of cell (i, j) in a field: rows along x, one after another.
     pub fn index(&self, i: usize, j: usize) -> usize {
         j * self.columns + i
     }
@@ -135,12 +135,12 @@ pub struct VectorField {
 }
 
 impl VectorField {
-    /// Zero in every one of `len` cells.
+    /// Zero in all `len` cells.
     pub fn zeros(len: usize) -> Self {
         Self { x: vec![0.0; len], y: vec![0.0; len] }
     }
 
-    /// Makes every vector zero.
+    /// Sets every vector to zero.
     pub fn clear(&mut self) {
         self.x.fill(0.0);
         self.y.fill(0.0);

@@ -1,4 +1,5 @@
-//! Creepages, speed and load over time: transient rolling, which may start with a shift at rest.
+//! Creepages, speed and load over time: transient rolling, optionally starting with a shift at
+//! rest.
 
 use crate::error::{Error, Place, require_at, require_finite};
 use crate::kinematics::Kinematics;
@@ -6,7 +7,7 @@ use crate::numerics::interpolation::piecewise_linear;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// Quantities over time, linear between the times and constant outside. `None` is constant.
+/// Quantities over time, linear between the times and constant outside. `None` means constant.
 ///
 /// ```
 /// use schlupf::{history::History, kinematics::Kinematics};
@@ -20,7 +21,7 @@ use crate::requirement::Requirement;
 pub struct History {
     /// Shift of the wheel over the rail at rest before it rolls, along and across rolling, in m.
     pub shift: Option<[f64; 2]>,
-    /// Times, strictly ascending, in s; none if the shift is all, or nothing changes.
+    /// Times, strictly ascending, in s; empty for a shift alone, or if nothing changes.
     pub time: Vec<f64>,
     /// Speed v0, in m/s.
     pub speed: Option<Vec<f64>>,
@@ -76,12 +77,12 @@ impl History {
         Ok(())
     }
 
-    /// Whether the wheel is shifted, and does not roll.
+    /// Whether the history is a shift without rolling.
     pub fn is_shift_only(&self) -> bool {
         self.shift.is_some() && self.time.is_empty()
     }
 
-    /// Whether nothing ends it but the steady state.
+    /// Whether only the steady state ends it.
     pub fn is_endless(&self) -> bool {
         self.shift.is_none() && self.time.is_empty()
     }
@@ -104,10 +105,10 @@ impl History {
         }
     }
 
-    /// Time (in s) in which the wheel rolls over a distance (in m) from a time (in s) on.
+    /// Time (in s) in which the wheel rolls a distance (in m), starting at a given time (in s).
     pub fn duration(&self, start: f64, distance: f64, otherwise: &Kinematics) -> f64 {
         let mut duration = distance / self.kinematics(start, otherwise).speed;
-        // The mean speed hardly changes with the end of a step.
+        // The mean speed hardly depends on the end of the step.
         for _ in 0..SPEED_ROUNDS {
             duration = distance / self.mean(start, start + duration, otherwise).speed;
         }
@@ -142,10 +143,10 @@ impl History {
     }
 
     /// The same motion with the creepages at another point, which lies at `place` (x and y in m)
-    /// from the one at which these hold.
+    /// from the present one.
     pub(crate) fn at(&self, place: [f64; 2], otherwise: &Kinematics) -> Self {
         let moved = |own: &Option<Vec<f64>>, component: fn(&Kinematics) -> f64| {
-            // Both are linear between the times, and so is what they make together.
+            // Both are linear between the times, and so is their combination.
             let there = |time: &f64| component(&self.kinematics(*time, otherwise).at(place));
             (own.is_some() || self.spin.is_some())
                 .then(|| self.time.iter().map(there).collect::<Vec<f64>>())
@@ -157,12 +158,12 @@ impl History {
         }
     }
 
-    /// Normal load (in N) at a time (in s), where it changes.
+    /// Normal load (in N) at a time (in s), if it changes.
     pub fn load(&self, time: f64) -> Option<f64> {
         self.load.as_ref().map(|values| self.interpolate(values, time))
     }
 
-    /// Largest normal load, in N, where it changes.
+    /// Largest normal load, in N, if it changes.
     pub fn largest_load(&self) -> Option<f64> {
         self.load.as_ref().and_then(|loads| loads.iter().copied().reduce(f64::max))
     }
@@ -184,7 +185,7 @@ impl History {
     }
 }
 
-/// Times the duration of a step is improved.
+/// Number of fixed-point iterations for the duration of a step.
 const SPEED_ROUNDS: usize = 4;
 
 #[cfg(test)]
@@ -212,8 +213,8 @@ mod tests {
         assert_eq!(at(0.5).creepage_y, 0.001);
     }
 
-    /// Means of a piecewise linear function are exact, over kinks too, and a step lasts as long as the
-    /// wheel takes: v = 30 + 10 t for a second covers 35 m.
+    /// Means of a piecewise linear function are exact, also across kinks, and a step lasts as long
+    /// as the wheel takes: v = 30 + 10 t for one second covers 35 m.
     #[test]
     fn means_are_exact_and_steps_take_their_time() {
         let history = History {
@@ -229,7 +230,7 @@ mod tests {
         assert_relative_eq!(history.duration(2.0, 0.04, &ROLLING), 1e-3, max_relative = 1e-14);
     }
 
-    /// A shift alone needs no times, but what changes with time does.
+    /// A shift alone needs no times, but changes over time do.
     #[test]
     fn a_shift_needs_no_times() {
         let shift = History { shift: Some([1e-5, 0.0]), ..History::default() };

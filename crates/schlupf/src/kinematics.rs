@@ -1,18 +1,18 @@
-//! From the motion of the wheel to the rigid slip in the contact; Eqs. (1)–(3), (9)–(12).
+//! Rigid slip in the contact from the motion of the wheel; Eqs. (1)–(3), (9)–(12).
 
 use crate::error::{Error, require, require_finite, require_positive};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// The point at which the creepages hold and about which the moment is taken.
+/// The point to which creepages and moment refer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ReferencePoint {
-    /// The middle of the patch, which is the origin of the contact frame.
+    /// The centre of the patch, which is the origin of the contact frame.
     #[default]
     Patch,
-    /// The origin of the coordinates in which the file of the normal contact gives positions.
+    /// The origin of the coordinates used in the file of the normal contact.
     File,
 }
 
@@ -28,8 +28,9 @@ impl ReferencePoint {
 
 /// How the wheel moves over the rail.
 ///
-/// The rigid slip of the wheel over the rail, over the speed, is (ξ − φ y, η + φ x), with x and y
-/// from the point at which the creepages hold ([`ReferencePoint`]). Braking has ξ > 0.
+/// The rigid slip of the wheel over the rail, divided by the speed, is (ξ − φ y, η + φ x), with x
+/// and y measured from the reference point of the creepages ([`ReferencePoint`]). Braking has
+/// ξ > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Kinematics {
@@ -49,9 +50,9 @@ impl Kinematics {
         Self { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
     }
 
-    /// Kinematics of a wheel of rolling radius R (in m) that turns with ω (in rad/s) under the yaw
-    /// angle α (in rad), exactly: ξ = (v0 cos α − ω R)/v0, η = −sin α. For small α these are
-    /// Eq. (3) and (12) of Neuhaus and Sextro (2014).
+    /// Exact kinematics of a wheel of rolling radius R (in m) that turns at ω (in rad/s) with the
+    /// yaw angle α (in rad): ξ = (v0 cos α − ω R)/v0, η = −sin α. For small α these are Eq. (3) and
+    /// (12) of Neuhaus and Sextro (2014).
     ///
     /// ```
     /// use schlupf::kinematics::Kinematics;
@@ -88,21 +89,22 @@ impl Kinematics {
         (1.0 - self.creepage_y.powi(2)).sqrt()
     }
 
-    /// Rigid slip of the wheel over the rail at a point (in m), over the speed; dimensionless.
+    /// Rigid slip of the wheel over the rail at a point (in m), divided by the speed;
+    /// dimensionless.
     pub fn rigid_slip(&self, x: f64, y: f64) -> [f64; 2] {
         [self.creepage_x - self.spin * y, self.creepage_y + self.spin * x]
     }
 
     /// The same motion with the creepages at another point, which lies at (x, y) (in m) from the
-    /// one at which these hold: ξ' = ξ − φ y, η' = η + φ x.
+    /// present one: ξ' = ξ − φ y, η' = η + φ x.
     #[must_use]
     pub fn at(&self, [x, y]: [f64; 2]) -> Self {
         let [creepage_x, creepage_y] = self.rigid_slip(x, y);
         Self { creepage_x, creepage_y, ..*self }
     }
 
-    /// By how much the rigid slip over a distance (in m) differs between the end of the distance,
-    /// downstream, and its middle; in m.
+    /// Difference of the rigid slip over a distance (in m) between the downstream end of the
+    /// distance and its middle; in m.
     pub fn half_turn(&self, distance: f64) -> [f64; 2] {
         [0.0, -0.5 * self.spin * distance * distance]
     }
@@ -152,7 +154,7 @@ mod tests {
         assert_relative_eq!(kinematics.circumferential_speed(), 60.0 * 0.46, max_relative = 1e-14);
     }
 
-    /// A rigid body has one motion: its slip at a place is the same, wherever the creepages are
+    /// A rigid body has one motion: its slip at a point is the same wherever the creepages are
     /// given.
     #[test]
     fn the_reference_point_does_not_change_the_motion() {

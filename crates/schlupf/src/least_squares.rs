@@ -1,5 +1,5 @@
-//! Nonlinear least squares (Levenberg 1944, Marquardt 1963): parameters that make a sum of squared
-//! residuals smallest, for calibration and identification.
+//! Nonlinear least squares (Levenberg 1944, Marquardt 1963): parameters that minimise a sum of
+//! squared residuals, for calibration and identification.
 
 use faer::Mat;
 use faer::linalg::solvers::{DenseSolveCore, Solve};
@@ -7,25 +7,25 @@ use faer::linalg::solvers::{DenseSolveCore, Solve};
 use crate::error::Error;
 use crate::numerics::vector::dot;
 
-/// What is to be fitted. Parameters and residuals are dimensionless: the caller scales them.
+/// A fitting problem. Parameters and residuals are dimensionless: the caller scales them.
 pub trait Residuals: Send + Sync {
-    /// The residuals (dimensionless) at some parameters within their bounds; `None` where the model cannot be
-    /// evaluated: a step there is shortened.
+    /// The residuals (dimensionless) for parameters within their bounds; `None` where the model
+    /// cannot be evaluated, which makes the step shorter.
     ///
     /// # Errors
-    /// Whatever ends the fit.
+    /// Any error that ends the fit.
     fn residuals(&mut self, parameters: &[f64]) -> Result<Option<Vec<f64>>, Error>;
 
-    /// Least and largest value of a parameter, dimensionless.
+    /// Smallest and largest value of a parameter, dimensionless.
     fn bounds(&self, _parameter: usize) -> [f64; 2] {
         [f64::NEG_INFINITY, f64::INFINITY]
     }
 
-    /// Derivatives of the residuals (rows) with respect to the parameters (columns), dimensionless; by
-    /// default by differences with [`Self::difference_step`].
+    /// Derivatives of the residuals (rows) with respect to the parameters (columns), dimensionless;
+    /// by default finite differences with [`Self::difference_step`].
     ///
     /// # Errors
-    /// Whatever ends the fit.
+    /// Any error that ends the fit.
     fn jacobian(
         &mut self,
         parameters: &[f64],
@@ -41,11 +41,11 @@ pub trait Residuals: Send + Sync {
         Ok(Some(jacobian))
     }
 
-    /// The residuals (dimensionless) where one parameter has moved by a step of a difference
-    /// (dimensionless), and the step: backwards where forwards is outside.
+    /// The residuals (dimensionless) with one parameter moved by the finite-difference step
+    /// (dimensionless), and the step: backwards if forwards is out of bounds.
     ///
     /// # Errors
-    /// Whatever ends the fit.
+    /// Any error that ends the fit.
     fn beside(
         &mut self,
         parameters: &[f64],
@@ -66,29 +66,32 @@ pub trait Residuals: Send + Sync {
         Ok(None)
     }
 
-    /// Step of a difference, relative to a parameter of at least one; dimensionless.
+    /// Finite-difference step, relative to the parameter or to one if that is larger;
+    /// dimensionless.
     fn difference_step(&self) -> f64 {
         1e-4
     }
 }
 
-/// When to stop: at the first of these. All are about the step of Gauss and Newton, undamped, of the parameters
-/// that are not held by a bound; a step that damping has made short says nothing.
+/// Stopping criteria; the first one met ends the fit. All concern the undamped Gauss–Newton step of
+/// the parameters that are not at a bound; a step shortened by damping proves nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Largest change of a parameter, relative to a parameter of at least one; dimensionless.
+    /// Largest change of a parameter, relative to the parameter or to one if that is larger;
+    /// dimensionless.
     pub tolerance: f64,
-    /// Part of the sum of squares that the step would still take away (the relative offset of Bates and Watts 1981,
-    /// squared), dimensionless: parameters that hardly matter need not come to rest.
+    /// Fraction of the sum of squares that the step would still remove (the square of the relative
+    /// offset of Bates and Watts 1981), dimensionless: parameters with little effect need not come
+    /// to rest.
     pub reducible: f64,
-    /// What the step would still take away from the sum of squares where that is rounding of the model,
+    /// Reduction of the sum of squares below which it is rounding error of the model,
     /// dimensionless.
     pub negligible: f64,
-    /// Most steps.
+    /// Maximum number of steps.
     pub max_iterations: usize,
 }
 
-/// Where a fit ended.
+/// Result of a fit.
 #[derive(Debug, Clone)]
 pub struct Minimum {
     /// The parameters, dimensionless.
@@ -99,7 +102,7 @@ pub struct Minimum {
     pub jacobian: Mat<f64>,
     /// Whether one of the limits was reached.
     pub converged: bool,
-    /// Whether a bound holds the parameter: the sum of squares would fall beyond it.
+    /// Whether the parameter is held by a bound: the sum of squares would fall beyond it.
     pub is_held: Vec<bool>,
     /// Steps tried.
     pub iterations: usize,
@@ -111,8 +114,9 @@ impl Minimum {
         dot(&self.residuals, &self.residuals)
     }
 
-    /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters. `None` where it is
-    /// singular to rounding: some combination of the parameters changes no residual.
+    /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters.
+    /// `None` if it is numerically singular: some combination of the parameters changes no
+    /// residual.
     pub fn covariance(&self) -> Option<Mat<f64>> {
         let scale = column_norms(&self.jacobian);
         if scale.iter().any(|norm| *norm == 0.0 || !norm.is_finite()) {
@@ -130,21 +134,22 @@ impl Minimum {
     }
 }
 
-/// Smallest eigenvalue of JᵀJ, its columns of length one, from which on it counts as regular.
+/// Smallest eigenvalue of JᵀJ, with columns normalised to length one, that counts as regular.
 const SINGULAR: f64 = 1e-12;
 
-/// Damping at the start, and its bounds; relative to the diagonal of JᵀJ.
+/// Initial damping and its bounds, relative to the diagonal of JᵀJ.
 const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-12;
 const LARGEST_DAMPING: f64 = 1e10;
 
-/// Fits the parameters from a start within the bounds. `None` where the model cannot be evaluated there.
+/// Fits the parameters from a start within the bounds. Returns `None` if the model cannot be
+/// evaluated there.
 ///
-/// Steps beyond a bound end there (Kanzow, Yamashita and Fukushima 2004), and a parameter at a bound beyond which
-/// the sum would fall takes no part in the next one.
+/// Steps beyond a bound are projected onto it (Kanzow, Yamashita and Fukushima 2004), and a
+/// parameter at a bound beyond which the sum would fall is excluded from the next step.
 ///
 /// # Errors
-/// Whatever the model ends the fit with.
+/// Any error with which the model ends the fit.
 pub fn minimise(
     model: &mut impl Residuals,
     start: &[f64],
@@ -190,7 +195,7 @@ pub fn minimise(
 /// Residuals and their derivatives.
 type Evaluated = (Vec<f64>, Mat<f64>);
 
-/// Residuals with their derivatives; where there is a limit, only if their sum of squares is less.
+/// Residuals with their derivatives; if a limit is given, only if their sum of squares is below it.
 fn evaluate(
     model: &mut impl Residuals,
     parameters: &[f64],
@@ -210,12 +215,12 @@ fn bounded(value: f64, [low, high]: [f64; 2]) -> f64 {
 }
 
 impl Minimum {
-    /// Places of the parameters that no bound holds.
+    /// Indices of the parameters that are not held by a bound.
     fn free(&self) -> Vec<usize> {
         (0..self.is_held.len()).filter(|k| !self.is_held[*k]).collect()
     }
 
-    /// The same minimum of some of the parameters, the others being given.
+    /// The same minimum for some of the parameters, the others being fixed.
     pub fn of(&self, parameters: &[usize]) -> Self {
         let jacobian = &self.jacobian;
         let columns =
@@ -228,7 +233,7 @@ impl Minimum {
         }
     }
 
-    /// Finds out what the bounds hold: −Jᵀr points out of the range.
+    /// Determines which parameters the bounds hold: −Jᵀr points out of the range.
     fn hold(&mut self, model: &impl Residuals) {
         let right = self.descent();
         for (k, is_held) in self.is_held.iter_mut().enumerate() {
@@ -256,7 +261,7 @@ impl Minimum {
             || moves.all(|(step, p)| step.abs() <= limits.tolerance * p.abs().max(1.0))
     }
 
-    /// (JᵀJ + damping · diag JᵀJ) step = −Jᵀr of the parameters that no bound holds.
+    /// Solves (JᵀJ + damping · diag JᵀJ) step = −Jᵀr for the parameters not held by a bound.
     fn damped_step(&self, damping: f64) -> Option<Vec<f64>> {
         let free = self.free();
         let mut step = vec![0.0; self.is_held.len()];
@@ -267,7 +272,7 @@ impl Minimum {
         let mut normal = Mat::from_fn(free.len(), free.len(), |i, j| normal[(free[i], free[j])]);
         let largest = (0..free.len()).map(|i| normal[(i, i)]).fold(0.0, f64::max);
         for i in 0..free.len() {
-            // A parameter without any effect stays where it is.
+            // A parameter without any effect does not move.
             normal[(i, i)] += damping * normal[(i, i)].max(f64::EPSILON * largest);
         }
         let descent = self.descent();
@@ -301,7 +306,7 @@ mod tests {
         }
     }
 
-    /// Rosenbrock 1960: a bent valley with its lowest point at (1, 1).
+    /// Rosenbrock 1960: a curved valley with its minimum at (1, 1).
     #[test]
     fn rosenbrock_1960() {
         let found = minimise(&mut Rosenbrock, &[-1.2, 1.0], &LIMITS).unwrap().unwrap();
@@ -347,8 +352,8 @@ mod tests {
         assert!(minimise(&mut Sum, &[0.0, 0.0], &LIMITS).unwrap().unwrap().covariance().is_none());
     }
 
-    /// Of a falling line with a slope that must not be negative the best is the mean; the bound holds it, and lets
-    /// go where the line rises.
+    /// For a falling line whose slope must not be negative the optimum is the mean; the bound holds
+    /// the slope, and releases it where the line rises.
     #[test]
     fn a_bound_holds_a_parameter() {
         let falling = vec![[0.0, 1.0], [1.0, 0.0], [2.0, -1.0]];
@@ -362,8 +367,8 @@ mod tests {
         assert_relative_eq!(found.parameters[1], 1.0, epsilon = 1e-8);
     }
 
-    /// Where the model cannot be evaluated between start and minimum, damping makes the steps short. That is no
-    /// minimum, and is not called one.
+    /// Where the model cannot be evaluated between start and minimum, damping makes the steps
+    /// short. That is no minimum and is not reported as one.
     #[test]
     fn a_short_step_is_no_minimum() {
         struct Walled;

@@ -1,13 +1,13 @@
 //! Rolling contact of wheel and rail: tangential stress, slip and temperature in the contact patch.
 //!
 //! The model is that of Neuhaus and Sextro, *Thermo-mechanical model for wheel rail contact using
-//! coupled point contact elements* (ICCM 2014); bare equation numbers in this crate are theirs. The
-//! modules stand in the order in which data flows, from the constants of the two bodies to the
-//! solution; each uses only what stands above it.
+//! coupled point contact elements* (ICCM 2014); equation numbers without a source in this crate are
+//! theirs. The modules are listed in the order of data flow, from the constants of the two bodies
+//! to the solution; each uses only modules above it.
 //!
 //! All quantities are SI, temperatures are in degC and their differences in K. The contact frame
-//! moves with the patch: x along rolling, the leading edge at larger x, y to the left, z up into the
-//! wheel. Tractions, forces and moments act on the wheel.
+//! moves with the patch: x along rolling, the leading edge at larger x, y to the left, z up into
+//! the wheel. Tractions, forces and moments act on the wheel.
 
 #![forbid(unsafe_code)]
 

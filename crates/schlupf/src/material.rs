@@ -1,4 +1,4 @@
-//! Elastic and thermal constants of a body, and what two bodies have in common.
+//! Elastic and thermal constants of a body, and combined constants of two bodies.
 
 use crate::error::{Error, require, require_positive};
 use crate::quantity::Quantity;
@@ -71,7 +71,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Its name.
+    /// Name of the side.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wheel => "wheel",
@@ -79,7 +79,7 @@ impl Side {
         }
     }
 
-    /// Its temperature, as a quantity.
+    /// Bulk temperature of the side, as a quantity.
     pub fn temperature(self) -> Quantity {
         match self {
             Self::Wheel => Quantity::WheelTemperature,
@@ -88,10 +88,10 @@ impl Side {
     }
 }
 
-/// Wheel or rail: its material and its temperature far from the contact.
+/// A wheel or rail: its material and its temperature far from the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
-    /// What it is made of.
+    /// The material.
     pub material: Material,
     /// Temperature before it enters the contact, in degC.
     pub bulk_temperature: f64,

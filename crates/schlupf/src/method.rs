@@ -1,7 +1,8 @@
-//! Which method solves a problem: all equations, or one of the fast methods of vehicle dynamics.
+//! The methods that solve a problem: the full equations, or one of the fast methods of vehicle
+//! dynamics.
 //!
-//! The fast methods are of steady rolling of an elastic half-space: elasticity and contact law of the
-//! problem do not count, only the elastic constants of the bodies do.
+//! The fast methods describe steady rolling of an elastic half-space: elasticity and contact law of
+//! the problem are ignored; only the elastic constants of the bodies are used.
 
 use crate::error::{Error, require};
 use crate::quantity::Quantity;
@@ -10,7 +11,7 @@ use crate::requirement::Requirement;
 /// A method.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
-    /// The coupled equations.
+    /// The full coupled equations.
     #[default]
     Full,
     /// One of the fast methods.
@@ -29,11 +30,11 @@ pub enum FastMethod {
     Polach(AreaReduction),
     /// FASTSIM (Kalker 1982): forces, moment, fields, temperatures.
     Fastsim(Brush),
-    /// FASTSIM whose slope falls with the creepage (Spiryagin, Polach and Cole 2013).
+    /// FASTSIM with a slope that decreases with creepage (Spiryagin, Polach and Cole 2013).
     ModifiedFastsim(Brush, SlopeReduction),
 }
 
-/// How Polach (2005) reduces the slope of the creep curve.
+/// Reduction of the initial slope of the creep curve by Polach (2005).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AreaReduction {
     /// k_A in the area of adhesion, dimensionless, above 0 and at most 1.
@@ -45,16 +46,16 @@ pub struct AreaReduction {
 /// The bristles of FASTSIM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Brush {
-    /// How many flexibilities there are.
+    /// Number of flexibilities.
     pub flexibilities: Flexibilities,
-    /// What bounds the traction.
+    /// The bound of the traction.
     pub bound: TractionBound,
 }
 
 /// The flexibilities of FASTSIM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Flexibilities {
-    /// The mean of the three, weighted with the creepages.
+    /// The mean of the three, weighted by the creepages.
     One,
     /// One each for longitudinal, lateral and spin creepage.
     Three,
@@ -69,15 +70,15 @@ pub enum TractionBound {
     Parabolic,
 }
 
-/// How modified FASTSIM reduces the slope: Kalker's slope times k0 ((1 − α)/(1 + β ε) + α), where ε
-/// grows with the creepage.
+/// Slope reduction of modified FASTSIM: Kalker's slope times k0 ((1 − α)/(1 + β ε) + α), where ε
+/// grows with creepage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlopeReduction {
     /// k0 for vanishing creepage, dimensionless, above 0 and at most 1.
     pub initial: f64,
-    /// α, the part of it that is left at large creepages, dimensionless, between 0 and 1.
+    /// α, the fraction of it that remains at large creepages, dimensionless, between 0 and 1.
     pub limit_ratio: f64,
-    /// β, how fast it falls, dimensionless, not negative.
+    /// β, rate of the decrease, dimensionless, not negative.
     pub decay: f64,
 }
 
@@ -93,13 +94,13 @@ impl Brush {
 }
 
 impl SlopeReduction {
-    /// k0 = 1, α = 0.025, β = 0.85: with these and the parabolic bound longitudinal forces are those of
-    /// Polach's formula with k_A = 1, k_S = 0.4, within 4 % of μN (root mean square 2 %).
+    /// k0 = 1, α = 0.025, β = 0.85: with these and the parabolic bound longitudinal forces match
+    /// Polach's formula with k_A = 1, k_S = 0.4 within 4 % of μN (root mean square 2 %).
     pub const DRY: Self = Self { initial: 1.0, limit_ratio: 0.025, decay: 0.85 };
 }
 
 impl Method {
-    /// Its name in case files and results.
+    /// Name in case files and results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Full => "full",
@@ -107,8 +108,7 @@ impl Method {
         }
     }
 
-    /// Whether it solves for the traction in every point, with temperatures, rather than for forces
-    /// only.
+    /// Whether it computes the traction at every point, with temperatures, rather than forces only.
     pub fn has_fields(self) -> bool {
         match self {
             Self::Full => true,
@@ -118,7 +118,7 @@ impl Method {
 }
 
 impl FastMethod {
-    /// Its name in case files and results.
+    /// Name in case files and results.
     pub fn name(self) -> &'static str {
         match self {
             Self::KalkerLinear => "kalker-linear",
@@ -129,12 +129,12 @@ impl FastMethod {
         }
     }
 
-    /// Whether it solves for the traction in every point, with temperatures, rather than for forces only.
+    /// Whether it computes the traction at every point, with temperatures, rather than forces only.
     pub fn has_fields(self) -> bool {
         matches!(self, Self::Fastsim(_) | Self::ModifiedFastsim(..))
     }
 
-    /// Checks its parameters.
+    /// Checks the parameters of the method.
     pub fn check(&self) -> Result<(), Error> {
         match self {
             Self::Polach(reduction) => reduction.check(),

@@ -1,7 +1,7 @@
-//! Work on independent things: on all threads with the feature `rayon`, else on one. Results are
-//! the same.
+//! Independent work items: on all threads with the feature `rayon`, otherwise on one. The results
+//! are the same.
 
-/// What comes of each item, in their order.
+/// The results of all items, in their order.
 ///
 /// ```
 /// use schlupf::parallel;
@@ -14,13 +14,13 @@ pub fn map<I: Send, R: Send>(items: Vec<I>, work: impl Fn(I) -> R + Sync + Send)
     items.into_par_iter().map(work).collect()
 }
 
-/// What comes of each item, in their order.
+/// The results of all items, in their order.
 #[cfg(not(feature = "rayon"))]
 pub fn map<I: Send, R: Send>(items: Vec<I>, work: impl Fn(I) -> R + Sync + Send) -> Vec<R> {
     items.into_iter().map(work).collect()
 }
 
-/// The same where an item may fail: the first error in the order of the items.
+/// The same for items that may fail: returns the first error in the order of the items.
 ///
 /// ```
 /// use schlupf::{Problem, parallel};

@@ -16,22 +16,22 @@ use crate::normal::PressureSource;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// A rolling contact: two bodies, how they move, and the laws that hold between them.
+/// A rolling contact: two bodies, their motion, and the laws of their interaction.
 #[derive(Debug, Clone)]
 pub struct Problem {
     /// Speed and creepages.
     pub kinematics: Kinematics,
-    /// Where creepages hold, and about which point the moment of the solution is taken.
+    /// Reference point of the creepages and of the moment of the solution.
     pub reference: ReferencePoint,
     /// The wheel.
     pub wheel: Body,
     /// The rail.
     pub rail: Body,
-    /// Where the normal pressure comes from.
+    /// Source of the normal pressure.
     pub normal: Arc<dyn PressureSource>,
-    /// How the bodies deform under tangential traction.
+    /// Elastic deformation of the bodies under tangential traction.
     pub elasticity: Arc<dyn Elasticity>,
-    /// How the traction of a point depends on its sliding, Eq. (8).
+    /// Dependence of the traction of a point on its sliding, Eq. (8).
     pub contact_law: Arc<dyn ContactLaw>,
     /// Coefficient of friction, Eq. (23).
     pub friction: Friction,
@@ -40,12 +40,12 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// How the two bodies divide and conduct heat at the speeds of `kinematics`.
+    /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
     pub fn conduction(&self, kinematics: &Kinematics) -> Conduction {
         Conduction::new(self.heat.partition, &self.wheel, &self.rail, kinematics)
     }
 
-    /// Péclet numbers of the material that passes, at the speeds of `kinematics`, through a contact
+    /// Péclet numbers of the two bodies passing, at the speeds of `kinematics`, through a contact
     /// of semi-axes a and b (in m).
     pub fn peclet(&self, kinematics: &Kinematics, semi_axes: [f64; 2]) -> Peclet {
         let wheel_speed = kinematics.speed / self.conduction(kinematics).slowness();
@@ -66,7 +66,7 @@ impl Problem {
         self.friction.law.respond(&state)
     }
 
-    /// What the friction law is given there.
+    /// The arguments of the friction law there.
     pub fn friction_state(
         &self,
         conduction: &Conduction,
@@ -84,12 +84,12 @@ impl Problem {
         self.friction_response(conduction, 0.0, 0.0, y)
     }
 
-    /// How friction lags behind its law, if it depends on anything that changes on the way.
+    /// How friction lags behind its law, if it depends on anything that changes within the contact.
     pub fn friction_memory(&self) -> Option<FrictionMemory> {
         self.friction.memory.filter(|_| !self.friction.law.is_constant())
     }
 
-    /// Checks whatever can be checked before the patch is known.
+    /// Performs all checks possible before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.kinematics.check()?;
         self.wheel.check_wheel()?;
@@ -99,44 +99,45 @@ impl Problem {
     }
 }
 
-/// Most cells in one direction across the patch.
+/// Maximum number of cells in one direction across the patch.
 pub const MAX_CELLS: usize = 1024;
 
-/// Most cells of a grid.
+/// Maximum number of cells of a grid.
 pub const MAX_CELLS_TOGETHER: usize = 1 << 17;
 
-/// Which of several steady states is looked for, where falling friction makes several.
+/// Which steady state to find, if falling friction causes several.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branch {
-    /// The one that is reached when the creepages grow from zero.
+    /// The one reached when the creepages grow from zero.
     LowSlip,
-    /// The one that is reached when larger creepages fall.
+    /// The one reached when larger creepages decrease.
     HighSlip,
 }
 
-/// How a problem is solved. No choice here changes the physics.
+/// Numerical options. No choice here changes the physics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Which steady state, where there are several; where it is found at once only.
+    /// Which steady state, if there are several; only for steady states found directly.
     pub branch: Branch,
     /// Cells along rolling across the patch.
     pub cells_x: usize,
     /// Cells across rolling over the patch.
     pub cells_y: usize,
-    /// Largest residual ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, dimensionless, the friction being that of the
-    /// temperatures found. Where ‖p‖₂ is less than a hundredth of ‖μ pₙ‖₂, less is left: (100 ‖p‖₂)²/‖μ pₙ‖₂
-    /// takes the place of ‖μ pₙ‖₂, and below 1e-4 of it ‖p‖₂. Marching to the steady state ends when the passage of the material
-    /// through the whole patch also changes the traction by less, and the temperature by less than
-    /// this part of its largest rise.
+    /// Largest admissible residual ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, dimensionless, with the friction at
+    /// the temperatures found. Where ‖p‖₂ is less than a hundredth of ‖μ pₙ‖₂, a smaller reference
+    /// replaces ‖μ pₙ‖₂: (100 ‖p‖₂)²/‖μ pₙ‖₂, and ‖p‖₂ itself below 1e-4 of it. Marching to the
+    /// steady state ends when, in addition, the passage of material through the whole patch changes
+    /// the traction by less than this, and the temperature by less than this fraction of its
+    /// largest rise.
     pub tolerance: f64,
-    /// Most Newton steps for one equilibrium.
+    /// Maximum number of Newton steps for one equilibrium.
     pub max_iterations: usize,
-    /// Most time steps on the way to the steady state.
+    /// Maximum number of time steps on the way to the steady state.
     pub max_steps: usize,
     /// A cell slides where |t| ≥ this · μ pₙ; dimensionless.
     pub slip_threshold: f64,
-    /// Whether to find the derivatives of the forces too; of a steady state that is found at once
-    /// only.
+    /// Whether to compute the derivatives of the forces, too; only for steady states found
+    /// directly.
     pub sensitivity: bool,
 }
 

@@ -1,10 +1,10 @@
-//! How far something that takes long has got, and whether it is to go on.
+//! Progress of long computations, and the decision whether to continue.
 
 use std::ops::ControlFlow;
 
 use crate::error::Error;
 
-/// What goes on.
+/// What is being computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
@@ -27,7 +27,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// What is counted, for people.
+    /// What is counted, in words.
     pub fn counted(self) -> &'static str {
         match self {
             Self::NormalContact => "normal contact, iterations",
@@ -42,36 +42,36 @@ impl Stage {
     }
 }
 
-/// How far something has got.
+/// Progress of a computation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Progress {
-    /// What goes on.
+    /// What is being computed.
     pub stage: Stage,
-    /// How many of it are done.
+    /// Number done.
     pub done: usize,
-    /// All of them, where known beforehand.
+    /// Total number, if known beforehand.
     pub total: Option<usize>,
-    /// Relative change or residual that falls towards the tolerance, dimensionless; if there is
+    /// Relative change or residual that decreases towards the tolerance, dimensionless; if there is
     /// one.
     pub change: Option<f64>,
 }
 
 impl Progress {
-    /// So many of something done, of an unknown number.
+    /// A given number done, of an unknown total.
     pub fn count(stage: Stage, done: usize) -> Self {
         Self { stage, done, total: None, change: None }
     }
 
-    /// The same with so many done of a known number.
+    /// The same, with a number done of a known total.
     #[must_use]
     pub fn of(self, done: usize, total: usize) -> Self {
         Self { done, total: Some(total), ..self }
     }
 }
 
-/// Sees how far something has got, and says whether it is to go on: after [`ControlFlow::Break`] it
-/// ends with [`Error::Stopped`]. Several threads may ask at the same time.
+/// Receives the progress and decides whether to continue: after [`ControlFlow::Break`] the
+/// computation ends with [`Error::Stopped`]. Several threads may call it at the same time.
 ///
 /// ```
 /// use schlupf::{Error, Options, Problem, progress::Progress, rolling};
@@ -85,12 +85,12 @@ impl Progress {
 /// ```
 pub type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
-/// Lets everything go on.
+/// Never interrupts.
 pub fn unwatched(_: Progress) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Watches a part of something: whatever it tells, the whole has got as far as this.
+/// Watches part of a computation: whatever it reports, the progress passed on is that of the whole.
 pub(crate) fn within(
     watch: Watch<'_>,
     whole: Progress,
@@ -98,7 +98,7 @@ pub(crate) fn within(
     move |_| watch(whole)
 }
 
-/// Tells how far something has got; an error if it is to stop.
+/// Reports progress; an error if the computation is to stop.
 pub(crate) fn tell(watch: Watch, progress: Progress) -> Result<(), Error> {
     match watch(progress) {
         ControlFlow::Continue(()) => Ok(()),

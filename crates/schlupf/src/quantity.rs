@@ -1,7 +1,7 @@
-//! The quantities of a rolling contact: inputs and results, each once.
+//! The quantities of a rolling contact: inputs and results, each defined once.
 //!
-//! Errors, warnings and columns of results name a quantity by this type. What a face calls it, a
-//! path in a case file, an option or a keyword, is a matter of that face: see
+//! Errors, warnings and columns of results refer to a quantity by this type. Each interface has its
+//! own names for them, such as a path in a case file, an option or a keyword: see
 //! [`Words`](crate::message::Words).
 
 macro_rules! quantities {
@@ -14,25 +14,25 @@ macro_rules! quantities {
         }
 
         impl Quantity {
-            /// All of them: inputs, then what only results have.
+            /// All quantities: inputs first, then those that only results have.
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
-            /// Its name: a word in lower case with underscores, the same in every version.
+            /// Name: a word in lower case with underscores, the same in every version.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name),* }
             }
 
-            /// Its symbol; empty where it has none.
+            /// Symbol; empty if it has none.
             pub fn symbol(self) -> &'static str {
                 match self { $(Self::$variant => $symbol),* }
             }
 
-            /// Its SI unit, temperatures in degC; empty where it is dimensionless.
+            /// SI unit, temperatures in degC; empty if dimensionless.
             pub const fn unit(self) -> &'static str {
                 match self { $(Self::$variant => $unit),* }
             }
 
-            /// What it is, in a few words.
+            /// Short description.
             pub fn description(self) -> &'static str {
                 match self { $(Self::$variant => $description),* }
             }
@@ -246,7 +246,7 @@ impl Quantity {
         })
     }
 
-    /// A value (in its unit, or dimensionless) of six digits with its unit.
+    /// A value (in its unit, or dimensionless) with six digits and its unit.
     pub fn six_digits(self, value: f64) -> String {
         let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
         let is_usual = rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs());
@@ -254,12 +254,12 @@ impl Quantity {
         format!("{number} {}", self.unit()).trim_end().to_owned()
     }
 
-    /// Itself, or the longitudinal creepage of a total one.
+    /// The quantity itself, or the longitudinal creepage for a total one.
     pub(crate) fn own_component(self) -> Self {
         if self == Self::Creepage { Self::CreepageX } else { self }
     }
 
-    /// `creepage_x = 0.05`: its name and a value (in its unit, or dimensionless) of six digits.
+    /// `creepage_x = 0.05`: name and value (in its unit, or dimensionless) with six digits.
     pub fn equation(self, value: f64) -> String {
         format!("{} = {}", self.name(), self.six_digits(value))
     }

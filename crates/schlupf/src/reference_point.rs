@@ -1,8 +1,9 @@
-//! Creepages that hold, and a moment that is taken, at another point than the middle of the patch.
+//! Creepages and moments at a reference point other than the centre of the patch.
 //!
-//! Whatever solves has the creepages at the middle of the patch, the origin of the contact frame. A
-//! problem that gives them elsewhere is moved there on the way in, and its solution back on the way
-//! out; both are the same rigid motion and the same tractions, so nothing else changes.
+//! All solvers take the creepages at the centre of the patch, the origin of the contact frame. A
+//! problem that gives them elsewhere is converted on the way in, and its solution is converted back
+//! on the way out; both describe the same rigid motion and the same tractions, so nothing else
+//! changes.
 
 use crate::error::Error;
 use crate::kinematics::{Kinematics, ReferencePoint};
@@ -13,7 +14,7 @@ use crate::solution::{Instant, Resultant, Solution};
 use crate::summary;
 use crate::transient::Transient;
 
-/// Where a reference point lies in the contact frame, x and y in m.
+/// Position of a reference point in the contact frame, x and y in m.
 pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result<[f64; 2], Error> {
     match (reference, normal.origin) {
         (ReferencePoint::Patch, _) => Ok([0.0; 2]),
@@ -22,20 +23,20 @@ pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result
     }
 }
 
-/// A problem with its creepages at the middle of the patch, and the way back. Whatever solves takes
-/// a problem through this.
+/// A problem with its creepages at the centre of the patch, and the way back. Every solver takes
+/// its problem through this.
 #[derive(Debug, Clone)]
 pub(crate) struct AtPatch {
     pub problem: Problem,
     reference: ReferencePoint,
-    /// Where the reference point lies in the contact frame, x and y in m.
+    /// Position of the reference point in the contact frame, x and y in m.
     place: [f64; 2],
 }
 
 impl AtPatch {
     /// # Errors
-    /// A reference point that the normal contact does not have, a motion that is no rolling at the middle
-    /// of the patch, whatever [`Problem::check`] refuses, and [`Error::Stopped`].
+    /// A reference point that the normal contact does not have, a motion that is not rolling at the
+    /// centre of the patch, whatever [`Problem::check`] rejects, and [`Error::Stopped`].
     pub fn new(problem: &Problem, watch: Watch) -> Result<Self, Error> {
         problem.check()?;
         problem.normal.prepare(None, watch)?;
@@ -51,7 +52,7 @@ impl AtPatch {
         Ok(Self { problem, reference, place })
     }
 
-    /// What was given over time, with its problem and its history at the middle of the patch.
+    /// The given transient, with its problem and its history at the centre of the patch.
     pub fn transient(&self, given: &Transient) -> Transient {
         let history = match self.reference {
             ReferencePoint::Patch => given.history.clone(),
@@ -63,7 +64,7 @@ impl AtPatch {
         Transient { problem, history, initial_state }
     }
 
-    /// Takes over another motion, given at the reference point.
+    /// Switches to another motion, given at the reference point.
     pub fn set_motion(&mut self, motion: &Kinematics) {
         self.problem.kinematics = match self.reference {
             ReferencePoint::Patch => *motion,
@@ -79,7 +80,7 @@ impl AtPatch {
         }
     }
 
-    /// The solution of the problem at the middle of the patch as one of the problem that was given.
+    /// Converts the solution at the centre of the patch into one of the given problem.
     pub fn back(&self, solution: Solution) -> Solution {
         if self.reference == ReferencePoint::Patch {
             return solution;

@@ -1,4 +1,4 @@
-//! What a number must be.
+//! Requirements on numbers.
 
 use crate::message::Words;
 use crate::quantity::Quantity;
@@ -13,20 +13,20 @@ pub enum Requirement {
     Positive,
     /// Zero or above, and finite.
     NotNegative,
-    /// Finite and of no larger magnitude, in the unit of the quantity.
+    /// Finite and at most this magnitude, in the unit of the quantity.
     Magnitude(f64),
-    /// Within bounds that belong to it, in the unit of the quantity.
+    /// Within bounds, which are included, in the unit of the quantity.
     Between(f64, f64),
-    /// Within bounds that do not belong to it, in the unit of the quantity.
+    /// Within bounds, which are excluded, in the unit of the quantity.
     Inside(f64, f64),
-    /// Above the first and at most the second, in the unit of the quantity.
+    /// Above the first bound and at most the second, in the unit of the quantity.
     AboveUpTo(f64, f64),
-    /// At least, in the unit of the quantity.
+    /// At least this, in the unit of the quantity.
     AtLeast(f64),
-    /// A radius of curvature of at least and at most these magnitudes, in m: positive where convex,
-    /// negative where concave, infinite where straight.
+    /// A radius of curvature with magnitude between these, in m: positive if convex, negative if
+    /// concave, infinite if straight.
     Radius(f64, f64),
-    /// Not zero; infinite where flat.
+    /// Not zero; infinite if flat.
     NotZero,
     /// Not negative, and at most the value of another quantity,
     /// in the unit of the quantity.
@@ -34,7 +34,7 @@ pub enum Requirement {
 }
 
 impl Requirement {
-    /// Whether a value (in the unit of the quantity) meets it.
+    /// Whether a value (in the unit of the quantity) satisfies the requirement.
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Radius(low, high) => {
@@ -54,7 +54,7 @@ impl Requirement {
         }
     }
 
-    /// It in words, to follow "must be"; `unit` is the unit of the bounds.
+    /// The requirement in words, to follow "must be"; `unit` is the unit of the bounds.
     pub fn text(self, unit: &str, words: &dyn Words) -> String {
         let bounds = match self {
             Self::Finite => return "finite".to_owned(),
@@ -86,8 +86,8 @@ impl Requirement {
         format!("{bounds} {unit}").trim_end().to_owned()
     }
 
-    /// The bounds that do not depend on other quantities, the least and the largest number (in the
-    /// unit of the quantity); what is `true` belongs to the range.
+    /// The bounds that do not depend on other quantities, lower and upper (in the unit of the
+    /// quantity); `true` marks a bound that is included.
     pub fn bounds(self) -> [Option<(f64, bool)>; 2] {
         match self {
             Self::Finite | Self::NotZero | Self::Radius(..) => [None; 2],
@@ -102,7 +102,7 @@ impl Requirement {
     }
 }
 
-/// A number with at most six digits, in powers of ten where it would be a run of zeros.
+/// Formats a number with at most six digits, using powers of ten instead of a run of zeros.
 pub fn readable(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     if rounded == 0.0 || (1e-2..1e5).contains(&rounded.abs()) {

@@ -1,4 +1,4 @@
-//! How results are written by `serde`, where that is not what their fields say.
+//! Serialisation by `serde` where it differs from the fields.
 
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
@@ -23,21 +23,21 @@ impl Serialize for Method {
     }
 }
 
-/// As the quantity that it is.
+/// As its quantity.
 impl Serialize for Parameter {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.quantity().serialize(serializer)
     }
 }
 
-/// As a message in the names of the quantities.
+/// As a message with the names of the quantities.
 impl Serialize for Warning {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.message(&Names).serialize(serializer)
     }
 }
 
-/// With the components of its origin apart.
+/// With the components of its origin as separate fields.
 impl Serialize for NormalSummary {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut fields = serializer.serialize_struct("NormalSummary", 8)?;

@@ -1,4 +1,4 @@
-//! What a solution holds: plain data. All forces and tractions act on the wheel.
+//! Results of a solution: plain data. All forces and tractions act on the wheel.
 
 use crate::grid::Grid;
 use crate::kinematics::{Kinematics, ReferencePoint};
@@ -7,19 +7,19 @@ use crate::normal::NormalSummary;
 use crate::state::State;
 use crate::warning::Warning;
 
-/// Whether the equations hold to the tolerance asked for.
+/// Whether the equations are satisfied to the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Status {
-    /// They do.
+    /// They are.
     Converged,
-    /// They do not; `residual` says how far off.
+    /// They are not; `residual` gives the error.
     NotConverged,
 }
 
 impl Status {
-    /// Its name in results.
+    /// Name in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -28,23 +28,22 @@ impl Status {
     }
 }
 
-/// A solved rolling contact. The fields belong to the last instant. What the method does not know is
-/// `None`, and its fields have no cells: see [`Method`].
+/// A solved rolling contact. The fields are those of the last instant. Quantities that the method
+/// does not compute are `None`, and its fields have no cells: see [`Method`].
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Solution {
-    /// What was solved: all equations, or those of a fast method.
+    /// The method: the full equations, or a fast method.
     pub method: Method,
-    /// Whether to trust it.
+    /// Whether the solution converged.
     pub status: Status,
-    /// Relative residual reached, dimensionless: the largest of the last equilibrium's
-    /// ‖p − μ pₙ law‖₂ / ‖μ pₙ‖₂, measured as [`crate::problem::Options::tolerance`] says, and, in
+    /// Relative residual reached, dimensionless: the largest of the last equilibrium's ‖p − μ pₙ
+    /// law‖₂ / ‖μ pₙ‖₂, measured as described in [`crate::problem::Options::tolerance`], and, in
     /// steady rolling, of the last change of traction and temperature.
     pub residual: f64,
     /// The normal contact at the last instant.
     pub normal: NormalSummary,
-    /// Where the creepages hold, here and in [`Self::history`], and about which point moments are
-    /// taken.
+    /// Reference point of creepages and moments, here and in [`Self::history`].
     pub reference: ReferencePoint,
     /// Speed and creepages at the last instant.
     pub kinematics: Kinematics,
@@ -54,34 +53,34 @@ pub struct Solution {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
-    /// Power of friction and of the creep forces; `None` where they take a moment that is not known.
+    /// Power of friction and of the creep forces; `None` if they require a moment that is unknown.
     pub power: Option<Power>,
     /// Wear number.
     pub t_gamma: TGamma,
-    /// Largest temperatures, where the method has fields.
+    /// Largest temperatures, if the method has fields.
     pub temperature: Option<Temperature>,
-    /// Péclet numbers v a/κ of wheel and rail, dimensionless: v is the speed with which their
-    /// material passes the contact in the temperatures above.
+    /// Péclet numbers v a/κ of wheel and rail, dimensionless: v is the speed at which their
+    /// material passes the contact in the temperature computation above.
     pub peclet: [f64; 2],
     /// Contact, stick and slip areas.
     pub area: Area,
     /// Traction, slip and temperature in every contact cell.
     pub fields: Fields,
-    /// Forces over time, one entry a time step.
+    /// Forces over time, one entry per time step.
     pub history: Vec<Instant>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Warning>,
-    /// Derivatives of forces and moment, where they were asked for and found.
+    /// Derivatives of forces and moment, if requested and found.
     pub sensitivity: Option<Sensitivity>,
-    /// How much work it was.
+    /// Amount of work.
     pub work: Work,
-    /// The state at the end, to go on from.
+    /// The state at the end, from which rolling can continue.
     pub state: State,
 }
 
 impl Solution {
-    /// Motion, and forces and moment, with a reference point of choice; `None` where no file has an
-    /// origin.
+    /// Motion, forces and moment referred to a chosen reference point; `None` if it is the origin
+    /// of a file and there is none.
     pub fn seen_from(&self, reference: ReferencePoint) -> Option<(Kinematics, Resultant)> {
         if reference == self.reference {
             return Some((self.kinematics, self.force));
@@ -103,12 +102,12 @@ pub struct Resultant {
     pub x: f64,
     /// Lateral force Fy, in N (or normalised, dimensionless).
     pub y: f64,
-    /// Moment Mz about the reference point, by default the middle of the patch, in N m (or
-    /// normalised, dimensionless); `None` where the method does not give it.
+    /// Moment Mz about the reference point, by default the centre of the patch, in N m (or
+    /// normalised, dimensionless); `None` if the method does not compute it.
     pub moment_z: Option<f64>,
 }
 
-/// Zero, its moment, too.
+/// Zero, including the moment.
 impl Default for Resultant {
     fn default() -> Self {
         Self::new(0.0, 0.0, 0.0)
@@ -126,7 +125,7 @@ impl Resultant {
         self.x.hypot(self.y)
     }
 
-    /// Forces and moment times a factor each.
+    /// Forces and moment, each multiplied by its factor.
     pub(crate) fn scaled(&self, factor: f64, moment_factor: f64) -> Self {
         Self {
             x: factor * self.x,
@@ -135,15 +134,15 @@ impl Resultant {
         }
     }
 
-    /// The same with the moment about another point, which lies at (x, y) (in m) from the one about
-    /// which this is taken: Mz' = Mz − (x Fy − y Fx).
+    /// The same with the moment about another point, which lies at (x, y) (in m) from the present
+    /// one: Mz' = Mz − (x Fy − y Fx).
     #[must_use]
     pub fn about(&self, [x, y]: [f64; 2]) -> Self {
         let moment_z = self.moment_z.map(|moment| moment - (x * self.y - y * self.x));
         Self { moment_z, ..*self }
     }
 
-    /// The sum with a multiple of another; a moment only where both have one.
+    /// The sum with a multiple of another resultant; with a moment only if both have one.
     pub(crate) fn plus(&self, factor: f64, other: &Self) -> Self {
         Self {
             x: self.x + factor * other.x,
@@ -153,31 +152,30 @@ impl Resultant {
     }
 }
 
-/// Derivatives of the steady forces and moment on the wheel, everything else staying. Where a law has
-/// a kink they are those of one of its sides.
+/// Derivatives of the steady forces and moment on the wheel, everything else held constant. At a
+/// kink of a law they are one-sided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sensitivity {
-    /// By the longitudinal creepage ξ, in N and N m.
+    /// With respect to the longitudinal creepage ξ, in N and N m.
     pub creepage_x: Resultant,
-    /// By the lateral creepage η, in N and N m.
+    /// With respect to the lateral creepage η, in N and N m.
     pub creepage_y: Resultant,
-    /// By the spin φ, in N m and N m².
+    /// With respect to the spin φ, in N m and N m².
     pub spin: Resultant,
-    /// By the normal load N (dimensionless, and in m), if the elasticity knows how it grows with the
-    /// patch. The patch grows as its description says: with the curvatures of the bodies, or not at
-    /// all where its size is given.
+    /// With respect to the normal load N (dimensionless, and in m), if the elasticity defines how
+    /// it scales with the patch. The patch grows according to its model: with the curvatures of the
+    /// bodies, or not at all if its size is given.
     pub load: Option<Resultant>,
-    /// By the cold coefficient of friction μ0, in N and N m.
+    /// With respect to the cold coefficient of friction μ0, in N and N m.
     pub friction_coefficient: Resultant,
-    /// By the stiffness k_c of the contact law, in N m and N m².
+    /// With respect to the stiffness k_c of the contact law, in N m and N m².
     pub contact_stiffness: Resultant,
 }
 
 impl Sensitivity {
-    /// The same with creepages that hold, and moments that are taken, at another point, which lies
-    /// at (x, y) (in m) from this one. Of the motion there, (ξ', η', φ), ξ is ξ' + φ y and η is η'
-    /// − φ x.
+    /// The same for a reference point that lies at (x, y) (in m) from the present one. The motion
+    /// there, (ξ', η', φ), gives ξ = ξ' + φ y and η = η' − φ x.
     pub(crate) fn at(&self, place: [f64; 2]) -> Self {
         let [x, y] = place;
         let spin = self.spin.plus(y, &self.creepage_x).plus(-x, &self.creepage_y);
@@ -204,23 +202,23 @@ pub struct Power {
     /// Friction power that the bristles of the contact law return, in W: the negative part of q,
     /// which does not heat.
     pub returned: f64,
-    /// Part of the heat that goes into the wheel, in W.
+    /// Share of the heat that goes into the wheel, in W.
     pub into_wheel: f64,
-    /// Part of the heat that goes into the rail, in W; both together are the friction power and what is
-    /// returned.
+    /// Share of the heat that goes into the rail, in W; both together are the friction power plus
+    /// the returned power.
     pub into_rail: f64,
-    /// Heat that flows from the wheel through the contact into the rail besides, because their bulk
-    /// temperatures differ, in W; `None` where the method has no fields.
+    /// Additional heat that flows from the wheel through the contact into the rail because their
+    /// bulk temperatures differ, in W; `None` if the method has no fields.
     pub exchanged: Option<f64>,
 }
 
-/// T-gamma, the wear number of the railways.
+/// T-gamma, the wear number used by railways.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TGamma {
     /// |ξ Fx| + |η Fy|, in N.
     pub without_spin: f64,
-    /// |ξ Fx| + |η Fy| + |φ Mz|, in N; `None` where that moment is not known.
+    /// |ξ Fx| + |η Fy| + |φ Mz|, in N; `None` if the moment is unknown.
     pub with_spin: Option<f64>,
 }
 
@@ -230,29 +228,29 @@ pub struct TGamma {
 pub struct Temperature {
     /// The larger of the two rises, in K.
     pub max_rise: f64,
-    /// Largest rise of the wheel's surface over its bulk temperature, in K.
+    /// Largest rise of the wheel's surface above its bulk temperature, in K.
     pub max_rise_wheel: f64,
-    /// Largest rise of the rail's surface over its bulk temperature, in K.
+    /// Largest rise of the rail's surface above its bulk temperature, in K.
     pub max_rise_rail: f64,
     /// Largest temperature of the wheel's surface, in degC.
     pub max_wheel: f64,
     /// Largest temperature of the rail's surface, in degC.
     pub max_rail: f64,
-    /// Where the largest rise is, in m.
+    /// Position of the largest rise along x, in m.
     pub x: f64,
-    /// Where the largest rise is, in m.
+    /// Position of the largest rise along y, in m.
     pub y: f64,
 }
 
-/// Areas in m², each cell with its covered part.
+/// Areas in m²; each cell counts with its covered part.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Area {
     /// Contact area, in m².
     pub contact: f64,
-    /// Where the elements stick, in m²; `None` where the method has no fields.
+    /// Area where the elements stick, in m²; `None` if the method has no fields.
     pub stick: Option<f64>,
-    /// Where they slide, in m²; `None` where the method has no fields.
+    /// Area where they slide, in m²; `None` if the method has no fields.
     pub slip: Option<f64>,
 }
 
@@ -286,11 +284,11 @@ pub struct Fields {
     pub slip_y: Vec<f64>,
     /// Coefficient of friction, dimensionless.
     pub friction_coefficient: Vec<f64>,
-    /// Friction power per area, in W/m².
+    /// Friction power per unit area, in W/m².
     pub friction_power: Vec<f64>,
-    /// Rise of the wheel's surface over its bulk temperature, in K.
+    /// Rise of the wheel's surface above its bulk temperature, in K.
     pub temperature_rise_wheel: Vec<f64>,
-    /// Rise of the rail's surface over its bulk temperature, in K.
+    /// Rise of the rail's surface above its bulk temperature, in K.
     pub temperature_rise_rail: Vec<f64>,
     /// Whether the cell slides.
     pub sliding: Vec<bool>,
@@ -302,7 +300,7 @@ impl Fields {
         self.cell.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no contact cells.
     pub fn is_empty(&self) -> bool {
         self.cell.is_empty()
     }
@@ -322,11 +320,11 @@ pub struct Instant {
     pub load: f64,
     /// Forces and moment at the end of the step.
     pub force: Resultant,
-    /// Friction power, mean over the step, in W. Here and below, `None` is what the method does not
-    /// know.
+    /// Friction power, mean over the step, in W. Here and below, `None` means that the method does
+    /// not compute it.
     pub friction_power: Option<f64>,
-    /// Power of the creep forces −v0 (ξ Fx + η Fy + φ Mz), mean over the step, in W: the friction power
-    /// and the change of the stored energy over the duration of the step.
+    /// Power of the creep forces −v0 (ξ Fx + η Fy + φ Mz), mean over the step, in W: the friction
+    /// power plus the change in stored energy divided by the duration of the step.
     pub creep_power: Option<f64>,
     /// Elastic energy ½ ∫ p·u dA of the tangential tractions at the end of the step, in J.
     pub stored_energy: Option<f64>,
@@ -342,14 +340,15 @@ pub struct Instant {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Work {
-    /// Newton steps, all together.
+    /// Newton steps in total.
     pub newton_iterations: usize,
-    /// Products with the compliance A, dimensionless; one on a coarser grid of n' cells counts n'/n.
+    /// Products with the compliance A, dimensionless; one on a coarser grid of n' cells counts as
+    /// n'/n.
     pub operator_products: f64,
-    /// Products more for the derivatives.
+    /// Additional products for the derivatives.
     pub sensitivity_products: usize,
-    /// Iterations between traction and temperature: the time steps of a march; one in the steady
-    /// driver, which finds both together.
+    /// Iterations between traction and temperature: the number of time steps of a march; one in the
+    /// steady driver, which finds both together.
     pub outer_iterations: usize,
     /// Time steps.
     pub steps: usize,

@@ -1,4 +1,4 @@
-//! What finds steady states of rolling, whatever the method.
+//! The trait of solvers for steady rolling, independent of the method.
 
 use crate::error::Error;
 use crate::method::Method;
@@ -9,29 +9,29 @@ use crate::solution::Solution;
 /// Finds steady states, one problem after another: points of a creep curve, or families of them.
 /// Extension point.
 ///
-/// Problems that share the normal contact and the elasticity (the same `Arc`s, as clones of a
-/// problem do) share the set-up, and each may start from the solutions before. The result depends
-/// on them within the tolerance only.
+/// Problems that share the normal contact and the elasticity (the same `Arc`s, as in clones of a
+/// problem) share the set-up, and each may start from earlier solutions. The result depends on them
+/// only within the tolerance.
 pub trait Solver: Send + Sync {
-    /// What it solves.
+    /// The method of the solver.
     fn method(&self) -> Method;
 
-    /// How it solves.
+    /// The options of the solver.
     fn options(&self) -> &Options;
 
-    /// The steady state of a problem.
+    /// Solves for the steady state of a problem.
     ///
     /// # Errors
-    /// Whatever [`Problem::check`] and [`Options::check`] refuse, and [`Error::Stopped`].
+    /// Whatever [`Problem::check`] and [`Options::check`] reject, and [`Error::Stopped`].
     fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error>;
 
-    /// Whether it finds derivatives of the forces.
+    /// Whether it computes derivatives of the forces.
     fn has_derivatives(&self) -> bool {
         false
     }
 
-    /// The steady state with its derivatives. Nothing where it is not found at once, or the method
-    /// has none.
+    /// The steady state with its derivatives. `None` if it is not found directly, or if the method
+    /// has no derivatives.
     ///
     /// # Errors
     /// As [`Self::solve`].
@@ -43,6 +43,6 @@ pub trait Solver: Send + Sync {
         Ok(None)
     }
 
-    /// Forgets all solutions, but not the set-up.
+    /// Discards all solutions, but not the set-up.
     fn forget(&mut self) {}
 }

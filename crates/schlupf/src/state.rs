@@ -1,4 +1,4 @@
-//! What the material in the contact remembers: the state from which rolling goes on.
+//! The memory of the material in the contact: the state from which rolling continues.
 
 use crate::grid::Grid;
 use crate::heat::HeatStep;
@@ -8,7 +8,7 @@ use crate::patch::{Cell, Patch};
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
-    /// The grid on which the elements stand.
+    /// The grid of the elements.
     pub grid: Grid,
     /// Time, in s.
     pub time: f64,
@@ -20,7 +20,7 @@ pub struct State {
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Element {
-    /// Cell of the grid in which it is.
+    /// Grid cell of the element.
     pub index: usize,
     /// Traction on the rail, mean over the cell, in Pa.
     pub traction: [f64; 2],
@@ -28,20 +28,21 @@ pub struct Element {
     pub saturation: [f64; 2],
     /// Sliding distance since entry, in m.
     pub sliding: [f64; 2],
-    /// Elastic part of the sliding on the way into the cell, over that way, dimensionless.
+    /// Elastic part of the sliding on the path into the cell, divided by the length of that path,
+    /// dimensionless.
     pub stretch: [f64; 2],
     /// Temperature rise times effusivity in the cell, in W √s/m².
     pub rise: f64,
     /// Slip speed in the cell, in m/s.
     pub slip_speed: f64,
-    /// Coefficient of friction with which it leaves the cell, dimensionless; if friction remembers.
+    /// Coefficient of friction on leaving the cell, dimensionless; if friction has a memory.
     pub friction_on_leaving: Option<f64>,
-    /// Heat received since entry and until it leaves the cell, the latest step first.
+    /// Heat received from entry until it leaves the cell, the latest step first.
     pub heat: Vec<HeatStep>,
 }
 
 impl State {
-    /// A patch that has not been loaded tangentially yet.
+    /// A patch without previous tangential load.
     pub fn at_rest(patch: &Patch) -> Self {
         let element = |cell: &Cell| Element { index: cell.index, ..Element::default() };
         Self { grid: patch.grid, time: 0.0, elements: patch.cells.iter().map(element).collect() }

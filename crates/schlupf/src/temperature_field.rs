@@ -1,10 +1,10 @@
-//! Temperatures of wheel and rail on and below their surfaces, in the contact and in the wake behind
-//! it.
+//! Temperatures of wheel and rail on and below their surfaces, in the contact and in the wake
+//! behind it.
 //!
-//! At the speeds of rolling, heat flows perpendicular to the surface only (Knothe and Liebelt 1995),
-//! so below every point lies a half-space that has received what its point has: the frictional heat
-//! since the leading edge, and the heat that the two bodies exchange because they meet at different
-//! temperatures. After the contact no heat passes the surface.
+//! At rolling speeds, heat flows perpendicular to the surface only (Knothe and Liebelt 1995), so
+//! below every point lies a half-space that has received the heat of that point: the frictional
+//! heat since the leading edge, and the heat that the two bodies exchange because they meet at
+//! different temperatures. Behind the contact no heat crosses the surface.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -20,11 +20,11 @@ use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::warning::Warning;
 
-/// The temperatures that belong to a solution.
+/// The temperatures of a solution.
 ///
-/// They are exact for the heat that is released, whatever the heat model: with the constant source of
-/// the paper the surface is not as hot here as its cells say. Without a heat model the bodies still
-/// exchange heat where their bulk temperatures differ.
+/// They are exact for the heat released, whatever the heat model: with the constant source of the
+/// paper the surface temperature here is lower than in the cells. Without a heat model the bodies
+/// still exchange heat where their bulk temperatures differ.
 #[derive(Debug, Clone)]
 pub struct TemperatureField {
     tracks: Vec<Track>,
@@ -32,34 +32,34 @@ pub struct TemperatureField {
     rail: Conductor,
 }
 
-/// The way of the material through a strip.
+/// The path of the material through a strip.
 #[derive(Debug, Clone)]
 struct Track {
     /// Its lower and upper y, in m.
     y: [f64; 2],
     entry_x: f64,
     exit_x: f64,
-    /// Heat received, the latest step first, in times of the rail.
+    /// Heat received, the latest step first, with times in the rail.
     record: Vec<HeatStep>,
     speed: f64,
 }
 
-/// A body as a half-space under its part of the heat.
+/// A body as a half-space with its share of the heat.
 #[derive(Debug, Clone, Copy)]
 struct Conductor {
     bulk: f64,
-    /// Temperature with which the two surfaces meet, less the bulk temperature, in K.
+    /// Temperature at which the two surfaces meet, minus the bulk temperature, in K.
     step: f64,
-    /// Part of the frictional heat, dimensionless.
+    /// Share of the frictional heat, dimensionless.
     share: f64,
-    /// Times in this body over those in the rail, dimensionless.
+    /// Times in this body divided by those in the rail, dimensionless.
     slowness: f64,
     effusivity: f64,
     diffusivity: f64,
 }
 
 impl TemperatureField {
-    /// What the reader of the temperatures must know, if anything.
+    /// A warning for whoever uses the temperatures, if there is one.
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<Warning> {
         let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
         let slow = peclet.caveat(true);
@@ -71,8 +71,9 @@ impl TemperatureField {
         (!model.is_linear()).then_some(Warning::HeatModelOfCells {})
     }
 
-    /// The temperatures of steady rolling, from the solution of a problem. A history has none: its
-    /// material has left the contact with another past than the one that leaves it now.
+    /// Computes the temperatures of steady rolling from the solution of a problem. They do not
+    /// exist for a history: the material in its wake has a different past from that leaving the
+    /// contact now.
     ///
     /// ```
     /// use schlupf::temperature_field::{Side, TemperatureField};
@@ -89,7 +90,7 @@ impl TemperatureField {
     ///
     /// # Errors
     /// A fast method, which keeps no record of the heat, and whatever
-    /// [`crate::normal::PressureSource::normal_contact`] refuses.
+    /// [`crate::normal::PressureSource::normal_contact`] rejects.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
         if solution.method != Method::Full {
             let method = solution.method.name();
@@ -106,9 +107,9 @@ impl TemperatureField {
         let speed = solution.kinematics.speed;
         let track = |strip: &Strip| {
             let last = &patch.cells[strip.cells.end - 1];
-            // Cells that the edge cuts have edges of their own; those in the middle share one.
+            // Cells cut by the edge have their own edges; those in the middle share one.
             let middle = &patch.cells[(strip.cells.start + strip.cells.end - 1) / 2];
-            // The mean over the strip, as the cells at its ends are covered in a part of it only.
+            // The mean over the strip, as the cells at its ends are only partly covered.
             let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
             let length = covered * grid.spacing_x;
             Track {
@@ -139,8 +140,8 @@ impl TemperatureField {
         })
     }
 
-    /// Where the material on the line y (in m) enters the contact, and where it leaves it (x in m), for each
-    /// piece of contact that it passes, the first one first. None beside the patch.
+    /// Where the material on the line y (in m) enters and leaves the contact (x in m), for each
+    /// piece of contact that it passes, the first one first. Empty outside the patch.
     pub fn passages(&self, y: f64) -> Vec<[f64; 2]> {
         let on_line = self.tracks.iter().filter(|track| track.holds(y));
         let mut passages: Vec<_> = on_line.map(|track| [track.entry_x, track.exit_x]).collect();
@@ -154,15 +155,15 @@ impl TemperatureField {
         [ends(0).fold(f64::INFINITY, f64::min), ends(1).fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// Temperature (in degC) of a body at (x, y) and below its surface by `depth` (in m): in the
-    /// contact, behind it, and ahead of it, where the body has its bulk temperature.
+    /// Temperature (in degC) of a body at (x, y) and at the given `depth` below its surface (in m):
+    /// in the contact, behind it, and ahead of it, where the body has its bulk temperature.
     pub fn at(&self, side: Side, x: f64, y: f64, depth: f64) -> f64 {
         let conductor = match side {
             Side::Wheel => &self.wheel,
             Side::Rail => &self.rail,
         };
         let passed = |track: &&Track| track.holds(y) && x < track.entry_x;
-        // Of several pieces of contact in a line, the last one counts, as in the solution.
+        // Of several pieces of contact in a line, only the last one is used, as in the solution.
         let last = self.tracks.iter().filter(passed).min_by(|p, q| p.entry_x.total_cmp(&q.entry_x));
         last.map_or(conductor.bulk, |track| conductor.temperature(track, x, depth))
     }
@@ -183,8 +184,8 @@ impl Conductor {
         self.bulk + mixed + self.heated(track, since_entry, depth)
     }
 
-    /// Rise by the frictional heat: a flux q from s₁ to s₂ before now gives
-    /// (2q/β) (√s₂ ierfc(z/2√(κs₂)) − √s₁ ierfc(z/2√(κs₁))) (Carslaw and Jaeger 1959, §2.9 (7)).
+    /// Rise due to the frictional heat: a flux q from s₁ to s₂ before now gives (2q/β) (√s₂
+    /// ierfc(z/2√(κs₂)) − √s₁ ierfc(z/2√(κs₁))) (Carslaw and Jaeger 1959, §2.9 (7)).
     fn heated(&self, track: &Track, since_entry: f64, depth: f64) -> f64 {
         let part = |ago: f64| {
             if ago <= 0.0 {
@@ -206,12 +207,13 @@ impl Conductor {
     }
 }
 
-/// Parts into which a step of a record is divided.
+/// Number of parts into which a step of a record is divided.
 const PARTS: usize = 8;
 
-/// A record in finer steps, each step keeping its mean: with one flux for a whole cell the surface temperature
-/// would bend at the edge of every cell. Inside, the flux runs linearly through that of the neighbours; in the
-/// first and the last step as A√s + B, s counting from the edge, as under Hertz's pressure.
+/// A record in finer steps, with the mean of each step preserved: with one flux per cell the
+/// surface temperature would have a kink at every cell edge. Inside, the flux varies linearly
+/// towards those of the neighbours; in the first and the last step as A√s + B, with s measured from
+/// the edge, as under Hertz's pressure.
 fn smooth(record: &[HeatStep]) -> Vec<HeatStep> {
     let finer = |k: usize| {
         let means = match (k, record.len() - 1) {
@@ -229,8 +231,8 @@ fn smooth(record: &[HeatStep]) -> Vec<HeatStep> {
     (0..record.len()).flat_map(finer).collect()
 }
 
-/// Mean fluxes (in W/m²) in the parts of a step, from the edge inwards: A√s + B with the means of the step and of its
-/// neighbour. Where B would be negative it is zero.
+/// Mean fluxes (in W/m²) in the parts of a step, from the edge inwards: A√s + B with the means of
+/// the step and of its neighbour. A negative B is replaced by zero.
 fn at_edge(step: &HeatStep, neighbour: &HeatStep) -> [f64; PARTS] {
     // ∫ √s ds is two thirds of this.
     let power = |s: f64| s * s.sqrt();
@@ -238,7 +240,7 @@ fn at_edge(step: &HeatStep, neighbour: &HeatStep) -> [f64; PARTS] {
     let own = 2.0 / 3.0 * step.duration.sqrt();
     let next = 2.0 / 3.0 * (power(end) - power(step.duration)) / neighbour.duration;
     let fitted = (neighbour.flux - step.flux) / (next - own);
-    // So that the flux neither falls below zero at the edge nor within the step.
+    // Keeps the flux from falling below zero at the edge and within the step.
     let root = fitted.min(step.flux / own).max(-2.0 * step.flux / own);
     let constant = step.flux - root * own;
     std::array::from_fn(|part| {
@@ -247,7 +249,8 @@ fn at_edge(step: &HeatStep, neighbour: &HeatStep) -> [f64; PARTS] {
     })
 }
 
-/// Mean fluxes (in W/m²) in the parts of a step between two others, with the smaller of the slopes to both.
+/// Mean fluxes (in W/m²) in the parts of a step between two others, with the smaller of the two
+/// adjacent slopes.
 fn inside(record: &[HeatStep], k: usize) -> [f64; PARTS] {
     let HeatStep { flux, duration } = record[k];
     let slope_to = |other: Option<&HeatStep>| {
@@ -265,10 +268,10 @@ fn ierfc(x: f64) -> f64 {
     (-x * x).exp() / PI.sqrt() - x * libm::erfc(x)
 }
 
-/// How far a body has come to the common surface temperature at a depth (in m), dimensionless, a time
-/// t after entry of which it spent t_c in contact: erfc(z/2√(κt)) in contact, and behind it, where
-/// no heat passes the surface, (2/π) ∫ exp(−z²/(4κt cos²θ)) dθ from 0 to asin √(t_c/t). On the surface
-/// that is (2/π) asin √(t_c/t).
+/// Approach of a body to the common surface temperature at a depth (in m), dimensionless, at time t
+/// after entry, of which t_c was spent in contact: erfc(z/2√(κt)) in contact, and behind it, where
+/// no heat crosses the surface, (2/π) ∫ exp(−z²/(4κt cos²θ)) dθ from 0 to asin √(t_c/t). On the
+/// surface that is (2/π) asin √(t_c/t).
 fn mixing(depth: f64, diffusivity: f64, time: f64, in_contact: f64) -> f64 {
     if time <= 0.0 {
         return 0.0;
@@ -292,7 +295,8 @@ mod tests {
 
     use super::*;
 
-    /// Heat stays, step by step, and no part is negative; a linear course inside is met exactly, and A√s + B at an edge.
+    /// Heat is conserved step by step, and no part is negative; a linear profile inside is
+    /// reproduced exactly, and A√s + B at an edge.
     #[test]
     fn finer_steps_keep_the_heat() {
         let step = |flux| HeatStep { flux, duration: 2.0 };

@@ -6,16 +6,15 @@ use crate::history::History;
 use crate::problem::Problem;
 use crate::state::State;
 
-/// Rolling over time.
+/// Transient rolling.
 #[derive(Debug, Clone)]
 pub struct Transient {
-    /// The contact. Where the history gives speed, creepages or load, those of the problem do not
-    /// count.
+    /// The contact. Speed, creepages or load given by the history override those of the problem.
     pub problem: Problem,
-    /// Creepages, speed and load over time. Without any times, and without a shift, all is
+    /// Creepages, speed and load over time. Without times and without a shift, everything is
     /// constant, and the wheel rolls until nothing changes any more.
     pub history: History,
-    /// State to start from. `None` is rest: no tangential traction, bulk temperatures.
+    /// Initial state. `None` means rest: no tangential traction, bulk temperatures.
     pub initial_state: Option<State>,
 }
 
@@ -26,7 +25,7 @@ impl Transient {
         Self { problem, history, initial_state: None }
     }
 
-    /// Checks whatever can be checked before the patch is known.
+    /// Performs all checks possible before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.problem.check()?;
         self.history.check(&self.problem.kinematics)

@@ -1,5 +1,5 @@
-//! Half-space, calibrated layer and uncoupled springs side by side: forces over creepage, and the traction in the
-//! middle of the patch.
+//! Half-space, calibrated layer and uncoupled springs side by side: forces over creepage, and the
+//! traction in the centre of the patch.
 
 use schlupf::calibration::side_by_side::{Answer, Course, Model, SideBySide};
 

@@ -1,4 +1,5 @@
-//! Calibrated stiffnesses of the elastic layer: a summary with a snippet for the case file, and JSON.
+//! Calibrated stiffnesses of the elastic layer: a summary with a snippet for the case file, and
+//! JSON.
 
 mod figure;
 mod json;

@@ -9,8 +9,8 @@ use crate::number::significant as number;
 use crate::report::verdict;
 use crate::summary::{entry, line};
 
-/// The patch, the stiffnesses side by side, how far they are from what they were fitted to, and a section of a
-/// case file.
+/// The patch, the stiffnesses side by side, how far they are from what they were fitted to, and a
+/// section of a case file.
 pub(super) fn text(report: &CalibrationReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     patch(&mut text, report);

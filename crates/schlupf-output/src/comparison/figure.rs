@@ -192,8 +192,9 @@ impl Column {
         comparison.answers().any(|answer| self.size(answer) > INVISIBLE * scale(answer))
     }
 
-    /// All values, NaN for one that is not given, each with whether its size counts for the axis. Of the linear theory, which knows no bound, only
-    /// the direction counts where it would dwarf all others.
+    /// All values, NaN for one that is not given, each with whether its size counts for the axis.
+    /// Of the linear theory, which knows no bound, only the direction counts where it would dwarf
+    /// all others.
     fn values(&self, answers: &[&Answer]) -> Vec<(f64, bool)> {
         /// Over the largest of the others.
         const DWARFING: f64 = 1.5;
@@ -225,8 +226,8 @@ impl Column {
         draw_outline(drawing, [left, top], height, self.label);
     }
 
-    /// A bar with its number beyond its end. One that leaves no room for that is pale, cut off at the edge of the
-    /// column, and has its number within.
+    /// A bar with its number beyond its end. One that leaves no room for that is pale, cut off at
+    /// the edge of the column, and has its number within.
     fn draw_bar(&self, drawing: &mut Drawing, [left, middle]: [f64; 2], value: f64, scale: Scale) {
         let zero = left + scale.zero;
         let text = text(value);

@@ -9,8 +9,8 @@ use super::Comparison;
 use crate::json::{PROGRAM, text};
 use crate::table::Nested;
 
-/// All methods as a JSON document: SI units, forces on the wheel. What a method does not know is `null`,
-/// all numbers where it has no answer.
+/// All methods as a JSON document: SI units, forces on the wheel. What a method does not know is
+/// `null`, all numbers where it has no answer.
 pub(super) fn document(comparison: &Comparison) -> String {
     let first = comparison.answers().next();
     text(&Document {

@@ -22,7 +22,7 @@ pub struct Comparison {
     pub title: String,
     /// At least one, and at least one with an answer.
     pub entries: Vec<Entry>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

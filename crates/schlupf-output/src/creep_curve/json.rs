@@ -13,8 +13,8 @@ use super::{CurveFamily, Member};
 use crate::json::{PROGRAM, text};
 use crate::table::Arrays;
 
-/// The curves as a JSON document: SI units, forces on the wheel. A number that is not finite becomes
-/// `null`.
+/// The curves as a JSON document: SI units, forces on the wheel. A number that is not finite
+/// becomes `null`.
 pub fn document(family: &CurveFamily) -> String {
     text(&Document {
         program: PROGRAM,

@@ -26,7 +26,7 @@ pub struct CurveFamily {
     pub sampling: Sampling,
     /// At least one curve.
     pub members: Vec<Member>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 
@@ -42,8 +42,8 @@ pub struct Member {
 }
 
 impl CurveFamily {
-    /// Curves with their warnings: one that all of them have once, the others with the name of their
-    /// curve.
+    /// Curves with their warnings: one that all of them have once, the others with the name of
+    /// their curve.
     pub fn new(
         title: String,
         over: Option<String>,

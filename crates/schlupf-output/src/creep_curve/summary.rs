@@ -11,10 +11,10 @@ use super::{CurveFamily, Member};
 use crate::number::significant as number;
 use crate::summary::{self, without_noise};
 
-/// What creepages and moments refer to where that is not the middle of the patch.
+/// What creepages and moments refer to where that is not the centre of the patch.
 const FROM_THE_FILE: &str = "creepages and moment at the origin of the file";
 
-/// Most points of a curve in the table, apart from those that did not converge.
+/// Maximum number of points of a curve in the table, apart from those that did not converge.
 const MOST_ROWS: usize = 21;
 
 /// The curves on a terminal: forces on the wheel, temperatures, slope and maximum.

@@ -7,8 +7,8 @@ use super::patch::Patch;
 /// A piece of a border, in m.
 pub(crate) type Segment = [[f64; 2]; 2];
 
-/// What tells sliding from sticking: a value for each contact cell that exceeds a level where the cell
-/// slides.
+/// What tells sliding from sticking: a value for each contact cell that exceeds a level where the
+/// cell slides.
 #[derive(Debug)]
 pub(crate) struct Sliding {
     /// The values.
@@ -17,8 +17,8 @@ pub(crate) struct Sliding {
     pub level: f64,
 }
 
-/// The share of the friction bound in use where it tells sliding cells from sticking ones, as it does
-/// by definition: its contour is smooth. Else the marks of the cells.
+/// The share of the friction bound in use where it tells sliding cells from sticking ones, as it
+/// does by definition: its contour is smooth. Else the marks of the cells.
 pub(crate) fn sliding(patch: &Patch) -> Sliding {
     let used = used_friction(patch);
     let sliding = &patch.fields().sliding;
@@ -101,8 +101,8 @@ fn crossings(corners: [([f64; 2], f64); 4]) -> Vec<Segment> {
     points.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// A field on the grid with one more cell all around. Two rings of cells around the contact take the
-/// mean of their neighbours within, so that contours reach its rim.
+/// A field on the grid with one more cell all around. Two rings of cells around the contact take
+/// the mean of their neighbours within, so that contours reach its rim.
 struct Padded<'a> {
     grid: &'a Grid,
     columns: usize,

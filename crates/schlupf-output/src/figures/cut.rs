@@ -41,8 +41,8 @@ struct Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    /// The line y = 0, or the one nearest to it that crosses the grid; where that passes between two parts of the
-    /// patch, the one through the largest pressure.
+    /// The line y = 0, or the one nearest to it that crosses the grid; where that passes between
+    /// two parts of the patch, the one through the largest pressure.
     fn new(patch: &'a Patch<'a>) -> Self {
         let grid = &patch.fields().grid;
         let (first, last) = (grid.y(0), grid.y(grid.rows - 1));

@@ -1,4 +1,5 @@
-//! The font of the figures: `DejaVu` Sans, reduced to the characters in use (see `fonts/README.md`).
+//! The font of the figures: `DejaVu` Sans, reduced to the characters in use (see
+//! `fonts/README.md`).
 //!
 //! It is embedded in the program for the PNG and in every SVG for browsers, so that both show the
 //! same picture wherever they are looked at; programs that ignore embedded fonts take the next of

@@ -188,8 +188,8 @@ pub(crate) enum Sample {
     Cross(String),
 }
 
-/// Entries in a row from the left end of its base line, in more rows if they do not fit; returns the
-/// height taken.
+/// Entries in a row from the left end of its base line, in more rows if they do not fit; returns
+/// the height taken.
 pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &[Entry]) -> f64 {
     const ROW: f64 = 22.0;
     const SAMPLE: f64 = 30.0;

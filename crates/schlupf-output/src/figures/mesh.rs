@@ -103,7 +103,8 @@ fn parts(mesh: [[f64; 2]; 2], elliptic: bool) -> Vec<[[f64; 2]; 4]> {
     (0..count * count).map(square).collect()
 }
 
-/// The end of the part number `index` of `count` equal parts of a range; its end exactly for the last.
+/// The end of the part number `index` of `count` equal parts of a range; its end exactly for the
+/// last.
 fn between([low, high]: [f64; 2], index: usize, count: usize) -> f64 {
     let share = index as f64 / count as f64;
     low * (1.0 - share) + high * share
@@ -173,7 +174,7 @@ mod tests {
         }
     }
 
-    /// (−0.6, 0.8) lies on the circle but for rounding.
+    /// (−0.6, 0.8) lies on the circle except for rounding error.
     #[test]
     fn a_corner_on_the_rim_is_no_spike() {
         let (inside, _) = within_ellipse([[-0.65, 0.75], [-0.6, 0.75], [-0.6, 0.8], [-0.65, 0.8]]);

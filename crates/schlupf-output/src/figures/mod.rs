@@ -1,8 +1,8 @@
-//! Figures of a solution, of creep curves, of a fit, of temperatures below the surface, of a calibration or of a
-//! rough contact, each as SVG and as PNG of the same drawing.
+//! Figures of a solution, of creep curves, of a fit, of temperatures below the surface, of a
+//! calibration or of a rough contact, each as SVG and as PNG of the same drawing.
 //!
-//! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so do
-//! the arrows of the maps. Quantities that are zero throughout have no figure.
+//! The surfaces and the cut show the traction on the rail, −t, as Neuhaus and Sextro (2014) do; so
+//! do the arrows of the maps. Quantities that are zero throughout have no figure.
 
 pub(crate) mod color;
 mod contour;
@@ -97,9 +97,9 @@ pub fn names() -> Vec<String> {
     surfaces.chain(maps).chain(["cut_y0", "history"].map(str::to_owned)).collect()
 }
 
-/// All drawings that the solution has something to show in: `surface_…` over the patch, flat `map_…`,
-/// `cut_y0` along y = 0 (through the largest pressure where that line meets no contact), and `history`
-/// over the rolled distance.
+/// All drawings that the solution has something to show in: `surface_…` over the patch, flat
+/// `map_…`, `cut_y0` along y = 0 (through the largest pressure where that line meets no contact),
+/// and `history` over the rolled distance.
 pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<Drawing>, FigureError> {
     /// What is left out, over the largest that the normalised quantities of the paper can be.
     const INVISIBLE: f64 = 1e-3;

@@ -18,8 +18,8 @@ pub(crate) struct Quantity {
     pub label: String,
     /// Value in every contact cell, in the unit of the label.
     pub values: Vec<f64>,
-    /// Whether it is bounded by the pressure and so vanishes at the rim of the patch. Such a field is
-    /// a mean over the whole cell, of which only a part may be covered.
+    /// Whether it is bounded by the pressure and so vanishes at the rim of the patch. Such a field
+    /// is a mean over the whole cell, of which only a part may be covered.
     pub vanishes_at_rim: bool,
     /// Whether it is dimensionless, one being the most it can be.
     pub normalised: bool,
@@ -35,8 +35,8 @@ impl Quantity {
         [low, high]
     }
 
-    /// A field of negative values turned over, so that a surface is a hill and not a pit that hides its
-    /// own ground; the label says so.
+    /// A field of negative values turned over, so that a surface is a hill and not a pit that hides
+    /// its own ground; the label says so.
     fn upright(mut self) -> Self {
         let [low, high] = self.range();
         if low < 0.0 && high < -STRAY * low {
@@ -171,7 +171,8 @@ pub(crate) fn physical(patch: &Patch) -> Vec<Quantity> {
     maps.into_iter().chain([temperature(patch)]).collect()
 }
 
-/// The quantities of the paper's Figures 4 to 7; pressure and traction normalised by Eqs. (24), (25).
+/// The quantities of the paper's Figures 4 to 7; pressure and traction normalised by Eqs. (24),
+/// (25).
 pub(crate) fn of_the_paper(patch: &Patch) -> Vec<Quantity> {
     let peak = patch.solution.normal.peak_pressure;
     let limit = patch.cold_friction * peak;

@@ -66,7 +66,8 @@ impl Strips {
 
     fn value(&self, position: [f64; 2]) -> f64 {
         let [x, y] = position;
-        // Beyond the outermost strips the chord shrinks to a point; the strip must not shrink with it.
+        // Beyond the outermost strips the chord shrinks to a point; the strip must not shrink with
+        // it.
         let outermost = |strip: &Strip| y.abs() > strip.y.abs() && strip.y * y > 0.0;
         let above = self.strips.partition_point(|strip| strip.y < y);
         let below = above.saturating_sub(1);

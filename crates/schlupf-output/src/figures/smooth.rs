@@ -1,8 +1,9 @@
 //! Smooth curves through points.
 
-/// Points on a smooth curve through the given ones, which stand in the order of x: cubic between two,
-/// with slopes that let it neither overshoot nor wave (Fritsch and Butland, *SIAM J. Sci. Stat. Comput.*
-/// 5, 1984). Where points are not finite or x does not change, it is interrupted or straight.
+/// Points on a smooth curve through the given ones, which stand in the order of x: cubic between
+/// two, with slopes that let it neither overshoot nor wave (Fritsch and Butland, *SIAM J. Sci.
+/// Stat. Comput.* 5, 1984). Where points are not finite or x does not change, it is interrupted or
+/// straight.
 pub(crate) fn smooth(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     /// Pieces between two points.
     const PIECES: u32 = 8;

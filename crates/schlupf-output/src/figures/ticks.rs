@@ -9,8 +9,8 @@ pub(crate) struct Tick {
     pub label: String,
 }
 
-/// Between `about`/2 and `about`·2 ticks within the range, at multiples of 1, 2 or 5 times a power of
-/// ten. An empty or non-finite range has none.
+/// Between `about`/2 and `about`·2 ticks within the range, at multiples of 1, 2 or 5 times a power
+/// of ten. An empty or non-finite range has none.
 pub(crate) fn round_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
     let range = high - low;
     if !(range.is_finite() && range > 0.0) {
@@ -31,8 +31,8 @@ pub(crate) fn round_axis(low: f64, high: f64, about: usize) -> ([f64; 2], Vec<Ti
     ([low, high], ticks_by(step, low, high))
 }
 
-/// At most about `about` ticks at powers of ten for a range of logarithms to base ten; their values are logarithms,
-/// too.
+/// At most about `about` ticks at powers of ten for a range of logarithms to base ten; their values
+/// are logarithms, too.
 pub(crate) fn powers_of_ten(low: f64, high: f64, about: usize) -> Vec<Tick> {
     let step = ((high - low) / about.max(1) as f64).ceil().max(1.0);
     if !(low.is_finite() && high.is_finite()) {

@@ -17,7 +17,7 @@ const fn unit(size: f64, symbol: &'static str) -> Unit {
 pub(crate) const PRESSURE: &[Unit] = &[unit(1e6, "MPa"), unit(1e3, "kPa"), unit(1.0, "Pa")];
 /// Units of slip velocity.
 pub(crate) const VELOCITY: &[Unit] = &[unit(1.0, "m/s"), unit(1e-3, "mm/s"), unit(1e-6, "µm/s")];
-/// Units of power per area.
+/// Units of power per unit area.
 pub(crate) const POWER_PER_AREA: &[Unit] =
     &[unit(1e6, "W/mm²"), unit(1e3, "kW/m²"), unit(1.0, "W/m²")];
 /// Units of temperature differences.

@@ -51,7 +51,8 @@ struct Picture<'a> {
     x: [f64; 2],
     /// Components that were measured.
     components: Vec<Component>,
-    /// Conditions of the series, but for the creepage that varies; both components may have the same.
+    /// Conditions of the series, but for the creepage that varies; both components may have the
+    /// same.
     conditions: Vec<Condition>,
     coloring: Coloring,
 }

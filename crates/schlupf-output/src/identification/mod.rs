@@ -37,7 +37,7 @@ pub struct FitReport {
     pub names: Vec<String>,
     /// The case with the values found, where it was asked for.
     pub case: Option<String>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

@@ -7,8 +7,8 @@ use crate::number::significant as number;
 use crate::report::{reasons, verdict};
 use crate::summary::line;
 
-/// The parameters with their intervals and correlations, how well the model follows the data, status and
-/// warnings.
+/// The parameters with their intervals and correlations, how well the model follows the data,
+/// status and warnings.
 pub(super) fn text(report: &FitReport) -> String {
     let mut text = format!("{}\n\n", report.title);
     let fit = &report.fit;

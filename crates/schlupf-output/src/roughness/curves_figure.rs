@@ -1,4 +1,5 @@
-//! Tangential curves of a rough contact, Figure 3 of Neuhaus and Sextro (2014), with the fit of Eq. (8).
+//! Tangential curves of a rough contact, Figure 3 of Neuhaus and Sextro (2014), with the fit of Eq.
+//! (8).
 
 use schlupf::Status;
 

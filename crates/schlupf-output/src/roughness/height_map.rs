@@ -13,8 +13,8 @@ use crate::figures::marks::{self, HEADING, short};
 use crate::figures::svg::Drawing;
 use crate::figures::units;
 
-/// Cells along a side that a map of the heights, and one of the spots, shows at most: of larger surfaces
-/// every second or third.
+/// Cells along a side that a map of the heights, and one of the spots, shows at most: of larger
+/// surfaces every second or third.
 const MOST_HEIGHTS: usize = 256;
 const MOST_SPOTS: usize = 520;
 
@@ -99,8 +99,8 @@ impl Map<'_> {
     }
 }
 
-/// The cells of each colour as one path; cells of one colour that follow each other in a row are one
-/// rectangle.
+/// The cells of each colour as one path; cells of one colour that follow each other in a row are
+/// one rectangle.
 fn draw_cells(
     drawing: &mut Drawing,
     frame: &Frame,

@@ -1,4 +1,5 @@
-//! A rough surface, its contact and its k_c: CSV, JSON, .npy and a summary. The figures are among the figures.
+//! A rough surface, its contact and its k_c: CSV, JSON, .npy and a summary. The figures are among
+//! the figures.
 
 mod curves_figure;
 mod height_map;
@@ -44,7 +45,7 @@ pub struct RoughnessReport {
     pub spots: Option<Spots>,
     /// How the surface was made of what was given.
     pub remarks: Vec<String>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 
@@ -55,7 +56,8 @@ pub struct Spots {
     pub mean_pressure: f64,
     /// Pressure in every cell, row after row, in Pa.
     pub pressure: Vec<f64>,
-    /// Gap in every cell, row after row, in m; negative where the material has yielded, by the depth that was flattened.
+    /// Gap in every cell, row after row, in m; negative where the material has yielded, by the
+    /// depth that was flattened.
     pub gap: Vec<f64>,
     /// Whether this solution converged.
     pub is_converged: bool,

@@ -20,7 +20,7 @@ pub struct SolutionReport {
     pub contact_law: Option<ContactLaw>,
     /// The solution.
     pub solution: Solution,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

@@ -9,7 +9,8 @@ use crate::number::significant as number;
 use crate::report::{reasons, verdict};
 use crate::summary::{entry, friction_power, line, moment, without_noise};
 
-/// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work and status.
+/// The result on one screen of a terminal: forces on the wheel, temperatures, areas, work and
+/// status.
 pub(crate) fn text(report: &SolutionReport) -> String {
     let SolutionReport { title, contact_law, solution, .. } = report;
     let mut text = format!("{title}\n\n");

@@ -1,5 +1,5 @@
-//! Temperatures of wheel and rail below a point, and along its row with the wake: CSV, JSON and a summary. The
-//! figure is among the figures.
+//! Temperatures of wheel and rail below a point, and along its row with the wake: CSV, JSON and a
+//! summary. The figure is among the figures.
 
 mod figure;
 mod json;
@@ -88,7 +88,7 @@ pub struct Temperatures {
     pub profile: Line,
     /// Along the row: on the surface, and below it.
     pub rows: Vec<Row>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 

@@ -5,7 +5,7 @@ use crate::number::significant as number;
 use crate::report::{reasons, verdict};
 use crate::summary::line;
 
-/// Most points of a line in a table.
+/// Maximum number of points of a line in a table.
 const MOST_ROWS: usize = 11;
 
 /// The profile below the point, and the surface along its row, on a terminal.

@@ -1,8 +1,8 @@
-//! Stiffnesses of the layer from displacements under known tractions: of the half-space, or of a
-//! finite-element model.
+//! Stiffnesses of the layer from displacements under known tractions: those of the half-space, or
+//! of a finite-element model.
 //!
-//! A rigid displacement of the whole surface does not matter in rolling, and what it is far from the
-//! patch is different in every model; so each sample may be shifted as a whole.
+//! A rigid displacement of the whole surface has no effect in rolling, and the displacement far
+//! from the patch differs from model to model; each sample may therefore be shifted as a whole.
 
 use crate::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use crate::elasticity::{Compliance, Elasticity};
@@ -20,7 +20,7 @@ pub struct Sample {
     pub grid: Grid,
     /// Traction in every cell, in Pa.
     pub traction: Vec<f64>,
-    /// Displacement difference wheel minus rail (in m) where it is known.
+    /// Displacement difference wheel minus rail (in m) where known.
     pub displacement: Vec<Option<f64>>,
 }
 
@@ -75,10 +75,10 @@ pub struct DisplacementFit {
     pub coupling_along_x: f64,
     /// Coupling across rolling, in N/m.
     pub coupling_along_y: f64,
-    /// ‖u − u_given‖₂/‖u_given‖₂ of each sample, each less its mean; dimensionless.
+    /// ‖u − u_given‖₂/‖u_given‖₂ of each sample, after subtracting the means; dimensionless.
     pub deviation: Vec<f64>,
-    /// Whether the displacements leave the reach of the coupling along and across rolling open: it is at an end of the
-    /// range that is looked at.
+    /// Whether the decay lengths along and across rolling are not determined by the displacements:
+    /// they are at an end of the admissible range.
     pub is_open: [bool; 2],
     /// Whether the fit converged.
     pub converged: bool,
@@ -91,18 +91,18 @@ impl DisplacementFit {
     }
 }
 
-/// Residuals are relative to the displacements and smooth to rounding.
+/// Residuals are relative to the displacements and smooth to rounding error.
 const LIMITS: Limits =
     Limits { tolerance: 1e-6, reducible: 1e-8, negligible: 1e-16, max_iterations: 200 };
 
-/// Logarithm of the decay length over the longer side of the grid: the bounds.
+/// Bounds of the logarithm of the ratio of decay length to the longer side of the grid.
 const REACH: [f64; 2] = [-6.0, 0.5];
 
-/// Decay lengths that are tried for a start, the same along and across.
+/// Number of decay lengths tried as a start, the same along and across.
 const STARTS: usize = 14;
 
-/// Fits bedding and couplings to samples. It starts at the best of some decay lengths, each with the bedding that suits it
-/// best: displacements go with its inverse.
+/// Fits bedding and couplings to samples. The fit starts from the best of some decay lengths, each
+/// with its optimal bedding: displacements are inversely proportional to it.
 ///
 /// ```
 /// use schlupf::calibration::displacements::{Sample, fit};
@@ -119,7 +119,7 @@ const STARTS: usize = 14;
 /// ```
 ///
 /// # Errors
-/// No samples; displacements that run against their load; or a layer that cannot be set up.
+/// No samples; displacements opposite to their load; or a layer that cannot be set up.
 pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
     require_several(Quantity::Samples, 1, samples.len())?;
     let length = samples
@@ -166,13 +166,13 @@ impl Fit<'_> {
         }
     }
 
-    /// The best of some decay lengths with its bedding.
+    /// The best of some decay lengths, with its bedding.
     fn start(&self) -> Result<Vec<f64>, Error> {
         let [least, largest] = REACH;
         let reach = |n: usize| least + (largest - least) * (n as f64 + 0.5) / STARTS as f64;
         let mut best: Option<(f64, Vec<f64>)> = None;
         for reach in (0..STARTS).map(reach) {
-            // Of the layer with a bedding of one.
+            // For the layer with a bedding of one.
             let [mut along, mut squares] = [0.0; 2];
             for sample in self.samples {
                 let [unit, given] =
@@ -180,7 +180,8 @@ impl Fit<'_> {
                 along += dot(&unit, &given);
                 squares += dot(&unit, &unit);
             }
-            // The sum of squares with the best bedding squares/along is this less than without a layer.
+            // The sum of squares with the optimal bedding squares/along is lower by this than
+            // without a layer.
             let gain = along * along.abs() / squares;
             if along > 0.0 && best.as_ref().is_none_or(|(most, _)| gain > *most) {
                 best = Some((gain, vec![(squares / along).ln(), reach, reach]));
@@ -189,8 +190,8 @@ impl Fit<'_> {
         best.map(|(_, start)| start).ok_or(Error::AgainstLoad {})
     }
 
-    /// Displacements of the layer and those known, each less its mean and over the size of the known ones;
-    /// dimensionless.
+    /// Displacements of the layer and the known ones, each minus its mean and divided by the norm
+    /// of the known ones; dimensionless.
     fn displacements(&self, sample: &Sample, parameters: &[f64]) -> Option<[Vec<f64>; 2]> {
         let stiffness = self.stiffness(parameters);
         let layer = ElasticLayer::new(stiffness, stiffness, None).ok()?;

@@ -1,4 +1,5 @@
-//! The bed of springs with Kalker's flexibilities: under small creepages its forces are those of the half-space.
+//! Winkler bedding with Kalker's flexibilities: under small creepages its forces are those of the
+//! half-space.
 
 use crate::elasticity::half_space::HalfSpace;
 use crate::elasticity::winkler::Winkler;
@@ -6,13 +7,14 @@ use crate::error::Error;
 use crate::kalker_coefficients::interpolated_coefficients;
 use crate::reference::kalker_linear::CreepCoefficients;
 
-/// The bed of springs for an elliptic patch of these semi-axes along and across rolling (in m):
+/// The Winkler bedding for an elliptic patch with these semi-axes along and across rolling (in m):
 ///
 /// c_x = 3 C11 G/(8a),  c_y = 3 C22 G/(8a),
 ///
-/// with which a patch that nowhere slides has the forces of Kalker's linear theory under longitudinal and lateral creepage
-/// (Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System Dynamics 11
-/// (1982) 1–13). Under spin it has not: that would need a third constant.
+/// with which a patch without sliding has the forces of Kalker's linear theory under longitudinal
+/// and lateral creepage (Kalker, A fast algorithm for the simplified theory of rolling contact,
+/// Vehicle System Dynamics 11 (1982) 1–13). This does not hold under spin, which would need a third
+/// constant.
 ///
 /// ```
 /// use schlupf::calibration::kalker_bed;
@@ -34,7 +36,8 @@ pub fn kalker_bed(bodies: &HalfSpace, semi_axes: [f64; 2]) -> Result<Winkler, Er
     Ok(Winkler::new(x, y)?.growing_with_the_patch())
 }
 
-/// Beddings along and across rolling (in N/m³) for a shear modulus G (in Pa) and a semi-axis a (in m).
+/// Beddings along and across rolling (in N/m³) for a shear modulus G (in Pa) and a semi-axis a (in
+/// m).
 pub(super) fn bedding(
     coefficients: &CreepCoefficients,
     shear_modulus: f64,

@@ -1,12 +1,12 @@
-//! Stiffnesses with which the elastic layer answers like the half-space in steady rolling. Neuhaus
-//! and Sextro (2014) leave
-//! them open.
+//! Stiffnesses with which the elastic layer behaves like the half-space in steady rolling. Neuhaus
+//! and Sextro (2014) do not specify them.
 //!
-//! First the displacements are fitted that the half-space has under the tractions of sticking and of full
-//! sliding ([`displacements`]), which is a good start; then creep forces and tractions of rolling
-//! under longitudinal, lateral and spin creepage, single and combined, in the limit of a stiff contact
-//! law. In units of the patch's size √(ab) and the shear modulus G the result depends on a/b and ν
-//! alone. The coupling along rolling and that across rolling are two constants for each component.
+//! First the layer is fitted to the displacements of the half-space under the tractions of full
+//! sticking and of full sliding ([`displacements`]), which gives a good start; then to creep forces
+//! and tractions of rolling under longitudinal, lateral and spin creepage, single and combined, in
+//! the limit of a stiff contact law. In units of the patch size √(ab) and the shear modulus G the
+//! result depends on a/b and ν alone. The couplings along and across rolling are separate constants
+//! for each component.
 
 pub mod displacements;
 mod kalker_bed;
@@ -29,47 +29,48 @@ pub use kalker_bed::kalker_bed;
 use rolling_contact::SIZE;
 use rolling_fit::{FITTED, Motions, OTHERS};
 
-/// What a calibration found.
+/// Result of a calibration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Calibration {
-    /// Axes ratio a/b of the patch, dimensionless.
+    /// Axis ratio a/b of the patch, dimensionless.
     pub axis_ratio: f64,
     /// Combined Poisson's ratio ν, dimensionless.
     pub poisson_ratio: f64,
     /// Stiffnesses for displacements along and across rolling.
     pub stiffness: [RelativeStiffness; 2],
-    /// How far the layer is from the half-space.
+    /// Deviation of the layer from the half-space.
     pub layer: Deviation,
-    /// How far a bed of springs without coupling is, fitted to the same forces.
+    /// Deviation of an uncoupled Winkler bedding fitted to the same forces.
     pub winkler: Deviation,
-    /// Bedding c √(ab)/G of that bed along and across rolling, dimensionless.
+    /// Bedding c √(ab)/G of that Winkler bedding along and across rolling, dimensionless.
     pub winkler_bedding: [f64; 2],
     /// Whether the fits converged.
     pub converged: bool,
 }
 
-/// Differences to the half-space over motions between and beside those that were fitted.
+/// Deviations from the half-space over motions between and around those that were fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Deviation {
-    /// Largest difference of the forces over μN under longitudinal and lateral creepage, dimensionless.
+    /// Largest difference in force relative to μN under longitudinal and lateral creepage,
+    /// dimensionless.
     pub force: f64,
-    /// The same where spin takes part, dimensionless.
+    /// The same with spin, dimensionless.
     pub force_with_spin: f64,
-    /// Difference of the tractions relative to those of the half-space, ‖t − t_h‖₂/‖t_h‖₂, mean over
-    /// the motions without spin; dimensionless.
+    /// Difference of the tractions relative to those of the half-space, ‖t − t_h‖₂/‖t_h‖₂, mean
+    /// over the motions without spin; dimensionless.
     pub field: f64,
-    /// The same where spin takes part, dimensionless.
+    /// The same with spin, dimensionless.
     pub field_with_spin: f64,
 }
 
-/// How a calibration is made.
+/// Options of a calibration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CalibrationOptions {
     /// Cells across the patch in both directions.
     pub cells: usize,
-    /// Most steps of each fit.
+    /// Maximum number of steps of each fit.
     pub max_iterations: usize,
 }
 
@@ -79,7 +80,7 @@ impl Default for CalibrationOptions {
     }
 }
 
-/// Calibrates the layer for an axes ratio a/b and a combined Poisson's ratio (both dimensionless).
+/// Calibrates the layer for an axis ratio a/b and a combined Poisson's ratio (both dimensionless).
 ///
 /// ```
 /// use schlupf::calibration::{CalibrationOptions, calibrate};
@@ -93,7 +94,7 @@ impl Default for CalibrationOptions {
 /// ```
 ///
 /// # Errors
-/// An axes ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
+/// An axis ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
 pub fn calibrate(
     axis_ratio: f64,
     poisson_ratio: f64,
@@ -134,7 +135,7 @@ pub fn calibrate(
     })
 }
 
-/// How far the tabulated stiffnesses are from the half-space.
+/// Computes the deviation of the tabulated stiffnesses from the half-space.
 ///
 /// # Errors
 /// Ratios outside the table, and [`Error::Stopped`].
@@ -151,7 +152,7 @@ pub fn deviation_of_table(
     motions.deviation(&layer)?.ok_or(Error::CalibrationNotConverged { axis_ratio })
 }
 
-/// Logarithms of the bedding and of the two reaches, for each component.
+/// Converts the logarithms of the bedding and of the two decay lengths of each component.
 fn relative(parameters: &[f64]) -> [RelativeStiffness; 2] {
     [&parameters[..3], &parameters[3..]].map(|p| RelativeStiffness {
         bedding: p[0].exp(),
@@ -160,11 +161,11 @@ fn relative(parameters: &[f64]) -> [RelativeStiffness; 2] {
     })
 }
 
-/// Logarithms of the shortest and the longest reach that is tried.
+/// Logarithms of the shortest and the longest decay length, relative to the patch, that are tried.
 const REACH: [f64; 2] = [-4.0, 0.4];
 
-/// Residual of a difference of the two reaches' logarithms. It decides where forces and fields hardly
-/// depend on it, so that the stiffnesses change smoothly with a/b.
+/// Weight of the difference between the logarithms of the two decay lengths. It decides where
+/// forces and fields hardly depend on it, so that the stiffnesses vary smoothly with a/b.
 const EVENNESS: f64 = 0.3;
 
 const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];

@@ -1,4 +1,5 @@
-//! The contact on which half-space and stand-ins are compared: an ellipse, a stiff contact law, constant friction.
+//! The contact on which the half-space and its substitutes are compared: an ellipse, a stiff
+//! contact law, constant friction.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -17,7 +18,7 @@ use crate::normal::ellipse::Ellipse;
 use crate::problem::Problem;
 use crate::reference::kalker_linear::CreepCoefficients;
 
-/// √(ab), in m: any would do.
+/// √(ab), in m; any value would do.
 pub(super) const SIZE: f64 = 6e-3;
 
 /// p0, in Pa.
@@ -26,7 +27,7 @@ pub(super) const PEAK_PRESSURE: f64 = 1e9;
 /// μ, dimensionless.
 pub(super) const FRICTION: f64 = 0.3;
 
-/// k_c, in 1/m: near to Coulomb's law.
+/// k_c, in 1/m: close to Coulomb's law.
 const STIFFNESS: f64 = 1e8;
 
 /// One ellipse between half-spaces.
@@ -35,7 +36,7 @@ pub(super) struct RollingContact {
     pub coefficients: CreepCoefficients,
     /// Along and across rolling, in m.
     pub semi_axes: [f64; 2],
-    /// Rolling without creepage, with the half-space.
+    /// Rolling without creepage, on the half-space.
     pub problem: Problem,
 }
 
@@ -60,7 +61,8 @@ impl RollingContact {
         Ok(Self { bodies, coefficients, semi_axes, problem })
     }
 
-    /// Creepages as parts of those that Kalker's linear theory needs for the force μN: along, across, spin.
+    /// Kinematics for creepages given as fractions of those at which Kalker's linear theory gives
+    /// the force μN: along, across, spin.
     pub fn motion(&self, [along, across, spin]: [f64; 3]) -> Kinematics {
         // μN over C G s² and C G s³, N = (2/3) π s² p0.
         let strain = FRICTION * 2.0 / 3.0 * PI * PEAK_PRESSURE / self.bodies.shear_modulus();

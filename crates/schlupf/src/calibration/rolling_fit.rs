@@ -1,4 +1,4 @@
-//! Motions of a rolling patch, and what half-space and stand-ins answer to them.
+//! Motions of a rolling patch, and the response of the half-space and its substitutes.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -19,8 +19,8 @@ use super::displacements::{Sample, fit};
 use super::kalker_bed::bedding;
 use super::rolling_contact::{RollingContact, SIZE};
 
-/// Motions that stiffnesses are fitted to: creepages as parts of those that Kalker's linear theory needs for the
-/// force μN, along, across, spin.
+/// Motions to which stiffnesses are fitted: creepages as fractions of those at which Kalker's
+/// linear theory gives the force μN, along, across, spin.
 pub(super) const FITTED: [[f64; 3]; 24] = [
     [0.3, 0.0, 0.0],
     [0.7, 0.0, 0.0],
@@ -48,7 +48,7 @@ pub(super) const FITTED: [[f64; 3]; 24] = [
     [0.6, -0.6, 0.5],
 ];
 
-/// Motions that stiffnesses are judged by: none of those that they are fitted to.
+/// Motions on which stiffnesses are assessed: none of those to which they are fitted.
 pub(super) const OTHERS: [[f64; 3]; 20] = [
     [0.5, 0.0, 0.0],
     [1.0, 0.0, 0.0],
@@ -72,12 +72,12 @@ pub(super) const OTHERS: [[f64; 3]; 20] = [
     [0.3, 0.3, 1.6],
 ];
 
-/// Differences that weigh one in the fit: of forces over μN, without and with spin, and of fields.
+/// Differences with weight one in the fit: of forces over μN, without and with spin, and of fields.
 const FORCE: f64 = 0.01;
 const FORCE_WITH_SPIN: f64 = 0.02;
 const FIELD: f64 = 0.06;
 
-/// The motions of one ellipse, and the answers of the half-space.
+/// The motions of one ellipse, and the response of the half-space.
 pub(super) struct Motions<'a> {
     contact: RollingContact,
     ways: Vec<Kinematics>,
@@ -88,8 +88,8 @@ pub(super) struct Motions<'a> {
     solved: AtomicUsize,
 }
 
-/// Motions that one solver goes through, each from those before. Others are solved at the same
-/// time.
+/// Number of motions that one solver computes in a row, each starting from the previous ones.
+/// Chains are solved in parallel.
 const CHAIN: usize = 6;
 
 impl<'a> Motions<'a> {
@@ -117,13 +117,13 @@ impl<'a> Motions<'a> {
         self.contact.bodies.shear_modulus()
     }
 
-    /// Beddings c s/G (dimensionless) of the bed of springs with Kalker's flexibilities.
+    /// Beddings c s/G (dimensionless) of the Winkler bedding with Kalker's flexibilities.
     pub fn slope_bedding(&self) -> [f64; 2] {
         bedding(&self.contact.coefficients, SIZE, self.contact.semi_axes[0])
     }
 
-    /// Logarithms of the relative stiffnesses (dimensionless) that fit the half-space's displacements under the tractions of
-    /// nearly full stick and of full sliding.
+    /// Logarithms of the relative stiffnesses (dimensionless) that fit the half-space's
+    /// displacements under the tractions of nearly full stick and of full sliding.
     pub fn start(&self) -> Result<Vec<f64>, Error> {
         let sliding = [(0, 4), (5, 9)];
         let mut start = Vec::with_capacity(6);
@@ -143,7 +143,7 @@ impl<'a> Motions<'a> {
         Ok(start)
     }
 
-    /// Solutions of all motions; nothing if one does not converge at once.
+    /// Solutions of all motions; nothing if one is not found directly.
     fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Result<Option<Vec<Solution>>, Error> {
         let base = Problem { elasticity: Arc::clone(elasticity), ..self.contact.problem.clone() };
         let chains = self.ways.chunks(CHAIN).collect();
@@ -169,8 +169,8 @@ impl<'a> Motions<'a> {
         Ok(Some(solutions))
     }
 
-    /// Differences of forces, and of the tractions if they count, each over what weighs one;
-    /// dimensionless.
+    /// Differences of forces, and of the tractions if they are included, each divided by the
+    /// difference with weight one; dimensionless.
     pub fn residuals(
         &self,
         elasticity: &Arc<dyn Elasticity>,
@@ -223,7 +223,7 @@ impl<'a> Motions<'a> {
     }
 }
 
-/// Reaches from which a fit starts.
+/// Initial decay lengths of a fit.
 const REACHES: [f64; 2] = [0.05, 0.8];
 
 /// ‖t‖₂ over all cells, in Pa.

@@ -1,5 +1,6 @@
-//! The half-space, and what stands in for it, side by side: forces over growing creepage, and the traction
-//! along the middle of the patch. The contact law is stiff and friction constant, as for the calibration.
+//! Comparison of the half-space with its substitutes: forces against creepage, and the traction
+//! along the centre line of the patch. The contact law is stiff and friction constant, as in the
+//! calibration.
 
 use std::sync::Arc;
 
@@ -16,47 +17,49 @@ use crate::solution::{Solution, Status};
 use super::kalker_bed::kalker_bed;
 use super::rolling_contact::{FRICTION, PEAK_PRESSURE, RollingContact, SIZE};
 
-/// What rolls on the patch.
+/// A model of the comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Model {
-    /// The elastic half-space, which the others should be like.
+    /// The elastic half-space, which the others approximate.
     HalfSpace,
     /// The calibrated layer.
     Layer,
-    /// The bed of springs with Kalker's flexibilities.
+    /// The Winkler bedding with Kalker's flexibilities.
     KalkerBed,
-    /// FASTSIM as Kalker (1982) has it.
+    /// FASTSIM of Kalker (1982).
     Fastsim,
 }
 
-/// Forces and traction of one model on the way of a creepage.
+/// Forces and traction of one model under growing creepage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// Which model.
+    /// The model.
     pub model: Model,
     /// Force on the rail over μN for each creepage, dimensionless.
     pub force: Vec<f64>,
-    /// Traction on the rail along the row nearest to y = 0, over μp0: x/a and traction, both dimensionless.
+    /// Traction on the rail along the row nearest to y = 0, over μp0: x/a and traction, both
+    /// dimensionless.
     pub traction: Vec<[f64; 2]>,
     /// Whether all solutions converged.
     pub converged: bool,
 }
 
-/// A creepage that grows.
+/// A growing creepage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
-    /// Creepages, as parts of that with which Kalker's linear theory gives the force μN; dimensionless.
+    /// Creepages, as fractions of that at which Kalker's linear theory gives the force μN;
+    /// dimensionless.
     pub creepage: Vec<f64>,
-    /// The creepage of the traction, in the same way; dimensionless.
+    /// The creepage of the traction, normalised likewise; dimensionless.
     pub traction_at: f64,
     /// The models.
     pub answers: Vec<Answer>,
 }
 
-/// Half-space and stand-ins on one ellipse.
+/// The half-space and its substitutes on one ellipse.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SideBySide {
-    /// Axes ratio a/b, dimensionless.
+    /// Axis ratio a/b, dimensionless.
     pub axis_ratio: f64,
     /// Combined Poisson's ratio ν, dimensionless.
     pub poisson_ratio: f64,
@@ -75,11 +78,11 @@ const CREEPAGES: [f64; 24] = [
 /// Creepage of the traction.
 const TRACTION_AT: f64 = 0.6;
 
-/// Cells across the patch: the odd number has a row at y = 0.
+/// Cells across the patch: an odd number of rows, so that one is at y = 0.
 const CELLS: [usize; 2] = [48, 31];
 
-/// Compares the models for an axes ratio a/b and a combined Poisson's ratio ν (both dimensionless), the layer with
-/// these stiffnesses for displacements along and across rolling.
+/// Compares the models for an axis ratio a/b and a combined Poisson's ratio ν (both dimensionless),
+/// the layer with these stiffnesses for displacements along and across rolling.
 ///
 /// ```no_run
 /// use schlupf::calibration::side_by_side::side_by_side;
@@ -93,7 +96,7 @@ const CELLS: [usize; 2] = [48, 31];
 /// ```
 ///
 /// # Errors
-/// An axes ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
+/// An axis ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
 pub fn side_by_side(
     axis_ratio: f64,
     poisson_ratio: f64,
@@ -107,7 +110,7 @@ pub fn side_by_side(
         (Model::HalfSpace, Arc::new(contact.bodies)),
         (Model::Layer, Arc::new(ElasticLayer::new(x, y, None)?)),
         (Model::KalkerBed, Arc::new(kalker_bed(&contact.bodies, contact.semi_axes)?)),
-        // It asks for no model of elasticity.
+        // FASTSIM uses no elasticity model.
         (Model::Fastsim, Arc::new(contact.bodies)),
     ];
     Ok(SideBySide {
@@ -166,7 +169,7 @@ fn options() -> Options {
     Options { cells_x, cells_y, tolerance: 1e-7, ..Options::default() }
 }
 
-/// Traction on the rail over μp0 against x/a, in the row at y = 0.
+/// Traction on the rail divided by μp0 against x/a, in the row at y = 0.
 fn middle_row(solution: &Solution, component: usize) -> Vec<[f64; 2]> {
     let fields = &solution.fields;
     let traction = if component == 0 { &fields.traction_x } else { &fields.traction_y };

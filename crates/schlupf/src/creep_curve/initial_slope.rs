@@ -9,33 +9,35 @@ use crate::warning::Warning;
 
 use super::{Abscissa, Creepages, Path, Points};
 
-/// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where everything
-/// that varies is zero; what does not vary keeps its value.
+/// Derivatives of the forces on the wheel with respect to the abscissa ν of the curve, where all
+/// varied creepages are zero; the others keep their values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InitialSlope {
-    /// d(Fx, Fy, Mz)/dν: in N and N m over a dimensionless creepage, in N m and N m² over spin.
+    /// d(Fx, Fy, Mz)/dν: in N and N m with respect to a dimensionless creepage, in N m and N m²
+    /// with respect to spin.
     pub force: Resultant,
-    /// d(F/(μ0 N), Mz/(μ0 N √(ab)))/dν: dimensionless over a creepage, in m over spin.
+    /// d(F/(μ0 N), Mz/(μ0 N √(ab)))/dν: dimensionless with respect to a creepage, in m with respect
+    /// to spin.
     pub normalised: Resultant,
-    /// The same in the form of Kalker's coefficients, dimensionless and positive where the force opposes
-    /// the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), over spin each over another c.
-    /// Over ξ it is C11, over η C22 (and −C23), over φ C23 and C33 of a half-space with the shear
-    /// modulus G of both bodies that would have this slope, moments about the middle of the patch.
-    /// `None` where another creepage is not zero: then something slides already; and over a spin
-    /// about another point than that middle.
+    /// The same in the form of Kalker's coefficients, dimensionless and positive if the force
+    /// opposes the creepage: −dF/dν over G c² and −dMz/dν over G c³, c = √(ab), for spin each over
+    /// another c. For ξ it is C11, for η C22 (and −C23), for φ C23 and C33 of a half-space with the
+    /// shear modulus G of both bodies that has the same slope, with moments about the centre of the
+    /// patch. `None` if another creepage is not zero, because then something slides already, and
+    /// for spin about another point than that centre.
     pub kalker: Option<Resultant>,
 }
 
-/// What was found, or why nothing was.
+/// The result, or why there is none.
 #[derive(Debug, Default)]
 pub(super) struct Finding {
     pub value: Option<InitialSlope>,
     pub warning: Option<Warning>,
 }
 
-/// The slope of a path that goes through zero of everything that varies: exact, from the Jacobian of
-/// the equilibrium there; of a fast method, from a difference.
+/// The slope of a path that goes through the zero of all varied creepages: exact, from the Jacobian
+/// of the equilibrium there; for a fast method, from a finite difference.
 pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Finding, Error> {
     let path = solver.path;
     if !path.has_origin() {
@@ -61,7 +63,8 @@ pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Findin
     };
     let normalised = scale.normalised(&force);
     let place = reference_point::place(problem.reference, normal)?;
-    // About another point a spin is also a creepage of the patch; a creepage is the same there.
+    // About another point spin also changes the creepages of the patch; a creepage is the same
+    // there.
     let is_comparable = place == [0.0; 2] || path.start().spin == path.end().spin;
     let kalker = (origin == Creepages::default() && is_comparable).then(|| {
         let about_patch = force.about(place.map(|part| -part));
@@ -79,11 +82,11 @@ fn along(path: &Path, sensitivity: &Sensitivity) -> Resultant {
     parts.iter().zip(rates).fold(Resultant::default(), |sum, (part, rate)| sum.plus(rate, part))
 }
 
-/// Half the range of a central difference, over the abscissa at which the linear force would be
-/// about the friction limit.
+/// Half the range of a central difference, relative to the abscissa at which the linear force would
+/// be about the friction limit.
 const STEP: f64 = 1e-6;
 
-/// The same of a fast method, which has no derivatives but is as exact as numbers are.
+/// The slope for a fast method, which has no derivatives but is accurate to rounding error.
 fn difference(solver: &mut Points, scale: &Scale) -> Result<Resultant, Error> {
     let modulus = Scale::modulus(&solver.problem);
     let typical = scale.limit / (modulus * scale.lever.powi(2) * scale.per_creepage(solver.path));
@@ -93,7 +96,7 @@ fn difference(solver: &mut Points, scale: &Scale) -> Result<Resultant, Error> {
     Ok(more.plus(-1.0, &less).scaled(rate, rate))
 }
 
-/// What forces are measured in.
+/// Reference values for forces.
 #[derive(Debug, Clone, Copy)]
 struct Scale {
     /// μ0 N, in N.
@@ -119,7 +122,7 @@ impl Scale {
         2.0 / (1.0 / wheel + 1.0 / rail)
     }
 
-    /// The abscissa that makes a creepage of one at the distance c.
+    /// The abscissa that corresponds to a creepage of one at the distance c.
     fn per_creepage(&self, path: &Path) -> f64 {
         if path.abscissa() == Abscissa::Spin { self.lever } else { 1.0 }
     }

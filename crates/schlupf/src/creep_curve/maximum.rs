@@ -21,35 +21,38 @@ pub struct Maximum {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
-    /// Whether |F| does not fall behind it: everything slides. The abscissa is the first of the curve
-    /// from which on |F| stays within [`PLATEAU`] of its largest value; forces are those of that value.
+    /// Whether |F| does not fall beyond it: full sliding. The abscissa is the first of the curve
+    /// from which on |F| stays within [`PLATEAU`] of its largest value; the forces are those at the
+    /// largest value.
     #[cfg_attr(feature = "serde", serde(rename = "saturated"))]
     pub is_saturated: bool,
 }
 
-/// Part of the largest force within which it counts as reached, dimensionless.
+/// Relative distance to the largest force within which it counts as reached, dimensionless.
 pub const PLATEAU: f64 = 1e-3;
 
-/// A force that still rises comes within [`PLATEAU`] of its largest value at the very end; one that is
-/// saturated does so before this part of the last creepage.
+/// A force that still rises comes within [`PLATEAU`] of its largest value only at the very end; a
+/// saturated one does so before this fraction of the last creepage.
 const LATEST_SATURATION: f64 = 0.8;
 
-/// The creepage at which saturation begins is found to this part of it.
+/// Relative accuracy of the creepage at which saturation begins.
 const SATURATION_PRECISION: f64 = 0.01;
 
-/// A fall by less than this many tolerances of the solutions is none.
+/// A decrease by less than this many tolerances of the solutions is noise.
 const NOISE: f64 = 10.0;
 
-/// Most solutions to find one maximum.
+/// Maximum number of solutions to find one maximum.
 const MAX_SOLUTIONS: usize = 60;
 
-/// The creepage of a maximum is found to this part of it; the force then to far less, as it is flat.
+/// Relative accuracy of the creepage of a maximum; the force is far more accurate, because it is
+/// flat there.
 const PRECISION: f64 = 1e-3;
 
-/// Where the slope at an end is looked at, as a part of the way to the next point.
+/// Position at which the slope at an end is probed, as a fraction of the distance to the next
+/// point.
 const PROBE: f64 = 0.01;
 
-/// The maxima on both sides of zero, below first; each side has its points from zero outwards.
+/// The maxima on both sides of zero, lower side first; each side has its points from zero outwards.
 pub(super) fn of_sides(
     solver: &mut Points,
     [above, below]: &[Vec<Point>; 2],
@@ -80,16 +83,16 @@ fn force(point: &Point) -> f64 {
 /// The points on one side of zero, from there outwards.
 struct Side<'a, 'b> {
     solver: &'a mut Points<'b>,
-    /// Those that converged.
+    /// Points that converged.
     points: Vec<Point>,
-    /// Those that did not: where one of them is, there may be a maximum unseen.
+    /// Points that did not: a maximum near one of them may be missed.
     failed: Vec<Point>,
-    /// Differences of |F|/N below this one mean nothing.
+    /// Differences of |F|/N below this are noise.
     noise: f64,
 }
 
 impl Side<'_, '_> {
-    /// `None` where |F| rises up to the outer end or falls from the inner end on.
+    /// `None` if |F| rises up to the outer end or falls from the inner end.
     fn maximum(&mut self) -> Result<Option<Maximum>, Error> {
         let by_force =
             |i: &usize, k: &usize| force(&self.points[*i]).total_cmp(&force(&self.points[*k]));
@@ -115,8 +118,7 @@ impl Side<'_, '_> {
         }
     }
 
-    /// Whether no point failed from one abscissa to the other, nor where it may have been higher than
-    /// the highest.
+    /// Whether no point failed between two abscissae where |F| may have exceeded the highest value.
     fn is_known(&self, from: f64, to: f64, highest: &Point) -> bool {
         self.failed.iter().all(|point| {
             let is_outside = point.abscissa < from.min(to) || point.abscissa > from.max(to);
@@ -124,8 +126,8 @@ impl Side<'_, '_> {
         })
     }
 
-    /// Three points with the highest in the middle, if |F| rises from the highest point, an end of the
-    /// curve, towards the next one: then there is a maximum between those.
+    /// Three points with the highest in the middle, if |F| rises from the highest point, an end of
+    /// the curve, towards the next one: then there is a maximum between them.
     fn probe(&mut self, end: &Point, next: &Point) -> Result<Option<[Point; 3]>, Error> {
         let step = (next.abscissa - end.abscissa).abs().min(end.abscissa.abs()) * PROBE;
         let towards = (next.abscissa - end.abscissa).signum();
@@ -134,7 +136,7 @@ impl Side<'_, '_> {
         Ok((rises && probe.status == Status::Converged).then_some([*end, probe, *next]))
     }
 
-    /// The beginning of a plateau that reaches to the end, if there is one.
+    /// The beginning of a plateau that extends to the end, if there is one.
     fn saturation(&mut self, highest: &Point) -> Result<Option<Maximum>, Error> {
         let level = force(highest) * (1.0 - PLATEAU);
         let begin = self.points.iter().rposition(|point| force(point) < level);
@@ -154,7 +156,7 @@ impl Side<'_, '_> {
             }
             reached = latest;
         }
-        // Without a point below, all of the curve is saturated.
+        // Without a point below it, the whole curve is saturated.
         let mut lower = below.unwrap_or(reached);
         while (reached - lower).abs() > SATURATION_PRECISION * reached.abs() {
             let middle = 0.5 * (lower + reached);
@@ -178,8 +180,9 @@ impl Side<'_, '_> {
         Ok(force(&point) >= level && point.status == Status::Converged)
     }
 
-    /// The maximum within three points of which the middle one is the highest (Brent 1973): at the top
-    /// of the parabola through them, or, where that narrows the range too slowly, in the larger part.
+    /// The maximum within three points of which the middle one is the highest (Brent 1973): at the
+    /// vertex of the parabola through them, or, where that narrows the range too slowly, in the
+    /// larger part.
     fn highest(&mut self, mut three: [Point; 3]) -> Result<Option<Maximum>, Error> {
         let width = |three: &[Point; 3]| (three[2].abscissa - three[0].abscissa).abs();
         let mut narrowed = true;
@@ -201,8 +204,8 @@ impl Side<'_, '_> {
     }
 }
 
-/// Where to look next: on the side of the top of the parabola, at least half the precision away from the
-/// middle point, so that the range closes on both sides of it.
+/// The next abscissa: on the side of the vertex of the parabola, at least half the precision away
+/// from the middle point, so that the range closes on both sides of it.
 fn next_abscissa(three: &[Point; 3], narrowed: bool, precision: f64) -> f64 {
     let [before, middle, after] = three.map(|point| point.abscissa);
     let larger = if (before - middle).abs() > (after - middle).abs() { before } else { after };
@@ -217,7 +220,7 @@ fn next_abscissa(three: &[Point; 3], narrowed: bool, precision: f64) -> f64 {
     middle + least.min(0.5 * (larger - middle).abs()) * (larger - middle).signum()
 }
 
-/// Three points about the highest of these four.
+/// Three points around the highest of these four.
 fn with([before, middle, after]: &[Point; 3], next: &Point) -> [Point; 3] {
     let is_before = (next.abscissa < middle.abscissa) == (before.abscissa < middle.abscissa);
     let three = match (is_before, force(next) > force(middle)) {
@@ -229,11 +232,11 @@ fn with([before, middle, after]: &[Point; 3], next: &Point) -> [Point; 3] {
     three.map(|point| *point)
 }
 
-/// Where the parabola through three points has its top, the middle one being the highest.
+/// The vertex of the parabola through three points, the middle one being the highest.
 fn top_of_parabola(&[[x0, y0], [x1, y1], [x2, y2]]: &[[f64; 2]; 3]) -> f64 {
     let [left, right] = [(y1 - y0) * (x2 - x1), (y1 - y2) * (x1 - x0)];
     let top = 0.5 * (left * (x1 + x2) + right * (x0 + x1)) / (left + right);
-    // Points that coincide have none.
+    // Coincident points have none.
     let [low, high] = [x0.min(x2), x0.max(x2)];
     if top > low && top < high { top } else { x1 }
 }

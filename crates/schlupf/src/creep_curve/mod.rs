@@ -1,9 +1,9 @@
-//! Creep curves: forces over creepage in steady rolling.
+//! Creep curves: creep forces against creepage in steady rolling.
 //!
-//! A [`Path`] says which creepages vary, a [`Sampling`] at how many points, and [`trace`] solves there,
-//! from zero creepage outwards, so that every solution is close to the one before. The slope at zero
-//! creepage is exact, from the Jacobian of the equilibrium there; the maximum of the force has solutions of
-//! its own.
+//! A [`Path`] defines which creepages vary, a [`Sampling`] the points, and [`trace`] solves there,
+//! from zero creepage outwards, so that every solution is close to the previous one. The slope at
+//! zero creepage is exact, from the Jacobian of the equilibrium there; the maximum of the force is
+//! found by additional solutions.
 
 mod initial_slope;
 mod maximum;
@@ -28,35 +28,35 @@ pub use sampling::{MAX_POINTS, Sampling, Spacing};
 pub use warnings::CurveWarning;
 use warnings::Warnings;
 
-/// Forces over creepage.
+/// Creep forces against creepage.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CreepCurve {
-    /// What was solved.
+    /// The method.
     pub method: Method,
     /// Which creepages vary.
     pub path: Path,
     /// The normal contact, the same at all points.
     pub normal: NormalSummary,
-    /// Where creepages hold, and about which point moments are taken.
+    /// Reference point of creepages and moments.
     pub reference: ReferencePoint,
     /// The points in the order of the path.
     pub points: Vec<Point>,
-    /// Slope where everything that varies is zero. `None` where the path does not go there, or where
-    /// a solution that it takes did not converge, of which there is a warning then.
+    /// Slope where all varied creepages are zero. `None` if the path does not contain that point,
+    /// or if a solution needed for it did not converge, which gives a warning.
     pub initial_slope: Option<InitialSlope>,
     /// Maxima of |F|, in the order of the path: one on each side of zero creepage, unless |F| still
     /// rises at the outer end of that side, or is largest at its inner end.
     pub maxima: Vec<Maximum>,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<CurveWarning>,
-    /// How much work all solutions were, those of slope and maximum included.
+    /// Work of all solutions, including those for slope and maximum.
     pub work: Work,
 }
 
 impl CreepCurve {
-    /// The maximum of |F| over the curve. `None` where it lies at an end of the curve: the curve says
-    /// nothing about what is beyond.
+    /// The maximum of |F| over the curve. `None` if it is at an end of the curve, which says
+    /// nothing about what lies beyond.
     pub fn maximum(&self) -> Option<&Maximum> {
         let higher = |one: &&Maximum, other: &&Maximum| {
             one.traction_coefficient.total_cmp(&other.traction_coefficient)
@@ -73,7 +73,8 @@ impl CreepCurve {
     }
 }
 
-/// A point of a creep curve: the results of one solution, without its fields. Forces act on the wheel.
+/// A point of a creep curve: the results of one solution, without its fields. Forces act on the
+/// wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Point {
@@ -87,17 +88,17 @@ pub struct Point {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
-    /// Power of friction and of the creep forces, if the method knows it.
+    /// Power of friction and of the creep forces, if the method computes it.
     pub power: Option<Power>,
-    /// Largest temperature rise, in K, if the method knows it.
+    /// Largest temperature rise, in K, if the method computes it.
     pub max_rise: Option<f64>,
     /// Contact, stick and slip areas.
     pub area: Area,
-    /// Whether to trust it.
+    /// Whether the solution converged.
     pub status: Status,
     /// Relative residual, dimensionless.
     pub residual: f64,
-    /// How much work it was.
+    /// Amount of work.
     pub work: Work,
 }
 
@@ -119,12 +120,12 @@ impl Point {
     }
 }
 
-/// Computes a creep curve of a problem, whose own creepages count only where the path keeps them: see
-/// [`Path::new`].
+/// Computes a creep curve of a problem, whose own creepages are used only where the path keeps
+/// them: see [`Path::new`].
 ///
-/// The solver may go from curve to curve: they share its set-up where they have the normal contact
-/// and the elasticity in common. Points that do not converge are kept and marked, and a warning
-/// names them.
+/// The solver may be reused for several curves: they share its set-up if they have the normal
+/// contact and the elasticity in common. Points that do not converge are kept and marked, and a
+/// warning names them.
 ///
 /// ```
 /// use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
@@ -142,7 +143,7 @@ impl Point {
 /// ```
 ///
 /// # Errors
-/// Whatever [`check`] refuses, before anything is solved, and [`Error::Stopped`].
+/// Whatever [`check`] rejects, before anything is solved, and [`Error::Stopped`].
 pub fn trace(
     solver: &mut dyn Solver,
     problem: &Problem,
@@ -203,10 +204,10 @@ pub fn trace(
     })
 }
 
-/// Checks whatever can be checked before the first solution.
+/// Performs all checks possible before the first solution.
 ///
 /// # Errors
-/// A wheel that does not roll somewhere on the path, and whatever [`Problem::check`] refuses there.
+/// A wheel that does not roll somewhere on the path, and whatever [`Problem::check`] rejects there.
 pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), Error> {
     sampling.check()?;
     if let Some(locked) = path.locks_at() {
@@ -220,7 +221,7 @@ pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), 
     })
 }
 
-/// Solves one point after the other, each from those before.
+/// Solves the points one after another, each starting from the previous ones.
 struct Points<'a> {
     problem: Problem,
     path: &'a Path,
@@ -245,7 +246,7 @@ impl Points<'_> {
         Ok(solution)
     }
 
-    /// The solution with its derivatives, if it is found at once.
+    /// The solution with its derivatives, if it is found directly.
     fn differentiate(&mut self, abscissa: f64) -> Result<Option<Solution>, Error> {
         self.move_to(abscissa);
         let watch = within(self.watch, self.progress);

@@ -1,4 +1,4 @@
-//! Which creepages a curve runs through.
+//! The path of a curve through the space of creepages.
 
 use crate::error::{Error, require_finite};
 use crate::kinematics::Kinematics;
@@ -19,12 +19,12 @@ pub struct Creepages {
 }
 
 impl Creepages {
-    /// Those of a wheel.
+    /// The creepages of a wheel.
     pub fn of(kinematics: &Kinematics) -> Self {
         Self { x: kinematics.creepage_x, y: kinematics.creepage_y, spin: kinematics.spin }
     }
 
-    /// A wheel with these creepages at a speed (in m/s).
+    /// Kinematics with these creepages at a speed (in m/s).
     pub fn at_speed(&self, speed: f64) -> Kinematics {
         Kinematics { speed, creepage_x: self.x, creepage_y: self.y, spin: self.spin }
     }
@@ -34,7 +34,7 @@ impl Creepages {
     }
 }
 
-/// What a curve is drawn over.
+/// The abscissa of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -47,13 +47,13 @@ pub enum Abscissa {
     Spin,
     /// The total creepage ν in a fixed direction: ξ = ν cos θ, η = ν sin θ; dimensionless.
     Total {
-        /// The direction θ, counted from x towards y, in rad.
+        /// The direction θ, measured from x towards y, in rad.
         direction: f64,
     },
 }
 
 impl Abscissa {
-    /// The quantity that it is.
+    /// The corresponding quantity.
     pub fn quantity(self) -> Quantity {
         match self {
             Self::CreepageX => Quantity::CreepageX,
@@ -64,7 +64,7 @@ impl Abscissa {
     }
 }
 
-/// A straight line in the space of creepages, in the direction in which it is asked for.
+/// A straight line in the space of creepages, with a direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Path {
@@ -75,12 +75,12 @@ pub struct Path {
 }
 
 impl Path {
-    /// The line from `start` to `end`. What is the same in both stays constant; all else varies
-    /// together, each linearly.
+    /// The line from `start` to `end`. Creepages that are equal in both stay constant; all others
+    /// vary together, each linearly.
     ///
-    /// The abscissa is the creepage that varies. Where ξ and η vary in a fixed direction, it is the
-    /// total creepage, positive towards the larger end; where creepages vary otherwise, the first of
-    /// ξ, η, φ that does.
+    /// The abscissa is the creepage that varies. If ξ and η vary in a fixed direction, it is the
+    /// total creepage, positive towards the larger end; otherwise it is the first of ξ, η, φ that
+    /// varies.
     pub fn new(start: Creepages, end: Creepages) -> Result<Self, Error> {
         for creepages in [&start, &end] {
             require_finite(Quantity::CreepageX, creepages.x)?;
@@ -111,8 +111,8 @@ impl Path {
         Ok(Self { start, end, abscissa, range })
     }
 
-    /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards y),
-    /// with a spin creepage (in 1/m) that is constant or varies along.
+    /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards
+    /// y), with a spin creepage (in 1/m) that is constant or varies linearly.
     pub fn in_direction(range: [f64; 2], direction: f64, spin: [f64; 2]) -> Result<Self, Error> {
         require_finite(Quantity::Direction, direction)?;
         if range[0] == range[1] {
@@ -129,7 +129,7 @@ impl Path {
         })
     }
 
-    /// What the curve is drawn over.
+    /// The abscissa of the curve.
     pub fn abscissa(&self) -> Abscissa {
         self.abscissa
     }
@@ -161,7 +161,7 @@ impl Path {
             y: along(self.start.y, self.end.y),
             spin: along(self.start.spin, self.end.spin),
         };
-        // Without the rounding of the way through `share`.
+        // Avoids the rounding error of `share`.
         match self.abscissa {
             Abscissa::CreepageX => creepages.x = abscissa,
             Abscissa::CreepageY => creepages.y = abscissa,
@@ -173,7 +173,7 @@ impl Path {
         creepages
     }
 
-    /// Whether the curve comes from, ends at or runs through zero of everything that varies.
+    /// Whether the path starts from, ends at or runs through the zero of all varied creepages.
     pub fn has_origin(&self) -> bool {
         let [from, to] = self.range;
         let contains_zero = from.min(to) <= 0.0 && from.max(to) >= 0.0;
@@ -186,15 +186,16 @@ impl Path {
             })
     }
 
-    /// The first abscissa (dimensionless, or in 1/m for spin) from the start on at which the wheel no
-    /// longer rolls: where it is locked, or η is ±1. `None` where it always rolls.
+    /// The first abscissa (dimensionless, or in 1/m for spin), counted from the start, at which the
+    /// wheel no longer rolls: it is locked, or η is ±1. `None` if it always rolls.
     pub fn locks_at(&self) -> Option<f64> {
         let rolls = |abscissa: f64| self.at(abscissa).at_speed(1.0).check().is_ok();
         let [from, to] = self.range;
         if !rolls(from) {
             return Some(from);
         }
-        // The creepages of a rolling wheel are a convex set: what rolls at both ends rolls throughout.
+        // The creepages of a rolling wheel form a convex set: a wheel that rolls at both ends rolls
+        // throughout.
         if rolls(to) {
             return None;
         }
@@ -203,10 +204,10 @@ impl Path {
     }
 }
 
-/// Relative rounding of creepages that were computed.
+/// Relative rounding error of computed creepages.
 const ROUNDING: f64 = 1e-12;
 
-/// ξ and η of a total creepage in a direction (in rad), without rounding along the axes.
+/// ξ and η of a total creepage in a direction (in rad), without rounding error along the axes.
 fn components(creepage: f64, direction: f64) -> [f64; 2] {
     let clean = |part: f64| if part.abs() < ROUNDING { 0.0 } else { creepage * part };
     [clean(direction.cos()), clean(direction.sin())]

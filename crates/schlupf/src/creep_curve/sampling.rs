@@ -1,29 +1,30 @@
-//! At which creepages a curve is computed.
+//! The points at which a curve is computed.
 
 use crate::error::{Error, require};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// How many points a curve has, and how they are spaced.
+/// Number and spacing of the points of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sampling {
     /// Number of points, at least two.
     pub points: usize,
-    /// How they are spaced.
+    /// Their spacing.
     pub spacing: Spacing,
 }
 
-/// How the points of a curve are spaced.
+/// Spacing of the points of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spacing {
-    /// Even in u with an abscissa ∝ sinh 5u, |u| ≤ 1: steps grow from zero outwards, evenly near zero
-    /// and by an even factor far from it. From zero on, the last of 41 steps is some 70 times the first.
+    /// Uniform in u with an abscissa ∝ sinh 5u, |u| ≤ 1: steps grow from zero outwards, almost
+    /// constant near zero and by a constant factor far from it. Starting from zero, the last of 41
+    /// steps is some 70 times the first.
     Refined,
-    /// Even in the abscissa.
+    /// Uniform in the abscissa.
     Even,
 }
 
-/// Most points of a curve.
+/// Maximum number of points of a curve.
 pub const MAX_POINTS: usize = 10_000;
 
 impl Default for Sampling {
@@ -33,14 +34,14 @@ impl Default for Sampling {
 }
 
 impl Sampling {
-    /// Checks that there is a curve to draw.
+    /// Checks that there are at least two points and not too many.
     pub fn check(&self) -> Result<(), Error> {
         let requirement = Requirement::Between(2.0, MAX_POINTS as f64);
         require(Quantity::CurvePoints, requirement, self.points as f64)
     }
 
-    /// Abscissae from `from` to `to`, monotone (each in the unit of the ends: dimensionless, or
-    /// in 1/m). A refined range with zero inside has a point there.
+    /// Abscissae from `from` to `to`, monotonic (each in the unit of the ends: dimensionless, or in
+    /// 1/m). A refined range that contains zero has a point there.
     pub fn abscissae(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let steps = self.points - 1;
         match self.spacing {
@@ -67,10 +68,10 @@ impl Sampling {
     }
 }
 
-/// How much finer the steps are at zero: sinh 5u.
+/// Strength of the refinement at zero: sinh 5u.
 const STRENGTH: f64 = 5.0;
 
-/// The k-th of `steps` even steps; zero where rounding alone keeps it from that.
+/// The k-th of `steps` equal steps; exactly zero where only rounding error differs from zero.
 fn between([from, to]: [f64; 2], k: usize, steps: usize) -> f64 {
     if k == steps {
         return to;

@@ -1,4 +1,4 @@
-//! The warnings of all points, each kind once.
+//! The warnings of all points, each kind reported once.
 
 use crate::message::{Message, Words};
 use crate::quantity::Quantity;
@@ -12,9 +12,9 @@ use super::{Abscissa, Point};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct CurveWarning {
-    /// The warning, that of the first point that has one of its kind.
+    /// The warning; the one of the first point that has it.
     pub warning: Warning,
-    /// Where it holds; `None` for all of the curve alike.
+    /// Where it applies; `None` for the whole curve.
     pub at: Option<Points>,
 }
 
@@ -22,7 +22,7 @@ pub struct CurveWarning {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Points {
-    /// What the curve is drawn over.
+    /// The abscissa of the curve.
     pub abscissa: Quantity,
     /// Abscissa of the first of them, in its unit or dimensionless.
     pub first: f64,
@@ -31,7 +31,7 @@ pub struct Points {
 }
 
 impl CurveWarning {
-    /// It in the words of a face.
+    /// The message in the words of an interface.
     pub fn message(&self, words: &dyn Words) -> Message {
         let message = self.warning.message(words);
         let Some(Points { abscissa, first, count }) = self.at else { return message };
@@ -48,24 +48,24 @@ impl CurveWarning {
 #[derive(Debug, Default)]
 pub(super) struct Warnings {
     kinds: Vec<Kind>,
-    /// Those of the curve as a whole.
+    /// Warnings of the curve as a whole.
     others: Vec<Warning>,
 }
 
-/// Warnings that differ in their values only.
+/// Warnings that differ only in their values.
 #[derive(Debug)]
 struct Kind {
-    /// The warning of the first point that has one.
+    /// The warning of the first point that has it.
     warning: Warning,
     /// Abscissa of that point.
     first: f64,
-    /// How many points have it.
+    /// Number of points that have it.
     count: usize,
     /// Whether it is the same at all of them.
     is_constant: bool,
 }
 
-/// Most points that a warning names.
+/// Maximum number of points that a warning names.
 const MOST_NAMES: usize = 12;
 
 impl Warnings {
@@ -91,7 +91,7 @@ impl Warnings {
         }
     }
 
-    /// A warning of the curve as a whole.
+    /// Adds a warning of the curve as a whole.
     pub(super) fn extend(&mut self, warning: Option<Warning>) {
         self.others.extend(warning);
     }

@@ -1,15 +1,15 @@
-//! The elastic half-space of Boussinesq and Cerruti: exact for bodies that are large against the
-//! patch.
+//! The elastic half-space of Boussinesq and Cerruti: exact for bodies that are large compared with
+//! the patch.
 //!
-//! Traction is constant in each cell. The displacement difference in the middle of another cell is,
-//! in closed form (Kalker 1990, §3.2; Love 1929), with sums over the corners X = x ± Δx/2,
-//! Y = y ± Δy/2, signs (+, −, −, +) and r = √(X² + Y²),
+//! Traction is constant in each cell. The displacement difference at the centre of another cell is,
+//! in closed form (Kalker 1990, §3.2; Love 1929), with sums over the corners X = x ± Δx/2, Y = y ±
+//! Δy/2, signs (+, −, −, +) and r = √(X² + Y²),
 //!
 //! πG A_xx = (1 − ν) X asinh(Y/|X|) + Y asinh(X/|Y|),  πG A_xy = −ν r,
 //! πG A_yy = X asinh(Y/|X|) + (1 − ν) Y asinh(X/|Y|).
 //!
-//! It depends on the distance of the two cells only, so the product is a convolution, and costs
-//! O(n log n) by the fast Fourier transform on a grid padded to twice its size.
+//! It depends only on the distance between the two cells, so the product is a convolution and costs
+//! O(n log n) with the fast Fourier transform on a grid padded to twice its size.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -35,14 +35,14 @@ pub struct HalfSpace {
     dissimilarity: f64,
 }
 
-/// Dissimilarity from which on a caveat is due.
+/// Dissimilarity above which a warning is given.
 const NOTICEABLE: f64 = 1e-3;
 
 impl HalfSpace {
     /// Combined constants of two bodies: 1/G = ½ (1/G₁ + 1/G₂), ν/G = ½ (ν₁/G₁ + ν₂/G₂).
     ///
     /// Bodies of different material also move tangentially under the normal pressure, in proportion
-    /// to K = ¼ G ((1 − 2ν₁)/G₁ − (1 − 2ν₂)/G₂) (Kalker 1990, §1.7). That part is neglected.
+    /// to K = ¼ G ((1 − 2ν₁)/G₁ − (1 − 2ν₂)/G₂) (Kalker 1990, §1.7). This effect is neglected.
     ///
     /// ```
     /// use schlupf::{elasticity::half_space::HalfSpace, material::Material};
@@ -78,8 +78,8 @@ impl HalfSpace {
         self.influence_of(size, [columns as f64 * size[0], rows as f64 * size[1]])
     }
 
-    /// A_xx, A_yy and A_xy (in m/Pa) of a cell of the given size (in m) on the point at the distance
-    /// `[x, y]` (in m) from its middle.
+    /// A_xx, A_yy and A_xy (in m/Pa) of a cell of the given size (in m) at the point at the
+    /// distance `[x, y]` (in m) from its centre.
     pub fn influence_of(&self, size: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
         let corner =
             |side_x: f64, side_y: f64| self.corner([x + side_x * size[0], y + side_y * size[1]]);
@@ -101,18 +101,19 @@ impl HalfSpace {
     }
 }
 
-/// The influences on a grid with the mean over the cell undone to second order: a cell's constant
-/// traction stands for a smooth one, whose displacement differs by −h²∇²u/12 from that of its means.
+/// The influences on a grid, with the averaging over the cell removed to second order: the constant
+/// traction of a cell represents a smooth one, whose displacement differs by −h²∇²u/12 from that of
+/// its means.
 ///
-/// Each corner of the cells counts once, and influences at distances of both signs follow from the
-/// first quadrant, because A_xx and A_yy are even in x and in y, and A_xy is odd in both.
+/// Each corner of the cells is evaluated once, and influences at distances of either sign follow
+/// from the first quadrant, because A_xx and A_yy are even in x and in y, and A_xy is odd in both.
 struct Influences {
     quadrant: Vec<[f64; 3]>,
     columns: usize,
 }
 
 impl Influences {
-    /// As far as half way around the padded grid.
+    /// Extends half way around the padded grid.
     fn new(bodies: &HalfSpace, grid: &Grid) -> Self {
         let reach = |cells: usize| smooth_from(2 * cells - 1) / 2 + 1;
         let (columns, rows) = (reach(grid.columns), reach(grid.rows));
@@ -136,7 +137,7 @@ impl Influences {
         Self { quadrant, columns }
     }
 
-    /// The influences themselves.
+    /// The uncorrected influences.
     fn plain(bodies: &HalfSpace, grid: &Grid, [columns, rows]: [usize; 2]) -> Self {
         let spacing = [grid.spacing_x, grid.spacing_y];
         let quadrant = love::cells(spacing, [columns, rows], |at| bodies.corner(at));
@@ -164,7 +165,7 @@ impl Elasticity for HalfSpace {
     }
 }
 
-/// The half-space on one grid. Displacements grow with its size as they are.
+/// The half-space on one grid. Displacements scale linearly with its size.
 #[derive(Debug)]
 struct HalfSpaceCompliance {
     convolution: Convolution,
@@ -191,7 +192,7 @@ impl Compliance for HalfSpaceCompliance {
 
 /// Convolution with the influence of a cell, on a padded grid.
 ///
-/// Both components travel in one complex field t_x + i t_y. In wave numbers k its transform F gives
+/// Both components share one complex field t_x + i t_y. For wave number k its transform F gives
 /// that of u_x + i u_y as ½ (A_xx + A_yy) F(k) + (½ (A_xx − A_yy) + i A_xy) F*(−k).
 pub struct Convolution {
     columns: usize,
@@ -200,7 +201,7 @@ pub struct Convolution {
     size: [usize; 2],
     along: [Arc<dyn Fft<f64>>; 2],
     across: [Arc<dyn Fft<f64>>; 2],
-    /// ½ (A_xx + A_yy) and ½ (A_xx − A_yy) + i A_xy by wave number, over the number of cells.
+    /// ½ (A_xx + A_yy) and ½ (A_xx − A_yy) + i A_xy by wave number, divided by the number of cells.
     mean: Vec<f64>,
     difference: Vec<Complex<f64>>,
     lines: Vec<Complex<f64>>,
@@ -211,7 +212,8 @@ pub struct Convolution {
 const ZERO: Complex<f64> = Complex { re: 0.0, im: 0.0 };
 
 impl Convolution {
-    /// From the influence [A_xx, A_yy, A_xy] (in m/Pa) at a distance in columns and rows.
+    /// The convolution with the influence [A_xx, A_yy, A_xy] (in m/Pa) at a distance in columns and
+    /// rows.
     pub fn new(grid: &Grid, influence: impl Fn(isize, isize) -> [f64; 3]) -> Self {
         let size = [smooth_from(2 * grid.columns - 1), smooth_from(2 * grid.rows - 1)];
         let mut planner = FftPlanner::new();
@@ -254,7 +256,7 @@ impl Convolution {
             for i in 0..nx {
                 let [xx, yy, xy] = influence(distance(i, nx), distance(j, ny));
                 axial[j * nx + i] = Complex::new(0.5 * (xx + yy), 0.5 * (xx - yy));
-                // Half way around, an odd function meets itself with the other sign.
+                // Half way around, an odd function meets itself with the opposite sign.
                 let is_half_way = 2 * i == nx || 2 * j == ny;
                 cross[j * nx + i] = Complex::new(if is_half_way { 0.0 } else { xy }, 0.0);
             }
@@ -267,7 +269,7 @@ impl Convolution {
         self.difference = pairs.map(|(a, c)| Complex::new(a.im, c.re) * normalised).collect();
     }
 
-    /// Transform of a whole field, in the order of the plane: columns one after another.
+    /// Transform of a whole field, in transposed order: columns one after another.
     fn transform_all(&mut self, field: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
         self.lines = field;
         self.along[0].process_with_scratch(&mut self.lines, &mut self.scratch);
@@ -285,12 +287,12 @@ impl Convolution {
         }
     }
 
-    /// Multiplies by the influence in wave numbers. k and −k belong together.
+    /// Multiplies by the influence in wave-number space. k and −k are coupled.
     fn multiply(&mut self) {
         let [nx, ny] = self.size;
         for i in 0..=nx / 2 {
             let other_i = if i == 0 { 0 } else { nx - i };
-            // A column that is its own mirror has its pairs within itself.
+            // A self-conjugate column contains its pairs.
             let last = if i == other_i { ny / 2 } else { ny - 1 };
             for j in 0..=last {
                 let (k, m) = (i * ny + j, other_i * ny + if j == 0 { 0 } else { ny - j });
@@ -356,7 +358,7 @@ mod tests {
         HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap()
     }
 
-    /// The mirrored influences are those computed directly.
+    /// The mirrored influences equal those computed directly.
     #[test]
     fn influences_are_even_and_odd() {
         let (grid, bodies) = (grid(), steel());
@@ -369,7 +371,7 @@ mod tests {
         }
     }
 
-    /// The convolution is the plain sum over all pairs of cells.
+    /// The convolution equals the direct sum over all pairs of cells.
     #[test]
     fn fourier_transform_sums_the_influences() {
         let (grid, bodies) = (grid(), steel());
@@ -399,8 +401,8 @@ mod tests {
         }
     }
 
-    /// Cerruti 1882: far away a cell acts as a point force,
-    /// u_x = F/(πG) ((1 − ν)/r + ν x²/r³), u_y = F/(πG) ν x y/r³ for two equal bodies together.
+    /// Cerruti 1882: at large distances a cell acts as a point force, u_x = F/(πG) ((1 − ν)/r + ν
+    /// x²/r³), u_y = F/(πG) ν x y/r³ for two equal bodies together.
     #[test]
     fn cerruti_1882_point_force_far_away() {
         let (grid, bodies) = (grid(), steel());
@@ -414,8 +416,8 @@ mod tests {
         assert_relative_eq!(xy, scale * 0.28 * x * y / r.powi(3), max_relative = 1e-3);
     }
 
-    /// Love 1929: uniform traction on a square moves its middle by the integral
-    /// ∫∫ dA/r = 8 a asinh(1) of the half-side a (ν = 0).
+    /// Love 1929: uniform traction on a square displaces its centre by the integral ∫∫ dA/r = 8 a
+    /// asinh(1) with the half-side a (ν = 0).
     #[test]
     fn love_1929_uniform_traction_on_a_square() {
         let rubber = Material { poisson_ratio: 0.0, ..Material::STEEL };

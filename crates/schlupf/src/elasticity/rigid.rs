@@ -1,4 +1,4 @@
-//! Rigid bodies, u = 0: the slip is prescribed. For heat and friction on their own.
+//! Rigid bodies, u = 0: the slip is prescribed. For studies of heat and friction alone.
 
 use super::{Compliance, Elasticity};
 use crate::error::Error;

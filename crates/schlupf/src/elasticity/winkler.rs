@@ -27,8 +27,8 @@ impl Winkler {
         Ok(Self { bedding: [bedding_x, bedding_y], growth: 0.0 })
     }
 
-    /// The same where the stiffnesses were found for this size of the patch, so that displacements grow
-    /// with it as those of the half-space do.
+    /// The same for stiffnesses that belong to this patch size, so that displacements scale with
+    /// the patch as those of the half-space do.
     pub(crate) fn growing_with_the_patch(self) -> Self {
         Self { growth: 1.0, ..self }
     }

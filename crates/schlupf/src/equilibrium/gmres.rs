@@ -1,10 +1,10 @@
-//! Generalised minimal residuals (Saad and Schultz 1986), preconditioned from the right.
+//! Generalised minimal residual method (Saad and Schultz 1986), preconditioned from the right.
 
 use super::Equilibrium;
 use crate::numerics::vector::{add_scaled, dot, norm};
 
 /// Workspace of the Krylov method: kept between solutions, so that only a larger Krylov space than
-/// ever before allocates.
+/// before allocates.
 #[derive(Debug)]
 pub(crate) struct Gmres {
     /// Largest dimension of the Krylov space.
@@ -13,20 +13,20 @@ pub(crate) struct Gmres {
     /// L M⁻¹ v of each vector of the basis.
     responses: Vec<Vec<f64>>,
     direction: Vec<f64>,
-    /// Columns of the triangular matrix, one after another, each one longer than the one before.
+    /// Columns of the triangular matrix, one after another, each one longer than the previous one.
     triangle: Vec<f64>,
     rotations: Vec<(f64, f64)>,
     projected: Vec<f64>,
     weights: Vec<f64>,
 }
 
-/// Of a triangular matrix, packed.
+/// Start of a column in a packed triangular matrix.
 fn start_of_column(k: usize) -> usize {
     k * (k + 1) / 2
 }
 
 impl Gmres {
-    /// A workspace without vectors yet.
+    /// An empty workspace.
     pub fn new(max_dimension: usize) -> Self {
         Self {
             max_dimension,
@@ -40,9 +40,9 @@ impl Gmres {
         }
     }
 
-    /// Solves J d = −`residual` until the linear residual falls below `forcing` times its start.
-    /// Writes d and L d (which costs no product: it is combined from those of the Krylov space),
-    /// and returns the number of products.
+    /// Solves J d = −`residual` until the linear residual falls below `forcing` times its initial
+    /// value. Writes d and L d (which costs no product: it is combined from those of the Krylov
+    /// space), and returns the number of products.
     pub fn solve(
         &mut self,
         system: &mut impl Equilibrium,
@@ -66,7 +66,7 @@ impl Gmres {
         self.rotations.len()
     }
 
-    /// Empties the space for a system.
+    /// Empties the space for a new system.
     fn prepare(&mut self, system: &impl Equilibrium) {
         self.direction.resize(system.size(), 0.0);
         self.triangle.clear();
@@ -75,7 +75,7 @@ impl Gmres {
         self.make_room(system, 0);
     }
 
-    /// Vectors of the right length for one more dimension.
+    /// Allocates vectors of the right length for one more dimension.
     fn make_room(&mut self, system: &impl Equilibrium, dimension: usize) {
         if self.basis.len() <= dimension {
             self.basis.push(Vec::new());
@@ -85,7 +85,8 @@ impl Gmres {
         self.responses[dimension].resize(system.response_size(), 0.0);
     }
 
-    /// One Arnoldi step, and the Givens rotation that keeps the projected matrix triangular.
+    /// Performs one Arnoldi step, with the Givens rotation that keeps the projected matrix
+    /// triangular.
     fn extend(&mut self, system: &mut impl Equilibrium) {
         let k = self.rotations.len();
         self.make_room(system, k + 1);

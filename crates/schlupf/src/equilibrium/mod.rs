@@ -1,7 +1,7 @@
 //! The nonlinear equilibrium between elasticity and friction: p = μ pₙ law(D − B p).
 //!
-//! p is the traction on the rail, x and y component of each cell in turn, D the sliding that the
-//! bodies' motion and history prescribe, B the compliance.
+//! p is the traction on the rail, x and y component of each cell in turn, D the sliding prescribed
+//! by the motion and history of the bodies, B the compliance.
 
 mod gmres;
 mod newton;
@@ -10,7 +10,7 @@ pub(crate) use gmres::Gmres;
 pub use newton::Newton;
 
 /// An equilibrium to be solved, F(p) = 0. The response to p is split into a linear part u = L p,
-/// which is dear because it contains the compliance, and a local rest, which is cheap.
+/// which is expensive because it contains the compliance, and a local part, which is cheap.
 pub trait Equilibrium: Send + Sync {
     /// Number of unknowns.
     fn size(&self) -> usize;
@@ -20,7 +20,7 @@ pub trait Equilibrium: Send + Sync {
         self.size()
     }
 
-    /// What residuals are measured against, in Pa: see `measure`, at p and the last evaluation.
+    /// Reference of the residuals, in Pa: see `measure`, at p and the last evaluation.
     fn scale(&self, p: &[f64]) -> f64;
 
     /// u = L p: one product with the compliance.
@@ -33,49 +33,50 @@ pub trait Equilibrium: Send + Sync {
     /// The step p ← p − F(p) must never lead away from the solution.
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]);
 
-    /// Jacobian of F times v, with L v given, at the p of the last residual.
+    /// Jacobian of F times v, with L v given, at the p of the last residual evaluation.
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]);
 
-    /// Another first guess, where the one given tells next to nothing; whether there is one.
+    /// Another initial guess, where the given one is nearly worthless; returns whether there is
+    /// one.
     fn other_guess(&mut self, _p: &mut [f64]) -> bool {
         false
     }
 
-    /// Replaces v by an approximation of the inverse Jacobian times v, linear in v.
+    /// Replaces v by an approximation to the inverse Jacobian times v, linear in v.
     fn precondition(&mut self, v: &mut [f64]);
 }
 
-/// When to stop.
+/// Stopping criteria.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Largest defect over the scale, dimensionless.
+    /// Largest admissible ratio of defect to scale, dimensionless.
     pub tolerance: f64,
-    /// Most Newton steps.
+    /// Maximum number of Newton steps.
     pub max_iterations: usize,
-    /// Whether the residual norm must fall in every step: where there may be several solutions, one that
-    /// rises can lead to another than the one that is followed.
+    /// Whether the residual norm must decrease in every step: if there may be several solutions, an
+    /// increase can lead to a solution other than the one being followed.
     pub is_monotone: bool,
 }
 
-/// How it went.
+/// Outcome of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Outcome {
     /// Whether the tolerance was reached.
     pub converged: bool,
-    /// Defect over the scale reached, dimensionless.
+    /// Ratio of defect to scale reached, dimensionless.
     pub residual: f64,
     /// Newton steps.
     pub iterations: usize,
     /// Products with the compliance.
     pub products: usize,
-    /// Safe steps in between.
+    /// Number of safe steps.
     pub safe_steps: usize,
 }
 
-/// What a residual is measured against, in Pa, for ‖μ pₙ‖₂ (`bound`) and ‖p‖₂ (`traction`), both in Pa:
-/// the former, where the traction is a hundredth of it or more; the traction itself below 1e-4, where
-/// the contact sticks and all is proportional to the motion, however slow it is; and what lies between.
-/// Without friction it is 1 Pa.
+/// The reference of a residual, in Pa, given ‖μ pₙ‖₂ (`bound`) and ‖p‖₂ (`traction`), both in Pa:
+/// the bound, if the traction is a hundredth of it or more; the traction itself below 1e-4, where
+/// the contact sticks and everything is proportional to the motion, however slow it is; and a
+/// transition in between. Without friction it is 1 Pa.
 pub(crate) fn measure(bound: f64, traction: f64) -> f64 {
     if bound == 0.0 {
         return 1.0;

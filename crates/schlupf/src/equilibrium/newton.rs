@@ -1,37 +1,40 @@
-//! Inexact Newton's method with a line search on the residual norm (Eisenstat and Walker 1996), where that
-//! leaves only short steps a non-monotone one (Grippo, Lampariello and Lucidi 1986): near Coulomb's law F has
-//! kinks, and a norm that must fall in every step creeps along them.
+//! Inexact Newton method with a line search on the residual norm (Eisenstat and Walker 1996). Where
+//! that leaves only short steps, the line search is non-monotone (Grippo, Lampariello and Lucidi
+//! 1986): near Coulomb's law F has kinks, along which a norm that must decrease in every step makes
+//! little progress.
 
 use super::{Equilibrium, Gmres, Limits, Outcome};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
 
-/// Largest linear residual asked of the Krylov method, relative to that of the Newton step.
+/// Largest forcing term: linear residual allowed in the Krylov method, relative to that of the
+/// Newton step.
 const LARGEST_FORCING: f64 = 0.3;
 
-/// Smallest one: a Newton step is never that exact anyway.
+/// Smallest forcing term: a Newton step is never more accurate than that anyway.
 const LEAST_FORCING: f64 = 1e-4;
 
-/// Part of the tolerance that the linear residual may take up.
+/// Fraction of the tolerance that the linear residual may use up.
 const ENOUGH: f64 = 0.8;
 
-/// ‖F‖₂ over the scale and the tolerance from which on the defect is looked at.
+/// ‖F‖₂ over the scale and the tolerance below which the defect is checked.
 const NEAR: f64 = 1e3;
 
-/// Least fall of the residual norm that a step of length λ must bring, relative to λ.
+/// Smallest decrease of the residual norm required of a step of length λ, relative to λ.
 const SUFFICIENT_FALL: f64 = 1e-4;
 
-/// ‖F‖₂ over the scale from which on a first guess tells next to nothing.
+/// ‖F‖₂ over the scale above which an initial guess is considered worthless.
 const WORTHLESS: f64 = 0.8;
 
-/// Halvings of a step before the residual norm need only fall below the largest of some steps.
+/// Halvings of a step before the residual norm need only fall below the largest of the last few
+/// steps.
 const MONOTONE_HALVINGS: usize = 3;
 
-/// How many steps these are.
+/// Number of these steps.
 const MEMORY: usize = 5;
 
-/// Halvings of a step before it is given up.
+/// Halvings of a step before it is abandoned.
 const MAX_HALVINGS: usize = 10;
 
 /// Safe steps after which Newton's method is tried again.
@@ -48,16 +51,16 @@ pub struct Newton {
     krylov: Gmres,
 }
 
-/// How a solution went, with the linear response to what was found.
+/// Outcome of a solution, with the linear response to the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solved<'a> {
-    /// How it went.
+    /// Outcome.
     pub outcome: Outcome,
     /// L p, in m.
     pub response: &'a [f64],
 }
 
-/// Largest dimension of a Krylov space: where that does not do, the step is inexact.
+/// Largest dimension of a Krylov space: if that is not sufficient, the step is inexact.
 const MAX_DIMENSION: usize = 120;
 
 impl Default for Newton {
@@ -74,11 +77,11 @@ impl Default for Newton {
 }
 
 impl Newton {
-    /// Solves F(p) = 0 from the given p, in place. On return the system was last evaluated, for its
-    /// defect, at the p that is returned. `watch` is asked before every step.
+    /// Solves F(p) = 0 from the given p, in place. On return the last evaluation of the system, for
+    /// its defect, was at the p that is returned. `watch` is asked before every step.
     ///
     /// # Errors
-    /// [`Error::Stopped`]; p is then that of the step before.
+    /// [`Error::Stopped`]; p is then that of the previous step.
     pub fn solve(
         &mut self,
         system: &mut impl Equilibrium,
@@ -99,7 +102,7 @@ impl Newton {
         let mut recent = [0.0; MEMORY];
         loop {
             let scale = system.scale(p);
-            // Nothing is known of the size of a traction that is still zero.
+            // The scale of a traction that is still zero is unknown.
             let scale = if scale == 0.0 { f64::MIN_POSITIVE } else { scale };
             best.note(outcome.iterations, length);
             let given_up = outcome.iterations == limits.max_iterations
@@ -143,7 +146,7 @@ impl Newton {
         }
     }
 
-    /// Starts from what the system has besides the first guess, if that is nearer.
+    /// Restarts from the system's alternative to the initial guess, if that is better.
     fn start_anew(
         &mut self,
         system: &mut impl Equilibrium,
@@ -174,8 +177,9 @@ impl Newton {
         self.krylov.solve(system, &self.residual, forcing, target)
     }
 
-    /// Goes along the step as far as the residual norm falls enough, and returns it; where that is less
-    /// than a half of it, as far as the norm falls below the largest of the recent ones.
+    /// Goes along the step until the residual norm decreases sufficiently, and returns it; where
+    /// that takes less than half the step, until the norm falls below the largest of the recent
+    /// ones.
     fn line_search(
         &mut self,
         system: &mut impl Equilibrium,
@@ -188,8 +192,8 @@ impl Newton {
             .or_else(|| self.go_along(system, p, largest, MAX_HALVINGS))
     }
 
-    /// Halves the step until the residual norm falls enough below `length`. A trial costs no product,
-    /// because L is linear.
+    /// Halves the step until the residual norm falls sufficiently below `length`. A trial costs no
+    /// product, because L is linear.
     fn go_along(
         &mut self,
         system: &mut impl Equilibrium,
@@ -234,7 +238,8 @@ impl Newton {
     }
 }
 
-/// The smallest residual so far. Rounding, amplified by a very stiff contact law, can hide the rest.
+/// The smallest residual so far. Rounding, amplified by a very stiff contact law, can hide the
+/// rest.
 struct Best {
     length: f64,
     iteration: usize,
@@ -252,5 +257,5 @@ impl Best {
     }
 }
 
-/// Newton steps without a smaller residual after which there is no hope.
+/// Newton steps without a smaller residual before giving up.
 const PATIENCE: usize = 40;

@@ -1,8 +1,9 @@
 //! The cosine transform of two real lines at once.
 //!
-//! D_k = 2 Σ z_j cos(π k (j + ½)/n), of z = x + i y: its real part is the transform of x, its imaginary part that of y,
-//! because the transform is real. By one complex Fourier transform of the same length (Makhoul 1980): of the even points
-//! upwards, then the odd ones downwards.
+//! D_k = 2 Σ z_j cos(π k (j + ½)/n), of z = x + i y: because the transform is real, its real part
+//! is the transform of x and its imaginary part that of y. Computed by one complex Fourier
+//! transform of the same length (Makhoul 1980): of the even points in ascending order, then the odd
+//! ones in descending order.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -13,9 +14,9 @@ use rustfft::{Fft, FftPlanner};
 
 use super::ZERO;
 
-/// Transform of lines of one length, with its plans and its memory.
+/// Transform of lines of one length, with its plans and buffers.
 ///
-/// Points of a line stand in the order of [`Self::place`], wave numbers k in their own.
+/// Points of a line are stored in the order of [`Self::place`], wave numbers k in natural order.
 pub(crate) struct PairedCosine {
     forward: Arc<dyn Fft<f64>>,
     inverse: Arc<dyn Fft<f64>>,
@@ -40,12 +41,12 @@ impl PairedCosine {
         }
     }
 
-    /// Where point j of a line stands.
+    /// Storage position of point j of a line.
     pub(crate) fn place(&self, j: usize) -> usize {
         if j.is_multiple_of(2) { j / 2 } else { self.forward.len() - 1 - j / 2 }
     }
 
-    /// From the points of a line to D.
+    /// Transforms the points of a line to D.
     pub(crate) fn forward(&mut self, line: &mut [Complex<f64>]) {
         self.forward.process_with_scratch(line, &mut self.scratch);
         line[0] *= 2.0;
@@ -55,7 +56,7 @@ impl PairedCosine {
         });
     }
 
-    /// From D to 2n times the points of a line.
+    /// Transforms D to 2n times the points of a line.
     pub(crate) fn inverse(&mut self, line: &mut [Complex<f64>]) {
         self.combine(line, |turn, low, high| {
             let high = high * Complex::I;
@@ -64,7 +65,7 @@ impl PairedCosine {
         self.inverse.process_with_scratch(line, &mut self.scratch);
     }
 
-    /// Combines the values at k and n − k, but for k = 0.
+    /// Combines the values at k and n − k, except for k = 0.
     fn combine(
         &self,
         line: &mut [Complex<f64>],
@@ -91,7 +92,7 @@ impl fmt::Debug for PairedCosine {
 mod tests {
     use super::*;
 
-    /// Against the sum that defines it, for even and odd lengths; and back.
+    /// Agrees with the defining sum, for even and odd lengths; and back.
     #[test]
     fn makhoul_1980_two_lines_at_once() {
         for length in 1..=12 {

@@ -1,8 +1,8 @@
-//! The Fourier transform of a real field on a regular lattice, padded with zeros if asked.
+//! The Fourier transform of a real field on a regular lattice, optionally padded with zeros.
 //!
 //! F(k) = Σ f(x) exp(−i k·x), of which half is kept: the transform of a real field at −k is the
-//! conjugate of that at k. Every line is transformed on its own, in a fixed order, so the same field
-//! gives the same bits.
+//! conjugate of that at k. Every line is transformed on its own, in a fixed order, so the same
+//! field gives bit-identical results.
 
 pub(crate) mod cosine;
 
@@ -16,14 +16,14 @@ use rustfft::{Fft, FftPlanner};
 
 const ZERO: Complex<f64> = Complex { re: 0.0, im: 0.0 };
 
-/// Transform of fields of one size, with its plans and its memory.
+/// Transform of fields of one size, with its plans and buffers.
 ///
 /// The spectrum is kept column by column: wave number i along x (0 to n/2), j across, at
 /// `i * size[1] + j`.
 pub(crate) struct RealTransform {
     /// Columns and rows of the field.
     filled: [usize; 2],
-    /// Columns and rows with the padding: the lengths of the transforms.
+    /// Columns and rows including the padding: the lengths of the transforms.
     size: [usize; 2],
     forward: Arc<dyn RealToComplex<f64>>,
     inverse: Arc<dyn ComplexToReal<f64>>,
@@ -76,7 +76,7 @@ impl RealTransform {
             let (filled, padding) = self.line.split_at_mut(self.filled[0]);
             filled.copy_from_slice(row);
             padding.fill(0.0);
-            // It fails only on slices of a wrong length.
+            // It fails only for slices of the wrong length.
             let _ = self.forward.process_with_scratch(&mut self.line, line, &mut self.scratch);
         }
         let (filled, ny) = (self.filled[1], self.size[1]);
@@ -87,8 +87,8 @@ impl RealTransform {
         self.across[0].process_with_scratch(&mut self.spectrum, &mut self.scratch);
     }
 
-    /// Transforms the spectrum back, which is lost, without the factor of one over the number of
-    /// points.
+    /// Transforms back from the spectrum, which is destroyed, without the factor of one over the
+    /// number of points.
     pub(crate) fn inverse(&mut self, field: &mut [f64]) {
         let half = self.half();
         let is_even = self.size[0].is_multiple_of(2);
@@ -96,39 +96,39 @@ impl RealTransform {
         transpose_back(&self.spectrum, &mut self.lines, [half, self.filled[1]], self.size[1]);
         let rows = field.chunks_exact_mut(self.filled[0]).zip(self.lines.chunks_exact_mut(half));
         for (row, line) in rows {
-            // What is its own mirror is real; the imaginary part there is rounding.
+            // A self-conjugate value is real; its imaginary part is rounding error.
             line[0].im = 0.0;
             if is_even {
                 line[half - 1].im = 0.0;
             }
-            // It fails only on slices of a wrong length.
+            // It fails only for slices of the wrong length.
             let _ = self.inverse.process_with_scratch(line, &mut self.line, &mut self.scratch);
             row.copy_from_slice(&self.line[..self.filled[0]]);
         }
     }
 
-    /// Multiplies the spectrum by real numbers in its order.
+    /// Multiplies the spectrum by real numbers, given in its order.
     pub(crate) fn multiply(&mut self, symbol: &[f64]) {
         for (value, factor) in self.spectrum.iter_mut().zip(symbol) {
             *value *= factor;
         }
     }
 
-    /// Wave vectors in the order of the spectrum, as whole numbers of waves along x and y.
+    /// Wave vectors in the order of the spectrum, as integer numbers of waves along x and y.
     pub(crate) fn wave_vectors(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
         let [nx, ny] = self.size;
         let signed = move |j: usize| if 2 * j <= ny { j as f64 } else { j as f64 - ny as f64 };
         (0..=nx / 2).flat_map(move |i| (0..ny).map(move |j| [i as f64, signed(j)]))
     }
 
-    /// |k| in the order of the spectrum, for a lattice of the given spacings: in 1/m for m.
+    /// |k| in the order of the spectrum, for a lattice of the given spacings: in 1/m for spacings in m.
     pub(crate) fn wave_numbers(&self, spacing: [f64; 2]) -> impl Iterator<Item = f64> + use<> {
         let step = [0, 1].map(|c| TAU / (self.size[c] as f64 * spacing[c]));
         self.wave_vectors().map(move |[i, j]| (i * step[0]).hypot(j * step[1]))
     }
 
-    /// How often each value of the spectrum stands in the whole one, in its order: once where it is
-    /// its own mirror along x, else twice.
+    /// Multiplicity of each value in the full spectrum, in its order: one if it is its own mirror
+    /// along x, otherwise two.
     pub(crate) fn multiplicities(&self) -> impl Iterator<Item = f64> + use<> {
         let [nx, ny] = self.size;
         (0..=nx / 2).flat_map(move |i| {
@@ -148,8 +148,8 @@ impl fmt::Debug for RealTransform {
     }
 }
 
-/// The smallest product of 2, 3 and 5 that is not below `least`: lengths that the fast
-/// transforms like.
+/// The smallest product of 2, 3 and 5 that is not below `least`: efficient lengths for the fast
+/// transforms.
 pub(crate) fn smooth_from(least: usize) -> usize {
     let is_smooth = |mut n: usize| {
         for factor in [2, 3, 5] {
@@ -163,11 +163,11 @@ pub(crate) fn smooth_from(least: usize) -> usize {
     (least..=2 * least).find(|n| is_smooth(*n)).unwrap_or(least)
 }
 
-/// Cells that are moved together, so that both sides stay in the cache.
+/// Tile size for the transposition, chosen so that both sides stay in the cache.
 const TILE: usize = 16;
 
-/// Rows of `from` (each `columns` long) become the heads of the columns of `to` (each `stride`
-/// long).
+/// Writes the rows of `from` (each `columns` long) as the beginnings of the columns of `to` (each
+/// `stride` long).
 pub(crate) fn transpose(
     from: &[Complex<f64>],
     to: &mut [Complex<f64>],
@@ -205,7 +205,7 @@ mod tests {
 
     use super::*;
 
-    /// Even and odd lengths, with padding and without, survive the way there and back.
+    /// Round trips preserve fields of even and odd lengths, with padding and without.
     #[test]
     fn there_and_back_is_the_field_times_the_number_of_points() {
         for (filled, size) in [([6, 4], [6, 4]), ([5, 3], [9, 5]), ([7, 5], [7, 5])] {
@@ -222,7 +222,7 @@ mod tests {
         }
     }
 
-    /// A single wave has its two conjugate lines at its own wave vector, one of which is kept.
+    /// A single wave has two conjugate lines at its wave vector, one of which is kept.
     #[test]
     fn a_wave_is_found_at_its_wave_vector() {
         let mut transform = RealTransform::new([8, 6], [8, 6]);

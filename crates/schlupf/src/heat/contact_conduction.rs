@@ -89,7 +89,7 @@ const ACCURACY: f64 = 1e-10;
 /// The same below which the exchange is rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// Most iterations; some twelve are enough on any grid.
+/// Maximum number of iterations; some twelve are enough on any grid.
 const ITERATIONS: usize = 100;
 
 impl ContactConduction {

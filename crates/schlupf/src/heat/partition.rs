@@ -9,8 +9,8 @@ pub enum Partition {
     /// Given, dimensionless, between 0 and 1 (0.5 in the paper). Both bodies then pass through the
     /// contact with the speed v0.
     Given(f64),
-    /// From equal surface temperatures: β_w √(ωR) / (β_w √(ωR) + β_r √v0). Each body passes with its
-    /// own speed.
+    /// From equal surface temperatures: β_w √(ωR) / (β_w √(ωR) + β_r √v0). Each body passes with
+    /// its own speed.
     Velocity,
 }
 

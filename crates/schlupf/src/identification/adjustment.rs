@@ -1,4 +1,5 @@
-//! What the models have in common: how constants of a problem are read and changed, and other loads.
+//! What the models have in common: how constants of a problem are read and changed, and other
+//! loads.
 
 use std::sync::Arc;
 
@@ -25,7 +26,8 @@ pub(super) fn friction_constant(
     Err(FitError::NoSuchConstant { quantity: wanted.quantity(), constants }.into())
 }
 
-/// A constant that friction has only where the contact is hot cannot be found by a model that has no heat.
+/// A constant that friction has only where the contact is hot cannot be found by a model that has
+/// no heat.
 pub(super) fn require_heat(
     has_heat: bool,
     parameters: &[Parameter],
@@ -50,8 +52,8 @@ pub(super) fn require_heat(
     }
 }
 
-/// Friction with those of the parameters that are constants of its law at new values (in their SI units, or
-/// dimensionless).
+/// Friction with those of the parameters that are constants of its law at new values (in their SI
+/// units, or dimensionless).
 pub(super) fn adjusted_friction(
     friction: &Friction,
     parameters: &[Parameter],

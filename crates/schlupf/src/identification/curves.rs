@@ -49,8 +49,9 @@ pub struct ModelPoint {
 /// Most conditions that are computed: beyond it every point has one of its own.
 const MOST_CONDITIONS: usize = 12;
 
-/// The series of the data with curves of the model, at its present values, of so many points each (none
-/// where that is zero) besides those of the data. Where there are more than twelve conditions, none has one.
+/// The series of the data with curves of the model, at its present values, of so many points each
+/// (none where that is zero) besides those of the data. Where there are more than twelve
+/// conditions, none has one.
 ///
 /// # Errors
 /// Conditions that cannot be, and [`Error::Stopped`].
@@ -123,7 +124,8 @@ fn abscissa(data: &[DataPoint]) -> Abscissa {
     }
 }
 
-/// Direction (in rad, from x towards y) of the largest total creepage, if all others have it, or the opposite one.
+/// Direction (in rad, from x towards y) of the largest total creepage, if all others have it, or
+/// the opposite one.
 fn direction(data: &[DataPoint]) -> Option<f64> {
     /// How far the direction may be off, in rad: creepages are written with few digits.
     const APART: f64 = 0.01;

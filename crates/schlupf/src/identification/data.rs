@@ -43,8 +43,8 @@ pub struct DataPoint {
     pub condition: Condition,
     /// Which component of the force.
     pub component: Component,
-    /// Force on the rail over the load, −Fx/N or −Fy/N, dimensionless: as creep curves show it, of the
-    /// sign of the creepage.
+    /// Force on the rail over the load, −Fx/N or −Fy/N, dimensionless: as creep curves show it, of
+    /// the sign of the creepage.
     pub force_ratio: f64,
     /// Standard deviation of the measurement, dimensionless, where it is known.
     pub standard_deviation: Option<f64>,
@@ -86,10 +86,12 @@ pub(super) fn check(data: &[DataPoint]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Speeds and loads that differ by no more than this part of themselves belong to one series, dimensionless.
+/// Speeds and loads that differ by no more than this part of themselves belong to one series,
+/// dimensionless.
 const SAME: f64 = 0.05;
 
-/// Series: points of one component at one speed (in m/s) under one load (in N), as well as these are held.
+/// Series: points of one component at one speed (in m/s) under one load (in N), as well as these
+/// are held.
 pub(super) fn series(data: &[DataPoint]) -> Vec<Vec<usize>> {
     let is_near = |one: f64, other: f64| (one - other).abs() <= SAME * one.abs().max(other.abs());
     let is_of = |one: &DataPoint, other: &DataPoint| {
@@ -113,11 +115,11 @@ pub(super) fn series(data: &[DataPoint]) -> Vec<Vec<usize>> {
     series
 }
 
-/// Checks that measured forces have the signs of the computed ones (forces over the load, dimensionless), each component
-/// as a whole, and each series of it.
+/// Checks that measured forces have the signs of the computed ones (forces over the load,
+/// dimensionless), each component as a whole, and each series of it.
 pub(super) fn check_signs(data: &[DataPoint], computed: &[f64]) -> Result<(), Error> {
-    /// Points that make a series, and the cosine between measured and computed forces from which on these
-    /// run against each other.
+    /// Points that make a series, and the cosine between measured and computed forces from which on
+    /// these run against each other.
     const ENOUGH: usize = 3;
     const AGAINST: f64 = -0.5;
     let runs_against = |points: &[usize]| {

@@ -9,8 +9,8 @@ use crate::least_squares::{Minimum, column_norms};
 use super::data::FittedPoint;
 use super::parameter::Parameter;
 
-/// Forces are never measured better than to this part of the largest one: of data without scatter this
-/// is what the intervals are judged by (not what they are).
+/// Forces are never measured better than to this part of the largest one: of data without scatter
+/// this is what the intervals are judged by (not what they are).
 pub(super) const LEAST_SCATTER: f64 = 1e-3;
 
 /// Half-width of a 95 % interval, over the size of the parameter, from which on it counts as open.
@@ -76,12 +76,12 @@ fn inseparable(combination: &[f64], values: Values) -> Error {
     FitError::Inseparable { parameters }.into()
 }
 
-/// Forces up to this part of μ0 N, and proportional to the creepage within this factor, are in the linear
-/// range.
+/// Forces up to this part of μ0 N, and proportional to the creepage within this factor, are in the
+/// linear range.
 const LINEAR_RANGE: (f64, f64) = (0.5, 1.1);
 
-/// Checks that μ0, if it is looked for, is not concluded from the initial slope: there it is a factor of the
-/// stiffness of the bristles μ0 k_c pₙ, and friction itself is not seen.
+/// Checks that μ0, if it is looked for, is not concluded from the initial slope: there it is a
+/// factor of the stiffness of the bristles μ0 k_c pₙ, and friction itself is not seen.
 pub(super) fn check_range(values: Values, points: &[FittedPoint]) -> Result<(), Error> {
     let cold = Parameter::Friction(FrictionConstant::ColdCoefficient);
     let Some((_, coefficient)) = values.iter().find(|(parameter, _)| *parameter == cold) else {

@@ -48,7 +48,7 @@ pub struct Estimate {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fit {
-    /// Whether to trust it: `NotConverged` is no minimum.
+    /// Whether the solution converged: `NotConverged` is no minimum.
     pub status: Status,
     /// The parameters.
     pub estimates: Vec<Estimate>,
@@ -67,7 +67,7 @@ pub struct Fit {
     pub degrees_of_freedom: usize,
     /// Steps of the fit.
     pub iterations: usize,
-    /// Whatever the reader of the numbers must know.
+    /// Warnings for whoever uses the results.
     pub warnings: Vec<Warning>,
     /// How much work all solutions were.
     pub work: Work,
@@ -76,8 +76,8 @@ pub struct Fit {
 /// Checks whatever can be checked before anything is computed.
 ///
 /// # Errors
-/// A motion or load that cannot be, forces that are not finite, standard deviations of some points only,
-/// too few points.
+/// A motion or load that cannot be, forces that are not finite, standard deviations of some points
+/// only, too few points.
 pub fn check(model: &dyn CreepForceModel, data: &[DataPoint]) -> Result<(), Error> {
     data::check(data)?;
     determinacy::check_count(model.parameters(), data.len(), knows_scatter(data))?;
@@ -95,18 +95,18 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
     data.iter().all(|point| point.standard_deviation.is_some())
 }
 
-/// Fits the parameters of a model to measured points, at most so many steps. The model has the values
-/// found at the end.
+/// Fits the parameters of a model to measured points, at most so many steps. The model has the
+/// values found at the end.
 ///
-/// The parameters θ make Σ ((F/N)_computed − (F/N)_measured)²/σ² smallest, in the logarithms of those that are positive.
-/// Their covariance is s² (JᵀJ)⁻¹ with the variance of the residuals s² = Σr²/(n − p), and intervals are
-/// those of Student's t with n − p degrees of freedom; with given standard deviations s is one, and
-/// intervals are normal, unless the residuals are more than such deviations allow: then s is theirs, and a warning
-/// says so. Intervals count scatter only: a model that cannot follow the data has other errors, and a
-/// warning says so.
+/// The parameters θ make Σ ((F/N)_computed − (F/N)_measured)²/σ² smallest, in the logarithms of
+/// those that are positive. Their covariance is s² (JᵀJ)⁻¹ with the variance of the residuals s² =
+/// Σr²/(n − p), and intervals are those of Student's t with n − p degrees of freedom; with given
+/// standard deviations s is one, and intervals are normal, unless the residuals are more than such
+/// deviations allow: then s is theirs, and a warning says so. Intervals count scatter only: a model
+/// that cannot follow the data has other errors, and a warning says so.
 ///
-/// A constant may end at a bound that it has by itself, a coefficient at zero say: a warning says so, and its interval
-/// counts to one side.
+/// A constant may end at a bound that it has by itself, a coefficient at zero say: a warning says
+/// so, and its interval counts to one side.
 ///
 /// ```
 /// use schlupf::identification::{Component, Condition, DataPoint, Parameter, PolachModel, fit};
@@ -128,7 +128,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// ```
 ///
 /// # Errors
-/// [`Error::Stopped`]; whatever [`check`] refuses; start values without a solution; forces of the
+/// [`Error::Stopped`]; whatever [`check`] rejects; start values without a solution; forces of the
 /// wrong sign; and data that leave a parameter open: no force depends on it, μ0 is looked for in
 /// forces that are proportional to the creepage, its 95 % interval is wider than itself on each
 /// side (for a parameter that may be zero, at least 0.1), or it goes with another one at a
@@ -257,7 +257,8 @@ fn correlation(covariance: &Mat<f64>) -> Vec<Vec<f64>> {
     (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
 
-/// Standard errors (in SI units, or dimensionless) with weighted residuals of such a standard deviation.
+/// Standard errors (in SI units, or dimensionless) with weighted residuals of such a standard
+/// deviation.
 fn standard_errors(unscaled: &Mat<f64>, slopes: &[f64], scatter: f64) -> Vec<f64> {
     let of = |(k, slope): (usize, &f64)| scatter * slope * unscaled[(k, k)].sqrt();
     slopes.iter().enumerate().map(of).collect()
@@ -290,9 +291,10 @@ impl Found<'_> {
         pairs.map(|(data, fitted)| FittedPoint { data: *data, fitted }).collect()
     }
 
-    /// Covariance of the moved coordinates for residuals of unit variance, after a check that the data determine the
-    /// parameters. One that a bound holds is given as far as the others are concerned; its own variance is that without the
-    /// bound, for the one side to which its interval counts.
+    /// Covariance of the moved coordinates for residuals of unit variance, after a check that the
+    /// data determine the parameters. One that a bound holds is given as far as the others are
+    /// concerned; its own variance is that without the bound, for the one side to which its
+    /// interval counts.
     fn determined(&self, slopes: &[f64]) -> Result<Mat<f64>, Error> {
         let free = self.free();
         let values: Vec<(Parameter, f64)> = free.iter().map(|k| self.parameters[*k]).collect();

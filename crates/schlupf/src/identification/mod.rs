@@ -2,8 +2,9 @@
 //!
 //! [`fit`] makes the sum of the squared differences between measured and computed forces smallest
 //! (Levenberg–Marquardt). A [`CreepForceModel`] gives forces with their exact derivatives;
-//! [`RollingContactModel`] is that of the steady solver, [`PolachModel`] that of Polach's method. What is found comes with confidence intervals
-//! and correlations, and data that leave a parameter open are refused.
+//! [`RollingContactModel`] is that of the steady solver, [`PolachModel`] that of Polach's method.
+//! What is found comes with confidence intervals and correlations, and data that leave a parameter
+//! open are rejected.
 
 mod adjustment;
 mod confidence;

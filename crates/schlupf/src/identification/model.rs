@@ -12,7 +12,8 @@ use super::parameter::Parameter;
 pub struct ForceRatio {
     /// (−Fx/N, −Fy/N), dimensionless.
     pub value: [f64; 2],
-    /// Their derivatives by each parameter of the model, over its SI unit if it is not dimensionless.
+    /// Their derivatives by each parameter of the model, over its SI unit if it is not
+    /// dimensionless.
     pub by_parameter: Vec<[f64; 2]>,
 }
 

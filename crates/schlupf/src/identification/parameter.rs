@@ -73,8 +73,8 @@ impl Parameter {
         }
     }
 
-    /// Whether a bound (in its unit) is one that the constant itself has, so that a fit may end there. The others only
-    /// say where nothing is to be found.
+    /// Whether a bound (in its unit) is one that the constant itself has, so that a fit may end
+    /// there. The others only say where nothing is to be found.
     pub(super) fn may_end_at(self, bound: f64) -> bool {
         match self {
             Self::Friction(FrictionConstant::LimitRatio) => true,
@@ -87,7 +87,8 @@ impl Parameter {
         if self.bounds()[0] > 0.0 { Scale::Logarithmic } else { Scale::Linear }
     }
 
-    /// What an uncertainty of it is measured by, in its unit: its value, or what is next to nothing.
+    /// What an uncertainty of it is measured by, in its unit: its value, or what is next to
+    /// nothing.
     pub(super) fn size(self, value: f64) -> f64 {
         match self.scale() {
             Scale::Logarithmic => value,

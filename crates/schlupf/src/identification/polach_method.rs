@@ -14,8 +14,8 @@ use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
 
-/// Polach's method (1999, 2005) with unknown reductions k_A, k_S and constants of friction, which follows the
-/// slip speed of the contact as a whole.
+/// Polach's method (1999, 2005) with unknown reductions k_A, k_S and constants of friction, which
+/// follows the slip speed of the contact as a whole.
 #[derive(Debug)]
 pub struct PolachModel {
     problem: Problem,
@@ -31,7 +31,7 @@ impl PolachModel {
     ///
     /// # Errors
     /// A parameter that neither the method nor the friction law has, reductions that cannot be, and
-    /// whatever [`Problem::check`] refuses.
+    /// whatever [`Problem::check`] rejects.
     pub fn new(
         problem: &Problem,
         reduction: AreaReduction,

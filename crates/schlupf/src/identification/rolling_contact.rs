@@ -58,7 +58,7 @@ impl RollingContactModel {
     ///
     /// # Errors
     /// A parameter that is no constant of the laws in use, k_c and the roughness that gives it
-    /// together, and whatever [`Problem::check`] and [`Options::check`] refuse.
+    /// together, and whatever [`Problem::check`] and [`Options::check`] reject.
     pub fn new(
         problem: &Problem,
         options: &Options,

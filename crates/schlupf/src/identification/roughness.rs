@@ -7,14 +7,15 @@ use crate::material::Material;
 /// γ (dimensionless), where the user gives no other: theory and measurements have 0.4 to 0.5.
 pub const DEFAULT_GAMMA: f64 = 0.45;
 
-/// μ0 k_c h_rms (dimensionless) of two bodies whose rough surfaces approach by γ h_rms when the pressure grows
-/// e-fold, P ∝ exp(d/(γ h_rms)):
+/// μ0 k_c h_rms (dimensionless) of two bodies whose rough surfaces approach by γ h_rms when the
+/// pressure grows e-fold, P ∝ exp(d/(γ h_rms)):
 ///
 /// k_c = 2 (1 − ν)/(μ0 (2 − ν) γ h_rms).
 ///
-/// h_rms is the r.m.s. height of both surfaces together, √(h₁² + h₂²); γ is dimensionless. Source: the
-/// tangential curve of similar elastic bodies follows from the normal one (Ciavarella 1998, Jäger
-/// 1998); P and d of rough surfaces: Persson 2007. Limits: elastic asperities, similar bodies.
+/// h_rms is the r.m.s. height of both surfaces together, √(h₁² + h₂²); γ is dimensionless. Source:
+/// the tangential curve of similar elastic bodies follows from the normal one (Ciavarella 1998,
+/// Jäger 1998); P and d of rough surfaces: Persson 2007. Limits: elastic asperities, similar
+/// bodies.
 pub fn stiffness_number(wheel: &Material, rail: &Material, gamma: f64) -> Result<f64, Error> {
     crate::error::require_positive(crate::quantity::Quantity::SlopeFactor, gamma)?;
     let nu = HalfSpace::new(wheel, rail)?.poisson_ratio();
@@ -25,7 +26,8 @@ pub fn stiffness_number(wheel: &Material, rail: &Material, gamma: f64) -> Result
 mod tests {
     use super::*;
 
-    /// ν = 0.28, μ0 = 0.4, γ = 0.45, h_rms = 0.5 µm: k_c = 1.44/(0.4 · 1.72 · 0.225e-6) = 9.302e6/m.
+    /// ν = 0.28, μ0 = 0.4, γ = 0.45, h_rms = 0.5 µm: k_c = 1.44/(0.4 · 1.72 · 0.225e-6) =
+    /// 9.302e6/m.
     #[test]
     fn half_a_micrometre_of_roughness() {
         let number = stiffness_number(&Material::STEEL, &Material::STEEL, 0.45).unwrap();

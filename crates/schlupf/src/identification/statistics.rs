@@ -2,8 +2,8 @@
 
 use crate::numerics::vector::dot;
 
-/// Sum of the squared residuals over that of the data about their mean, taken from one; dimensionless.
-/// `None` where all data are the same.
+/// Sum of the squared residuals over that of the data about their mean, taken from one;
+/// dimensionless. `None` where all data are the same.
 pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> Option<f64> {
     let mean = data.iter().sum::<f64>() / data.len() as f64;
     let total: f64 = data.iter().map(|value| (value - mean).powi(2)).sum();
@@ -11,7 +11,8 @@ pub(super) fn r_squared(data: &[f64], residuals: &[f64]) -> Option<f64> {
     (total > rounding).then(|| 1.0 - dot(residuals, residuals) / total)
 }
 
-/// Correlation of each residual with the next one in its series, dimensionless: near zero where they are scatter.
+/// Correlation of each residual with the next one in its series, dimensionless: near zero where
+/// they are scatter.
 pub(super) fn autocorrelation<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
     let (mut products, mut squares) = (0.0, 0.0);
     for residuals in series {

@@ -162,7 +162,7 @@ impl ContactLaw for Incremental {
     }
 }
 
-/// Below this z = k_c |Δs| the law is linear to rounding.
+/// Below this z = k_c |Δs| the law is linear to rounding error.
 const SMALL: f64 = 1e-12;
 
 /// The increment as it would be if all of it were like its end, and its derivatives.
@@ -224,7 +224,7 @@ fn product(a: &[[f64; 2]; 2], b: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
     [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
 }
 
-/// 1 − exp(−z), to rounding.
+/// 1 − exp(−z), to rounding error.
 fn saturation_of(z: f64) -> f64 {
     // Where nothing cancels the plain form is the faster one.
     if z > 0.5 { 1.0 - (-z).exp() } else { -(-z).exp_m1() }
@@ -257,7 +257,7 @@ mod tests {
     const K: f64 = 5e6;
 
     /// Neuhaus and Sextro 2014, Eq. (8): for a prescribed straight slip the two forms agree to
-    /// rounding, however the path is cut.
+    /// rounding error, however the path is cut.
     #[test]
     fn neuhaus_sextro_2014_both_forms_agree_for_a_straight_path() {
         let (total, incremental) =

@@ -1,11 +1,11 @@
-//! Kalker's creep coefficients: rolling of an elliptic contact on the half-space without any sliding,
-//! solved as the linear problem it is (Kalker 1990).
+//! Kalker's creep coefficients: rolling of an elliptic contact on the half-space without sliding,
+//! solved as a linear problem (Kalker 1990).
 //!
-//! Nothing slides where the displacement of a point on the rail, relative to where it entered, equals
-//! the rigid slip on its way: A p − (A p)_lead = D. The patch is cut into strips along rolling, narrow
-//! towards the tips (y = b sin θ), and each strip into cells that become short towards its own two
-//! edges (x = h cos φ), where the traction rises steeply. So there are no partly covered cells, and
-//! what is left of the error falls regularly with the grid, which is extrapolated away.
+//! In full adhesion the displacement of a point on the rail, relative to where it entered, equals
+//! the rigid slip along its path: A p − (A p)_lead = D. The patch is cut into strips along rolling,
+//! narrow towards the tips (y = b sin θ), and each strip into cells that become short towards its
+//! two edges (x = h cos φ), where the traction rises steeply. There are no partly covered cells,
+//! and the remaining error decreases regularly with the grid, so it is removed by extrapolation.
 
 mod interpolated;
 mod table;
@@ -26,11 +26,11 @@ pub use interpolated::interpolated_coefficients;
 
 pub(crate) use interpolated::is_tabulated;
 
-/// Creep coefficients of an ellipse of the semi-axes' ratio a/b (dimensionless, a along rolling) for
-/// the combined Poisson's ratio ν (dimensionless). For a/b from 0.1 to 10 they are exact to 0.5 %, C33
-/// to 0.9 %.
+/// Computes the creep coefficients of an ellipse with the axis ratio a/b (dimensionless, a along
+/// rolling) for the combined Poisson's ratio ν (dimensionless). For a/b from 0.1 to 10 they are
+/// exact to 0.5 %, C33 to 0.9 %.
 ///
-/// C23 is that of the moment under lateral creepage, to which the force under spin is equal.
+/// C23 is computed from the moment under lateral creepage, which equals the force under spin.
 ///
 /// ```
 /// use schlupf::kalker_coefficients::{creep_coefficients, interpolated_coefficients};
@@ -61,11 +61,10 @@ fn check(axis_ratio: f64, poisson_ratio: f64) -> Result<(), Error> {
     require(Quantity::PoissonRatio, Requirement::Between(0.0, 0.5), poisson_ratio)
 }
 
-/// Cells along and strips across the patch, of the two grids that are solved on.
+/// Cells along and strips across the patch, for the two grids used.
 const GRIDS: [usize; 2] = [24, 32];
 
-/// With which power of the cell's size the error falls: between 1.4 and 1.8, as measured on grids of 8
-/// to 48 cells.
+/// Order of the error in the cell size: between 1.4 and 1.8, as measured on grids of 8 to 48 cells.
 const ORDER: f64 = 1.5;
 
 /// A cell, in units of √(ab).
@@ -76,13 +75,13 @@ struct Cell {
     entry: f64,
 }
 
-/// The contact without sliding, in units of √(ab) and G: the half y > 0 of the patch.
+/// The contact in full adhesion, in units of √(ab) and G: the half y > 0 of the patch.
 struct Stick {
     bodies: HalfSpace,
     cells: Vec<Cell>,
 }
 
-/// How a traction continues to y < 0.
+/// Continuation of a traction to y < 0.
 #[derive(Clone, Copy)]
 enum Parity {
     /// t_x even, t_y odd: longitudinal creepage.
@@ -118,14 +117,14 @@ impl Stick {
         Ok(Self { bodies, cells })
     }
 
-    /// [C11, C22, C23, C33] of this grid.
+    /// [C11, C22, C23, C33] on this grid.
     fn coefficients(&self) -> [f64; 4] {
         let longitudinal = self.tractions(Parity::Longitudinal, |_, distance| [[distance, 0.0]]);
         let lateral = self.tractions(Parity::Lateral, |cell, distance| {
             let moment = 0.5 * (cell.entry.powi(2) - cell.middle[0].powi(2));
             [[0.0, distance], [-cell.middle[1] * distance, moment]]
         });
-        // Both halves of the patch bear the same part of what does not vanish.
+        // Both halves of the patch contribute equally to what does not vanish.
         let sum = |traction: &Mat<f64>, column: usize, weights: &dyn Fn(&Cell) -> [f64; 2]| {
             let share = |(k, cell): (usize, &Cell)| {
                 let [x, y] = weights(cell);
@@ -143,7 +142,7 @@ impl Stick {
         ]
     }
 
-    /// Tractions without sliding under the rigid slips of each cell, a column for each slip.
+    /// Tractions in full adhesion under the rigid slips of each cell, one column per slip.
     fn tractions<const N: usize>(
         &self,
         parity: Parity,
@@ -185,7 +184,7 @@ impl Stick {
         matrix
     }
 
-    /// Displacement of a point under unit tractions on a cell and on its mirror image in y.
+    /// Displacement of a point due to unit tractions on a cell and on its mirror image in y.
     fn influence(&self, source: &Cell, [x, y]: [f64; 2], parity: Parity) -> [[f64; 2]; 2] {
         let along = x - source.middle[0];
         let of = |across| self.bodies.influence_of(source.size, [along, across]);
@@ -214,8 +213,8 @@ mod tests {
         }
     }
 
-    /// Without lateral contraction a circle has the same coefficient in both directions, C11 = C22
-    /// (Kalker 1990, Table E.3): along rolling and across, two different systems.
+    /// For zero Poisson's ratio a circle has the same coefficient in both directions, C11 = C22
+    /// (Kalker 1990, Table E.3): along and across rolling, two different systems.
     #[test]
     fn kalker_1990_no_lateral_contraction() {
         let [c11, c22, ..] = Stick::new(1.0, 0.0, 12).unwrap().coefficients();

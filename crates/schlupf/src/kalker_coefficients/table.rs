@@ -5,7 +5,8 @@ pub(super) const RATIOS: usize = 12;
 /// Number of Chebyshev polynomials in ν.
 pub(super) const POISSON_RATIOS: usize = 5;
 
-/// Chebyshev coefficients of ln C11, ln C22, ln C23, ln C33 (dimensionless) in log10(a/b) and 4ν − 1.
+/// Chebyshev coefficients of ln C11, ln C22, ln C23, ln C33 (dimensionless) in log10(a/b) and 4ν
+/// − 1.
 #[rustfmt::skip]
 #[allow(clippy::unreadable_literal, reason = "numbers of a program for a program")]
 pub(super) const CHEBYSHEV: [[[f64; POISSON_RATIOS]; RATIOS]; 4] = [

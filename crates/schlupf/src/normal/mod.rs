@@ -33,8 +33,8 @@ pub trait PressureSource: Debug + Send + Sync {
 
     /// With which power of the load the lengths of the patch grow (dimensionless), if the load is
     /// all that changes in the description of the source: 1/3 for two bodies of given curvature, 0
-    /// for a patch whose size is given. `None` where the patch changes its shape or this is not known; then there
-    /// are no derivatives by the load.
+    /// for a patch whose size is given. `None` where the patch changes its shape or this is not
+    /// known; then there are no derivatives by the load.
     fn growth(&self) -> Option<f64> {
         Some(0.0)
     }
@@ -67,8 +67,8 @@ pub struct NormalSummary {
     pub peak_pressure: f64,
     /// Approach of distant points of the two bodies, in m, where the source knows it.
     pub approach: Option<f64>,
-    /// Where the origin of the contact frame lies in the coordinates of the file that the source comes from, x and y
-    /// in m; if it comes from one.
+    /// Where the origin of the contact frame lies in the coordinates of the file that the source
+    /// comes from, x and y in m; if it comes from one.
     pub origin: Option<[f64; 2]>,
     /// Number of separate parts of the patch.
     pub parts: usize,

@@ -17,7 +17,7 @@ const PEAK_RANGE: [f64; 2] = [1.0, 1e14];
 
 /// Normal pressure sampled on an equidistant rectangular lattice, linear in between in each
 /// direction, falling to zero within one spacing outside the lattice. Positions count from the
-/// middle of the patch, whatever the origin of the table was.
+/// centre of the patch, whatever the origin of the table was.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PressureTable {
     x: Axis,
@@ -59,7 +59,8 @@ impl PressureTable {
         Ok(table.seen_from([0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])]))
     }
 
-    /// The same with positions that count from where they were given, not from the middle of the patch.
+    /// The same with positions that count from where they were given, not from the centre of the
+    /// patch.
     pub(crate) fn where_it_is(x: &[f64], y: &[f64], pressure: Vec<f64>) -> Result<Self, Error> {
         let (x, y) = (axis('x', x)?, axis('y', y)?);
         let (quantity, expected, count) =
@@ -94,7 +95,8 @@ impl PressureTable {
         self.origin
     }
 
-    /// Number of separate parts of the positive pressure; samples that touch at a corner belong together.
+    /// Number of separate parts of the positive pressure; samples that touch at a corner belong
+    /// together.
     pub fn parts(&self) -> usize {
         let (columns, rows) = (self.x.count, self.y.count);
         let mut is_open: Vec<bool> = self.pressure.iter().map(|p| *p > 0.0).collect();
@@ -181,7 +183,8 @@ impl PressureTable {
     }
 
     /// Square of the pressure at column `i` and row `j`, in Pa²; where it is zero there but not in
-    /// the row `beside`, the square continued from that row and the next one beyond, not above zero.
+    /// the row `beside`, the square continued from that row and the next one beyond, not above
+    /// zero.
     fn square(&self, i: usize, j: usize, beside: usize) -> f64 {
         let (here, inside) = (self.at(i, j).powi(2), self.at(i, beside).powi(2));
         if here > 0.0 || inside == 0.0 {
@@ -325,7 +328,7 @@ mod tests {
         assert_relative_eq!(extent.y[0], -4e-3, max_relative = 0.01);
     }
 
-    /// Noise around the patch is no contact, and the origin is the middle of the patch.
+    /// Noise around the patch is no contact, and the origin is the centre of the patch.
     #[test]
     fn noise_is_cut_and_the_patch_is_centred() {
         let clean = hertz_table(37);

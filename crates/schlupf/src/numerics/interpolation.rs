@@ -1,12 +1,12 @@
 //! Interpolation: weights, and tables along a line.
 
-/// From one value to another by a share (dimensionless); exact at both ends.
+/// Linear interpolation between two values by a share (dimensionless); exact at both ends.
 pub(crate) fn mix([from, to]: [f64; 2], share: f64) -> f64 {
     (1.0 - share) * from + share * to
 }
 
-/// Value at a position and slope of a table over ascending positions, linear in between and
-/// constant outside.
+/// Value and slope, at a position, of a table over ascending positions, linear between the points
+/// and constant outside.
 pub(crate) fn piecewise_linear(positions: &[f64], values: &[f64], at: f64) -> [f64; 2] {
     let after = positions.partition_point(|position| *position <= at);
     if after == 0 {
@@ -21,14 +21,14 @@ pub(crate) fn piecewise_linear(positions: &[f64], values: &[f64], at: f64) -> [f
     [mix(ends, share), (ends[1] - ends[0]) / width]
 }
 
-/// Weights of the four corners of a rectangle, (0, 0), (1, 0), (0, 1), (1, 1), at shares of its
-/// sides.
+/// Weights of the four corners of a rectangle, (0, 0), (1, 0), (0, 1), (1, 1), at fractional
+/// positions along its sides.
 pub(crate) fn bilinear([x, y]: [f64; 2]) -> [f64; 4] {
     [(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y]
 }
 
-/// First of the four nodes of a regular line around a position in spacings, and their weights in
-/// Lagrange's cubic; near the ends that through the four outermost.
+/// First of the four nodes of a regular line around a position given in spacings, and their weights
+/// in Lagrange's cubic; near the ends the cubic through the four outermost nodes.
 pub(crate) fn cubic(position: f64, nodes: usize) -> (usize, [f64; 4]) {
     let first = (position.floor() - 1.0).clamp(0.0, (nodes - 4) as f64);
     let s = position - first;
@@ -41,7 +41,7 @@ pub(crate) fn cubic(position: f64, nodes: usize) -> (usize, [f64; 4]) {
     (first as usize, weights)
 }
 
-/// Weights, in Hermite's cubic at a share t of an interval, of the values at its ends and of the
+/// Weights, in Hermite's cubic at a fraction t of an interval, of the values at its ends and of the
 /// slopes there times its width.
 pub(crate) fn hermite(t: f64) -> [f64; 4] {
     let rest = 1.0 - t;
@@ -54,8 +54,8 @@ pub(crate) fn hermite_slope(t: f64) -> [f64; 4] {
     [-6.0 * t * rest, 6.0 * t * rest, rest * (1.0 - 3.0 * t), t * (3.0 * t - 2.0)]
 }
 
-/// Weights of four equidistant nodes at a share t of the interval between the middle ones, where
-/// Hermite's cubic has the slopes of their neighbours' differences (Catmull and Rom 1974).
+/// Weights of four equidistant nodes at a fraction t of the interval between the middle two, with
+/// the slopes of Hermite's cubic from the differences of neighbours (Catmull and Rom 1974).
 pub(crate) fn catmull_rom(t: f64) -> [f64; 4] {
     let [from, to, out, into] = hermite(t);
     [-0.5 * out, from - 0.5 * into, to + 0.5 * out, 0.5 * into]
@@ -83,8 +83,8 @@ mod tests {
         }
     }
 
-    /// Lagrange's cubic is exact for cubics, also beside the ends; that of Catmull and Rom for
-    /// parabolas, Hermite's with its derivative for what it is given.
+    /// Lagrange's cubic is exact for cubics, also near the ends; that of Catmull and Rom for
+    /// parabolas; Hermite's cubic and its derivative reproduce the given data.
     #[test]
     fn cubics_are_exact() {
         let cubic_at = |x: f64| 2.0 - x + 0.5 * x * x - 0.25 * x * x * x;

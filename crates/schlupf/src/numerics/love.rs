@@ -1,8 +1,8 @@
-//! What a rectangle of constant load makes of a kernel, from sums over its corners (Love 1929).
+//! Integrals of a kernel over a rectangle from sums over its corners (Love 1929).
 //!
-//! The integral over the rectangle is K(x₂, y₂) − K(x₂, y₁) − K(x₁, y₂) + K(x₁, y₁), with that of
-//! the kernel from the origin to a corner K. For y²/r³ and x²/r³ those are X asinh(Y/|X|) and Y
-//! asinh(X/|Y|), for 1/r their sum. (With logarithms of Y + r, as it is usually written, slender
+//! The integral over the rectangle is K(x₂, y₂) − K(x₂, y₁) − K(x₁, y₂) + K(x₁, y₁), where K is the
+//! integral of the kernel from the origin to a corner. For y²/r³ and x²/r³ K is X asinh(Y/|X|) and
+//! Y asinh(X/|Y|), for 1/r their sum. (With logarithms of Y + r, as it is usually written, slender
 //! rectangles lose seven digits.)
 
 /// X asinh(Y/|X|) and Y asinh(X/|Y|), in the unit of X and Y.
@@ -11,13 +11,13 @@ pub(crate) fn corner([x, y]: [f64; 2]) -> [f64; 2] {
     [times_asinh(x, y), times_asinh(y, x)]
 }
 
-/// The integrals over a rectangle from those to its corners, in rows.
+/// The integrals over a rectangle from those to its corners, row by row.
 pub(crate) fn rectangle<const N: usize>([[a, b], [c, d]]: [[[f64; N]; 2]; 2]) -> [f64; N] {
     std::array::from_fn(|k| d[k] - b[k] - c[k] + a[k])
 }
 
-/// The integrals over the cells of a regular lattice, whose first cell has its middle at the
-/// origin, row after row. Each corner counts once.
+/// The integrals over the cells of a regular lattice, whose first cell is centred at the origin,
+/// row after row. Each corner is evaluated once.
 pub(crate) fn cells<const N: usize>(
     spacing: [f64; 2],
     [columns, rows]: [usize; 2],
@@ -42,8 +42,8 @@ pub(crate) fn cells<const N: usize>(
 mod tests {
     use super::*;
 
-    /// Love 1929: ∫ dA/r over a square of half-side 1 about its middle is 8 asinh 1, and what
-    /// rectangles make together they make alone.
+    /// Love 1929: ∫ dA/r over a square of half-side 1 about its centre is 8 asinh 1, and cells
+    /// evaluated together give the same integrals as each on its own.
     #[test]
     fn love_1929_a_square() {
         let potential = |at: [f64; 2]| [corner(at).iter().sum::<f64>()];

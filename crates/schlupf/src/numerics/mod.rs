@@ -1,5 +1,5 @@
-//! What several modules compute alike: sums over vectors, interpolation, roots and minima, sums
-//! over the corners of rectangles.
+//! Shared numerics: vector operations, interpolation, roots and minima, sums over the corners of
+//! rectangles.
 
 pub(crate) mod interpolation;
 pub(crate) mod love;

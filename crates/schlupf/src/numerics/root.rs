@@ -1,7 +1,7 @@
 //! Roots, minima and fixed points.
 
-/// What is left of an interval that was halved so many times about the place where `is_below`,
-/// which holds at its first end, stops holding.
+/// The interval that remains after so many bisections about the point where `is_below`, which holds
+/// at its first end, ceases to hold.
 pub(crate) fn bisection(
     [mut low, mut high]: [f64; 2],
     halvings: u32,
@@ -17,8 +17,8 @@ pub(crate) fn bisection(
 /// The golden section, ½ (√5 − 1).
 pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Where a function is least in an interval with one minimum, by the golden section in so many
-/// steps.
+/// The minimum of a function with a single minimum in an interval, by golden-section search with so
+/// many steps.
 pub(crate) fn golden_section(
     [mut low, mut high]: [f64; 2],
     steps: u32,
@@ -35,15 +35,15 @@ pub(crate) fn golden_section(
     0.5 * (low + high)
 }
 
-/// Most evaluations; a root to rounding takes some five.
+/// Maximum number of evaluations; a root to rounding error takes some five.
 const EVALUATIONS: usize = 60;
 
 /// Relative accuracy of a fixed point.
 const ACCURACY: f64 = 1e-12;
 
-/// The x ≥ 0 with answer(x) = x: by the secant through the last two, and by
-/// bisection where that leaves what is known to hold the root. `answer` is never negative. Where
-/// there are several roots, one of them.
+/// The x ≥ 0 with answer(x) = x: by the secant through the last two points, and by bisection if
+/// that leaves the bracket. `answer` is never negative. If there are several roots, one of them is
+/// returned.
 pub(crate) fn fixed_point(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut tried = start;
@@ -60,7 +60,7 @@ pub(crate) fn fixed_point(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64
             high = tried;
         }
         let next = match last {
-            // Every eighth step halves, lest one end of the interval stand still.
+            // Every eighth step bisects, so that neither end of the interval stagnates.
             Some([before, excess_before]) if excess != excess_before && evaluation % 8 != 7 => {
                 tried - excess * (tried - before) / (excess - excess_before)
             }
@@ -89,12 +89,13 @@ mod tests {
     fn roots_and_minima_are_found() {
         let [below, above] = bisection([0.0, 4.0], 60, |x| x * x < 2.0);
         assert!(below * below < 2.0 && above * above >= 2.0 && above - below < 3e-16);
-        // A minimum is as sharp as its value is rounded.
+        // A minimum is only as sharp as the rounding of its value allows.
         let least = golden_section([-1.0, 3.0], 60, |x| (x - 0.3).powi(2));
         assert!((least - 0.3).abs() < 1e-8, "{least}");
     }
 
-    /// Mild and steep falls, a rise, a jump, and a root near zero; in few evaluations where it is smooth.
+    /// Mild and steep decreases, an increase, a jump, and a root near zero; with few evaluations
+    /// where the function is smooth.
     #[test]
     fn roots_are_found() {
         let count = |answer: &dyn Fn(f64) -> f64, root: f64| {

@@ -1,9 +1,9 @@
 //! Products, norms and sums of vectors.
 
-/// Sums that run side by side.
+/// Number of partial sums accumulated side by side.
 const LANES: usize = 8;
 
-/// v · w of vectors of one length.
+/// v · w of vectors of equal length.
 pub(crate) fn dot(v: &[f64], w: &[f64]) -> f64 {
     let (v, w) = (v.chunks_exact(LANES), w.chunks_exact(LANES));
     let rest: f64 = v.remainder().iter().zip(w.remainder()).map(|(v, w)| v * w).sum();

@@ -15,7 +15,7 @@ const GAUSS: [(f64, f64); 4] = [
 ];
 
 /// Largest interval of the rule, in rad: the pressure of a strip goes as cos³, which eight nodes
-/// then integrate to rounding.
+/// then integrate to rounding error.
 const LONGEST_INTERVAL: f64 = 0.4;
 
 /// The patch x²/a² + y²/b² < 1 under p0 √(1 − x²/a² − y²/b²).

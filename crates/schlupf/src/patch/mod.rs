@@ -105,7 +105,8 @@ impl Travel {
 }
 
 impl Cell {
-    /// Where the material of the cell entered the contact (in m), on the mean over its covered part.
+    /// Where the material of the cell entered the contact (in m), on the mean over its covered
+    /// part.
     pub fn entry_x(&self) -> f64 {
         self.x + self.since_entry.distance
     }

@@ -11,7 +11,8 @@ use std::f64::consts::FRAC_PI_2;
 /// t = −μ p0 (√(1 − x²/a²) − (c/a) √(1 − (x − d)²/c²)), d = a − c,
 ///
 /// and as q0 √(1 − x²/a²) stretches the two surfaces by 2 q0 (1 − ν) x/(G a) against each other,
-/// they stick where ξ = 2 μ p0 (1 − ν) d/(G a). Limits: similar bodies, no lateral creepage, no spin.
+/// they stick where ξ = 2 μ p0 (1 − ν) d/(G a). Limits: similar bodies, no lateral creepage, no
+/// spin.
 ///
 /// ```
 /// use schlupf::reference::carter::Carter;
@@ -101,8 +102,8 @@ mod tests {
         assert_eq!(STEEL.force_over_limit(0.0).abs(), 0.0);
     }
 
-    /// The traction sums up to the force, is that of sliding behind the sticking zone and stays below
-    /// within it.
+    /// The traction sums up to the force, is that of sliding behind the sticking zone and stays
+    /// below within it.
     #[test]
     fn traction_adds_up_to_the_force() {
         const NODES: u32 = 20_000;

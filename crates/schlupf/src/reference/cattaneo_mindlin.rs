@@ -1,8 +1,8 @@
 //! Tangential shift of two spheres in contact: Cattaneo 1938; Mindlin 1949; Johnson, *Contact
 //! Mechanics* (1985), §7.2(d).
 
-/// Two spheres in a circular contact under the pressure p0 √(1 − r²/a²), shifted by less than sliding
-/// takes.
+/// Two spheres in a circular contact under the pressure p0 √(1 − r²/a²), shifted by less than
+/// sliding takes.
 ///
 /// A disk of radius c in the middle sticks, a ring around it slides. The traction is that of full
 /// sliding less one of the same shape on the disk,
@@ -43,8 +43,8 @@ impl CattaneoMindlin {
         3.0 * limit * (2.0 - self.poisson_ratio) / (8.0 * self.shear_modulus * self.radius)
     }
 
-    /// Shift of the two bodies against each other (in m) under a force over μN (dimensionless, 0 to 1):
-    /// δ = δ₁ (1 − (1 − F/μN)^⅔) (Johnson 1985, §7.2(d)).
+    /// Shift of the two bodies against each other (in m) under a force over μN (dimensionless, 0 to
+    /// 1): δ = δ₁ (1 − (1 − F/μN)^⅔) (Johnson 1985, §7.2(d)).
     pub fn shift(&self, force_over_limit: f64) -> f64 {
         let stick = self.stick_radius(force_over_limit) / self.radius;
         self.full_sliding_shift() * (1.0 - stick * stick)

@@ -1,22 +1,22 @@
-//! Rolling of an ellipse that is slender along rolling, strip by strip: Haines and Ollerton, *Contact
-//! stress distributions on elliptical contact surfaces subjected to radial and tangential forces*,
-//! Proc. Instn Mech. Engrs 177 (1963); Johnson, *Contact Mechanics* (1985), §8.4.
+//! Rolling of an ellipse that is slender along rolling, strip by strip: Haines and Ollerton,
+//! *Contact stress distributions on elliptical contact surfaces subjected to radial and tangential
+//! forces*, Proc. Instn Mech. Engrs 177 (1963); Johnson, *Contact Mechanics* (1985), §8.4.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::carter::Carter;
 
-/// An elliptic contact under p0 √(1 − x²/a² − y²/b²) that rolls with longitudinal creepage, as a row of
-/// strips in plane strain, each of them one of [`Carter`].
+/// An elliptic contact under p0 √(1 − x²/a² − y²/b²) that rolls with longitudinal creepage, as a
+/// row of strips in plane strain, each of them one of [`Carter`].
 ///
-/// The strip at y has half the length a(y) = a √(1 − y²/b²) and the largest pressure
-/// p0 √(1 − y²/b²). As p0/a is the same in all of them, the middle of the sticking zone lies ahead of that
-/// of the strip by the same d = a(y) − c(y) in all, ξ = 2 μ p0 (1 − ν) d/(G a), and strips with a(y) < d
-/// slide as a whole.
+/// The strip at y has half the length a(y) = a √(1 − y²/b²) and the largest pressure p0 √(1 −
+/// y²/b²). As p0/a is the same in all of them, the middle of the sticking zone lies ahead of that
+/// of the strip by the same d = a(y) − c(y) in all, ξ = 2 μ p0 (1 − ν) d/(G a), and strips with
+/// a(y) < d slide as a whole.
 ///
-/// Limits: a ≪ b; similar bodies; no lateral creepage, no spin. What the strips do to each other is left
-/// out: at a/b = 0.1 (0.2) the force under a small creepage is 0.9 % (2.6 %) too small for ν = 0.25, and 1.9 %
-/// (4.9 %) for ν = 0 (against `data/kalker_coefficients.csv`).
+/// Limits: a ≪ b; similar bodies; no lateral creepage, no spin. What the strips do to each other is
+/// left out: at a/b = 0.1 (0.2) the force under a small creepage is 0.9 % (2.6 %) too small for ν =
+/// 0.25, and 1.9 % (4.9 %) for ν = 0 (against `data/kalker_coefficients.csv`).
 ///
 /// ```
 /// use schlupf::reference::haines_ollerton::HainesOllerton;
@@ -70,8 +70,8 @@ impl HainesOllerton {
 
     /// Force on the wheel over μN (dimensionless) under the creepage ξ (dimensionless).
     ///
-    /// With κ = d/a = |ξ| over the creepage of full sliding, the strips of |y| < b √(1 − κ²) stick in part,
-    /// and what they lack of full sliding, (c/a)² of each strip's own load, sums up to
+    /// With κ = d/a = |ξ| over the creepage of full sliding, the strips of |y| < b √(1 − κ²) stick
+    /// in part, and what they lack of full sliding, (c/a)² of each strip's own load, sums up to
     ///
     /// F/μN = −sgn ξ (1 − (3/2) √(1 − κ²) + ½ (1 − κ²)^{3/2} + (3/2) κ acos κ).
     pub fn force_over_limit(&self, creepage: f64) -> f64 {

@@ -3,8 +3,8 @@
 use crate::kinematics::Kinematics;
 use crate::solution::Resultant;
 
-/// Creep coefficients of an elliptic contact (Kalker 1967; Kalker, *Three-dimensional elastic bodies
-/// in rolling contact*, 1990, Table E.3).
+/// Creep coefficients of an elliptic contact (Kalker 1967; Kalker, *Three-dimensional elastic
+/// bodies in rolling contact*, 1990, Table E.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CreepCoefficients {
     /// C11: longitudinal force under longitudinal creepage, dimensionless.
@@ -56,8 +56,8 @@ mod tests {
 
     use super::*;
 
-    /// Vollebregt 2022 (CONTACT, case R0.5_001): a/b = 0.5, ξ = 1e-5, μ = 0.3, N = 52 359.878 N, steel
-    /// of E = 210 GPa, ν = 0.28 give Fx = −0.00488 μN; coefficients from
+    /// Vollebregt 2022 (CONTACT, case R0.5_001): a/b = 0.5, ξ = 1e-5, μ = 0.3, N = 52 359.878 N,
+    /// steel of E = 210 GPa, ν = 0.28 give Fx = −0.00488 μN; coefficients from
     /// `data/kalker_coefficients.csv`.
     #[test]
     fn vollebregt_2022_force_of_a_small_creepage() {

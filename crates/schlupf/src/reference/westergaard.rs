@@ -1,5 +1,6 @@
 //! A wavy surface pressed against a flat one: Westergaard 1939, J. Appl. Mech. 6, 49; Johnson,
-//! Greenwood and Higginson 1985, Int. J. Mech. Sci. 27, 383; Johnson, *Contact Mechanics* (1985), §13.2.
+//! Greenwood and Higginson 1985, Int. J. Mech. Sci. 27, 383; Johnson, *Contact Mechanics* (1985),
+//! §13.2.
 
 use std::f64::consts::PI;
 
@@ -28,14 +29,14 @@ impl Westergaard {
         PI * self.contact_modulus * self.amplitude / self.wavelength
     }
 
-    /// Width of the strip of contact in each wave over the wavelength, 2a/λ = (2/π) arcsin √(p̄/p*),
-    /// dimensionless, under a mean pressure p̄ (in Pa).
+    /// Width of the strip of contact in each wave over the wavelength, 2a/λ = (2/π) arcsin
+    /// √(p̄/p*), dimensionless, under a mean pressure p̄ (in Pa).
     pub fn contact_fraction(&self, mean_pressure: f64) -> f64 {
         2.0 / PI * (mean_pressure / self.closing_pressure()).min(1.0).sqrt().asin()
     }
 
-    /// Pressure (in Pa) at the distance x from a crest (in m) under a mean pressure p̄ (in Pa):
-    /// p = (2p̄ cos ψ/sin² ψₐ) √(sin² ψₐ − sin² ψ) with ψ = πx/λ in the strip |x| < a; in full contact
+    /// Pressure (in Pa) at the distance x from a crest (in m) under a mean pressure p̄ (in Pa): p =
+    /// (2p̄ cos ψ/sin² ψₐ) √(sin² ψₐ − sin² ψ) with ψ = πx/λ in the strip |x| < a; in full contact
     /// p = p̄ + p* cos 2ψ.
     pub fn pressure(&self, mean_pressure: f64, x: f64) -> f64 {
         let psi = PI * x / self.wavelength;

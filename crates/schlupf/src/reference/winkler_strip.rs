@@ -6,8 +6,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Force over μN (dimensionless, magnitude) under a pure creepage of magnitude ξ (dimensionless).
 ///
 /// With κ = c ξ a/(μ p0), c the bedding in N/m³, the traction of every strip of half-length h rises
-/// linearly from the leading edge, c ξ h (1 − s) at x = h s, and meets the bound μ p0 (h/a) √(1 − s²)
-/// at s = (κ² − 1)/(κ² + 1), the same in all strips; behind it the strip slides. Integrated,
+/// linearly from the leading edge, c ξ h (1 − s) at x = h s, and meets the bound μ p0 (h/a) √(1 −
+/// s²) at s = (κ² − 1)/(κ² + 1), the same in all strips; behind it the strip slides. Integrated,
 ///
 /// F/μN = (κ (1 − s)² + asin s + s √(1 − s²) + π/2)/π.
 ///

@@ -12,8 +12,8 @@ use crate::problem::Problem;
 use crate::reference::kalker_linear::CreepCoefficients;
 use crate::solution::Resultant;
 
-/// An elliptic contact of two half-spaces. A patch that is no ellipse counts as one with its length and
-/// width.
+/// An elliptic contact of two half-spaces. A patch that is no ellipse counts as one with its length
+/// and width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EllipticContact {
     /// Load and semi-axes.

@@ -1,5 +1,5 @@
-//! Fast methods for the forces of steady rolling, with the problems and solutions of the full solver: for
-//! multibody codes, and to compare with.
+//! Fast methods for the forces of steady rolling, with the problems and solutions of the full
+//! solver: for multibody codes, and to compare with.
 //!
 //! | method | gives | cost |
 //! |---|---|---|
@@ -96,7 +96,7 @@ impl FastContact {
     /// ```
     ///
     /// # Errors
-    /// Whatever [`FastMethod::check`], [`Problem::check`] and [`Options::check`] refuse.
+    /// Whatever [`FastMethod::check`], [`Problem::check`] and [`Options::check`] reject.
     pub fn new(problem: &Problem, method: FastMethod, options: &Options) -> Result<Self, Error> {
         options.check()?;
         method.check()?;
@@ -128,8 +128,8 @@ impl FastContact {
         Ok(())
     }
 
-    /// Takes over another load (in N); the patch grows as its source says. Allocates nothing, unless that
-    /// changes its shape.
+    /// Takes over another load (in N); the patch grows as its source says. Allocates nothing,
+    /// unless that changes its shape.
     pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
         let problem = &self.at.problem;
         let contact = problem.normal.normal_contact(Some(load))?;
@@ -149,11 +149,11 @@ impl FastContact {
         Ok(())
     }
 
-    /// Forces and moment on the wheel that moves like this; a moment that the method does not give is
-    /// `None`. Allocates nothing.
+    /// Forces and moment on the wheel that moves like this; a moment that the method does not give
+    /// is `None`. Allocates nothing.
     ///
     /// # Errors
-    /// Whatever [`Kinematics::check`] refuses.
+    /// Whatever [`Kinematics::check`] rejects.
     pub fn force(&mut self, motion: &Kinematics) -> Result<Resultant, Error> {
         motion.check()?;
         self.at.set_motion(motion);
@@ -173,14 +173,14 @@ impl FastContact {
         }
     }
 
-    /// The solution of the problem. Where the method has no fields there are no cells, and temperatures,
-    /// areas of stick and slip, and whatever else it does not know are `None`.
+    /// The solution of the problem. Where the method has no fields there are no cells, and
+    /// temperatures, areas of stick and slip, and whatever else it does not know are `None`.
     pub fn solution(&mut self) -> Solution {
         let solution = self.solution_at_patch();
         self.at.back(solution)
     }
 
-    /// The same with the middle of the patch as its reference point.
+    /// The same with the centre of the patch as its reference point.
     fn solution_at_patch(&mut self) -> Solution {
         let force = self.present_force();
         let (problem, normal) = (&self.at.problem, &self.contact.normal);

@@ -10,20 +10,22 @@ use super::EllipticContact;
 
 /// Forces on the wheel for a friction limit μN, in N; the moment is unknown: NaN.
 ///
-/// With the lateral creepage η_c = η + φa if that is larger in magnitude than η, else η, the total one
-/// ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν of the [stress gradient](EllipticContact::stress_gradient) ε:
+/// With the lateral creepage η_c = η + φa if that is larger in magnitude than η, else η, the total
+/// one ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν of the [stress
+/// gradient](EllipticContact::stress_gradient) ε:
 ///
 /// F = (2/π) μN (k_A ε_c/(1 + (k_A ε_c)²) + arctan(k_S ε_c)),
 /// Fx = −F ξ/ν_c, Fy = −F η/ν_c − (9/16) a μN K_M (1 + 6.3 (1 − e^(−a/b))) φ/ν_c,
 ///
-/// where K_M = −|ε_s| (δ³/3 − δ²/2 + 1/6) + ⅓ (1 − δ²)^(3/2), δ = (ε_s² − 1)/(ε_s² + 1) and
-/// ε_s = (8/3) G b √(ab) C23 |η_c|/(μN (1 + 6.3 (1 − e^(−a/b)))). For small creepages these are Kalker's forces, that under
-/// creepage times (k_A + k_S)/2.
+/// where K_M = −|ε_s| (δ³/3 − δ²/2 + 1/6) + ⅓ (1 − δ²)^(3/2), δ = (ε_s² − 1)/(ε_s² + 1) and ε_s =
+/// (8/3) G b √(ab) C23 |η_c|/(μN (1 + 6.3 (1 − e^(−a/b)))). For small creepages these are Kalker's
+/// forces, that under creepage times (k_A + k_S)/2.
 ///
-/// Sources: Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dynamics Suppl. 33 (1999) 728–739, with
-/// k_A = k_S = 1; Polach, Creep forces in simulations of traction vehicles running on adhesion limit, Wear 258
-/// (2005) 992–1000, for k_A, k_S and the falling friction. Limits: no moment; the force of spin is
-/// added without another cut, so both together may exceed μN by some per cent.
+/// Sources: Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dynamics
+/// Suppl. 33 (1999) 728–739, with k_A = k_S = 1; Polach, Creep forces in simulations of traction
+/// vehicles running on adhesion limit, Wear 258 (2005) 992–1000, for k_A, k_S and the falling
+/// friction. Limits: no moment; the force of spin is added without another cut, so both together
+/// may exceed μN by some per cent.
 pub fn force(
     contact: &EllipticContact,
     kinematics: &Kinematics,
@@ -129,8 +131,8 @@ fn spin_gradient(contact: &EllipticContact, eta_c: f64, limit: f64) -> [f64; 2] 
     [9.0 / 16.0 * a * shape, gradient]
 }
 
-/// K_M, dimensionless. With 1 − δ = 2/(1 + ε²) the first term is ε (1 − δ)² (1 + 2δ)/6, in which nothing
-/// cancels.
+/// K_M, dimensionless. With 1 − δ = 2/(1 + ε²) the first term is ε (1 − δ)² (1 + 2δ)/6, in which
+/// nothing cancels.
 fn spin_saturation(gradient: f64) -> f64 {
     let rest = 2.0 / (1.0 + gradient * gradient);
     let delta = 1.0 - rest;

@@ -5,16 +5,16 @@ use crate::solution::Resultant;
 
 use super::EllipticContact;
 
-/// Forces and moment on the wheel, all three the linear ones times |F|/|F_lin|, for a friction limit μN
-/// (in N):
+/// Forces and moment on the wheel, all three the linear ones times |F|/|F_lin|, for a friction
+/// limit μN (in N):
 ///
 /// |F|/μN = ρ − ρ²/3 + ρ³/27 with ρ = |F_lin|/μN up to 3, and 1 beyond.
 ///
-/// Sources: Vermeulen and Johnson, Contact of nonspherical elastic bodies transmitting tangential forces, J. Appl. Mech. 31
-/// (1964) 338–340; Shen, Hedrick and Elkins, A comparison of alternative creep force models for rail vehicle dynamic analysis,
-/// 8th IAVSD Symposium (1983) 591–605, who put Kalker's linear forces with spin into it. Limits:
-/// small spin, as large spin saturates the force in another way; the moment is scaled like the
-/// forces, which the sources leave open.
+/// Sources: Vermeulen and Johnson, Contact of nonspherical elastic bodies transmitting tangential
+/// forces, J. Appl. Mech. 31 (1964) 338–340; Shen, Hedrick and Elkins, A comparison of alternative
+/// creep force models for rail vehicle dynamic analysis, 8th IAVSD Symposium (1983) 591–605, who
+/// put Kalker's linear forces with spin into it. Limits: small spin, as large spin saturates the
+/// force in another way; the moment is scaled like the forces, which the sources leave open.
 pub fn force(contact: &EllipticContact, kinematics: &Kinematics, limit: f64) -> Resultant {
     let linear = contact.linear_force(kinematics);
     let saturation = reduction(linear.tangential() / limit);
@@ -31,7 +31,8 @@ mod tests {
     use super::reduction;
     use approx::assert_relative_eq;
 
-    /// Vermeulen and Johnson 1964: |F|/μN = 1 − (1 − ρ/3)³, which is 19/27 at ρ = 1 and 1 from ρ = 3 on.
+    /// Vermeulen and Johnson 1964: |F|/μN = 1 − (1 − ρ/3)³, which is 19/27 at ρ = 1 and 1 from ρ =
+    /// 3 on.
     #[test]
     fn vermeulen_johnson_1964_saturation() {
         assert_relative_eq!(reduction(1.0), 19.0 / 27.0, max_relative = 1e-14);

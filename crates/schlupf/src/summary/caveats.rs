@@ -1,4 +1,4 @@
-//! What the reader of temperatures must know.
+//! Warnings for whoever uses the temperatures.
 
 use crate::heat::peclet::semi_axes;
 use crate::material::{Material, Side};
@@ -8,17 +8,18 @@ use crate::warning::{HeatLimit, Unconverged, Warning};
 
 use super::snapshot::{Snapshot, View};
 
-/// Temperature from which on steel austenitises (A1, 1000 K), in degC: it takes up heat without
-/// warming, has lost half of its stiffness, and is another steel afterwards.
+/// Temperature above which steel austenitises (A1, 1000 K), in degC: it absorbs latent heat, has
+/// lost half of its stiffness, and has a different microstructure afterwards.
 const AUSTENITE: f64 = 727.0;
 
 /// Solidus of rail steel with 0.8 % carbon, in degC.
 const MOLTEN: f64 = 1380.0;
 
-/// Part by which stiffness and density of a steel may differ from that of wheels and rails.
+/// Relative difference by which stiffness and density of a steel may differ from those of wheels
+/// and rails.
 const STEEL_RANGE: f64 = 0.15;
 
-/// Whatever the reader of the temperatures must know.
+/// Warnings for whoever uses the temperatures.
 pub(crate) fn of_temperatures(
     problem: &Problem,
     View { normal, patch, now }: View,
@@ -34,7 +35,8 @@ pub(crate) fn of_temperatures(
     caveats
 }
 
-/// Temperatures with conduction perpendicular to the surface that is too slow for it.
+/// Warns of temperatures with conduction perpendicular to the surface where rolling is too slow for
+/// it.
 fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) -> Option<Warning> {
     let [wheel, rail] = now.conduction.bulk_temperatures();
     let is_any = now.rise.iter().any(|rise| *rise != 0.0) || wheel != rail;

@@ -1,4 +1,4 @@
-//! From the fields of an instant to forces, powers and everything else that is reported.
+//! Forces, powers and all other reported results from the fields of an instant.
 
 pub(crate) mod caveats;
 pub(crate) mod snapshot;
@@ -19,7 +19,7 @@ use crate::warning::Warning;
 
 use snapshot::{Snapshot, View};
 
-/// What a driver knows beside the fields.
+/// What a driver knows in addition to the fields.
 pub(crate) struct Account {
     pub method: Method,
     pub status: Status,
@@ -81,7 +81,7 @@ pub(crate) fn force(patch: &Patch, now: &Snapshot) -> Resultant {
     resultant(patch, &now.traction)
 }
 
-/// Forces and moment on the wheel of a traction on the rail.
+/// Forces and moment on the wheel for a traction on the rail.
 pub(crate) fn resultant(patch: &Patch, traction: &[f64]) -> Resultant {
     let area = patch.grid.cell_area();
     let [mut x, mut y, mut moment_z] = [0.0; 3];
@@ -104,7 +104,7 @@ pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Option<
     Some(Power { friction, creep, returned, into_wheel, into_rail, exchanged: None })
 }
 
-/// What is kept of an instant at a time (in s) and after a distance (in m), with its own powers.
+/// The record of an instant at a time (in s) and after a distance (in m), with its own powers.
 pub(crate) fn instant(
     View { normal, patch, now }: View,
     [time, distance]: [f64; 2],
@@ -137,10 +137,11 @@ fn exchanged(problem: &Problem, patch: &Patch, now: &Snapshot) -> f64 {
     chill(problem, patch, now.kinematics.speed / conduction.slowness()) * step
 }
 
-/// Heat flow through the contact over the step from the wheel's bulk to its temperature in the
-/// contact (in W/K), of a surface of the wheel that moves with a speed in m/s. A surface held by
-/// T_w − T_m below its bulk gives 2 β_w (T_w − T_m) √(t/π) over area in a time t (Carslaw and
-/// Jaeger 1959, §2.5), in the contact L/v_w, and v_w dy of it passes every second.
+/// Heat flow through the contact divided by the step from the wheel's bulk temperature to its
+/// contact temperature (in W/K), for a surface of the wheel that moves at a speed in m/s. A surface
+/// held at T_w − T_m below its bulk temperature absorbs 2 β_w (T_w − T_m) √(t/π) per unit area in a
+/// time t (Carslaw and Jaeger 1959, §2.5), which is L/v_w in the contact, and v_w dy of it passes
+/// every second.
 pub(crate) fn chill(problem: &Problem, patch: &Patch, wheel_speed: f64) -> f64 {
     let of_strip = |strip: &Strip| {
         let covered: f64 = patch.cells[strip.cells.clone()].iter().map(|c| c.covered).sum();
@@ -150,13 +151,13 @@ pub(crate) fn chill(problem: &Problem, patch: &Patch, wheel_speed: f64) -> f64 {
     2.0 * problem.wheel.material.effusivity() * patch.grid.spacing_y * sum
 }
 
-/// −v0 (ξ Fx + η Fy + φ Mz), in W, if the moment is known where there is spin.
+/// −v0 (ξ Fx + η Fy + φ Mz), in W, if the moment is known or there is no spin.
 pub(crate) fn creep_power(motion: &Kinematics, force: &Resultant) -> Option<f64> {
     let along = motion.creepage_x * force.x + motion.creepage_y * force.y;
     Some(-motion.speed * (along + turning(motion, force)?))
 }
 
-/// φ Mz, in N. Without spin the moment does not count, not even an unknown one.
+/// φ Mz, in N. Without spin the moment is irrelevant, even if unknown.
 fn turning(motion: &Kinematics, force: &Resultant) -> Option<f64> {
     if motion.spin == 0.0 { Some(0.0) } else { Some(motion.spin * force.moment_z?) }
 }
@@ -170,7 +171,7 @@ pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
 /// Largest temperatures, in the cells and at the trailing edges.
 pub(crate) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
     let bulk = now.conduction.bulk_temperatures();
-    // Both surfaces follow from the rise, of which less is lost by rounding, or are found on their own.
+    // Both surfaces follow from the rise, with less rounding error, or are found separately.
     let key = |rise: f64, surfaces: [f64; 2]| {
         if now.surfaces.is_some() { surfaces } else { [rise; 2] }
     };

@@ -6,7 +6,8 @@ use crate::kinematics::Kinematics;
 use crate::normal::NormalSummary;
 use crate::patch::Patch;
 
-/// The contact at one instant; per cell in the order of the patch, vectors as x, y of each cell.
+/// The contact at one instant; per cell in the order of the patch, vectors as x, y of each cell in
+/// turn.
 #[derive(Debug, Clone)]
 pub(crate) struct Snapshot {
     pub kinematics: Kinematics,
@@ -23,17 +24,18 @@ pub(crate) struct Snapshot {
     pub friction: Vec<f64>,
     /// Temperature rise times effusivity in each cell, in W √s/m².
     pub rise: Vec<f64>,
-    /// Friction power per area p·slip in each cell, in W/m².
+    /// Friction power per unit area p·slip in each cell, in W/m².
     pub friction_power: Vec<f64>,
     /// Elastic energy of the tangential tractions, in J.
     pub stored_energy: f64,
     /// Temperature rise times effusivity at the trailing edge of each strip, in W √s/m².
     pub exit_rise: Vec<f64>,
-    /// Both surfaces where heat flows along them too: they do not follow from the rises then.
+    /// Surface temperatures of both bodies if heat also flows along them: they do not follow from
+    /// the rises then.
     pub surfaces: Option<Surfaces>,
 }
 
-/// A contact at one instant, as it is summed up.
+/// A contact at one instant, as input of the summary.
 #[derive(Clone, Copy)]
 pub(crate) struct View<'a> {
     pub normal: &'a NormalSummary,
@@ -42,7 +44,7 @@ pub(crate) struct View<'a> {
 }
 
 impl Snapshot {
-    /// Nothing has happened in any of `cells` cells.
+    /// A snapshot of `cells` cells in which nothing has happened.
     pub fn blank(kinematics: Kinematics, conduction: Conduction, cells: usize) -> Self {
         Self {
             kinematics,

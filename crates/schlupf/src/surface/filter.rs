@@ -1,8 +1,9 @@
-//! Waviness taken off by the Gaussian filter: of profiles after ISO 16610-21, of maps after ISO 16610-61.
+//! Waviness taken off by the Gaussian filter: of profiles after ISO 16610-21, of maps after ISO
+//! 16610-61.
 //!
-//! Waviness is the mean of the heights with the weights exp(−π (x/(α λc))²), α = √(ln 2/π), along x and
-//! y. A wave of the cut-off wavelength λc keeps half of its height, one of λ keeps
-//! 1 − exp(−π (α λc/λ)²). Near an edge the mean goes over what is there.
+//! Waviness is the mean of the heights with the weights exp(−π (x/(α λc))²), α = √(ln 2/π), along x
+//! and y. A wave of the cut-off wavelength λc keeps half of its height, one of λ keeps 1 − exp(−π
+//! (α λc/λ)²). Near an edge the mean goes over what is there.
 
 use std::f64::consts::{LN_2, PI};
 
@@ -106,8 +107,8 @@ mod tests {
 
     use super::*;
 
-    /// Goal: the transmission of ISO 16610-21 and -61, 1 − exp(−π (α λc/λ)²): half at the cut-off. Away
-    /// from the edges, for waves along x, along y and askew.
+    /// Goal: the transmission of ISO 16610-21 and -61, 1 − exp(−π (α λc/λ)²): half at the cut-off.
+    /// Away from the edges, for waves along x, along y and askew.
     #[test]
     fn iso_16610_transmission() {
         let lattice = Lattice { columns: 200, rows: 160, spacing_x: 1e-6, spacing_y: 1.5e-6 };

@@ -1,4 +1,5 @@
-//! Removal of form: the plane, cylinder or sphere that fits a surface best (ISO 25178-2, F-operator).
+//! Removal of form: the plane, cylinder or sphere that fits a surface best (ISO 25178-2,
+//! F-operator).
 //!
 //! The sum of the squared vertical deviations is least. Cylinder and sphere are the quadric
 //!
@@ -85,8 +86,8 @@ impl HeightMap {
     }
 }
 
-/// Heights (in m) along a line, points apart by a spacing (in m), over the circle that fits best, and its
-/// radius (in m), positive where convex.
+/// Heights (in m) along a line, points apart by a spacing (in m), over the circle that fits best,
+/// and its radius (in m), positive where convex.
 pub(super) fn line_without_circle(spacing: f64, heights: &[f64]) -> Result<(Vec<f64>, f64), Error> {
     let half = 0.5 * heights.len() as f64;
     let scale = half * spacing;
@@ -109,9 +110,9 @@ fn half_turn(angle: f64) -> f64 {
     angle - PI * (angle / PI).round()
 }
 
-/// Parameters of the quadric, all lengths over the scale: height c and slopes in the middle, curvature
-/// κ (negative where convex), and the angle of a cylinder's axis. From the best paraboloid
-/// 1, x, y, x², xy, y².
+/// Parameters of the quadric, all lengths over the scale: height c and slopes in the middle,
+/// curvature κ (negative where convex), and the angle of a cylinder's axis. From the best
+/// paraboloid 1, x, y, x², xy, y².
 fn start(paraboloid: &[f64], form: Form) -> Vec<f64> {
     let [c, slope_x, slope_y, xx, xy, yy] = [0, 1, 2, 3, 4, 5].map(|k| paraboloid[k]);
     let mut parameters = vec![c, slope_x, slope_y, xx + yy];
@@ -261,7 +262,8 @@ mod tests {
         assert_eq!(removal.radius.abs(), f64::INFINITY);
     }
 
-    /// A ball of radius 2 mm whose summit lies beside the middle, and a cup: exact to rounding.
+    /// A ball of radius 2 mm whose summit lies beside the middle, and a cup: exact to rounding
+    /// error.
     #[test]
     fn a_sphere_is_taken_off() {
         for sign in [1.0, -1.0] {

@@ -18,7 +18,8 @@ pub enum Holes {
 /// At most this part of the cells or points may be holes, dimensionless.
 const LARGEST_SHARE: f64 = 0.5;
 
-/// Residual of a cell (root mean square) over the range of heights, dimensionless; and more iterations than reach it.
+/// Residual of a cell (root mean square) over the range of heights, dimensionless; and more
+/// iterations than reach it.
 const SETTLED: f64 = 1e-8;
 const ITERATIONS: usize = 20_000;
 
@@ -36,12 +37,12 @@ pub fn require_few(heights: &[f64]) -> Result<(), Error> {
 }
 
 impl HeightMap {
-    /// From heights (in m) row after row with holes, which are filled with the solution of Laplace's
-    /// equation: no summits or pits of their own, no step at their edges. Filled cells are smoother than
-    /// the surface, so the more there are the less rough is what comes out.
+    /// From heights (in m) row after row with holes, which are filled with the solution of
+    /// Laplace's equation: no summits or pits of their own, no step at their edges. Filled cells
+    /// are smoother than the surface, so the more there are the less rough is what comes out.
     ///
     /// # Errors
-    /// As [`HeightMap::new`] where holes are refused; holes in more than half of the cells.
+    /// As [`HeightMap::new`] where holes are rejected; holes in more than half of the cells.
     pub fn with_holes(lattice: Lattice, heights: Vec<f64>, holes: Holes) -> Result<Self, Error> {
         if holes == Holes::Refuse {
             return Self::new(lattice, heights);
@@ -55,8 +56,8 @@ impl HeightMap {
     }
 }
 
-/// Solves Laplace's equation in the holes, first on a lattice of half as many cells along the sides that are long enough. Where a
-/// hole reaches the edge of the map, there is no slope across it.
+/// Solves Laplace's equation in the holes, first on a lattice of half as many cells along the sides
+/// that are long enough. Where a hole reaches the edge of the map, there is no slope across it.
 fn fill(lattice: &Lattice, heights: &mut [f64]) -> Result<(), Error> {
     let missing: Vec<usize> =
         (0..heights.len()).filter(|cell| !heights[*cell].is_finite()).collect();
@@ -115,8 +116,8 @@ fn between(coarse: &Lattice, heights: &[f64], place: [usize; 2], by: [usize; 2])
     bilinear([to_outer_x, to_outer_y]).iter().zip(corners).map(|(w, height)| w * height).sum()
 }
 
-/// Laplace's equation in some cells: Σ w (h − h of the neighbour) = 0, w the length of the common edge
-/// over the distance.
+/// Laplace's equation in some cells: Σ w (h − h of the neighbour) = 0, w the length of the common
+/// edge over the distance.
 struct Laplace<'a> {
     missing: &'a [usize],
     /// Numbers of the missing neighbours of each missing cell.
@@ -225,8 +226,8 @@ mod tests {
 
     use super::*;
 
-    /// x² − y² solves Laplace's equation, also with differences of neighbours: a hole in it is filled
-    /// with it.
+    /// x² − y² solves Laplace's equation, also with differences of neighbours: a hole in it is
+    /// filled with it.
     #[test]
     fn a_harmonic_surface_is_restored() {
         let lattice = Lattice { columns: 40, rows: 30, spacing_x: 1.0, spacing_y: 1.5 };

@@ -103,8 +103,8 @@ impl Lattice {
 /// Cells each way that memory and transforms still take.
 const LARGEST: usize = 1 << 20;
 
-/// Cells whose transforms, twice as long each way and complex, fit into the addresses there are: 2²⁴ on
-/// a machine of 32 bits.
+/// Cells whose transforms, twice as long each way and complex, fit into the addresses there are:
+/// 2²⁴ on a machine of 32 bits.
 const LARGEST_TOGETHER: usize = 1 << (usize::BITS - 8);
 
 /// Heights on a lattice, all finite.
@@ -152,8 +152,8 @@ impl HeightMap {
         Self { is_periodic: true, ..self }
     }
 
-    /// Whether the surface is known to continue periodically without a jump. One that is not needs a
-    /// window before its spectrum is taken (see [`spectrum::Window::of`]).
+    /// Whether the surface is known to continue periodically without a jump. One that is not needs
+    /// a window before its spectrum is taken (see [`spectrum::Window::of`]).
     pub fn is_periodic(&self) -> bool {
         self.is_periodic
     }

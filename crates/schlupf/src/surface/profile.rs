@@ -1,4 +1,5 @@
-//! A measured profile, one line across a surface, and the surface alike in all directions that has it.
+//! A measured profile, one line across a surface, and the surface alike in all directions that has
+//! it.
 
 use std::f64::consts::TAU;
 
@@ -25,7 +26,8 @@ pub struct Profile {
 const FEWEST: usize = 64;
 
 impl Profile {
-    /// From the spacing (in m) and the heights (in m). The straight line that fits best is taken off.
+    /// From the spacing (in m) and the heights (in m). The straight line that fits best is taken
+    /// off.
     pub fn new(spacing: f64, heights: &[f64]) -> Result<Self, Error> {
         require_positive(Quantity::SpacingX, spacing)?;
         let (quantity, fewest, count) = (Quantity::Heights, FEWEST, heights.len());
@@ -58,14 +60,15 @@ impl Profile {
         root_mean_square(&self.heights)
     }
 
-    /// The profile without the circle that fits best, and its radius (in m), positive where convex. This
-    /// is the form of a line across a cylinder or a sphere.
+    /// The profile without the circle that fits best, and its radius (in m), positive where convex.
+    /// This is the form of a line across a cylinder or a sphere.
     pub fn without_circle(&self) -> Result<(Self, f64), Error> {
         let (heights, radius) = line_without_circle(self.spacing, &self.heights)?;
         Ok((Self::new(self.spacing, &heights)?, radius))
     }
 
-    /// The spectrum of an isotropic surface that has this profile, with its root mean square height Rq.
+    /// The spectrum of an isotropic surface that has this profile, with its root mean square height
+    /// Rq.
     pub fn isotropic_spectrum(&self) -> RingSpectrum {
         let (step, variances) = self.line_spectrum();
         let spectrum = RingSpectrum::of_line(&variances, step);
@@ -75,8 +78,8 @@ impl Profile {
     }
 
     /// A surface alike in all directions with the spectrum and the root mean square height of this
-    /// profile. Waves longer than the profile or the lattice and shorter than two of its points or cells
-    /// are not in it, nor their share of the height.
+    /// profile. Waves longer than the profile or the lattice and shorter than two of its points or
+    /// cells are not in it, nor their share of the height.
     pub fn isotropic_surface(&self, lattice: Lattice, seed: u64) -> Result<HeightMap, Error> {
         let spectrum = self.isotropic_spectrum();
         let surface = isotropic(lattice, |q| spectrum.density(q), seed)?;
@@ -128,8 +131,8 @@ mod tests {
     use super::super::synthesis::{Roughness, SelfAffine};
     use super::*;
 
-    /// Goal: lines across an isotropic surface give its height and gradient back.
-    /// Set-up: self-affine surface of 1024² cells; every 64th line as a profile; the mean over them,
+    /// Goal: lines across an isotropic surface give its height and gradient back. Set-up:
+    /// self-affine surface of 1024² cells; every 64th line as a profile; the mean over them,
     /// because a single line scatters.
     #[test]
     fn lines_across_a_surface_give_its_spectrum_back() {
@@ -174,9 +177,10 @@ mod tests {
     }
 
     /// Goal: the spectrum from a single line is that of the surface ring by ring, without gaps.
-    /// Set-up: 1024² cells, H = 0.8 and 0.3 with and without a plateau; 16 lines, each on its own. A line
-    /// holds few of the longest waves, and the end of a spectrum is blurred by a ring: looked at is what
-    /// lies between, from two thirds of the longest wave. Compared with the spectrum put in.
+    /// Set-up: 1024² cells, H = 0.8 and 0.3 with and without a plateau; 16 lines, each on its own.
+    /// A line holds few of the longest waves, and the end of a spectrum is blurred by a ring:
+    /// looked at is what lies between, from two thirds of the longest wave. Compared with the
+    /// spectrum put in.
     #[test]
     fn single_lines_give_the_spectrum_without_gaps() {
         for (hurst_exponent, roll_off, seed) in [(0.8, 1e-4, 1), (0.8, 4e-5, 2), (0.3, 1e-4, 3)] {

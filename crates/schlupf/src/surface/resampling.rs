@@ -5,9 +5,9 @@ use crate::error::Error;
 use crate::numerics::interpolation::catmull_rom;
 
 impl HeightMap {
-    /// The surface in `columns` × `rows` cells on the same area. Along a side that gets coarser, cells
-    /// take the mean of what they cover, which loses the waves that they could not carry; along one
-    /// that gets finer, heights are interpolated by cubics (Catmull and Rom 1974).
+    /// The surface in `columns` × `rows` cells on the same area. Along a side that gets coarser,
+    /// cells take the mean of what they cover, which loses the waves that they could not carry;
+    /// along one that gets finer, heights are interpolated by cubics (Catmull and Rom 1974).
     pub fn resampled(&self, columns: usize, rows: usize) -> Result<Self, Error> {
         let old = self.lattice();
         let lattice = Lattice {
@@ -30,8 +30,8 @@ impl HeightMap {
         Self::new(lattice, heights)
     }
 
-    /// The surface in square cells as large as the shorter side of the present ones, on the same area
-    /// to within half a cell.
+    /// The surface in square cells as large as the shorter side of the present ones, on the same
+    /// area to within half a cell.
     pub fn with_square_cells(&self) -> Result<Self, Error> {
         let old = *self.lattice();
         if old.has_square_cells() {
@@ -73,8 +73,8 @@ impl Weights {
     }
 }
 
-/// Weights for the mean over a new cell, `ratio` old cells long. Within an old cell the surface slopes
-/// as its neighbours say.
+/// Weights for the mean over a new cell, `ratio` old cells long. Within an old cell the surface
+/// slopes as its neighbours say.
 fn covered(cell: usize, ratio: f64, old: usize) -> Vec<(usize, f64)> {
     let (start, end) = (cell as f64 * ratio, (cell + 1) as f64 * ratio);
     let mut weights = Vec::with_capacity(ratio as usize + 6);

@@ -1,15 +1,16 @@
 //! From the spectrum of a line to that of the isotropic surface that it crosses.
 //!
 //! The spectrum of a line across an isotropic surface is C₁(qₓ) = ∫ C(√(qₓ² + q_y²)) dq_y, an Abel
-//! transform (Nayak 1971). One line scatters: each of its waves has a variance that is off by as much as
-//! itself, and to undo the transform makes that worse. So the surface is sought whose spectrum C, constant
-//! in rings, makes the line likely (Whittle 1953) and is smooth: with the mean variance I_k of the line in
-//! band k, n_k independent waves in it, and S_k = Σ_j K_kj exp θ_j of the rings' ln C = θ,
+//! transform (Nayak 1971). One line scatters: each of its waves has a variance that is off by as
+//! much as itself, and to undo the transform makes that worse. So the surface is sought whose
+//! spectrum C, constant in rings, makes the line likely (Whittle 1953) and is smooth: with the mean
+//! variance I_k of the line in band k, n_k independent waves in it, and S_k = Σ_j K_kj exp θ_j of
+//! the rings' ln C = θ,
 //!
 //! Σ_k n_k (ln S_k + I_k/S_k) + λ Σ_j ψ(d_j)
 //!
-//! is least, where d_j is the change of the exponent d ln C/d ln q from ring to ring and
-//! ψ(d) = ½ ε² ln(1 + d²/ε²) forgives where a spectrum begins or ends abruptly. It is found by Fisher's
+//! is least, where d_j is the change of the exponent d ln C/d ln q from ring to ring and ψ(d) = ½
+//! ε² ln(1 + d²/ε²) forgives where a spectrum begins or ends abruptly. It is found by Fisher's
 //! scoring, damped after Levenberg and Marquardt. C is positive by itself.
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -33,7 +34,8 @@ const BANDS_IN_DECADE: f64 = 25.0;
 const SMOOTHNESS: f64 = 1.0;
 const FORGIVEN: f64 = 5.0;
 
-/// Part of the waves that are independent of their neighbours: a Hann window spreads each over three.
+/// Part of the waves that are independent of their neighbours: a Hann window spreads each over
+/// three.
 const INDEPENDENT: f64 = 0.5;
 
 /// Where nothing of the largest variance is left; dimensionless.
@@ -46,8 +48,8 @@ const LARGEST_CHANGE: f64 = 5.0;
 const LARGEST_DAMPING: f64 = 1e12;
 
 impl RingSpectrum {
-    /// Of the surface that has a line with these variances (in m²) by number of waves, from none on, the
-    /// wave numbers apart by a step (in rad/m).
+    /// Of the surface that has a line with these variances (in m²) by number of waves, from none
+    /// on, the wave numbers apart by a step (in rad/m).
     pub(super) fn of_line(variances: &[f64], step: f64) -> Self {
         let bands = bands(variances.len());
         let edges: Vec<f64> = bands.iter().map(|band| (*band as f64 - 0.5) * step).collect();

@@ -1,9 +1,9 @@
 //! The power spectral density of a surface.
 //!
-//! C(q) is the part of the variance of the heights in an area of wave vectors: ⟨h²⟩ = ∫ C(q) d²q, and
-//! h_rms² = 2π ∫ C(q) q dq where all directions are alike (Persson et al. 2005, J. Phys. Condens.
-//! Matter 17, R1). On a lattice of area A the wave vector q has C(q) = (A/4π²) |h_q|², h_q the mean of
-//! h(x) exp(−i q·x).
+//! C(q) is the part of the variance of the heights in an area of wave vectors: ⟨h²⟩ = ∫ C(q) d²q,
+//! and h_rms² = 2π ∫ C(q) q dq where all directions are alike (Persson et al. 2005, J. Phys.
+//! Condens. Matter 17, R1). On a lattice of area A the wave vector q has C(q) = (A/4π²) |h_q|², h_q
+//! the mean of h(x) exp(−i q·x).
 
 use std::f64::consts::{PI, TAU};
 
@@ -66,15 +66,15 @@ pub struct PowerLaw {
     pub wave_numbers: [f64; 2],
 }
 
-/// The power law holds from the wave number up to which this part of the variance of the heights lies, to
-/// that with this part of the variance of the gradients; dimensionless.
+/// The power law holds from the wave number up to which this part of the variance of the heights
+/// lies, to that with this part of the variance of the gradients; dimensionless.
 const LAW_FROM: f64 = 0.7;
 const LAW_TO: f64 = 0.9;
 
 impl RadialSpectrum {
-    /// The power law between the waves that make the height and those that make the gradient; nothing
-    /// where there is less than half a decade between them, or where the exponent is none of a self-affine
-    /// surface.
+    /// The power law between the waves that make the height and those that make the gradient;
+    /// nothing where there is less than half a decade between them, or where the exponent is none
+    /// of a self-affine surface.
     pub fn power_law(&self) -> Option<PowerLaw> {
         let reached = |power: i32, share: f64| {
             let terms = || self.wave_numbers.iter().zip(&self.densities);
@@ -113,7 +113,8 @@ impl RadialSpectrum {
 }
 
 impl RadialSpectrum {
-    /// Part of the variance of the heights (dimensionless) in waves longer than a wavelength (in m).
+    /// Part of the variance of the heights (dimensionless) in waves longer than a wavelength (in
+    /// m).
     pub fn share_of_longer(&self, wavelength: f64) -> f64 {
         let terms = self.wave_numbers.iter().zip(&self.densities).map(|(q, c)| [*q, q * c]);
         let [mut longer, mut total] = [0.0; 2];
@@ -167,9 +168,9 @@ fn weighted(surface: &HeightMap, [along, across]: &[Vec<f64>; 2]) -> Vec<f64> {
 ///
 /// ⟨w² |∇h|²⟩ = ⟨|∇(w h)|²⟩ + ⟨h² w ∇²w⟩
 ///
-/// by parts, with the first term from the spectrum: neither the seam nor the slope of the window counts.
-/// The window is Tukey's, level but for sin² flanks over an eighth of each side at either end: it wastes
-/// less of the surface than Hann's.
+/// by parts, with the first term from the spectrum: neither the seam nor the slope of the window
+/// counts. The window is Tukey's, level but for sin² flanks over an eighth of each side at either
+/// end: it wastes less of the surface than Hann's.
 pub fn spectral_gradient(surface: &HeightMap) -> f64 {
     if surface.is_periodic() {
         return mean_square_gradient(surface.heights(), surface).sqrt();
@@ -291,9 +292,9 @@ mod tests {
         assert_relative_eq!(spectral_gradient(&surface), gradient, max_relative = 1e-12);
     }
 
-    /// Goal: the seam of a map that is not periodic is no slope.
-    /// Set-up: five pieces of 128² cells of a periodic surface of 1024² cells, whose gradient is known;
-    /// with a tilt that the form takes off.
+    /// Goal: the seam of a map that is not periodic is no slope. Set-up: five pieces of 128² cells
+    /// of a periodic surface of 1024² cells, whose gradient is known; with a tilt that the form
+    /// takes off.
     #[test]
     fn a_piece_of_a_surface_has_its_gradient() {
         let affine = SelfAffine {
@@ -348,8 +349,8 @@ mod tests {
         assert_eq!(RadialSpectrum::of(&wave, Window::None).power_law(), None);
     }
 
-    /// No exponent from a spectrum that falls as q^(−2(1+H)) with H = 2.3 or −0.9, nor from one over a
-    /// third of a decade.
+    /// No exponent from a spectrum that falls as q^(−2(1+H)) with H = 2.3 or −0.9, nor from one
+    /// over a third of a decade.
     #[test]
     fn what_is_not_self_affine_has_no_exponent() {
         let law = |hurst_exponent: f64, decades: f64| {

@@ -4,8 +4,8 @@ use super::HeightMap;
 use super::spectrum::spectral_gradient;
 use crate::error::Error;
 
-/// What ISO 25178-2 calls height and hybrid parameters, about the mean height: form and tilt must be
-/// removed before (see [`super::form`]).
+/// What ISO 25178-2 calls height and hybrid parameters, about the mean height: form and tilt must
+/// be removed before (see [`super::form`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

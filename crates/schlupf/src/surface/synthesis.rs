@@ -1,12 +1,12 @@
 //! Random surfaces of a given spectrum.
 //!
 //! Every wave vector q gets the amplitude that its spectral density demands and a random phase, so
-//! that the variance of heights and gradients is that of the spectrum in every single surface. Phases
-//! are drawn in the order of growing wave vectors, in square rings: the same seed on a finer lattice
-//! gives the same surface with more detail.
+//! that the variance of heights and gradients is that of the spectrum in every single surface.
+//! Phases are drawn in the order of growing wave vectors, in square rings: the same seed on a finer
+//! lattice gives the same surface with more detail.
 //!
-//! Phases come from a PCG XSL 128/64 generator (O'Neill 2014), the same on every machine; heights are
-//! the same to rounding of the Fourier transform.
+//! Phases come from a PCG XSL 128/64 generator (O'Neill 2014), the same on every machine; heights
+//! are the same to rounding error of the Fourier transform.
 
 use std::f64::consts::TAU;
 
@@ -47,16 +47,16 @@ pub struct SelfAffine {
     pub shortest_wavelength: f64,
 }
 
-/// Of a suitable lattice: cells in the shortest wave, most of the longest waves along a side, and most
-/// cells along a side while the longest wave fits twice.
+/// Of a suitable lattice: cells in the shortest wave, most of the longest waves along a side, and
+/// most cells along a side while the longest wave fits twice.
 const CELLS_IN_SHORTEST: f64 = 4.0;
 const LONGEST_WAVES: [f64; 2] = [2.0, 8.0];
 const MOST_CELLS: f64 = 1024.0;
 
 impl SelfAffine {
-    /// A square lattice that carries all waves: with four cells in the shortest one, and up to eight of
-    /// the longest along a side of at most 1024 cells. Where only two of them fit, the cells grow to half
-    /// the shortest wave; beyond that there are more cells.
+    /// A square lattice that carries all waves: with four cells in the shortest one, and up to
+    /// eight of the longest along a side of at most 1024 cells. Where only two of them fit, the
+    /// cells grow to half the shortest wave; beyond that there are more cells.
     pub fn suitable_lattice(&self) -> Lattice {
         let ratio = (self.longest_wavelength / self.shortest_wavelength).max(1.0);
         let [least, most] = LONGEST_WAVES;
@@ -129,7 +129,7 @@ impl SelfAffine {
     }
 }
 
-/// Wavelengths that a whole number of waves makes exactly must not be lost to rounding.
+/// Wavelengths that a whole number of waves makes exactly must not be lost to rounding error.
 const ROUNDING: f64 = 1e-9;
 
 /// A surface whose spectral density is C(q) (in m⁴, of q in rad/m), alike in all directions, with

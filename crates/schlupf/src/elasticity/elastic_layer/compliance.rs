@@ -16,14 +16,14 @@ pub struct LayerCompliance {
     grid: Grid,
     surroundings: Surroundings,
     couples_cells: bool,
-    /// The power of the grid's size with which displacements go, dimensionless; if it is not that of
-    /// stiffnesses per area that stay.
+    /// The power of the grid size with which displacements scale, dimensionless; `None` for
+    /// constant stiffnesses per area.
     growth: Option<f64>,
     lattice: Lattice,
-    /// The systems along y, the rows beyond the grid condensed.
+    /// The systems along y, with the rows beyond the grid condensed.
     condensed: Tridiagonal,
     cosine: PairedCosine,
-    /// Where the transform has every column of the total area.
+    /// Position of every column of the total area in the transform.
     places: Vec<usize>,
     spectrum: Vec<Pair>,
 }
@@ -36,23 +36,24 @@ struct Lattice {
     bedding: Vec<Pair>,
     /// Coupling across rolling over Δy², in N/m³.
     coupling: Pair,
-    /// What lies beyond the first and the last row, for each wave number.
+    /// The chains beyond the first and the last row, for each wave number.
     chains: Vec<[Chain; 2]>,
 }
 
 /// A chain of elements beyond a row.
 #[derive(Debug, Clone, Copy)]
 struct Chain {
-    /// Stiffness that it adds to the row, in N/m³, and its change with the logarithm of the grid's size.
+    /// Stiffness that it adds to the row, in N/m³, and its derivative with respect to the logarithm
+    /// of the grid size.
     stiffness: f64,
     stiffness_by_size: f64,
-    /// Displacement of its end over that of the row, dimensionless.
+    /// Displacement of its end relative to that of the row, dimensionless.
     to_edge: f64,
 }
 
 /// The chain of `rows` elements, each on its bedding c + `along` and coupled by g to the next: from
-/// the free end inwards s ← e g/(g + s), e = c + `along` + s. Both couplings go with the inverse square
-/// of the size.
+/// the free end inwards s ← e g/(g + s), e = c + `along` + s. Both couplings are proportional to
+/// the inverse square of the size.
 fn condensed(bedding: f64, along: f64, coupling: f64, rows: usize) -> Chain {
     let end = Chain { stiffness: 0.0, stiffness_by_size: 0.0, to_edge: 1.0 };
     (0..rows).fold(end, |beyond, _| {
@@ -92,8 +93,8 @@ impl Lattice {
         }
     }
 
-    /// Minus the change of the stiffness with the logarithm of the grid's size, times the
-    /// displacement of one row; `above` and `below` are those next to it, if there are.
+    /// Minus the derivative of the stiffness with respect to the logarithm of the grid size, times
+    /// the displacement of one row; `above` and `below` are its neighbours, if there are any.
     fn relief(&self, row: [&[Pair]; 3], ends: usize, relief: &mut [Pair]) {
         let [above, here, below] = row;
         let neighbours = usize::from(!above.is_empty()) + usize::from(!below.is_empty());
@@ -134,18 +135,18 @@ impl LayerCompliance {
         }
     }
 
-    /// The same, where displacements go with a power of the grid's size.
+    /// The same for displacements that scale with a power of the grid size.
     pub(super) fn growing(self, power: f64) -> Self {
         Self { growth: Some(power), ..self }
     }
 
-    /// Where the transform has the columns of the grid.
+    /// Positions of the columns of the grid in the transform.
     fn grid_places(&self) -> &[usize] {
         let first = self.surroundings.first_column;
         &self.places[first..first + self.grid.columns]
     }
 
-    /// Traction of the grid's rows, on the columns of the total area, transformed along x.
+    /// Traction in the grid's rows, on the columns of the total area, transformed along x.
     fn transform_rows(&mut self, traction: &VectorField) {
         let mut spectrum = std::mem::take(&mut self.spectrum);
         let rows = spectrum.chunks_exact_mut(self.surroundings.columns);
@@ -161,7 +162,7 @@ impl LayerCompliance {
         self.spectrum = spectrum;
     }
 
-    /// From the spectrum, which is lost, to the displacement of the grid.
+    /// Transforms the spectrum, which is destroyed, back to the displacement of the grid.
     fn transform_back(&mut self, displacement: &mut VectorField) {
         let mut spectrum = std::mem::take(&mut self.spectrum);
         let columns = self.surroundings.columns;
@@ -182,7 +183,7 @@ impl LayerCompliance {
         self.condensed.solve(&mut self.spectrum, self.surroundings.columns);
     }
 
-    /// Spectra of rows to displacements on all columns of the total area, in their order.
+    /// Converts spectra of rows to displacements on all columns of the total area, in their order.
     fn on_all_columns(&mut self, mut rows: Vec<Pair>) -> Vec<Pair> {
         let columns = self.surroundings.columns;
         let inverse = 0.5 / columns as f64;
@@ -194,8 +195,8 @@ impl LayerCompliance {
         displacements
     }
 
-    /// Displacement in the grid's rows, on all columns of the total area, and after them the two
-    /// outermost rows of that.
+    /// Displacement in the grid's rows, on all columns of the total area, followed by its two
+    /// outermost rows.
     fn rows_and_edges(&mut self, traction: &VectorField) -> Vec<Pair> {
         let columns = self.surroundings.columns;
         self.solve(traction);
@@ -227,8 +228,9 @@ impl LayerCompliance {
     }
 }
 
-/// A component without traction does not move. The transform of both at once leaves it the rounding of
-/// the other one, which a Krylov method for a stiff contact law would take for a second problem.
+/// Sets a component without traction to exactly zero. The transform of both components together
+/// leaves it the rounding error of the other one, which a Krylov method for a stiff contact law
+/// would treat as a second problem.
 fn clear_at_rest(traction: &VectorField, displacement: &mut VectorField) {
     for (t, u) in [(&traction.x, &mut displacement.x), (&traction.y, &mut displacement.y)] {
         if t.iter().all(|t| *t == 0.0) {
@@ -303,7 +305,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     impl LayerCompliance {
-        /// Displacement on the total area, row after row, as pairs of x and y in m; without condensation.
+        /// Displacement on the total area, row after row, as pairs of x and y in m; without
+        /// condensation.
         fn total_displacement(&mut self, traction: &VectorField) -> Vec<Pair> {
             let Surroundings { columns, rows_beyond, .. } = self.surroundings;
             self.transform_rows(traction);
@@ -360,7 +363,8 @@ mod tests {
         }
     }
 
-    /// Constant traction on the total area of a free-edged lattice moves it by t/c everywhere.
+    /// Constant traction on the total area of a lattice with free edges displaces it by t/c
+    /// everywhere.
     #[test]
     fn uniform_traction_acts_on_the_bedding_alone() {
         let grid = grid();
@@ -375,7 +379,7 @@ mod tests {
         }
         assert_relative_eq!(compliance.edge_displacement(&traction), 1.0, max_relative = 1e-12);
     }
-    /// Both components are transformed at once, and yet one without traction stays at zero to the last bit.
+    /// Both components are transformed together, and yet one without traction stays exactly zero.
     #[test]
     fn a_component_without_traction_does_not_move() {
         let mut compliance = compliance(5e-3);

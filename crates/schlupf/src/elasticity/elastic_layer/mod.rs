@@ -1,11 +1,12 @@
 //! The elastic layer of Neuhaus and Sextro (2014, Figure 2): point elements with springs to the
 //! rigid wheel and to each other, on the contact area and its surroundings; Eqs. (4)–(7).
 //!
-//! Per area the lattice is c u − g_x δ²u/Δx² − g_y δ²u/Δy² = t with free edges, for u_x and u_y
-//! each with its own c and g. Along x a cosine transform (DCT-II) diagonalises it exactly, both components at once; along y
-//! a tridiagonal system remains for each wave number. Rows outside the contact carry no traction,
-//! so they are condensed beforehand into the stiffness of the outermost contact rows: the static
-//! condensation (6), (7) of the paper, done once. A product costs O(n log n).
+//! Per unit area the lattice is c u − g_x δ²u/Δx² − g_y δ²u/Δy² = t with free edges, where u_x and
+//! u_y have separate c and g. Along x a cosine transform (DCT-II) diagonalises it exactly, both
+//! components together; along y a tridiagonal system remains for each wave number. Rows outside the
+//! contact carry no traction, so they are condensed beforehand into the stiffness of the outermost
+//! contact rows: this is the static condensation (6), (7) of the paper, done once. A product costs
+//! O(n log n).
 
 mod compliance;
 mod tridiagonal;
@@ -23,7 +24,7 @@ use crate::requirement::Requirement;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LayerStiffness {
-    /// Bedding c: traction over displacement, in N/m³.
+    /// Bedding c: ratio of traction to displacement, in N/m³.
     pub bedding: f64,
     /// Coupling g between neighbours along rolling, in N/m.
     pub coupling_along_x: f64,
@@ -60,15 +61,15 @@ pub struct ElasticLayer {
     margin: Option<f64>,
 }
 
-/// Margin in decay lengths √(g/c) where none is given.
+/// Default margin in decay lengths √(g/c).
 const DEFAULT_MARGIN: f64 = 8.0;
 
-/// Most cells of the layer along one direction: contact and surroundings.
+/// Maximum number of cells of the layer in one direction: contact and surroundings.
 const MAX_LAYER_CELLS: f64 = 16384.0;
 
 impl ElasticLayer {
     /// A layer with stiffnesses per area for the displacements along and across rolling, with at
-    /// least `margin` (in m) of surroundings on each side; eight decay lengths √(g/c) if none.
+    /// least `margin` (in m) of surroundings on each side; default: eight decay lengths √(g/c).
     ///
     /// ```
     /// use schlupf::Problem;
@@ -92,7 +93,7 @@ impl ElasticLayer {
         Self::checked(Stiffness::PerArea([x, y]), margin)
     }
 
-    /// A layer with the paper's discrete springs. Refining the grid changes its physics.
+    /// A layer with the paper's discrete springs. Its physics depends on the grid.
     pub fn from_springs(x: Springs, y: Springs, margin: Option<f64>) -> Result<Self, Error> {
         for (names, s) in [
             ([Quantity::SpringX, Quantity::SpringCouplingX], x),
@@ -123,8 +124,8 @@ impl ElasticLayer {
         }
     }
 
-    /// Cells of surroundings beyond the grid on each side, along x and along y. The number of
-    /// columns is rounded up to one that the transform likes.
+    /// Number of surrounding cells beyond the grid on each side, along x and along y. The number of
+    /// columns is rounded up to an efficient length of the transform.
     pub fn surroundings(&self, grid: &Grid) -> Result<Surroundings, Error> {
         let stiffness = self.per_area(grid);
         let margin = |direction: usize| {
@@ -150,7 +151,7 @@ impl ElasticLayer {
 pub struct Surroundings {
     /// Columns of the total area.
     pub columns: usize,
-    /// Column of the total area at which the grid begins.
+    /// Column of the total area at which the grid starts.
     pub first_column: usize,
     /// Rows of the total area on each side of the grid.
     pub rows_beyond: usize,
@@ -160,7 +161,7 @@ impl Elasticity for ElasticLayer {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         match self.stiffness {
             Stiffness::PerArea(_) => Ok(Box::new(self.on(grid)?)),
-            // All stiffnesses per area go with the inverse square of the size.
+            // All stiffnesses per area are proportional to the inverse square of the size.
             Stiffness::Discrete(_) => self.growing(grid, 2.0),
         }
     }
@@ -172,7 +173,7 @@ impl ElasticLayer {
         Ok(LayerCompliance::new(&self.per_area(grid), surroundings, *grid))
     }
 
-    /// The layer on a grid, where its displacements go with a power of the grid's size.
+    /// The layer on a grid, with displacements that scale with a power of the grid size.
     pub(super) fn growing(&self, grid: &Grid, power: f64) -> Result<Box<dyn Compliance>, Error> {
         Ok(Box::new(self.on(grid)?.growing(power)))
     }
@@ -184,7 +185,7 @@ mod tests {
     use crate::grid::Extent;
     use approx::assert_relative_eq;
 
-    /// The paper's springs on a grid are the layer's stiffnesses per area of that grid.
+    /// The paper's springs on a grid equal the layer's stiffnesses per area on that grid.
     #[test]
     fn neuhaus_sextro_2014_discrete_springs() {
         let grid = Grid::across(&Extent { x: [-6e-3, 6e-3], y: [-5e-3, 5e-3] }, 12, 9);

@@ -2,25 +2,26 @@
 
 use rustfft::num_complex::Complex;
 
-/// Values of both components: that of x as the real part, that of y as the imaginary part. Only for
-/// these does the transform along x work on both at once; no product of two such values is meant.
+/// Values of both components: that of x as the real part, that of y as the imaginary part. The type
+/// only serves to transform both at once along x; products of two such values are meaningless.
 pub(super) type Pair = Complex<f64>;
 
-/// Both components times those of another pair.
+/// Componentwise product of two pairs.
 pub(super) fn each(a: Pair, b: Pair) -> Pair {
     Pair::new(a.re * b.re, a.im * b.im)
 }
 
-/// Factors of the systems, row after row, each with all waves.
+/// Factors of the systems, row after row, each for all wave numbers.
 pub(super) struct Tridiagonal {
     inverse_pivot: Vec<Pair>,
-    /// The coupling to the next row over the pivot.
+    /// The ratio of the coupling to the next row to the pivot.
     ratio: Vec<Pair>,
 }
 
 impl Tridiagonal {
-    /// Systems of `rows` rows with the off-diagonal −`coupling`. `bedding` is the diagonal without the
-    /// coupling between the rows, `outside` what lies beyond the first and the last one.
+    /// Factorises systems of `rows` rows with the off-diagonal −`coupling`. `bedding` is the
+    /// diagonal without the coupling between the rows, `outside` the contribution from beyond the
+    /// first and the last row.
     pub(super) fn new(bedding: &[Pair], coupling: Pair, rows: usize, outside: &[Pair]) -> Self {
         let waves = bedding.len();
         let mut inverse_pivot: Vec<Pair> = Vec::with_capacity(rows * waves);

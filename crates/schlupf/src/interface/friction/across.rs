@@ -12,11 +12,11 @@ use crate::requirement::Requirement;
 /// The factor may differ from one at y = 0 by this much: tables have few digits.
 const ROUNDING: f64 = 1e-6;
 
-/// μ = f(y) μ(T, s): any law times a factor over y, linear between the points of a table and constant
-/// outside of it. The factor is 1 at y = 0, where friction is that of the law.
+/// μ = f(y) μ(T, s): any law times a factor over y, linear between the points of a table and
+/// constant outside of it. The factor is 1 at y = 0, where friction is that of the law.
 ///
-/// Source: Vollebregt, User guide for CONTACT, "Friction variation", with one factor in place of all
-/// constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
+/// Source: Vollebregt, User guide for CONTACT, "Friction variation", with one factor in place of
+/// all constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
 ///
 /// ```
 /// use schlupf::interface::friction::{

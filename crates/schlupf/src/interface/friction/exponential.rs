@@ -7,12 +7,12 @@ use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
 use crate::error::Error;
 
-/// μ = μ_kin + μ1 2^(−s/s1) + μ2 2^(−s/s2), s the slip speed, μ1 = μ0 − μ_kin − μ2; each term halves
-/// with every further s1 or s2.
+/// μ = μ_kin + μ1 2^(−s/s1) + μ2 2^(−s/s2), s the slip speed, μ1 = μ0 − μ_kin − μ2; each term
+/// halves with every further s1 or s2.
 ///
-/// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 4. With one term
-/// it is the law of [`super::polach`]. Limits: μ follows the slip speed at once, so that it jumps
-/// where sliding begins; of the two terms each falls.
+/// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 4. With one
+/// term it is the law of [`super::polach`]. Limits: μ follows the slip speed at once, so that it
+/// jumps where sliding begins; of the two terms each falls.
 ///
 /// ```
 /// use schlupf::interface::friction::{

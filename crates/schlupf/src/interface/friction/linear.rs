@@ -7,11 +7,12 @@ use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
 use crate::error::Error;
 
-/// μ = μ_kin + μ1 max(0, 1 − s/2s1) + μ2 max(0, 1 − s/2s2), s the slip speed, μ1 = μ0 − μ_kin − μ2; the
-/// terms have halved at s1 and s2 and vanish at twice these speeds, where μ_kin is left.
+/// μ = μ_kin + μ1 max(0, 1 − s/2s1) + μ2 max(0, 1 − s/2s2), s the slip speed, μ1 = μ0 − μ_kin − μ2;
+/// the terms have halved at s1 and s2 and vanish at twice these speeds, where μ_kin is left.
 ///
-/// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 2. Limits: μ follows
-/// the slip speed at once, so that it jumps where sliding begins; of the two terms each falls.
+/// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 2. Limits: μ
+/// follows the slip speed at once, so that it jumps where sliding begins; of the two terms each
+/// falls.
 ///
 /// ```
 /// use schlupf::interface::friction::{

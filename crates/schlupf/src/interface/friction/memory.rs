@@ -3,9 +3,10 @@
 //!
 //! dμ/dt = (μ_law − μ) max(s, s_0)/d_c,
 //!
-//! s being its slip speed. It enters the contact with the coefficient of the law without slip. (Rice
-//! and Ruina 1983, about the steady state of their law; so in Vollebregt, User guide for CONTACT,
-//! "friction memory".) Without it μ jumps where sliding begins, if the law falls with the slip speed.
+//! s being its slip speed. It enters the contact with the coefficient of the law without slip.
+//! (Rice and Ruina 1983, about the steady state of their law; so in Vollebregt, User guide for
+//! CONTACT, "friction memory".) Without it μ jumps where sliding begins, if the law falls with the
+//! slip speed.
 
 use crate::error::{Error, require, require_positive};
 use crate::quantity::Quantity;
@@ -30,8 +31,8 @@ pub struct Kept {
 }
 
 impl FrictionMemory {
-    /// Relaxation over a sliding distance d_c (in m), at slip speeds below s_0 (in m/s) as fast as at
-    /// that speed; s_0 = 0 never forgets while the surfaces stick.
+    /// Relaxation over a sliding distance d_c (in m), at slip speeds below s_0 (in m/s) as fast as
+    /// at that speed; s_0 = 0 never forgets while the surfaces stick.
     ///
     /// ```
     /// use schlupf::{Problem, interface::friction::memory::FrictionMemory};

@@ -1,9 +1,9 @@
 //! Coefficient of friction.
 //!
-//! Laws of the temperature: [`temperature_linear`], Eq. (23), and [`temperature_piecewise_linear`]. Laws
-//! of the slip speed: [`exponential`], [`rational`] and [`linear`], which share the parameters of
-//! [`slip_terms`], and [`polach`]. One of each may be combined, [`product`], and any law may vary
-//! [`across`] the patch. Any law may lag behind, [`memory`].
+//! Laws of the temperature: [`temperature_linear`], Eq. (23), and [`temperature_piecewise_linear`].
+//! Laws of the slip speed: [`exponential`], [`rational`] and [`linear`], which share the parameters
+//! of [`slip_terms`], and [`polach`]. One of each may be combined, [`product`], and any law may
+//! vary [`across`] the patch. Any law may lag behind, [`memory`].
 
 pub mod across;
 pub mod constant;
@@ -50,8 +50,8 @@ pub struct FrictionResponse {
     pub by_slip_speed: f64,
     /// ∂μ/∂y, in 1/m.
     pub by_y: f64,
-    /// ∂μ/∂μ0 while the other constants of the law stay, dimensionless. A law that has no μ0 among its
-    /// constants is scaled as a whole: μ/μ0.
+    /// ∂μ/∂μ0 while the other constants of the law stay, dimensionless. A law that has no μ0 among
+    /// its constants is scaled as a whole: μ/μ0.
     pub by_cold_coefficient: f64,
 }
 
@@ -165,7 +165,8 @@ mod tests {
         laws
     }
 
-    /// States away from the kinks of the laws: cold, warm, hot; sticking nearly, sliding; all over y.
+    /// States away from the kinks of the laws: cold, warm, hot; sticking nearly, sliding; all over
+    /// y.
     fn states() -> Vec<FrictionState> {
         let mut states = Vec::new();
         for temperature in [-30.0, 20.0, 300.0, 480.0, 650.0, 2000.0] {

@@ -10,11 +10,11 @@ use crate::requirement::Requirement;
 
 /// μ = μ0 ((1 − A) e^(−B s) + A), s the slip speed.
 ///
-/// Source: Polach, Creep forces in simulations of traction vehicles running on adhesion limit, Wear 258
-/// (2005) 992–1000, with typical values for real vehicles: dry μ0 = 0.55, A = 0.40, B = 0.60 s/m, wet μ0 =
-/// 0.30, A = 0.40, B = 0.20 s/m. Limits: there s is the slip speed of the whole contact, here that of each
-/// point, so that the points that stick have μ0; B contains the fall by heating, which a law of the
-/// temperature besides would count twice.
+/// Source: Polach, Creep forces in simulations of traction vehicles running on adhesion limit, Wear
+/// 258 (2005) 992–1000, with typical values for real vehicles: dry μ0 = 0.55, A = 0.40, B = 0.60
+/// s/m, wet μ0 = 0.30, A = 0.40, B = 0.20 s/m. Limits: there s is the slip speed of the whole
+/// contact, here that of each point, so that the points that stick have μ0; B contains the fall by
+/// heating, which a law of the temperature besides would count twice.
 ///
 /// ```
 /// use schlupf::interface::friction::{FrictionLaw, FrictionState, polach::Polach};
@@ -98,8 +98,8 @@ mod tests {
         law.respond(&FrictionState { slip_speed, ..FrictionState::default() }).coefficient
     }
 
-    /// Polach 2005, typical parameters: from 0.55 to 0.22 on dry rails, from 0.30 to 0.12 on wet ones. The
-    /// value at 1 m/s is 0.55 (0.6 · 0.5488116 + 0.4).
+    /// Polach 2005, typical parameters: from 0.55 to 0.22 on dry rails, from 0.30 to 0.12 on wet
+    /// ones. The value at 1 m/s is 0.55 (0.6 · 0.5488116 + 0.4).
     #[test]
     fn polach_2005_dry_and_wet() {
         let dry = Polach::new(0.55, 0.40, 0.60).unwrap();
@@ -111,8 +111,8 @@ mod tests {
         assert_relative_eq!(at(&wet, 1e3), 0.12, max_relative = 1e-14);
     }
 
-    /// Vollebregt, User guide for CONTACT: Polach's law is the exponential one with μ_kin = A μ0 and the half
-    /// speed ln 2/B.
+    /// Vollebregt, User guide for CONTACT: Polach's law is the exponential one with μ_kin = A μ0
+    /// and the half speed ln 2/B.
     #[test]
     fn vollebregt_polach_is_exponential() {
         let (polach, half_speed) = (Polach::new(0.55, 0.4, 0.6).unwrap(), 2.0_f64.ln() / 0.6);

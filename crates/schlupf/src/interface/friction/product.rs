@@ -9,11 +9,11 @@ use crate::error::Error;
 /// Both laws must have the same μ0 to this part of it.
 const ROUNDING: f64 = 1e-12;
 
-/// μ = μ_T(T) μ_s(s)/μ0: a law of the temperature times the relative fall of a law of the slip speed, both
-/// with the same μ0.
+/// μ = μ_T(T) μ_s(s)/μ0: a law of the temperature times the relative fall of a law of the slip
+/// speed, both with the same μ0.
 ///
-/// Limits: a floor of one law is not one of the product, as the other falls on; it stays positive where
-/// both are.
+/// Limits: a floor of one law is not one of the product, as the other falls on; it stays positive
+/// where both are.
 ///
 /// ```
 /// use schlupf::interface::friction::{
@@ -126,7 +126,8 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// At half T_E and far beyond 1/B both factors of Eq. (23) and of Polach 2005 are known: ½ and A.
+    /// At half T_E and far beyond 1/B both factors of Eq. (23) and of Polach 2005 are known: ½ and
+    /// A.
     #[test]
     fn relative_falls_are_multiplied() {
         let falling: Arc<dyn FrictionLaw> =

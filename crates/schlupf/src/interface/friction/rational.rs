@@ -7,12 +7,13 @@ use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
 use crate::error::Error;
 
-/// μ = μ_kin + μ1/(1 + s/s1) + μ2/(1 + (s/s2)²), s the slip speed, μ1 = μ0 − μ_kin − μ2; the terms have
-/// halved at s1 and s2.
+/// μ = μ_kin + μ1/(1 + s/s1) + μ2/(1 + (s/s2)²), s the slip speed, μ1 = μ0 − μ_kin − μ2; the terms
+/// have halved at s1 and s2.
 ///
-/// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 3. The first term
-/// falls from the start on and slowly at large speeds, the second begins level. Limits: μ follows the
-/// slip speed at once, so that it jumps where sliding begins; of the two terms each falls.
+/// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 3. The first
+/// term falls from the start on and slowly at large speeds, the second begins level. Limits: μ
+/// follows the slip speed at once, so that it jumps where sliding begins; of the two terms each
+/// falls.
 ///
 /// ```
 /// use schlupf::interface::friction::{
@@ -73,8 +74,8 @@ mod tests {
         law.respond(&FrictionState { slip_speed, ..FrictionState::default() }).coefficient
     }
 
-    /// Vollebregt, User guide for CONTACT, figure of the laws: μ_kin = 0.15 and one term of 0.15, half at
-    /// 3 m/s; three times as fast it is a quarter, and a tenth of the second kind.
+    /// Vollebregt, User guide for CONTACT, figure of the laws: μ_kin = 0.15 and one term of 0.15,
+    /// half at 3 m/s; three times as fast it is a quarter, and a tenth of the second kind.
     #[test]
     fn vollebregt_half_speeds() {
         let law = Rational(SlipTerms::new(0.3, 0.15, 3.0, None).unwrap());

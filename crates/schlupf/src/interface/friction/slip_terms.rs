@@ -5,7 +5,8 @@ use super::{FrictionResponse, require_below, require_coefficient};
 use crate::error::{Error, require_positive};
 use crate::quantity::Quantity;
 
-/// Sums of coefficients may exceed μ0 by this part of it: decimal numbers add up to rounding only.
+/// Sums of coefficients may exceed μ0 by this part of it: decimal numbers add up to rounding error
+/// only.
 const ROUNDING: f64 = 1e-12;
 
 /// The second term of a law μ_kin + μ1 f1(s/s1) + μ2 f2(s/s2) of the slip speed s.
@@ -30,8 +31,8 @@ pub struct SlipTerms {
 }
 
 impl SlipTerms {
-    /// μ0 and μ_kin, dimensionless; s1, in m/s; the second term, if any. Friction cannot become negative: μ_kin ≥ 0, and both
-    /// terms are at least zero.
+    /// μ0 and μ_kin, dimensionless; s1, in m/s; the second term, if any. Friction cannot become
+    /// negative: μ_kin ≥ 0, and both terms are at least zero.
     pub fn new(
         coefficient: f64,
         kinetic_coefficient: f64,

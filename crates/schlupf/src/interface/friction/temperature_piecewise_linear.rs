@@ -8,10 +8,12 @@ use crate::error::{Error, require, require_positive};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// μ = μ0 up to the reference temperature, linear from there to μ_hot at ΔT above it, and μ_hot beyond.
+/// μ = μ0 up to the reference temperature, linear from there to μ_hot at ΔT above it, and μ_hot
+/// beyond.
 ///
-/// Source: Vollebregt, User guide for CONTACT, "Temperature dependent friction", L = 6, with T_ref the
-/// reference temperature. Friction rises where μ_hot is the larger one, as on a rail that dries.
+/// Source: Vollebregt, User guide for CONTACT, "Temperature dependent friction", L = 6, with T_ref
+/// the reference temperature. Friction rises where μ_hot is the larger one, as on a rail that
+/// dries.
 ///
 /// ```
 /// use schlupf::interface::friction::{

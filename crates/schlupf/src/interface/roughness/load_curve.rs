@@ -58,8 +58,8 @@ impl LoadCurveOptions {
 
 /// The approach over the load, with its points by growing pressure.
 ///
-/// Between its points it is a monotone cubic of ln p (Fritsch and Carlson 1980); below the first one
-/// d ∝ p^(2/3), a single summit in Hertz contact.
+/// Between its points it is a monotone cubic of ln p (Fritsch and Carlson 1980); below the first
+/// one d ∝ p^(2/3), a single summit in Hertz contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCurve {
     points: Vec<LoadPoint>,
@@ -79,15 +79,15 @@ pub struct ExponentialRange {
     pub deviation: f64,
 }
 
-/// Real over nominal area of contact, dimensionless, between which the load is exponential: at less a
-/// few summits decide, at more the valleys close.
+/// Real over nominal area of contact, dimensionless, between which the load is exponential: at less
+/// a few summits decide, at more the valleys close.
 pub const EXPONENTIAL_RANGE: [f64; 2] = [0.01, 0.2];
 
 impl LoadCurve {
     /// Solves the contact from the largest mean pressure (in Pa) down.
     ///
-    /// Bodies that yield have carried the largest pressure before: the points are those of the flattened surfaces, which
-    /// are elastic from then on.
+    /// Bodies that yield have carried the largest pressure before: the points are those of the
+    /// flattened surfaces, which are elastic from then on.
     pub fn compute(
         contact: &mut RoughContact,
         largest: f64,
@@ -132,7 +132,8 @@ impl LoadCurve {
         Self::new(points)
     }
 
-    /// From points of a computation or a measurement: at least three, pressure and approach growing.
+    /// From points of a computation or a measurement: at least three, pressure and approach
+    /// growing.
     pub fn new(points: Vec<LoadPoint>) -> Result<Self, Error> {
         let grows = |pair: &[LoadPoint]| {
             pair[1].mean_pressure > pair[0].mean_pressure && pair[1].approach > pair[0].approach
@@ -195,8 +196,8 @@ impl LoadCurve {
         Some((above - 1, width, (mean_pressure / low).ln() / width))
     }
 
-    /// Real over nominal area of contact (dimensionless) under a mean pressure (in Pa), by powers of
-    /// the pressure between the points.
+    /// Real over nominal area of contact (dimensionless) under a mean pressure (in Pa), by powers
+    /// of the pressure between the points.
     pub fn contact_fraction(&self, mean_pressure: f64) -> f64 {
         let fraction = |point: &LoadPoint| point.contact_fraction;
         let Some((below, _, t)) = self.interval(mean_pressure) else {
@@ -207,8 +208,8 @@ impl LoadCurve {
         low * (high / low).powf(t)
     }
 
-    /// The same with the perimeter corrected for, dimensionless: the correction changes slowly, so that of the next point
-    /// serves.
+    /// The same with the perimeter corrected for, dimensionless: the correction changes slowly, so
+    /// that of the next point serves.
     pub fn corrected_contact_fraction(&self, mean_pressure: f64) -> f64 {
         let next = self.points.iter().find(|point| point.mean_pressure >= mean_pressure);
         let correction = next
@@ -217,8 +218,8 @@ impl LoadCurve {
         correction * self.contact_fraction(mean_pressure)
     }
 
-    /// The straight line ln p over d that fits best in [`EXPONENTIAL_RANGE`]; nothing with fewer than
-    /// three points in it.
+    /// The straight line ln p over d that fits best in [`EXPONENTIAL_RANGE`]; nothing with fewer
+    /// than three points in it.
     pub fn exponential_range(&self) -> Option<ExponentialRange> {
         let [least, most] = EXPONENTIAL_RANGE;
         let is_in = |point: &&LoadPoint| (least..=most).contains(&point.contact_fraction);
@@ -246,7 +247,8 @@ impl LoadCurve {
     }
 }
 
-/// Part of the surface in contact from which on there are no valleys left that the load could close, dimensionless.
+/// Part of the surface in contact from which on there are no valleys left that the load could
+/// close, dimensionless.
 const CLOSED: f64 = 0.999;
 
 fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
@@ -259,8 +261,8 @@ fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
 /// d ∝ p^(2/3) and A ∝ p^(2/3) (Hertz 1882).
 const HERTZ_EXPONENT: f64 = 2.0 / 3.0;
 
-/// Derivatives dd/d ln p at the points: of the parabola through three of them, and so small that the
-/// cubics are monotone. At the first point that of Hertz contact.
+/// Derivatives dd/d ln p at the points: of the parabola through three of them, and so small that
+/// the cubics are monotone. At the first point that of Hertz contact.
 fn slopes(points: &[LoadPoint]) -> Vec<f64> {
     let widths: Vec<f64> =
         points.windows(2).map(|p| (p[1].mean_pressure / p[0].mean_pressure).ln()).collect();

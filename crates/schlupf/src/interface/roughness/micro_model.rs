@@ -108,7 +108,8 @@ impl MicroModel {
 }
 
 impl MicroModelResult {
-    /// Whether its normal contact reaches as far below mean pressures (in Pa) as one that is solved for them.
+    /// Whether its normal contact reaches as far below mean pressures (in Pa) as one that is solved
+    /// for them.
     pub fn covers(&self, mean_pressures: &[f64]) -> bool {
         let least = (1.0 - 1e-9) * BELOW * self.normal.smallest_pressure();
         mean_pressures.iter().all(|pressure| *pressure >= least)
@@ -143,9 +144,9 @@ impl MicroModelResult {
     }
 }
 
-/// Local pressures (in Pa) that stand for a Hertzian patch of a largest pressure p0 (in Pa): below them
-/// one sixth, one half and five sixths of the load are carried. Of the load, (p/p0)³ is carried at
-/// pressures below p.
+/// Local pressures (in Pa) that stand for a Hertzian patch of a largest pressure p0 (in Pa): below
+/// them one sixth, one half and five sixths of the load are carried. Of the load, (p/p0)³ is
+/// carried at pressures below p.
 pub fn pressures_of_patch(peak_pressure: f64) -> [f64; 3] {
     [1.0, 3.0, 5.0].map(|sixths: f64| peak_pressure * (sixths / 6.0).cbrt())
 }

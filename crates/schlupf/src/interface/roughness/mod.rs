@@ -6,8 +6,8 @@
 //! [`micro_model`] does all of it.
 //!
 //! Limits: Coulomb friction in every spot, half-spaces, bodies of similar material; of a tangential
-//! load the influence on the normal contact is neglected. With a hardness the normal curve is that of
-//! first loading.
+//! load the influence on the normal contact is neglected. With a hardness the normal curve is that
+//! of first loading.
 
 pub mod load_curve;
 pub mod micro_model;

@@ -35,8 +35,8 @@ pub struct ContactStiffness {
 /// find (Persson 2007, PRL 99, 125502; Lorenz and Persson 2009).
 pub const TYPICAL_GAMMA: f64 = 0.45;
 
-/// k_c = 2 (1 − ν)/(μ (2 − ν) ℓ) (in 1/m): Eq. (8) is exact where the load grows with the approach as
-/// p ∝ exp(d/ℓ), with the length ℓ = γ h_rms in m.
+/// k_c = 2 (1 − ν)/(μ (2 − ν) ℓ) (in 1/m): Eq. (8) is exact where the load grows with the approach
+/// as p ∝ exp(d/ℓ), with the length ℓ = γ h_rms in m.
 ///
 /// ```
 /// use schlupf::interface::roughness::stiffness::{TYPICAL_GAMMA, closed_form};
@@ -79,7 +79,7 @@ impl ContactStiffness {
     }
 }
 
-/// Steps of the golden section: to rounding.
+/// Steps of the golden section: to rounding error.
 const STEPS: u32 = 60;
 
 /// The k_c with the least sum of squares.
@@ -146,8 +146,8 @@ mod tests {
         }
     }
 
-    /// Eq. (8) is exact where p ∝ exp(d/ℓ): over ten decades, k_c is that of the closed form at every
-    /// pressure, whatever the pressure.
+    /// Eq. (8) is exact where p ∝ exp(d/ℓ): over ten decades, k_c is that of the closed form at
+    /// every pressure, whatever the pressure.
     #[test]
     fn an_exponential_normal_curve_gives_eq_8() {
         let length = 4e-7;

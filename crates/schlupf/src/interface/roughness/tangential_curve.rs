@@ -1,17 +1,16 @@
 //! Tangential force over displacement of a rough contact, Figure 3 of Neuhaus and Sextro (2014).
 //!
-//! For similar elastic bodies with Coulomb friction in every spot, the traction under a tangential force
-//! Q is that of full sliding under P less that of full sliding under P*, whose contact still sticks
-//! (Ciavarella 1998, Int. J. Solids Struct. 35, 2349; Jäger 1998, Arch. Appl. Mech. 68, 23):
+//! For similar elastic bodies with Coulomb friction in every spot, the traction under a tangential
+//! force Q is that of full sliding under P less that of full sliding under P*, whose contact still
+//! sticks (Ciavarella 1998, Int. J. Solids Struct. 35, 2349; Jäger 1998, Arch. Appl. Mech. 68, 23):
 //!
 //! Q = μ (P − P*),  u = μ c (d(P) − d(P*)),  c = (2 − ν)/(2 (1 − ν)).
 //!
-//! Bodies that have yielded under P or more are elastic on the way back, and so must d(P*) be: that of surfaces which the
-//! largest load has flattened
-//! ([`super::load_curve::LoadCurve::compute`]).
+//! Bodies that have yielded under P or more are elastic on the way back, and so must d(P*) be: that
+//! of surfaces which the largest load has flattened ([`super::load_curve::LoadCurve::compute`]).
 //!
-//! P* falls from P (all sticks) to 0 (all slides, at a finite displacement). Exact for ν = 0; else the
-//! small displacement across the force is neglected, and c is that of circular spots.
+//! P* falls from P (all sticks) to 0 (all slides, at a finite displacement). Exact for ν = 0; else
+//! the small displacement across the force is neglected, and c is that of circular spots.
 
 use super::load_curve::LoadCurve;
 use crate::error::{Error, require, require_positive};

@@ -1,9 +1,9 @@
 //! Undeformed distance of two bodies: given at points, cubic in between.
 //!
-//! Between two points the distance is Hermite's cubic with the slopes of the parabolas through three
-//! neighbours (Bessel): exact for parabolas on any spacing, with an error of third order in the spacing
-//! elsewhere, and it does not swing beyond two intervals. On equidistant points these are the cubics of
-//! Catmull and Rom (1974).
+//! Between two points the distance is Hermite's cubic with the slopes of the parabolas through
+//! three neighbours (Bessel): exact for parabolas on any spacing, with an error of third order in
+//! the spacing elsewhere, and it does not swing beyond two intervals. On equidistant points these
+//! are the cubics of Catmull and Rom (1974).
 
 use super::interpolation::{Weights, weights_at};
 use crate::error::{Error, Place, require_at, require_positive};
@@ -11,8 +11,8 @@ use crate::grid::Extent;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
-/// Undeformed distance of two bodies (profile of the wheel less that of the rail) around their contact.
-/// Only differences count, so it may be measured from anywhere.
+/// Undeformed distance of two bodies (profile of the wheel less that of the rail) around their
+/// contact. Only differences count, so it may be measured from anywhere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UndeformedDistance {
     pub(super) shape: Shape,
@@ -31,7 +31,8 @@ pub(super) enum Shape {
 const FEWEST: usize = 4;
 
 impl UndeformedDistance {
-    /// How many of its points lie within a rectangle, in each direction along which it is given by points.
+    /// How many of its points lie within a rectangle, in each direction along which it is given by
+    /// points.
     pub(super) fn points_within(&self, extent: &Extent) -> Vec<usize> {
         let within = |line: &[f64], [from, to]: [f64; 2]| {
             line.iter().filter(|at| (from..=to).contains(*at)).count()
@@ -42,8 +43,8 @@ impl UndeformedDistance {
         }
     }
 
-    /// From the distance across at x = 0, `distance` (in m) at the positions `y` (in m, ascending), and the
-    /// relative radius of rolling R (in m), 1/R = 1/R_wheel + 1/R_rail: d(y) + x²/(2R).
+    /// From the distance across at x = 0, `distance` (in m) at the positions `y` (in m, ascending),
+    /// and the relative radius of rolling R (in m), 1/R = 1/R_wheel + 1/R_rail: d(y) + x²/(2R).
     pub fn across(y: Vec<f64>, distance: Vec<f64>, relative_radius: f64) -> Result<Self, Error> {
         require_positive(Quantity::WheelRadiusX, relative_radius)?;
         check_positions('y', &y)?;
@@ -51,8 +52,8 @@ impl UndeformedDistance {
         Ok(Self { shape: Shape::Across { y, distance, radius: relative_radius } })
     }
 
-    /// From the distance (in m) at the positions `x` × `y` (in m, ascending), rows along x: the value at
-    /// (i, j) is `distance[j * x.len() + i]`.
+    /// From the distance (in m) at the positions `x` × `y` (in m, ascending), rows along x: the
+    /// value at (i, j) is `distance[j * x.len() + i]`.
     pub fn on_lattice(x: Vec<f64>, y: Vec<f64>, distance: Vec<f64>) -> Result<Self, Error> {
         check_positions('x', &x)?;
         check_positions('y', &y)?;

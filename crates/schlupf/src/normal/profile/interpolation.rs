@@ -17,8 +17,8 @@ impl Weights {
     }
 }
 
-/// Weights of the points for the position `at` (same unit); beyond the ends the outermost cubics go on.
-/// There must be at least three points, ascending.
+/// Weights of the points for the position `at` (same unit); beyond the ends the outermost cubics go
+/// on. There must be at least three points, ascending.
 pub(super) fn weights_at(points: &[f64], at: f64) -> Weights {
     let last = points.len() - 1;
     let above = points.partition_point(|point| *point <= at);

@@ -1,21 +1,25 @@
 //! Pressure from the shape of both bodies: a wheel's profile over that of a rail, new or worn.
 //!
-//! The undeformed distance h(x, y) of the bodies and their load N make a normal contact of two elastic
-//! half-spaces, gap = h + u − δ ≥ 0, p ≥ 0, gap p = 0, ∫ p dA = N, which [`super::rough_contact`] solves on
-//! cells. The patch may have any shape and several separate parts.
+//! The undeformed distance h(x, y) of the bodies and their load N make a normal contact of two
+//! elastic half-spaces, gap = h + u − δ ≥ 0, p ≥ 0, gap p = 0, ∫ p dA = N, which
+//! [`super::rough_contact`] solves on cells. The patch may have any shape and several separate
+//! parts.
 //!
-//! The contact is first looked for on a coarse lattice, from a rectangle that surely holds it inwards; then
-//! it is solved on a lattice of [`Profile::DEFAULT_CELLS`] cells across it, along x and y. The
-//! pressure of that lattice is used as a [`PressureTable`]. On a Hertzian contact with the default, semi-axes,
-//! peak pressure, approach and creep forces are within 0.3 % of the exact ones.
+//! The contact is first looked for on a coarse lattice, from a rectangle that surely holds it
+//! inwards; then it is solved on a lattice of [`Profile::DEFAULT_CELLS`] cells across it, along x
+//! and y. The pressure of that lattice is used as a [`PressureTable`]. On a Hertzian contact with
+//! the default, semi-axes, peak pressure, approach and creep forces are within 0.3 % of the exact
+//! ones.
 //!
-//! The origin of the contact frame is the middle of the rectangle that the patch spans under the source's own
-//! load, and stays there when the load changes. Semi-axes are half the sides of that rectangle.
+//! The origin of the contact frame is the middle of the rectangle that the patch spans under the
+//! source's own load, and stays there when the load changes. Semi-axes are half the sides of that
+//! rectangle.
 //!
-//! Limits: half-spaces, and one tangent plane for all parts of the patch (no flange with a steep contact
-//! angle, no conformal throat); tangential tractions do not change the pressure (similar materials). Between the
-//! points of a file the distance is cubic; roughness and rounding in it are part of the shape, and show in the
-//! pressure: a wave of amplitude Δ and length λ makes one of π E* Δ/λ.
+//! Limits: half-spaces, and one tangent plane for all parts of the patch (no flange with a steep
+//! contact angle, no conformal throat); tangential tractions do not change the pressure (similar
+//! materials). Between the points of a file the distance is cubic; roughness and rounding in it are
+//! part of the shape, and show in the pressure: a wave of amplitude Δ and length λ makes one of π
+//! E* Δ/λ.
 
 mod distance;
 mod interpolation;
@@ -69,8 +73,8 @@ impl Profile {
     /// Cells across the contact each way that are enough for a smooth profile.
     pub const DEFAULT_CELLS: usize = 128;
 
-    /// From the undeformed distance, the contact modulus E* (in Pa), the load (in N), and the number of cells across
-    /// the contact each way on which it is solved.
+    /// From the undeformed distance, the contact modulus E* (in Pa), the load (in N), and the
+    /// number of cells across the contact each way on which it is solved.
     ///
     /// ```
     /// use schlupf::normal::PressureSource;
@@ -125,8 +129,8 @@ impl Profile {
     }
 }
 
-/// 1/R = 1/R_wheel + 1/R_rail (in m) from the radii along rolling of wheel and rail (in m): positive where convex,
-/// negative where concave, infinite where flat.
+/// 1/R = 1/R_wheel + 1/R_rail (in m) from the radii along rolling of wheel and rail (in m):
+/// positive where convex, negative where concave, infinite where flat.
 pub fn relative_radius(radii: [f64; 2]) -> Result<f64, Error> {
     let radii = [(Quantity::WheelRadiusX, radii[0]), (Quantity::RailRadiusX, radii[1])];
     let curvature = curvature_sum(radii)?;

@@ -59,8 +59,8 @@ const TIGHT: f64 = 0.5;
 /// Rounds in which rectangles close in on the contact; each may shrink by more than ten.
 const MOST_ROUNDS: usize = 24;
 
-/// Where several parts lie side by side there are more cells, so that the widest one has as many as a single
-/// contact would; but not more than so many times as many each way.
+/// Where several parts lie side by side there are more cells, so that the widest one has as many as
+/// a single contact would; but not more than so many times as many each way.
 const MOST_REFINED: f64 = 4.0;
 
 const SEARCHING: RoughContactOptions = RoughContactOptions { tolerance: 1e-4, max_iterations: 300 };
@@ -90,8 +90,8 @@ impl Search<'_> {
         Err(lost(rectangle))
     }
 
-    /// The rectangle that the contact spans, to a few hundredths of its sides, and the width along x and y of
-    /// its widest part.
+    /// The rectangle that the contact spans, to a few hundredths of its sides, and the width along
+    /// x and y of its widest part.
     fn locate(&self) -> Result<(Rectangle, [f64; 2]), Error> {
         let mut rectangle = self.within_bounds(self.overlap(self.greatest_approach()));
         // Parts that a lattice so coarse may pass over.
@@ -120,8 +120,8 @@ impl Search<'_> {
 
     /// An approach (in m) that is hardly less than that under the load, and not much more.
     ///
-    /// With the area A that lies within δ of first contact, a flat punch carries 1.1 E* δ √A, a sphere half as
-    /// much, a cone 0.36 E* δ √A.
+    /// With the area A that lies within δ of first contact, a flat punch carries 1.1 E* δ √A, a
+    /// sphere half as much, a cone 0.36 E* δ √A.
     fn greatest_approach(&self) -> f64 {
         let [_, across] = self.distance.bounds();
         let carries = |approach: f64| {
@@ -149,8 +149,8 @@ impl Search<'_> {
         }
     }
 
-    /// The rectangle that holds all points within an approach (in m) of first contact. The contact lies in it,
-    /// because pressure moves the surfaces apart everywhere.
+    /// The rectangle that holds all points within an approach (in m) of first contact. The contact
+    /// lies in it, because pressure moves the surfaces apart everywhere.
     fn overlap(&self, approach: f64) -> Rectangle {
         let level = self.distance.lowest() + approach;
         match &self.distance.shape {
@@ -266,12 +266,13 @@ impl Search<'_> {
     }
 }
 
-/// What overlaps outside of the lattice by less than this part of the approach carries nothing that would be
-/// seen.
+/// What overlaps outside of the lattice by less than this part of the approach carries nothing that
+/// would be seen.
 const NEGLIGIBLE: f64 = 1e-3;
 
 impl Pressed {
-    /// The rectangle of the cells in contact. Its sides are exactly those of the lattice where it reaches them.
+    /// The rectangle of the cells in contact. Its sides are exactly those of the lattice where it
+    /// reaches them.
     fn touched(&self) -> Rectangle {
         let Lattice { columns, rows, .. } = self.lattice;
         let is_contact = |i: usize, j: usize| self.solution.pressure[j * columns + i] > 0.0;
@@ -316,7 +317,8 @@ impl Pressed {
         self.solution.approach + self.distance.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// The pressure as forces (in N) at places x and y (in m), one for each block of cells that carries.
+    /// The pressure as forces (in N) at places x and y (in m), one for each block of cells that
+    /// carries.
     fn forces(&self) -> Vec<[f64; 3]> {
         let Lattice { columns, rows, .. } = self.lattice;
         let [x, y] = positions(&self.lattice, self.rectangle);

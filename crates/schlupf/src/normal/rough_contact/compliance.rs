@@ -1,16 +1,16 @@
 //! Displacement of two elastic half-spaces under normal pressure, u = S p.
 //!
-//! *Periodic*: a wave of pressure moves the surface by a wave, u_k = 2/(E*|k|) p_k (Westergaard 1939;
-//! Johnson, *Contact Mechanics*, 1985, §13.2). The mean pressure moves nothing: displacements count
-//! from the mean plane.
+//! *Periodic*: a wave of pressure moves the surface by a wave, u_k = 2/(E*|k|) p_k (Westergaard
+//! 1939; Johnson, *Contact Mechanics*, 1985, §13.2). The mean pressure moves nothing: displacements
+//! count from the mean plane.
 //!
-//! *Free*: pressure is constant in each cell and the displacement in the middle of another one, with
-//! sums over the corners X = x ± Δx/2, Y = y ± Δy/2 and signs (+, −, −, +), is
+//! *Free*: pressure is constant in each cell and the displacement in the middle of another one,
+//! with sums over the corners X = x ± Δx/2, Y = y ± Δy/2 and signs (+, −, −, +), is
 //!
 //! πE* u = p (X asinh(Y/|X|) + Y asinh(X/|Y|))      (Love 1929; Johnson 1985, §3.5).
 //!
-//! It depends on the distance of two cells only: a convolution, by Fourier transform on a grid padded
-//! to twice its size.
+//! It depends on the distance of two cells only: a convolution, by Fourier transform on a grid
+//! padded to twice its size.
 
 use std::f64::consts::PI;
 

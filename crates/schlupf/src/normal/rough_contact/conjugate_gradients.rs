@@ -2,21 +2,22 @@
 //!
 //! As Polonsky and Keer (1999), with these differences, which make the iterations few and nearly
 //! independent of the grid:
-//! - The gap is preconditioned with the stiffness of the unbounded surface, E*|k|/2 (Vollebregt 2014).
-//! - Cells that are pressed in without pressure, or yield while the gap opens, take part in the search
-//!   direction at once. It is kept when they come, with Polak's and Ribière's weight, which by itself
-//!   becomes small where the contact changed much.
+//! - The gap is preconditioned with the stiffness of the unbounded surface, E*|k|/2 (Vollebregt
+//!   2014).
+//! - Cells that are pressed in without pressure, or yield while the gap opens, take part in the
+//!   search direction at once. It is kept when they come, with Polak's and Ribière's weight, which
+//!   by itself becomes small where the contact changed much.
 //! - Where no cell meets a constraint the displacement is updated instead of computed anew.
-//! - Where constraints spoil a step so that the energy ½ pᵀSp + pᵀh would rise, it is shortened: it falls
-//!   in every iteration.
+//! - Where constraints spoil a step so that the energy ½ pᵀSp + pᵀh would rise, it is shortened: it
+//!   falls in every iteration.
 //!
 //! Convergence is measured by the duality gap. With λ the level of the gap in contact, and P the
 //! largest pressure that may occur (the hardness, or twice the largest one there is),
 //!
 //! Σ p (g − λ)⁺ + (P − p) (λ − g)⁺
 //!
-//! bounds how far the energy is from its minimum: half the squared error of the pressure in the energy
-//! norm. Its ratio to pᵀu is the residual.
+//! bounds how far the energy is from its minimum: half the squared error of the pressure in the
+//! energy norm. Its ratio to pᵀu is the residual.
 
 use crate::error::Error;
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -126,7 +127,8 @@ impl Equilibrium<'_> {
         pressure > 0.0 && pressure < self.hardness
     }
 
-    /// Whether the pressure of a cell with this gap over the level may move: away from a bound only.
+    /// Whether the pressure of a cell with this gap over the level may move: away from a bound
+    /// only.
     fn may_move(&self, pressure: f64, gap: f64) -> bool {
         (pressure > 0.0 || gap < 0.0) && (pressure < self.hardness || gap > 0.0)
     }
@@ -157,8 +159,8 @@ impl Equilibrium<'_> {
         if excess > 0.0 { excess / work.max(f64::MIN_POSITIVE) } else { 0.0 }
     }
 
-    /// The next search direction: preconditioned gap of the cells that may move, conjugate to the last
-    /// one.
+    /// The next search direction: preconditioned gap of the cells that may move, conjugate to the
+    /// last one.
     fn choose_direction(&mut self, state: &mut State) {
         let State { pressure, gap, direction, response, steepest, last_gap, .. } = state;
         // The response serves as room for the gap of the cells that may move.
@@ -187,9 +189,9 @@ impl Equilibrium<'_> {
         state.last_product = product;
     }
 
-    /// Makes a field a direction in which the pressure can go: away from the bounds only, and with a
-    /// sum of zero. Free cells make up for the sum; their gap has a mean of zero, so that the energy
-    /// does not care to first order.
+    /// Makes a field a direction in which the pressure can go: away from the bounds only, and with
+    /// a sum of zero. Free cells make up for the sum; their gap has a mean of zero, so that the
+    /// energy does not care to first order.
     fn restrict(&self, pressure: &[f64], gap: &[f64], field: &mut [f64]) {
         let (mut sum, mut free) = (0.0, 0_usize);
         for (k, value) in field.iter_mut().enumerate() {
@@ -248,8 +250,9 @@ impl Equilibrium<'_> {
         steps.all(|(p, t)| *t == 0.0 || self.is_free(p - length * t))
     }
 
-    /// Brings the pressure of the cells that move within its bounds and makes it carry the load: the
-    /// nearest such pressure, which is q less the same for all of these cells, cut at the bounds.
+    /// Brings the pressure of the cells that move within its bounds and makes it carry the load:
+    /// the nearest such pressure, which is q less the same for all of these cells, cut at the
+    /// bounds.
     ///
     /// The load falls with what is taken away, in a broken line: Newton's method within a bracket.
     fn project(&self, pressure: &mut [f64], moves: impl Fn(usize) -> bool) {

@@ -1,14 +1,16 @@
-//! Normal contact of two elastic bodies of any shape: rough surfaces, or profiles of wheel and rail.
+//! Normal contact of two elastic bodies of any shape: rough surfaces, or profiles of wheel and
+//! rail.
 //!
-//! With the undeformed distance h(x, y), the displacement u = S p of both bodies and the approach δ,
+//! With the undeformed distance h(x, y), the displacement u = S p of both bodies and the approach
+//! δ,
 //!
 //! gap g = h + u − δ ≥ 0,  p ≥ 0,  g p = 0,  ∫ p dA = N.
 //!
 //! That is the minimum of ½ pᵀSp + pᵀh under p ≥ 0 and the load, found by conjugate gradients with
-//! constraints (Polonsky and Keer 1999, Wear 231, 206), which are preconditioned (Vollebregt 2014, J.
-//! Tribol. 136, 021402) and kept when the contact changes; see `conjugate_gradients.rs`. With a hardness
-//! H also p ≤ H, and where p = H the material yields, g ≤ 0 being the depth that is flattened
-//! (elastic–perfectly plastic cut-off; Almqvist et al. 2007, J. Tribol. 129, 306).
+//! constraints (Polonsky and Keer 1999, Wear 231, 206), which are preconditioned (Vollebregt 2014,
+//! J. Tribol. 136, 021402) and kept when the contact changes; see `conjugate_gradients.rs`. With a
+//! hardness H also p ≤ H, and where p = H the material yields, g ≤ 0 being the depth that is
+//! flattened (elastic–perfectly plastic cut-off; Almqvist et al. 2007, J. Tribol. 129, 306).
 //!
 //! Limits: half-spaces, slopes small against one, no friction in the normal problem.
 
@@ -38,7 +40,7 @@ pub enum Boundary {
 pub struct RoughContactOptions {
     /// Relative error of the energy to reach, dimensionless; in practice that of the pressure.
     pub tolerance: f64,
-    /// Most iterations.
+    /// Maximum number of iterations.
     pub max_iterations: usize,
 }
 
@@ -78,8 +80,8 @@ pub struct RoughContactSolution {
     pub pressure: Vec<f64>,
     /// Gap, in m; zero in contact, not positive where the material yields.
     pub gap: Vec<f64>,
-    /// By how much the bodies have approached since they first touched, in m: distant points, or mean
-    /// planes of a periodic surface.
+    /// By how much the bodies have approached since they first touched, in m: distant points, or
+    /// mean planes of a periodic surface.
     pub approach: f64,
     /// Mean gap, in m: the distance of the mean planes.
     pub mean_gap: f64,
@@ -89,13 +91,14 @@ pub struct RoughContactSolution {
     pub corrected_contact_area: f64,
     /// Area of all cells that yield, in m².
     pub plastic_area: f64,
-    /// Whether the contact reaches the edge of the lattice: with free boundaries it is cut off there.
+    /// Whether the contact reaches the edge of the lattice: with free boundaries it is cut off
+    /// there.
     pub touches_edge: bool,
 }
 
 impl RoughContact {
-    /// From the undeformed distance (see [`HeightMap::distance_to_plane`]) and the contact modulus E*
-    /// (in Pa, see [`crate::material::contact_modulus`]).
+    /// From the undeformed distance (see [`HeightMap::distance_to_plane`]) and the contact modulus
+    /// E* (in Pa, see [`crate::material::contact_modulus`]).
     ///
     /// ```
     /// use schlupf::normal::rough_contact::{Boundary, RoughContact};
@@ -152,8 +155,8 @@ impl RoughContact {
         self.hardness
     }
 
-    /// The bodies after a solution: flattened where they yielded, and elastic, because no smaller load and not the same
-    /// one makes them yield again.
+    /// The bodies after a solution: flattened where they yielded, and elastic, because no smaller
+    /// load and not the same one makes them yield again.
     pub fn flattened(&self, solution: &RoughContactSolution) -> Result<Self, Error> {
         let depth = |cell: usize| {
             let has_yielded = solution.pressure[cell] >= self.hardness;

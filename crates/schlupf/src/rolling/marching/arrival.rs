@@ -1,10 +1,10 @@
-//! What the elements bring into their new cells when the material moves on by one cell, and when and
-//! where those that are new came into contact.
+//! What the elements bring into their new cells when the material moves on by one cell, and when
+//! and where those that are new came into contact.
 //!
 //! A material point that enters within a step is compared with the displacement where and when it
-//! entered, not with that of the last instant. With λ the part of the step that the material of a cell
-//! has spent in contact, m its upstream neighbour, u = A p and e the displacement where the material
-//! entered, it slides by
+//! entered, not with that of the last instant. With λ the part of the step that the material of a
+//! cell has spent in contact, m its upstream neighbour, u = A p and e the displacement where the
+//! material entered, it slides by
 //!
 //! Δs_k = D_k − u_k(t) + (u_m − e_m)(t − Δt) + λ e_k(t − Δt) + (1 − λ) e_k(t),
 //!
@@ -81,8 +81,8 @@ struct Place<'a> {
     /// How the edges of its strip move, if they do.
     motion: Option<&'a Motion>,
     grid: &'a Grid,
-    /// A p of the last instant where the material of the cell entered then, in m; if the strip was in
-    /// contact.
+    /// A p of the last instant where the material of the cell entered then, in m; if the strip was
+    /// in contact.
     entered: Option<[f64; 2]>,
 }
 

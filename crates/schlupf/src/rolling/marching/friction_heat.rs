@@ -1,5 +1,5 @@
-//! Temperatures that follow from the friction power in the cells; Eqs. (17)–(22). The heat is released on
-//! the way through a cell, evenly.
+//! Temperatures that follow from the friction power in the cells; Eqs. (17)–(22). The heat is
+//! released on the way through a cell, evenly.
 
 use crate::heat::{Heat, HeatStep};
 use crate::numerics::root::fixed_point;

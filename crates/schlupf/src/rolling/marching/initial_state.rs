@@ -1,4 +1,5 @@
-//! The state from which a march goes on: whether it can be, and its elements in the cells of the patch.
+//! The state from which a march goes on: whether it can be, and its elements in the cells of the
+//! patch.
 
 use crate::error::Error;
 use crate::grid::Grid;

@@ -51,7 +51,7 @@ use super::time_step::{Prescribed, TimeStep};
 /// ```
 ///
 /// # Errors
-/// Whatever [`Transient::check`] and [`Options::check`] refuse, a state that does not fit, and
+/// Whatever [`Transient::check`] and [`Options::check`] reject, a state that does not fit, and
 /// [`Error::Stopped`].
 pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<Solution, Error> {
     transient.check()?;
@@ -96,7 +96,7 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
 /// ```
 ///
 /// # Errors
-/// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] refuse, and
+/// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] reject, and
 /// [`Error::Stopped`].
 pub fn shift(
     problem: &Problem,
@@ -114,7 +114,7 @@ pub fn shift(
 /// Time steps in succession without an equilibrium after which a march to the steady state ends.
 const HOPELESS: usize = 10;
 
-/// Most time steps of a history.
+/// Maximum number of time steps of a history.
 const MAX_HISTORY_STEPS: f64 = 1e6;
 
 /// All that changes from step to step.
@@ -239,7 +239,8 @@ impl<'a> March<'a> {
         self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
     }
 
-    /// The wheel is shifted at rest (in m), with the friction of the temperature that the material has.
+    /// The wheel is shifted at rest (in m), with the friction of the temperature that the material
+    /// has.
     fn shift(&mut self, distance: [f64; 2], watch: Watch) -> Result<(), Error> {
         let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
         self.now.conduction = self.problem.conduction(&at_rest);
@@ -299,7 +300,7 @@ impl<'a> March<'a> {
         self.contact.set_normal(&normal).map(Some)
     }
 
-    /// What stays in its place while the material moves: the last step's traction is the first
+    /// What stays in its place while the material moves: the last step's traction is the initial
     /// guess. Friction, Eq. (23), follows the temperature of the element that has come, which
     /// contains the heat that friction itself makes here now: both are found together.
     fn stay_in_place(&mut self, arrivals: &[Arrival]) {

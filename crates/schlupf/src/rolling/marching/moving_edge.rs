@@ -1,15 +1,15 @@
-//! How long the material of a cell has been in contact where the load changes and the edges of the patch
-//! move.
+//! How long the material of a cell has been in contact where the load changes and the edges of the
+//! patch move.
 //!
-//! In a row, the patch reaches from its middle c by l on either side. Where bodies are round l² changes
-//! evenly with time, and so it is taken to do within a step: by G. Material at a distance x from the
-//! middle moves by Δx in a step, relative to the middle by s = Δx + Δc; it has met the edge θ steps
-//! before, with
+//! In a row, the patch reaches from its middle c by l on either side. Where bodies are round l²
+//! changes evenly with time, and so it is taken to do within a step: by G. Material at a distance x
+//! from the middle moves by Δx in a step, relative to the middle by s = Δx + Δc; it has met the
+//! edge θ steps before, with
 //!
 //! (x + θ s)² = l² − θ G,
 //!
-//! at the leading edge, or where the patch has overtaken it at the trailing one. With edges that stay
-//! θ Δx is the distance from the leading edge.
+//! at the leading edge, or where the patch has overtaken it at the trailing one. With edges that
+//! stay θ Δx is the distance from the leading edge.
 
 use std::ops::Range;
 
@@ -31,7 +31,8 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    /// Way in contact (in m) until now of material that is at x, with the leading edge at `edge`, in m.
+    /// Way in contact (in m) until now of material that is at x, with the leading edge at `edge`,
+    /// in m.
     pub fn way_until_end(&self, x: f64, edge: f64) -> f64 {
         self.way(x - self.middle, edge - self.middle)
     }
@@ -61,9 +62,9 @@ impl Motion {
     }
 }
 
-/// The motion of every strip, from what the past says of the same cells. Where a row is not covered over
-/// its width, its mean edges tell how it fills, not how they move: such a strip takes the gain of the
-/// nearest one that is.
+/// The motion of every strip, from what the past says of the same cells. Where a row is not covered
+/// over its width, its mean edges tell how it fills, not how they move: such a strip takes the gain
+/// of the nearest one that is.
 pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
     let spacing = patch.grid.spacing_x;
     let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
@@ -95,8 +96,8 @@ pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
     (0..reaches.len()).map(motion).collect()
 }
 
-/// From the cell next to the middle of the strip that was in contact before, whose entry is the mean of
-/// the edge over the row.
+/// From the cell next to the middle of the strip that was in contact before, whose entry is the
+/// mean of the edge over the row.
 fn measured(patch: &Patch, cells: &Range<usize>, reach: &Reach, past: &Past) -> Option<Motion> {
     let center = usize::midpoint(cells.start, cells.end);
     let known = |k: &usize| past.at(patch.cells[*k].index).is_some();
@@ -131,8 +132,8 @@ mod tests {
         assert_relative_eq!(nearly.way_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
     }
 
-    /// l² = 1 + 2t, the material at x − t: the way since x(t) = l(t), by bisection; whether the patch
-    /// grows or shrinks, and for material that it overtakes at the trailing edge.
+    /// l² = 1 + 2t, the material at x − t: the way since x(t) = l(t), by bisection; whether the
+    /// patch grows or shrinks, and for material that it overtakes at the trailing edge.
     #[test]
     fn material_meets_the_edge_where_it_was() {
         for (gain, x) in [(0.2, 0.5), (0.2, 0.99), (-0.15, 0.9), (-0.4, 0.2), (0.5, -0.98)] {

@@ -1,8 +1,8 @@
 //! Two bodies at rest, pressed together and shifted tangentially: Cattaneo's and Mindlin's problem,
 //! for any patch, elasticity and contact law.
 //!
-//! Nothing is carried along, so there is one equilibrium: every cell slides by the shift less what the
-//! bodies yield, with the same shift in all of them.
+//! Nothing is carried along, so there is one equilibrium: every cell slides by the shift less what
+//! the bodies yield, with the same shift in all of them.
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
@@ -34,8 +34,8 @@ pub(super) struct Shift<'a> {
 }
 
 impl Shift<'_> {
-    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and leaves it
-    /// there and in the elements.
+    /// Finds the equilibrium after the shift, from the traction on the rail p before (in Pa), and
+    /// leaves it there and in the elements.
     pub fn find(
         self,
         newton: &mut Newton,

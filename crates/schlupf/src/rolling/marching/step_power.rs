@@ -1,14 +1,15 @@
-//! Slip and friction power at an instant, the powers over the time step before it, and the energy that the
-//! bodies store.
+//! Slip and friction power at an instant, the powers over the time step before it, and the energy
+//! that the bodies store.
 //!
-//! Over a step the traction is the mean of that at its two ends, and the displacement changes by its
-//! difference, both in place. With a symmetric compliance the elastic part of the work is then exactly
-//! the change of the stored energy ½ Σ p·(A p) ΔA, whatever the step, and what the material carries
-//! through the patch cancels, so that
+//! Over a step the traction is the mean of that at its two ends, and the displacement changes by
+//! its difference, both in place. With a symmetric compliance the elastic part of the work is then
+//! exactly the change of the stored energy ½ Σ p·(A p) ΔA, whatever the step, and what the material
+//! carries through the patch cancels, so that
 //!
 //! power of the creep forces = friction power + change of the stored energy over the duration.
 //!
-//! Heat follows from the friction power at the instant: an element is in the middle of its cell then.
+//! Heat follows from the friction power at the instant: an element is in the middle of its cell
+//! then.
 
 use crate::grid::VectorField;
 use crate::kinematics::Kinematics;
@@ -48,9 +49,9 @@ impl Start {
         }
     }
 
-    /// Slip velocity and friction power of every cell at the instant in which a step has ended. Each
-    /// cell's friction power is that of its traction with the mean slip over the cell, so rigid slip
-    /// works with the whole force.
+    /// Slip velocity and friction power of every cell at the instant in which a step has ended.
+    /// Each cell's friction power is that of its traction with the mean slip over the cell, so
+    /// rigid slip works with the whole force.
     pub fn set_friction_power(
         &self,
         now: &mut Snapshot,

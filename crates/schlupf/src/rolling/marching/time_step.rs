@@ -31,8 +31,9 @@ pub(super) struct Prescribed {
 /// The equilibrium of one instant: p = μ pₙ law(D − B p), each cell with its own history.
 ///
 /// Material that came into contact within the step is compared with the displacement where and when
-/// it entered: B = A − diag(1 − λ) A_lead, A_lead p being the displacement at its place of entry now: at
-/// the leading edge, or, where it came into contact in its place, what the tractions of the others make there.
+/// it entered: B = A − diag(1 − λ) A_lead, A_lead p being the displacement at its place of entry
+/// now: at the leading edge, or, where it came into contact in its place, what the tractions of the
+/// others make there.
 pub(super) struct TimeStep<'a> {
     contact: &'a mut DiscreteContact,
     cell: CellSolver<'a>,
@@ -84,8 +85,8 @@ impl<'a> TimeStep<'a> {
         }
     }
 
-    /// Measures residuals against a traction (‖p‖₂ in Pa), where this step's is smaller: what fades away
-    /// need not be known more exactly than it was.
+    /// Measures residuals against a traction (‖p‖₂ in Pa), where this step's is smaller: what fades
+    /// away need not be known more exactly than it was.
     pub fn measured_against(self, largest: f64) -> Self {
         Self { largest, ..self }
     }

@@ -14,7 +14,7 @@ const ACCURACY: f64 = 1e-13;
 /// Relative excess from which on a last step needs no look at the law.
 const NEAR: f64 = 1e-8;
 
-/// Relative excess of a first guess that needs no rival.
+/// Relative excess of a initial guess that needs no rival.
 const GOOD: f64 = 1e-2;
 
 /// The law of a contact, and γ (in Pa/m) beside it.

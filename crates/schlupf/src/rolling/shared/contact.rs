@@ -200,8 +200,8 @@ impl DiscreteContact {
         self.compliance.is_short_ranged()
     }
 
-    /// Traction over displacement of a cell in the middle under its own traction, in Pa/m. Between rigid
-    /// bodies it is one beside which the bristles give way alone.
+    /// Traction over displacement of a cell in the middle under its own traction, in Pa/m. Between
+    /// rigid bodies it is one beside which the bristles give way alone.
     pub fn cell_stiffness(&self) -> f64 {
         if self.cell_stiffness.is_finite() { self.cell_stiffness } else { self.like_rigid() }
     }
@@ -318,8 +318,9 @@ const POWER_ITERATIONS: usize = 10;
 /// The power iteration comes from below.
 const SAFETY: f64 = 1.1;
 
-/// Stiffness of rigid bodies over that of the bristles at the start, dimensionless: what they leave of
-/// the rigid slip is then an explicit recursion down the strips, to the tolerance of a Newton step.
+/// Stiffness of rigid bodies over that of the bristles at the start, dimensionless: what they leave
+/// of the rigid slip is then an explicit recursion down the strips, to the tolerance of a Newton
+/// step.
 const RIGID: f64 = 1e8;
 
 /// The same in Pa/m, where there are no bristles: that of steel in a patch of some millimetres.

@@ -16,7 +16,8 @@ const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
 /// Largest part of the friction power that the bristles may return unmentioned.
 const LARGEST_RETURNED_POWER: f64 = 0.01;
 
-/// Largest pressure over E* from which on steel, too, is no longer elastic: its hardness is below that.
+/// Largest pressure over E* from which on steel, too, is no longer elastic: its hardness is below
+/// that.
 const YIELDING: f64 = 0.03;
 
 /// A largest pressure (in Pa) that no body stands.

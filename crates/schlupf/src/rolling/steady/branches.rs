@@ -1,6 +1,6 @@
 //! Several steady states at one motion. Where friction falls faster with the slip than the bodies
-//! relax, a part of the patch may stick as well as slide. Which state a wheel is in depends on where it
-//! comes from, so this follows the creepage: from low slip, and from high slip.
+//! relax, a part of the patch may stick as well as slide. Which state a wheel is in depends on
+//! where it comes from, so this follows the creepage: from low slip, and from high slip.
 
 use crate::kinematics::Kinematics;
 use crate::problem::{Branch, Problem};
@@ -8,8 +8,8 @@ use crate::problem::{Branch, Problem};
 use super::level::Level;
 
 /// Feedback from which on there may be several states, dimensionless: how much slip follows from
-/// the fall of friction by a little slip, as a cell alone would answer. It is an estimate: of 8000 random
-/// contacts with steep friction none below it had two states.
+/// the fall of friction by a little slip, as a cell alone would answer. It is an estimate: of 8000
+/// random contacts with steep friction none below it had two states.
 const STRONG: f64 = 1.0;
 
 /// Largest slip speeds at which the law is sampled over the present ones, and how densely.
@@ -38,20 +38,22 @@ pub(super) fn may_be_several(problem: &Problem, level: &Level, has_state: bool) 
     level.friction.is_coupled && feedback(problem, level, has_state) > STRONG
 }
 
-/// Slip speed that follows elastically, over the one that caused it, dimensionless. Heat does not count:
-/// it comes from upstream, so that it acts on the slip that made it only by way of the elasticity of the
-/// whole patch; no contact with several states by heat was found.
+/// Slip speed that follows elastically, over the one that caused it, dimensionless. Heat does not
+/// count: it comes from upstream, so that it acts on the slip that made it only by way of the
+/// elasticity of the whole patch; no contact with several states by heat was found.
 fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let Level { contact, friction, .. } = level;
     let loosening =
         contact.cell_looseness() * problem.kinematics.speed / contact.patch.grid.spacing_x;
-    // Where no state was found the slip is any, and may hide where the law is steep: the rigid one counts.
+    // Where no state was found the slip is any, and may hide where the law is steep: the rigid one
+    // counts.
     let rigid =
         contact.patch.cells.iter().map(|cell| problem.kinematics.rigid_slip(cell.x, cell.y));
     let rigid = rigid.map(|v| problem.kinematics.speed * v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = friction.slip.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = if has_state { fastest } else { rigid };
-    // Every cell at its y and its temperature, each at another speed: neighbours complete each other.
+    // Every cell at its y and its temperature, each at another speed: neighbours complete each
+    // other.
     let cells = contact.patch.cells.iter().zip(&friction.rise).enumerate();
     let fall = cells.map(|(k, (cell, rise))| {
         let falls = (0..SPEEDS).map(|n| {

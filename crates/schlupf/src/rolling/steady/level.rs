@@ -1,4 +1,5 @@
-//! One of the nested grids on which a steady state is found, from the coarsest to the one asked for.
+//! One of the nested grids on which a steady state is found, from the coarsest to the one asked
+//! for.
 
 use crate::error::Error;
 use crate::grid::Grid;
@@ -23,7 +24,7 @@ pub(super) struct Level {
     pub response: Vec<f64>,
     /// The same of the points before, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
-    /// Its first guess from those before alone, in Pa.
+    /// Its initial guess from those before alone, in Pa.
     pub foreseen: Vec<f64>,
     pub room: Room,
 }

@@ -1,5 +1,5 @@
-//! Derivatives of the steady forces, exact: from F(p, θ) = 0 follows J dp/dθ = −∂F/∂θ with the Jacobian
-//! of the converged equilibrium, one linear solution for each parameter θ.
+//! Derivatives of the steady forces, exact: from F(p, θ) = 0 follows J dp/dθ = −∂F/∂θ with the
+//! Jacobian of the converged equilibrium, one linear solution for each parameter θ.
 //!
 //! ∂F/∂θ is known in closed form: creepages and spin enter by the rigid slip, μ0 by the bound μ pₙ.
 //! The contact law depends on k_c times lengths only, so its derivative by k_c follows from those
@@ -27,8 +27,8 @@ const ACCURACY: f64 = 0.1;
 const ACCURACY_RANGE: [f64; 2] = [1e-10, 1e-5];
 const WORST: f64 = 100.0;
 
-/// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds; and
-/// its largest size, in numbers.
+/// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds;
+/// and its largest size, in numbers.
 const MAX_DIMENSION: usize = 500;
 const MAX_SIZE: usize = 50_000_000;
 
@@ -174,8 +174,8 @@ impl<'a> Derivatives<'a> {
         direct
     }
 
-    /// Adds what follows from a change of ln(μ0 k_c p0 / cell stiffness) for the interpolation at the
-    /// leading edge.
+    /// Adds what follows from a change of ln(μ0 k_c p0 / cell stiffness) for the interpolation at
+    /// the leading edge.
     fn stiffen(&self, direct: &mut Direct, change: f64) {
         if let Some(by_bristles) = &self.by_bristles {
             direct.response.resize(by_bristles.len(), 0.0);

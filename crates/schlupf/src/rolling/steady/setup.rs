@@ -74,8 +74,8 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
     }
 
-    /// The steady state, from the solutions before; where that fails, from none; and then by way of softer
-    /// bristles, with which it is smoother.
+    /// The steady state, from the solutions before; where that fails, from none; and then by way of
+    /// softer bristles, with which it is smoother.
     pub fn find(&mut self, problem: &Problem, search: &mut Search) -> Result<Outcome, Error> {
         if !self.earlier.is_empty() {
             let outcome = self.find_equilibrium(problem, search)?;
@@ -139,8 +139,8 @@ impl Setup {
     }
 
     /// Follows the creepage to a problem from high slip and from low slip, the branch that is asked
-    /// for last. The state on it, with a warning if the other one is another; where a branch is lost,
-    /// whichever state is found, with a warning that says so.
+    /// for last. The state on it, with a warning if the other one is another; where a branch is
+    /// lost, whichever state is found, with a warning that says so.
     pub fn follow_branches(
         &mut self,
         problem: &Problem,
@@ -194,7 +194,7 @@ impl Setup {
         Ok(end.map(|outcome| (outcome, force)))
     }
 
-    /// The first guess on a level: what extrapolation along the earlier solutions gives, and the
+    /// The initial guess on a level: what extrapolation along the earlier solutions gives, and the
     /// part of the next coarser solution that this did not foresee.
     fn guess(&mut self, depth: usize, ahead: f64) {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
@@ -233,8 +233,8 @@ impl Setup {
         self.earlier.insert(0, kinematics);
     }
 
-    /// How far a motion lies ahead on the line through the last two, in distances between them; zero
-    /// where it does not lie on that line.
+    /// How far a motion lies ahead on the line through the last two, in distances between them;
+    /// zero where it does not lie on that line.
     fn extrapolation(&self, problem: &Problem) -> f64 {
         let [last, before] = self.earlier.as_slice() else { return 0.0 };
         let normal = &self.levels[0].contact.normal;

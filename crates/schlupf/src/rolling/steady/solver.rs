@@ -34,7 +34,7 @@ use super::setup::{Search, Setup};
 /// ```
 ///
 /// # Errors
-/// Whatever [`Problem::check`] and [`Options::check`] refuse, and [`Error::Stopped`].
+/// Whatever [`Problem::check`] and [`Options::check`] reject, and [`Error::Stopped`].
 pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solution, Error> {
     SteadySolver::new(options).solve(problem, watch)
 }
@@ -137,7 +137,7 @@ impl SteadySolver {
         }))
     }
 
-    /// The steady state of a problem with its creepages at the middle of the patch.
+    /// The steady state of a problem with its creepages at the centre of the patch.
     fn attempt(
         &mut self,
         problem: &Problem,

@@ -2,8 +2,9 @@
 //! cells upstream of it and the cell itself release now; Eqs. (17)–(23).
 //!
 //! Each cell's friction power is that of its traction with the mean slip over the cell, so rigid
-//! slip works with the whole force, and the elastic parts cancel: the integral of the friction power
-//! is the power of the creep forces. The heat is released on the way through the cell, evenly.
+//! slip works with the whole force, and the elastic parts cancel: the integral of the friction
+//! power is the power of the creep forces. The heat is released on the way through the cell,
+//! evenly.
 //!
 //! In slow rolling the temperatures are those of conduction in all directions
 //! ([`ContactConduction`]), which act on all cells; then the weights of those upstream in a strip
@@ -227,8 +228,9 @@ impl SteadyFriction {
         }
     }
 
-    /// The traction on the rail p (in Pa) that goes with its share of μ pₙ in each cell (dimensionless),
-    /// if all slip is rigid: cell by cell down the strips, each with the friction that its own heat leaves.
+    /// The traction on the rail p (in Pa) that goes with its share of μ pₙ in each cell
+    /// (dimensionless), if all slip is rigid: cell by cell down the strips, each with the friction
+    /// that its own heat leaves.
     pub fn rub_rigidly(
         &mut self,
         problem: &Problem,

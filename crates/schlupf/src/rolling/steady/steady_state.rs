@@ -13,8 +13,8 @@ use super::strip_law::{Cause, StripLaw};
 /// The steady equilibrium on the first of some levels. The coarser ones, solved before, help to
 /// precondition it.
 ///
-/// The linear response to p is b, the change of A p from cell to cell; and where friction depends on
-/// heat or slip, also the change of A p in passing each cell.
+/// The linear response to p is b, the change of A p from cell to cell; and where friction depends
+/// on heat or slip, also the change of A p in passing each cell.
 pub(super) struct SteadyState<'a> {
     problem: &'a Problem,
     levels: &'a mut [Level],
@@ -174,9 +174,9 @@ impl SteadyState<'_> {
         strips.tangent(&nothing, b, Some(&room.bound), Some(&direct.cause), change);
     }
 
-    /// Change of the linear response (in m) at the solution with the logarithm of the stiffness of the
-    /// bristles over a cell's, on which the interpolation at the leading edge depends; nothing where
-    /// it does not.
+    /// Change of the linear response (in m) at the solution with the logarithm of the stiffness of
+    /// the bristles over a cell's, on which the interpolation at the leading edge depends; nothing
+    /// where it does not.
     pub fn response_by_stiffness(&mut self) -> Option<Vec<f64>> {
         let mut response = vec![0.0; self.response_size()];
         let Level { contact, strips, traction, room, .. } = &mut self.levels[0];

@@ -1,9 +1,9 @@
 //! The contact law along the strips of a patch, from the leading edge on.
 //!
-//! With b = B p the change of A p, relative to that at the leading edge, from cell to cell, and D the
-//! rigid slip on the way, every cell slides by D − b, and the contact law carries the traction on from
-//! its upstream neighbour. As in a time step the law is evaluated together with γ s
-//! (see `rolling/marching/time_step.rs`), now from cell to cell down the strip.
+//! With b = B p the change of A p, relative to that at the leading edge, from cell to cell, and D
+//! the rigid slip on the way, every cell slides by D − b, and the contact law carries the traction
+//! on from its upstream neighbour. As in a time step the law is evaluated together with γ s (see
+//! `rolling/marching/time_step.rs`), now from cell to cell down the strip.
 
 use std::sync::Arc;
 
@@ -39,7 +39,8 @@ pub(super) struct StripLaw {
     flux_changes: Vec<f64>,
 }
 
-/// Derivatives of a cell at the last residual, in the order in which a pass down the strip needs them.
+/// Derivatives of a cell at the last residual, in the order in which a pass down the strip needs
+/// them.
 #[derive(Clone, Copy, Default)]
 struct Tangent {
     /// ∂law/∂(traction before), dimensionless.
@@ -181,7 +182,8 @@ impl StripLaw {
         }
     }
 
-    /// Traction on the rail over μ pₙ of each cell, if nothing gave way but the bristles; dimensionless.
+    /// Traction on the rail over μ pₙ of each cell, if nothing gave way but the bristles;
+    /// dimensionless.
     pub fn rigid_saturation(&self) -> Vec<[f64; 2]> {
         let mut saturation = Vec::with_capacity(self.len());
         let nothing = vec![0.0; 2 * self.len()];
@@ -339,8 +341,8 @@ impl StripLaw {
         }
     }
 
-    /// Changes of the traction over μ pₙ and of the increment of a cell on which `pull` acts (in Pa)
-    /// beside the gain.
+    /// Changes of the traction over μ pₙ and of the increment of a cell on which `pull` acts (in
+    /// Pa) beside the gain.
     #[inline]
     fn moved(&self, k: usize, pull: [f64; 2], gain: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let (tangent, bound) = (&self.tangents[k], self.bound[k]);

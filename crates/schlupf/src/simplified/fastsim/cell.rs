@@ -66,8 +66,8 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// θ' = −|w| sin θ/g from θ = 2 rad over |w|/g = 1.3, by small steps (Euler with halved steps and
-    /// extrapolation).
+    /// θ' = −|w| sin θ/g from θ = 2 rad over |w|/g = 1.3, by small steps (Euler with halved steps
+    /// and extrapolation).
     #[test]
     fn the_turn_is_that_of_its_equation() {
         let euler = |steps: u32| {

@@ -19,8 +19,8 @@ pub(super) struct Flexibility {
 }
 
 impl Flexibility {
-    /// L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23): with these a patch that sticks
-    /// has the forces of the linear theory (Kalker 1982).
+    /// L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23): with these a patch that
+    /// sticks has the forces of the linear theory (Kalker 1982).
     fn three(contact: &EllipticContact) -> Self {
         let a = contact.normal.semi_axis_x;
         let per_modulus = a / contact.shear_modulus;
@@ -58,9 +58,9 @@ impl Flexibility {
         ]
     }
 
-    /// The one flexibility (in m³/N) that makes slip out of traction (in Pa) that is cut off: that which
-    /// turns the growth of the traction into the rigid slip (in m) of the same way, as far as both have one
-    /// direction, but none beyond the largest and the smallest of the three.
+    /// The one flexibility (in m³/N) that makes slip out of traction (in Pa) that is cut off: that
+    /// which turns the growth of the traction into the rigid slip (in m) of the same way, as far as
+    /// both have one direction, but none beyond the largest and the smallest of the three.
     pub fn along(&self, growth: [f64; 2], rigid_slip: [f64; 2]) -> f64 {
         let Self { longitudinal, lateral, spin } = *self;
         let smallest = longitudinal.min(lateral).min(spin);
@@ -86,9 +86,9 @@ impl Flexibility {
 /// k = k0 ((1 − α)/(1 + β ε) + α) of a [stress gradient](EllipticContact::stress_gradient) ε, all
 /// dimensionless.
 ///
-/// Source: Spiryagin, Polach and Cole, Creep force modelling for rail traction vehicles based on the Fastsim algorithm, Vehicle
-/// System Dynamics 51 (2013) 1765–1783. Here ε is that of Kalker's coefficients without k0, and spin does not
-/// count in it.
+/// Source: Spiryagin, Polach and Cole, Creep force modelling for rail traction vehicles based on
+/// the Fastsim algorithm, Vehicle System Dynamics 51 (2013) 1765–1783. Here ε is that of Kalker's
+/// coefficients without k0, and spin does not count in it.
 pub(super) fn slope_reduction(reduction: SlopeReduction, gradient: f64) -> f64 {
     let SlopeReduction { initial, limit_ratio, decay } = reduction;
     initial * ((1.0 - limit_ratio) / (1.0 + decay * gradient) + limit_ratio)

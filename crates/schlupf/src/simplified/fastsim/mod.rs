@@ -1,17 +1,18 @@
 //! FASTSIM: the simplified theory of Kalker, a brush of bristles without coupling.
 //!
-//! The displacement of a point is proportional to its traction, u = L t, so a strip needs only one pass
-//! from its leading to its trailing edge: the traction on the rail grows on the way dx by
-//! (ξ/L1 − φ y/L3, η/L2 + φ x/L3) dx while it sticks, and is cut to μ pₙ where it slides. Friction may depend on
-//! slip speed and temperature, which are those of the same pass: each cell finds the coefficient that agrees
-//! with the slip and the heat it makes.
+//! The displacement of a point is proportional to its traction, u = L t, so a strip needs only one
+//! pass from its leading to its trailing edge: the traction on the rail grows on the way dx by
+//! (ξ/L1 − φ y/L3, η/L2 + φ x/L3) dx while it sticks, and is cut to μ pₙ where it slides. Friction
+//! may depend on slip speed and temperature, which are those of the same pass: each cell finds the
+//! coefficient that agrees with the slip and the heat it makes.
 //!
 //! Sources: Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System
-//! Dynamics 11 (1982) 1–13; L1, L2, L3 there from equal forces in full adhesion. The cells are those of the full
-//! solver, with exact ways and mean pressures where the edge of the patch cuts them, so the forces of full adhesion
-//! and of full sliding are exact on any grid. Limits: with three flexibilities the sliding direction at large
-//! creepage is that of (ξ/L1, η/L2), and the friction power differs from the creep power where spin takes part;
-//! one flexibility does without both, but has worse forces with spin.
+//! Dynamics 11 (1982) 1–13; L1, L2, L3 there from equal forces in full adhesion. The cells are
+//! those of the full solver, with exact ways and mean pressures where the edge of the patch cuts
+//! them, so the forces of full adhesion and of full sliding are exact on any grid. Limits: with
+//! three flexibilities the sliding direction at large creepage is that of (ξ/L1, η/L2), and the
+//! friction power differs from the creep power where spin takes part; one flexibility does without
+//! both, but has worse forces with spin.
 
 mod cell;
 mod flexibility;
@@ -256,9 +257,9 @@ impl Fastsim {
 
     /// The way into a cell, from the cell before if there is one.
     ///
-    /// Where friction falls along the strip, a part of the traction is not held any more and springs back. How
-    /// much slip and heat that makes in a cell depends on the size of the cell, and so would friction that depends on
-    /// them; so that part does not count.
+    /// Where friction falls along the strip, a part of the traction is not held any more and
+    /// springs back. How much slip and heat that makes in a cell depends on the size of the cell,
+    /// and so would friction that depends on them; so that part does not count.
     fn way_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
         let held =
             |j: usize| cut(self.traction[j], self.friction[k] * pressure(&self.patch.cells[j]));
@@ -272,8 +273,9 @@ fn pressure(cell: &Cell) -> f64 {
     cell.pressure / cell.covered
 }
 
-/// Replaces the pressure by 2N/(πab) (1 − x²/a² − y²/b²). Its mean over the covered part of a cell follows
-/// from the moment of the way since entry, as 1 − x²/a² − y²/b² = (x_e² − x²)/a² with x_e(y) the leading edge.
+/// Replaces the pressure by 2N/(πab) (1 − x²/a² − y²/b²). Its mean over the covered part of a cell
+/// follows from the moment of the way since entry, as 1 − x²/a² − y²/b² = (x_e² − x²)/a² with
+/// x_e(y) the leading edge.
 fn make_parabolic(patch: &mut Patch, normal: &NormalSummary) {
     let (a, b) = (normal.semi_axis_x, normal.semi_axis_y);
     let peak = FRAC_2_PI * normal.load / (a * b);
