@@ -129,13 +129,16 @@ messages! {
     "not-equidistant" NotEquidistant {
         /// Which.
         axis: char,
-        /// A position, in m.
-        position: f64,
-        /// Where it was expected, in m.
-        expected: f64,
+        /// The two between which the step is farthest from the mean, in m.
+        step: [f64; 2],
+        /// The mean step, in m.
+        spacing: f64,
     } Quantity::PressureTable, |name, words| format!(
-        "{name} must have ascending, equidistant positions {axis}, but has {position} m where \
-         {expected} m was expected"
+        "{name} must have ascending, equidistant positions {axis}, but the step from {} m to {} m \
+         differs from the mean of {} m",
+        step[0],
+        step[1],
+        readable(*spacing)
     );
 
     /// The pressures of a table are not those of a contact.
