@@ -4,10 +4,10 @@ use super::Requirement;
 use super::choice::Choice;
 use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 use crate::document::{Content, Value};
-use crate::names::FieldNames;
 use crate::setting::{Refusal, Setting};
 use crate::units::{Measure, QuantityError, parse_quantity};
 use schlupf::Quantity;
+use schlupf::message::Names;
 
 /// A part of the case file under one heading.
 #[derive(Debug)]
@@ -248,7 +248,7 @@ impl Field {
             return Ok(number);
         }
         let help = creepage_in_per_cent(self.path, number);
-        Err(Refusal::new(self.requirement.text(unit, &FieldNames::CASE), value).help(help))
+        Err(Refusal::new(self.requirement.text(unit, &Names), value).help(help))
     }
 
     fn wrong_quantity(error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {
