@@ -23,21 +23,21 @@ pub fn quantity_field(quantity: Quantity) -> &'static str {
 /// What fields are called where options of a command give them.
 #[derive(Debug, Clone, Copy)]
 pub struct FieldNames {
-    options: &'static [(&'static str, &'static str)],
+    option: fn(&str) -> Option<&'static str>,
 }
 
 impl FieldNames {
     /// As the case file has them.
-    pub const CASE: Self = Self { options: &[] };
+    pub const CASE: Self = Self { option: |_| None };
 
-    /// Some by options: pairs of a dotted path and the option.
-    pub const fn of_options(options: &'static [(&'static str, &'static str)]) -> Self {
-        Self { options }
+    /// Some by options: that of a dotted path.
+    pub const fn of_options(option: fn(&str) -> Option<&'static str>) -> Self {
+        Self { option }
     }
 
     /// The option that gives a field, if one does.
     pub fn option(self, path: &str) -> Option<&'static str> {
-        self.options.iter().find(|(of, _)| *of == path).map(|(_, option)| *option)
+        (self.option)(path)
     }
 
     /// What a field is called.
