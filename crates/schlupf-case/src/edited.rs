@@ -1,5 +1,6 @@
 //! A case file with other values, its comments and layout kept.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
@@ -43,7 +44,8 @@ impl Edited {
                 fields::find(&entry.path).is_some_and(|field| matches!(field.kind, Kind::Path));
             match (&entry.value.content, folder) {
                 (Content::Text(file), Some(folder)) if is_path => {
-                    let file = absolute(&folder.join(file)).display().to_string();
+                    let file = absolute(&folder.join(file)).into_os_string().into_string();
+                    let file = file.map_err(|file| self.no_text(&entry.path, &file))?;
                     self.set(&entry.path, file.into())?;
                 }
                 (content, _) if matches!(entry.origin, Origin::Override { .. }) => {
@@ -53,6 +55,14 @@ impl Edited {
             }
         }
         Ok(())
+    }
+
+    fn no_text(&self, field: &str, path: &OsStr) -> CaseError {
+        let message = format!(
+            "{field} must be a path in UTF-8 for a case in another folder, but is {}",
+            path.display()
+        );
+        CaseError::new(field, message, Place::File { name: self.name.clone() })
     }
 
     /// Sets a field to a number in its SI unit, to six digits.
