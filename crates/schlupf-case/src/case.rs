@@ -80,7 +80,7 @@ impl CaseFile {
     ) -> Result<Case, CaseErrors> {
         let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
         let caveats = law_stiffness.caveats().into_iter();
-        let caveats = caveats.map(|message| message.about("contact_law.roughness"));
+        let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
         Ok(Case {
             title: self.settings.text("title")?,
             problem,
@@ -90,7 +90,7 @@ impl CaseFile {
             options: read::options(&self.settings)?,
             cooling: read::cooling(&self.settings)?,
             law_stiffness,
-            notices: self.settings.idle().into_iter().chain(caveats).collect(),
+            notices: self.settings.idle().into_iter().map(Message::from).chain(caveats).collect(),
             file: self.clone(),
         })
     }

@@ -13,6 +13,7 @@ use schlupf_output::comparison::{Answer, Comparison, Entry};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
+use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task, messages};
@@ -217,9 +218,7 @@ impl Solved {
 /// gives no fields.
 fn warnings(entries: &[Entry]) -> Vec<Message> {
     let of = |entry: &Entry| match &entry.answer {
-        Err(reason) => {
-            vec![Message::new("not-available", "solver.method", reason).about("not available")]
-        }
+        Err(reason) => vec![Notice::NotAvailable { reason: reason.clone() }.into()],
         Ok(answer) => {
             let told = |warning: &&Warning| !matches!(warning, Warning::ForcesOnly { .. });
             messages(answer.solution.warnings.iter().filter(told)).collect()

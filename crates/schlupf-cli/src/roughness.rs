@@ -7,6 +7,7 @@ use std::sync::Arc;
 use clap::{Args, ValueHint};
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
+use schlupf::message::Message;
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
@@ -366,7 +367,7 @@ fn describe(
         }
     };
     let caveats = caveats(&result, rough.surface.lattice().len(), request.key());
-    let warnings = rough.notices.into_iter().chain(caveats).collect();
+    let warnings = rough.notices.into_iter().chain(caveats).map(Message::from).collect();
     RoughnessReport {
         title,
         spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),

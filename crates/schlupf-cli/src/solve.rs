@@ -15,6 +15,7 @@ use schlupf_output::solution::SolutionReport;
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::contact_law;
 use crate::failure::Failure;
+use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, OwnFile, Task, messages};
@@ -112,12 +113,8 @@ impl Solve {
             ("--figures", "nothing to draw", &self.outputs.figures),
         ];
         let given = given.into_iter().filter(|(_, _, path)| path.is_some());
-        let name = solution.method.name();
-        let message = |(option, what, _)| {
-            let text = format!("{option} has {what}: solver.method = {name:?} gives no fields");
-            Message::new("empty-output", "solver.method", text)
-        };
-        given.map(message).collect()
+        let method = solution.method.name();
+        given.map(|(option, what, _)| Notice::EmptyOutput { option, what, method }.into()).collect()
     }
 
     /// Only the full method has a state.
