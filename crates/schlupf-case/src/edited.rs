@@ -8,7 +8,7 @@ use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 use crate::document::{Content, Entry, Origin};
 use crate::error::CaseError;
 use crate::fields::{self, Kind, readable};
-use crate::place::Place;
+use crate::place::{Place, Source};
 
 /// A text that is being edited.
 pub struct Edited {
@@ -17,13 +17,14 @@ pub struct Edited {
 }
 
 impl Edited {
-    /// The text of a case file; `name` is for messages.
-    pub fn new(text: &str, name: &str) -> Result<Self, CaseError> {
-        let place = || Place::File { name: name.to_owned() };
-        let document = text
-            .parse()
-            .map_err(|error| CaseError::new("", format!("not TOML: {error}"), place()))?;
-        Ok(Self { document, name: name.to_owned() })
+    /// The text of a case file.
+    pub fn new(source: &Source) -> Result<Self, CaseError> {
+        let name = source.name.clone();
+        let place = || Place::File { name: name.clone() };
+        let document = source.text.parse();
+        let document =
+            document.map_err(|error| CaseError::new("", format!("not TOML: {error}"), place()))?;
+        Ok(Self { document, name })
     }
 
     /// Makes the text give these entries and no others. `folder` is where relative paths start, if the

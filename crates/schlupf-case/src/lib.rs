@@ -30,11 +30,11 @@ mod tables;
 mod template;
 pub mod units;
 
-pub use case::{Case, Effective, Task};
+pub use case::{Case, Effective, Rolling};
 pub use case_file::CaseFile;
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
-pub use fields::choice::Driver;
+pub use fields::choice::{Driver, ElasticityModel};
 pub use files::{Files, Folder, InputFile};
 pub use law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin, caveats};
 pub use names::{FieldNames, quantity_field};

@@ -142,7 +142,7 @@ impl Task for Roughness {
         let is_wanted = is_wanted.into_iter().any(Option::is_some);
         let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
         let spots = spots.map_err(explain)?;
-        Ok(describe(self, &case, (request, rough), (result, spots)).into())
+        Ok(Pressed { request, rough, result, spots }.report(self, &case).into())
     }
 }
 
@@ -351,33 +351,39 @@ fn spots(
     })
 }
 
-fn describe(
-    arguments: &Roughness,
-    case: &Case,
-    (request, rough): (RoughnessRequest, RoughSurface),
-    (result, spots): (MicroModelResult, Option<Spots>),
-) -> RoughnessReport {
-    let title = match (&request.key().source.origin, &arguments.synthetic) {
-        (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
-        (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
-        (SurfaceOrigin::Files { files, .. }, _) => {
-            let names: Vec<String> =
-                files.iter().map(|file| file.path().display().to_string()).collect();
-            names.join(" and ")
+/// What was pressed, and what came out.
+struct Pressed {
+    request: RoughnessRequest,
+    rough: RoughSurface,
+    result: MicroModelResult,
+    spots: Option<Spots>,
+}
+
+impl Pressed {
+    fn report(self, arguments: &Roughness, case: &Case) -> RoughnessReport {
+        let Self { request, rough, result, spots } = self;
+        let title = match (&request.key().source.origin, &arguments.synthetic) {
+            (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
+            (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
+            (SurfaceOrigin::Files { files, .. }, _) => {
+                let names: Vec<String> =
+                    files.iter().map(|file| file.path().display().to_string()).collect();
+                names.join(" and ")
+            }
+        };
+        let caveats = caveats(&result, rough.surface.lattice().len(), request.key());
+        let warnings = rough.notices.into_iter().chain(caveats).map(Message::from).collect();
+        RoughnessReport {
+            title,
+            spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
+            surface: rough.surface,
+            bodies: *request.bodies(),
+            contact_modulus: request.key().contact_modulus,
+            hardness: request.key().hardness,
+            result,
+            spots,
+            remarks: rough.remarks,
+            warnings,
         }
-    };
-    let caveats = caveats(&result, rough.surface.lattice().len(), request.key());
-    let warnings = rough.notices.into_iter().chain(caveats).map(Message::from).collect();
-    RoughnessReport {
-        title,
-        spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
-        surface: rough.surface,
-        bodies: *request.bodies(),
-        contact_modulus: request.key().contact_modulus,
-        hardness: request.key().hardness,
-        result,
-        spots,
-        remarks: rough.remarks,
-        warnings,
     }
 }

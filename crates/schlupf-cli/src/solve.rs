@@ -9,7 +9,7 @@ use schlupf::message::{Message, Words};
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, FieldNames, Task as Rolling};
+use schlupf_case::{Case, CaseErrors, FieldNames, Rolling};
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -70,7 +70,7 @@ impl Task for Solve {
     fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         self.refuse_state(case.method)?;
         let initial_state = self.initial_state.as_deref().map(read_state).transpose()?;
-        let rolling = case.task(initial_state).map_err(CaseErrors::from)?;
+        let rolling = case.rolling(initial_state).map_err(CaseErrors::from)?;
         Ok(Plan { case, rolling })
     }
 
