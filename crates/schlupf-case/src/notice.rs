@@ -20,13 +20,13 @@ messages! {
         field: &'static str,
         /// What it would need, or what excludes it, such as `with heat.model = "none"`.
         because: String,
-    } *field, |words| format!("{place}: {field} has no effect {because}");
+    } *field, |subject, words| format!("{place}: {field} has no effect {because}");
 
     /// A height that no rough surfaces in contact have.
     "unusual-height" UnusualHeight {
         /// h_rms of both surfaces together, in m.
         rms_height: f64,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "h_rms is {} m, outside of 1 nm to 100 µm: is its unit right?",
         readable(*rms_height)
     );
@@ -37,7 +37,7 @@ messages! {
         in_spots: f64,
         /// Mean pressure on the surface, in Pa.
         mean_pressure: f64,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "the spots carry {:.1} GPa in the mean at {:.0} MPa, more than steel does before it yields \
          (2.5 to 3 GPa on rails): a hardness belongs to this surface",
         1e-9 * in_spots,
@@ -50,7 +50,7 @@ messages! {
         cells: f64,
         /// At which pressure: `largest` or `smallest`.
         at: &'static str,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "only {cells:.0} cells are in contact at the {at} pressure: k_c is doubtful; more cells or a \
          larger surface make it better"
     );
@@ -61,7 +61,7 @@ messages! {
         root_mean_square_error: f64,
         /// The largest of it, dimensionless.
         largest_error: f64,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "Eq. (8) with one k_c misses {:.0} % of μp (root mean square), at most {:.0} %: the surface does \
          not load exponentially at these pressures",
         1e2 * root_mean_square_error,
@@ -74,7 +74,7 @@ messages! {
         stiffness: [f64; 2],
         /// Smallest and largest mean pressure, in Pa.
         mean_pressure: [f64; 2],
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "k_c depends on the pressure: from {:.3e} to {:.3e} 1/m between {:.0} and {:.0} MPa",
         stiffness[0],
         stiffness[1],
@@ -83,13 +83,13 @@ messages! {
     );
 
     /// A normal contact of the micro model that did not converge.
-    "micro-model-not-converged" MicroModelNotConverged {} ROUGHNESS, |words| {
+    "micro-model-not-converged" MicroModelNotConverged {} ROUGHNESS, |subject, words| {
         "the normal contact of the micro model did not converge at every pressure: do not trust its k_c"
             .to_owned()
     };
 
     /// Pressures too few for the closed form.
-    "no-closed-form" NoClosedForm {} ROUGHNESS, |words| {
+    "no-closed-form" NoClosedForm {} ROUGHNESS, |subject, words| {
         "fewer than three of the solved pressures bring 1 to 20 % of the surface into contact: the \
          closed form does not apply"
             .to_owned()
@@ -99,7 +99,7 @@ messages! {
     "steep-surface" SteepSurface {
         /// Root mean square gradient, dimensionless.
         gradient: f64,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "the root mean square gradient is {}: the model takes slopes for small, its k_c is doubtful",
         readable(*gradient)
     );
@@ -108,7 +108,7 @@ messages! {
     "small-piece" SmallPiece {
         /// Part of the variance in waves longer than a fifth of it, dimensionless.
         share: f64,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "{:.0} % of the variance of the heights lies in waves longer than a fifth of the piece: its k_c \
          is that of this piece, another one may differ by tens of per cent; measure a larger one, or \
          take waviness off",
@@ -119,7 +119,7 @@ messages! {
     "waves-left-out" WavesLeftOut {
         /// The longest of them, in m.
         wavelength: f64,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "waves of the profile shorter than {:.3} µm, two cells, are left out; more cells would keep them",
         1e6 * wavelength
     );
@@ -128,7 +128,7 @@ messages! {
     "filled-points" FilledPoints {
         /// The file and how many points of it were filled, as a sentence.
         filling: String,
-    } ROUGHNESS, |words| format!(
+    } ROUGHNESS, |subject, words| format!(
         "{filling}: they are smooth, and Sa, Sq, Ssk, Sku, Sz, the gradients and k_c count them"
     );
 }

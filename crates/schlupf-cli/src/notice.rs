@@ -18,7 +18,7 @@ messages! {
         what: &'static str,
         /// Name of the method.
         method: &'static str,
-    } "solver.method", |words| {
+    } "solver.method", |subject, words| {
         format!("{option} has {what}: solver.method = {method:?} gives no fields")
     };
 
@@ -26,7 +26,7 @@ messages! {
     "not-available" NotAvailable {
         /// Why.
         reason: String,
-    } "solver.method", |words| format!("not available: {reason}");
+    } "solver.method", |subject, words| format!("not available: {reason}");
 
     /// Loads of the data are far from that of the case.
     "other-loads" OtherLoads {
@@ -34,7 +34,7 @@ messages! {
         of_data: f64,
         /// Load of the case, in N.
         of_case: f64,
-    } "normal.load", |words| format!(
+    } "normal.load", |subject, words| format!(
         "the data have a load of {of_data:.4e} N, the case one of {of_case:.4e} N: are the units right?"
     );
 
@@ -42,7 +42,7 @@ messages! {
     "no-table" NoTable {
         /// Why.
         error: Error,
-    } CALIBRATION, |words| error.text(words);
+    } CALIBRATION, |subject, words| error.text(words);
 
     /// Fitted stiffnesses are far from those of the bodies of the case.
     "foreign-bedding" ForeignBedding {
@@ -50,7 +50,7 @@ messages! {
         component: &'static str,
         /// Bedding over that of half-spaces, dimensionless.
         ratio: f64,
-    } CALIBRATION, |words| format!(
+    } CALIBRATION, |subject, words| format!(
         "the bedding for displacement_{component} is {ratio:.1e} times that of half-spaces of the case's \
          bodies: are units and bodies right?"
     );
@@ -61,7 +61,7 @@ messages! {
         component: &'static str,
         /// Part of them that it misses, dimensionless.
         deviation: f64,
-    } CALIBRATION, |words| format!(
+    } CALIBRATION, |subject, words| format!(
         "the layer misses {:.0} % of displacement_{component}: it is hardly an elastic layer's",
         100.0 * deviation
     );
@@ -72,7 +72,7 @@ messages! {
         component: &'static str,
         /// `along` or `across` rolling.
         direction: &'static str,
-    } CALIBRATION, |words| format!(
+    } CALIBRATION, |subject, words| format!(
         "displacement_{component} leaves open how far the coupling reaches {direction} rolling: its \
          decay length is at the end of the range that is looked at"
     );
