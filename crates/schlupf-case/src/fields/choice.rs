@@ -31,6 +31,13 @@ macro_rules! choices {
             $(#[doc = concat!("`", $text, "`.")] $variant,)+
         }
 
+        impl $name {
+            /// Its name in a case file.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $text),+ }
+            }
+        }
+
         impl Choose for $name {
             const CHOICES: &'static [Choice] = &[$(Choice { name: $text, doc: $doc }),+];
             const ALL: &'static [Self] = &[$(Self::$variant),+];
