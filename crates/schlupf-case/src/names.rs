@@ -1,7 +1,7 @@
 //! What a case calls the quantities of the core, and what a command calls the fields of a case.
 
 use std::borrow::Cow;
-use std::cell::RefCell;
+use std::sync::{Mutex, PoisonError};
 
 use schlupf::Quantity;
 use schlupf::message::Words;
@@ -66,24 +66,25 @@ impl Words for FieldNames {
 /// Words that notes which quantities it was asked for.
 pub struct Noting {
     names: FieldNames,
-    asked: RefCell<Vec<Quantity>>,
+    asked: Mutex<Vec<Quantity>>,
 }
 
 impl Noting {
     /// Those of the names.
     pub fn new(names: FieldNames) -> Self {
-        Self { names, asked: RefCell::default() }
+        Self { names, asked: Mutex::default() }
     }
 
     /// The fields of all quantities that were asked for.
     pub fn fields(self) -> impl Iterator<Item = &'static str> {
-        self.asked.into_inner().into_iter().filter_map(path)
+        let asked = self.asked.into_inner().unwrap_or_else(PoisonError::into_inner);
+        asked.into_iter().filter_map(path)
     }
 }
 
 impl Words for Noting {
     fn word(&self, quantity: Quantity) -> Cow<'static, str> {
-        self.asked.borrow_mut().push(quantity);
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).push(quantity);
         self.names.word(quantity)
     }
 }

@@ -217,7 +217,7 @@ fn each_defect_of_a_file_is_named() {
     let files = [
         ("wave_integers_holes.x3p", &plain, "2 of 384 are missing, the first in row 5, column 7"),
         ("wave_single_holes.x3p", &plain, "1 of 384 are missing, the first in row 5, column 7"),
-        ("flat.x3p", &plain, "the surface must not be flat, but every height is 0.000001 m"),
+        ("flat.x3p", &plain, "the surface must not be flat, but every height is 1e-6 m"),
         ("wave.npy", &plain, "contact_law.roughness.unit must be a unit of length, m, mm or µm"),
         ("wave.npy", &with_unit, "contact_law.roughness.spacing must be given"),
         ("wave_holes.xyz", &plain, "contact_law.roughness.unit must be a unit of length"),

@@ -18,7 +18,7 @@ use crate::progress::Progress;
 use crate::{report, stdout};
 
 /// A command that finds something and writes it.
-pub trait Task {
+pub trait Task: Send + Sync {
     /// What it is going to do, once the case is read and all that can be refused is.
     type Plan;
     /// What it finds.

@@ -4,10 +4,9 @@
 use std::borrow::Cow;
 
 use crate::quantity::Quantity;
-use crate::requirement::readable;
 
 /// What a face calls quantities: paths in a case file, options of a command, keywords of a function.
-pub trait Words {
+pub trait Words: Send + Sync {
     /// Its word for a quantity.
     fn word(&self, quantity: Quantity) -> Cow<'static, str>;
 
@@ -18,7 +17,7 @@ pub trait Words {
 }
 
 /// What a message may be about: a quantity, or something that all faces call the same.
-pub trait Subject {
+pub trait Subject: Send + Sync {
     /// The word of a face for it.
     fn word(&self, words: &dyn Words) -> Cow<'static, str>;
 }
@@ -77,11 +76,6 @@ impl Message {
     pub fn about(self, subject: &str) -> Self {
         Self { text: format!("{subject}: {}", self.text), ..self }
     }
-}
-
-/// A number with its unit, if it has one.
-pub(crate) fn with_unit(value: f64, unit: &str) -> String {
-    format!("{} {unit}", readable(value)).trim_end().to_owned()
 }
 
 /// Declares an enum of messages: for each kind its code, its values, the quantity that it is about and

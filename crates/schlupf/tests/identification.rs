@@ -525,7 +525,7 @@ fn impossible_requests_are_refused_with_names() {
     assert!(refusal(&start, &[COLD], &some).contains("1 of 12 have one"));
     let mut locked = data.clone();
     locked[0].condition.kinematics.creepage_x = 1.0;
-    assert!(refusal(&start, &[COLD], &locked).contains("the wheel must roll"));
+    assert!(refusal(&start, &[COLD], &locked).contains("the wheel locks"));
     let refused = |problem: &Problem, parameters: &[Parameter]| {
         let model = RollingContactModel::new(problem, &coarse(), parameters, DEFAULT_GAMMA);
         model.err().unwrap().to_string()

@@ -10,7 +10,7 @@ pub struct Choice {
 }
 
 /// The type of a field that is one of several names.
-pub trait Choose: Copy + 'static {
+pub trait Choose: Copy + Send + Sync + 'static {
     /// The names, in the order of [`Self::ALL`].
     const CHOICES: &'static [Choice];
     /// What they stand for.

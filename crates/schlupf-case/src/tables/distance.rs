@@ -106,8 +106,8 @@ mod tests {
                 "2,0.1\n",
                 "d.csv:4:1: every y must be given once, but y = 2 mm stands in line 3",
             ),
-            (LINE, "1,0.1\n", "", "at least 4 values of y, but has 3"),
-            (LINE, LINE, "y [mm],distance [mm]\n", "at least 4 values of y, but has 0"),
+            (LINE, "1,0.1\n", "", "at least 4 values of y, got 3"),
+            (LINE, LINE, "y [mm],distance [mm]\n", "at least 4 values of y, got 0"),
         ];
         for (text, from, to, expected) in cases {
             let message = read(&text.replacen(from, to, 1)).unwrap_err();

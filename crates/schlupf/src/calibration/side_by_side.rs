@@ -86,7 +86,7 @@ const CELLS: [usize; 2] = [48, 31];
 ///
 /// ```no_run
 /// use schlupf::calibration::side_by_side::side_by_side;
-/// use schlupf::elasticity::RelativeStiffness;
+/// use schlupf::elasticity::calibrated_layer::RelativeStiffness;
 /// use schlupf::unwatched;
 ///
 /// let stiffness = RelativeStiffness { bedding: 1.2, reach_along_x: 0.5, reach_along_y: 0.5 };

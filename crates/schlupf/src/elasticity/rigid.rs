@@ -7,7 +7,7 @@ use crate::grid::{Grid, VectorField};
 /// Bodies that do not deform tangentially.
 ///
 /// ```
-/// use schlupf::elasticity::Rigid;
+/// use schlupf::elasticity::rigid::Rigid;
 /// use schlupf::{Options, Problem, rolling, unwatched};
 ///
 /// let problem = Problem::builder().creepage_x(0.05).elasticity(Rigid).build()?;

@@ -7,9 +7,9 @@ mod surface;
 
 use std::borrow::Cow;
 
-use crate::message::{Words, messages, with_unit};
+use crate::message::{Words, messages};
 use crate::quantity::Quantity;
-use crate::requirement::{Requirement, readable};
+use crate::requirement::{Requirement, readable, with_unit};
 
 pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
 pub use fit::{FitCause, FitError, FitStop};

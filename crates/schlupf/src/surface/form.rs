@@ -57,7 +57,7 @@ impl HeightMap {
     /// Removes a form.
     ///
     /// ```
-    /// use schlupf::surface::{Form, HeightMap, Lattice};
+    /// use schlupf::surface::{HeightMap, Lattice, form::Form};
     ///
     /// let lattice = Lattice { columns: 20, rows: 10, spacing_x: 1e-6, spacing_y: 1e-6 };
     /// let tilted = (0..200).map(|cell| 1e-8 * f64::from(cell % 20));
