@@ -14,7 +14,7 @@ use crate::case_file::CaseFile;
 use crate::edited;
 use crate::error::{CaseError, CaseErrors};
 use crate::fields;
-use crate::fields::choice::Driver;
+use crate::fields::choice::{Driver, ElasticityModel};
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
 use crate::place::Place;
 use crate::read;
@@ -33,6 +33,8 @@ pub struct Case {
     pub history: Option<History>,
     /// All equations, or a fast method.
     pub method: Method,
+    /// How the bodies deform.
+    pub elasticity: ElasticityModel,
     /// Which way to the solution was asked for.
     pub driver: Option<Driver>,
     /// How accurately.
@@ -47,7 +49,7 @@ pub struct Case {
 }
 
 /// What a case asks for.
-pub enum Task {
+pub enum Rolling {
     /// Steady rolling, and what finds it.
     Steady(Box<dyn Solver>),
     /// Rolling over time.
@@ -80,17 +82,18 @@ impl CaseFile {
     ) -> Result<Case, CaseErrors> {
         let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
         let caveats = law_stiffness.caveats().into_iter();
-        let caveats = caveats.map(|message| message.about("contact_law.roughness"));
+        let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
         Ok(Case {
             title: self.settings.text("title")?,
             problem,
             history: self.parts.history.clone(),
             method: read::method(&self.settings)?,
+            elasticity: self.settings.chosen("elasticity.model")?,
             driver: read::driver(&self.settings)?,
             options: read::options(&self.settings)?,
             cooling: read::cooling(&self.settings)?,
             law_stiffness,
-            notices: self.settings.idle().into_iter().chain(caveats).collect(),
+            notices: self.settings.idle().into_iter().map(Message::from).chain(caveats).collect(),
             file: self.clone(),
         })
     }
@@ -121,20 +124,20 @@ impl Case {
     /// What is to be solved, from a state if there is one.
     ///
     /// ```
-    /// use schlupf_case::{CaseFile, Folder, Task};
+    /// use schlupf_case::{CaseFile, Folder, Rolling};
     ///
     /// let text = CaseFile::default_text();
     /// let file = CaseFile::from_str(&text, "template", Folder::new(""), &[])?;
     /// let case = file.pose(&schlupf::unwatched)?;
-    /// assert!(matches!(case.task(None), Ok(Task::Steady(_))));
+    /// assert!(matches!(case.rolling(None), Ok(Rolling::Steady(_))));
     /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     ///
     /// # Errors
     /// A history or a state where the method or the way that was asked for cannot follow it.
-    pub fn task(&self, initial_state: Option<State>) -> Result<Task, CaseError> {
+    pub fn rolling(&self, initial_state: Option<State>) -> Result<Rolling, CaseError> {
         if self.history.is_none() && initial_state.is_none() {
-            return Ok(Task::Steady(self.any_solver(&self.options)));
+            return Ok(Rolling::Steady(self.any_solver(&self.options)));
         }
         let what = if self.history.is_some() { "a history" } else { "an initial state" };
         match (self.method, self.driver) {
@@ -151,7 +154,7 @@ impl Case {
             (Method::Full, Some(Driver::Marching) | None) => {
                 let history = self.history.clone().unwrap_or_default();
                 let problem = self.problem.clone();
-                Ok(Task::Transient(Box::new(Transient { problem, history, initial_state })))
+                Ok(Rolling::Transient(Box::new(Transient { problem, history, initial_state })))
             }
         }
     }
@@ -220,7 +223,7 @@ impl Case {
         let file = &self.file;
         let own = file.files.locate("");
         let is_moved = edited::absolute(folder) != edited::absolute(&own);
-        let mut text = edited::Edited::new(&file.text, &file.name)?;
+        let mut text = edited::Edited::new(&file.source)?;
         text.take_over(&file.entries, is_moved.then_some(&own))?;
         for (path, value) in values {
             if *path == "contact_law.stiffness" {

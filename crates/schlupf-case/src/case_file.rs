@@ -17,9 +17,8 @@ use crate::template::template;
 pub struct CaseFile {
     pub(crate) settings: Settings,
     /// The text that was read, without overrides.
-    pub(crate) text: String,
+    pub(crate) source: Arc<Source>,
     pub(crate) entries: Vec<Entry>,
-    pub(crate) name: String,
     pub(crate) files: Arc<dyn Files>,
     pub(crate) parts: Parts,
 }
@@ -54,7 +53,7 @@ impl CaseFile {
         for text in overrides {
             errors.extend(document::apply(&mut entries, "--set", text).err());
         }
-        Self::from_entries(entries, errors, (name, text), files)
+        Self::from_entries(entries, errors, source, files)
     }
 
     /// Reads a case file; relative paths start in its folder.
@@ -83,18 +82,18 @@ impl CaseFile {
         for assignment in assignments {
             document::apply(&mut entries, option, assignment)?;
         }
-        let (name, files) = ((&*self.name, &*self.text), Arc::clone(&self.files));
-        Self::from_entries(entries, Vec::new(), name, files)
+        let (source, files) = (Arc::clone(&self.source), Arc::clone(&self.files));
+        Self::from_entries(entries, Vec::new(), source, files)
     }
 
     fn from_entries(
         entries: Vec<Entry>,
         mut errors: Vec<CaseError>,
-        (name, text): (&str, &str),
+        source: Arc<Source>,
         files: Arc<dyn Files>,
     ) -> Result<Self, CaseErrors> {
         let (settings, wrong_fields) =
-            Settings::read(&entries, name, FieldNames::CASE, Arc::clone(&files));
+            Settings::read(&entries, &source.name, FieldNames::CASE, Arc::clone(&files));
         errors.extend(wrong_fields);
         errors.sort_by_key(|error| error.place.order());
         CaseErrors::check(errors)?;
@@ -102,7 +101,6 @@ impl CaseFile {
         read::method(&settings)?;
         read::options(&settings)?;
         read::cooling(&settings)?;
-        let (text, name) = (text.to_owned(), name.to_owned());
-        Ok(Self { settings, text, entries, name, files, parts })
+        Ok(Self { settings, source, entries, files, parts })
     }
 }

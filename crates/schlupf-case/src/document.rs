@@ -114,51 +114,50 @@ pub fn parse(source: &Arc<Source>) -> Result<(Vec<Entry>, Vec<CaseError>), CaseE
         CaseError::new("", format!("not TOML: {message}"), place)
     })?;
     let origin = Origin::File(Arc::clone(source));
-    let mut entries = Vec::new();
-    let mut errors = Vec::new();
+    let mut flat = Flat { origin, entries: Vec::new(), errors: Vec::new() };
     for (key, value) in table.get_ref() {
-        flatten("", key, value, &origin, (&mut entries, &mut errors));
+        flat.add("", key, value);
     }
-    entries.sort_by_key(|entry: &Entry| entry.key.start);
-    Ok((entries, errors))
+    flat.entries.sort_by_key(|entry| entry.key.start);
+    Ok((flat.entries, flat.errors))
 }
 
-/// Appends the fields below a key. A table that is no section would vanish when it is empty: it is
-/// an error here.
-fn flatten(
-    parent: &str,
-    key: &Spanned<impl AsRef<str>>,
-    value: &Spanned<DeValue<'_>>,
-    origin: &Origin,
-    out: (&mut Vec<Entry>, &mut Vec<CaseError>),
-) {
-    let (entries, errors) = out;
-    let name = key.get_ref().as_ref();
-    let path = if parent.is_empty() { name.to_owned() } else { format!("{parent}.{name}") };
-    let is_section = !path.is_empty() && fields::section(&path).is_some();
-    match value.get_ref() {
-        DeValue::Table(table) if is_section => {
-            for (key, value) in table {
-                flatten(&path, key, value, origin, (&mut *entries, &mut *errors));
+/// What a text gives, without its sections.
+struct Flat {
+    origin: Origin,
+    entries: Vec<Entry>,
+    errors: Vec<CaseError>,
+}
+
+impl Flat {
+    /// Adds the fields below a key. A table that is no section would vanish when it is empty: it is
+    /// an error here.
+    fn add(&mut self, parent: &str, key: &Spanned<impl AsRef<str>>, value: &Spanned<DeValue<'_>>) {
+        let name = key.get_ref().as_ref();
+        let path = if parent.is_empty() { name.to_owned() } else { format!("{parent}.{name}") };
+        let is_section = !path.is_empty() && fields::section(&path).is_some();
+        let place = || self.origin.place(&key.span());
+        let path = match (value.get_ref(), shorthand(&path)) {
+            (DeValue::Table(table), _) if is_section => {
+                for (key, value) in table {
+                    self.add(&path, key, value);
+                }
+                return;
             }
-        }
-        DeValue::Table(_) if fields::find(&path).is_none() => {
-            errors.push(unknown_section(&path, origin.place(&key.span())));
-        }
-        DeValue::String(_) if shorthand(&path).is_some() => {
-            let value = Value { content: convert(value.get_ref()), span: value.span() };
-            let path = shorthand(&path).unwrap_or_default();
-            entries.push(Entry { path, key: key.span(), value, origin: origin.clone() });
-        }
-        _ if is_section => {
-            let message = format!("{path} is a section, not a field");
-            let error = CaseError::new(&path, message, origin.place(&key.span()));
-            errors.push(error.help(format!("put its fields under a heading [{path}]")));
-        }
-        content => {
-            let value = Value { content: convert(content), span: value.span() };
-            entries.push(Entry { path, key: key.span(), value, origin: origin.clone() });
-        }
+            (DeValue::Table(_), _) if fields::find(&path).is_none() => {
+                return self.errors.push(unknown_section(&path, place()));
+            }
+            (DeValue::String(_), Some(file)) => file,
+            _ if is_section => {
+                let message = format!("{path} is a section, not a field");
+                let error = CaseError::new(&path, message, place());
+                let help = format!("put its fields under a heading [{path}]");
+                return self.errors.push(error.help(help));
+            }
+            _ => path,
+        };
+        let value = Value { content: convert(value.get_ref()), span: value.span() };
+        self.entries.push(Entry { path, key: key.span(), value, origin: self.origin.clone() });
     }
 }
 
@@ -206,18 +205,13 @@ pub fn apply(entries: &mut Vec<Entry>, option: &'static str, text: &str) -> Resu
             format!("an override must be of the form section.field=value, but is {text:?}");
         return Err(CaseError::new("", message, place));
     };
-    assign(entries, (option, text), path.trim(), value.trim());
+    let origin = Origin::Override { option, text: text.to_owned() };
+    assign(entries, origin, path.trim(), value.trim());
     Ok(())
 }
 
-/// Puts a value that an option of the command line gives, with the text after it, in place of what the
-/// file says.
-pub fn assign(
-    entries: &mut Vec<Entry>,
-    (option, text): (&'static str, &str),
-    path: &str,
-    value: &str,
-) {
+/// Puts a value in place of what the file says.
+pub fn assign(entries: &mut Vec<Entry>, origin: Origin, path: &str, value: &str) {
     let file = shorthand(path);
     if file.is_some() {
         let within = format!("{path}.");
@@ -231,7 +225,7 @@ pub fn assign(
             path: path.to_owned(),
             key: 0..0,
             value: Value { content: override_content(path, value), span: 0..0 },
-            origin: Origin::Override { option, text: text.to_owned() },
+            origin,
         });
     }
 }

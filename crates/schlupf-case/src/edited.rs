@@ -1,5 +1,6 @@
 //! A case file with other values, its comments and layout kept.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
@@ -7,7 +8,7 @@ use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 use crate::document::{Content, Entry, Origin};
 use crate::error::CaseError;
 use crate::fields::{self, Kind, readable};
-use crate::place::Place;
+use crate::place::{Place, Source};
 
 /// A text that is being edited.
 pub struct Edited {
@@ -16,13 +17,14 @@ pub struct Edited {
 }
 
 impl Edited {
-    /// The text of a case file; `name` is for messages.
-    pub fn new(text: &str, name: &str) -> Result<Self, CaseError> {
-        let place = || Place::File { name: name.to_owned() };
-        let document = text
-            .parse()
-            .map_err(|error| CaseError::new("", format!("not TOML: {error}"), place()))?;
-        Ok(Self { document, name: name.to_owned() })
+    /// The text of a case file.
+    pub fn new(source: &Source) -> Result<Self, CaseError> {
+        let name = source.name.clone();
+        let place = || Place::File { name: name.clone() };
+        let document = source.text.parse();
+        let document =
+            document.map_err(|error| CaseError::new("", format!("not TOML: {error}"), place()))?;
+        Ok(Self { document, name })
     }
 
     /// Makes the text give these entries and no others. `folder` is where relative paths start, if the
@@ -43,7 +45,8 @@ impl Edited {
                 fields::find(&entry.path).is_some_and(|field| matches!(field.kind, Kind::Path));
             match (&entry.value.content, folder) {
                 (Content::Text(file), Some(folder)) if is_path => {
-                    let file = absolute(&folder.join(file)).display().to_string();
+                    let file = absolute(&folder.join(file)).into_os_string().into_string();
+                    let file = file.map_err(|file| self.no_text(&entry.path, &file))?;
                     self.set(&entry.path, file.into())?;
                 }
                 (content, _) if matches!(entry.origin, Origin::Override { .. }) => {
@@ -53,6 +56,14 @@ impl Edited {
             }
         }
         Ok(())
+    }
+
+    fn no_text(&self, field: &str, path: &OsStr) -> CaseError {
+        let message = format!(
+            "{field} must be a path in UTF-8 for a case in another folder, but is {}",
+            path.display()
+        );
+        CaseError::new(field, message, Place::File { name: self.name.clone() })
     }
 
     /// Sets a field to a number in its SI unit, to six digits.

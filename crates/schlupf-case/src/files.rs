@@ -54,6 +54,17 @@ impl Files for BTreeMap<String, Vec<u8>> {
     }
 }
 
+/// Files anywhere, by other names than their paths, which need not be text.
+impl Files for BTreeMap<String, PathBuf> {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        std::fs::read(self.locate(name))
+    }
+
+    fn locate(&self, name: &str) -> PathBuf {
+        self.get(name).cloned().unwrap_or_else(|| PathBuf::from(name))
+    }
+}
+
 /// One of them.
 #[derive(Debug, Clone)]
 pub struct InputFile {
@@ -69,7 +80,8 @@ impl InputFile {
 
     /// A file by its path from the working directory.
     pub fn at(path: &Path) -> Self {
-        Self::new(path.display().to_string(), Folder::new(""))
+        let name = path.to_string_lossy().into_owned();
+        Self::new(name.clone(), Arc::new(BTreeMap::from([(name, path.to_owned())])))
     }
 
     /// Where it lies.

@@ -1,12 +1,12 @@
 //! The stiffness k_c of the contact law, and where it comes from.
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use schlupf::interface::roughness::micro_model::MicroModelResult;
-use schlupf::message::Message;
 
-use crate::fields::readable;
-use crate::surface::{SurfaceSource, notice};
+use crate::notice::Notice;
+use crate::surface::SurfaceSource;
 
 /// The stiffness k_c of the contact law, and where it comes from.
 #[derive(Debug, Clone)]
@@ -45,7 +45,7 @@ pub struct MicroContact {
     /// Number of its cells.
     pub cells: usize,
     /// What the reader should know about the surface.
-    pub notices: Vec<Message>,
+    pub notices: Vec<Notice>,
 }
 
 /// What the normal contact of a micro model depends on.
@@ -71,7 +71,7 @@ const FEWEST_CELLS: f64 = 200.0;
 const FEWEST_CELLS_AT_LEAST: f64 = 30.0;
 
 /// Heights of rough surfaces in contact, in m; others are in a wrong unit.
-const USUAL_HEIGHTS: [f64; 2] = [1e-9, 1e-4];
+const USUAL_HEIGHTS: RangeInclusive<f64> = 1e-9..=1e-4;
 
 impl LawStiffness {
     /// Whether it follows from a roughness, and so changes with the coefficient of friction.
@@ -80,18 +80,17 @@ impl LawStiffness {
     }
 
     /// What is doubtful about it.
-    pub fn caveats(&self) -> Vec<Message> {
+    pub fn caveats(&self) -> Vec<Notice> {
         match &self.origin {
             StiffnessOrigin::Given | StiffnessOrigin::Default => Vec::new(),
             StiffnessOrigin::MicroModel(micro) => micro.caveats(),
+            StiffnessOrigin::ClosedForm { rms_height, .. }
+                if USUAL_HEIGHTS.contains(rms_height) =>
+            {
+                Vec::new()
+            }
             StiffnessOrigin::ClosedForm { rms_height, .. } => {
-                let [low, high] = USUAL_HEIGHTS;
-                let is_usual = (low..=high).contains(rms_height);
-                let text = format!(
-                    "h_rms is {} m, outside of 1 nm to 100 µm: is its unit right?",
-                    readable(*rms_height)
-                );
-                if is_usual { Vec::new() } else { vec![notice("unusual-height", text)] }
+                vec![Notice::UnusualHeight { rms_height: *rms_height }]
             }
         }
     }
@@ -104,7 +103,7 @@ impl MicroContact {
     }
 
     /// Where Eq. (8) with one k_c is not what the micro model finds.
-    pub fn caveats(&self) -> Vec<Message> {
+    pub fn caveats(&self) -> Vec<Notice> {
         let caveats = caveats(&self.result, self.cells, &self.key);
         caveats.into_iter().chain(self.notices.iter().cloned()).collect()
     }
@@ -114,81 +113,46 @@ impl MicroContact {
 const YIELDING: f64 = 0.03;
 
 /// Elastic spots that carry more than any steel does.
-fn yielding(result: &MicroModelResult, key: &MicroKey) -> Option<Message> {
+fn yielding(result: &MicroModelResult, key: &MicroKey) -> Option<Notice> {
     let mean = result.normal.mean_spot_pressure(key.largest_pressure);
     let is_beyond = key.hardness.is_infinite() && mean > YIELDING * key.contact_modulus;
-    is_beyond.then(|| {
-        let text = format!(
-            "the spots carry {:.1} GPa in the mean at {:.0} MPa, more than steel does before it yields \
-             (2.5 to 3 GPa on rails): a hardness belongs to this surface",
-            1e-9 * mean,
-            1e-6 * key.largest_pressure
-        );
-        notice("yielding-spots", text)
-    })
+    let mean_pressure = key.largest_pressure;
+    is_beyond.then_some(Notice::YieldingSpots { in_spots: mean, mean_pressure })
 }
 
 /// Where Eq. (8) with one k_c is not what a micro model of so many cells finds, or that is doubtful.
-pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<Message> {
+pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<Notice> {
     let mut caveats = Vec::from_iter(yielding(result, key));
-    let pressures = result.stiffness.mean_pressures.iter().copied();
-    let least = pressures.clone().fold(f64::INFINITY, f64::min);
-    let in_contact = |pressure: f64| result.normal.contact_fraction(pressure) * cells as f64;
-    let largest = pressures.fold(0.0, f64::max);
-    for (pressure, fewest, which) in
-        [(largest, FEWEST_CELLS, "largest"), (least, FEWEST_CELLS_AT_LEAST, "smallest")]
-    {
-        let found = in_contact(pressure);
-        if found < fewest {
-            caveats.push(notice(
-            "few-cells-in-contact",
-            format!(
-                "only {found:.0} cells are in contact at the {which} pressure: k_c is doubtful; more cells \
-                 or a larger surface make it better"
-            )));
-            break;
-        }
-    }
     let stiffness = &result.stiffness;
-    if stiffness.common.root_mean_square_error > NOTICEABLE_ERROR {
-        caveats.push(notice(
-            "not-exponential",
-            format!(
-            "Eq. (8) with one k_c misses {:.0} % of μp (root mean square), at most {:.0} %: the \
-             surface does not load exponentially at these pressures",
-            1e2 * stiffness.common.root_mean_square_error,
-            1e2 * stiffness.common.largest_error
-        )));
+    let [least, largest] = extremes(stiffness.mean_pressures.iter().copied());
+    let in_contact = |pressure: f64| result.normal.contact_fraction(pressure) * cells as f64;
+    let few = [(largest, FEWEST_CELLS, "largest"), (least, FEWEST_CELLS_AT_LEAST, "smallest")];
+    let few = few.into_iter().map(|(pressure, fewest, at)| (in_contact(pressure), fewest, at));
+    if let Some((cells, _, at)) = few.into_iter().find(|(cells, fewest, _)| cells < fewest) {
+        caveats.push(Notice::FewCellsInContact { cells, at });
+    }
+    let root_mean_square_error = stiffness.common.root_mean_square_error;
+    if root_mean_square_error > NOTICEABLE_ERROR {
+        let largest_error = stiffness.common.largest_error;
+        caveats.push(Notice::NotExponential { root_mean_square_error, largest_error });
     }
     if stiffness.spread > NOTICEABLE_SPREAD {
-        let values = || stiffness.fits.iter().map(|fit| fit.stiffness);
-        caveats.push(notice(
-            "stiffness-varies",
-            format!(
-            "k_c depends on the pressure: from {:.3e} to {:.3e} 1/m between {:.0} and {:.0} MPa",
-            values().fold(f64::INFINITY, f64::min),
-            values().fold(0.0, f64::max),
-            1e-6 * stiffness.mean_pressures.iter().copied().fold(f64::INFINITY, f64::min),
-            1e-6 * stiffness.mean_pressures.iter().copied().fold(0.0, f64::max)
-        )));
+        let range = extremes(stiffness.fits.iter().map(|fit| fit.stiffness));
+        let mean_pressure = [least, largest];
+        caveats.push(Notice::StiffnessVaries { stiffness: range, mean_pressure });
     }
     if !result.normal.is_converged() {
-        caveats.push(notice(
-            "micro-model-not-converged",
-
-            "the normal contact of the micro model did not converge at every pressure: do not trust \
-             its k_c"
-                .to_owned(),
-        ));
+        caveats.push(Notice::MicroModelNotConverged {});
     }
     if result.exponential.is_none() {
-        caveats.push(notice(
-            "no-closed-form",
-
-            "fewer than three of the solved pressures bring 1 to 20 % of the surface into contact: the \
-             closed form does not apply"
-                .to_owned(),
-        ));
+        caveats.push(Notice::NoClosedForm {});
     }
     caveats
+}
+
+/// The smallest and the largest of positive numbers.
+fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, 0.0], |[least, largest], value| {
+        [least.min(value), largest.max(value)]
+    })
 }

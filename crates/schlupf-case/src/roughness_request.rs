@@ -6,7 +6,7 @@ use schlupf::Watch;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
 
 use crate::case::Case;
-use crate::document::{self, Entry};
+use crate::document::{self, Entry, Origin};
 use crate::error::{CaseError, CaseErrors};
 use crate::files::Files;
 use crate::law_stiffness::MicroKey;
@@ -52,11 +52,11 @@ impl Case {
         // Whatever method the case is solved by, and whatever its k_c is.
         entries.retain(|entry| !is_replaced(entry, files.is_some()));
         for given in options {
-            let source = (given.option, given.text.as_str());
-            document::assign(&mut entries, source, &given.field, &given.value);
+            let origin = Origin::Override { option: given.option, text: given.text.clone() };
+            document::assign(&mut entries, origin, &given.field, &given.value);
         }
         let files = files.unwrap_or_else(|| Arc::clone(&self.file.files));
-        let (settings, errors) = Settings::read(&entries, &self.file.name, names, files);
+        let (settings, errors) = Settings::read(&entries, &self.file.source.name, names, files);
         CaseErrors::check(errors)?;
         let request = read::micro_case(&settings, watch)?;
         Ok(request.map(|request| RoughnessRequest { request, settings }))

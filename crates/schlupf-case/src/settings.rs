@@ -4,18 +4,15 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use schlupf::Quantity;
-use schlupf::message::Message;
 
 use crate::document::{Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
 use crate::fields::{self, ALTERNATIVES, Choose, Default, Field, NOT_PER_CENT, UsedWith};
 use crate::files::{Files, InputFile};
 use crate::names::{self, FieldNames, Noting};
+use crate::notice::Notice;
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
-
-/// Code of what is said of a field that was given without effect.
-pub const NO_EFFECT: &str = "no-effect";
 
 /// The settings of a case.
 #[derive(Debug, Clone)]
@@ -329,19 +326,20 @@ impl Settings {
 
     /// Fields that were given and have no effect. A model that was chosen by an override makes the
     /// file's fields of other models idle on purpose: no word about those.
-    pub fn idle(&self) -> Vec<Message> {
+    pub fn idle(&self) -> Vec<Notice> {
         let mut notices = Vec::new();
         for field in fields::all() {
             let Some(given) = self.given.get(field.path).filter(|_| !self.is_used(field)) else {
                 continue;
             };
-            let (place, path) = (&given.place, field.path);
+            let path = field.path;
+            let notice =
+                |because| Notice::NoEffect { place: given.place.clone(), field: path, because };
             let models: Vec<_> =
                 field.uses().map(|(model, _)| model).filter(|model| self.counts(model)).collect();
             if models.is_empty() || field.uses().any(|used| self.is_chosen(used)) {
                 if let Some(companion) = fields::companion(path) {
-                    let text = format!("{place}: {path} has no effect without {companion}");
-                    notices.push(Message::new(NO_EFFECT, path, text));
+                    notices.push(notice(format!("without {companion}")));
                 }
                 continue;
             }
@@ -350,9 +348,7 @@ impl Settings {
             if !(on_purpose && matches!(given.origin, Origin::File(_))) {
                 let chosen: Vec<String> =
                     models.iter().map(|model| format!("{model} = {}", self.shown(model))).collect();
-                let chosen = chosen.join(" and ");
-                let text = format!("{place}: {path} has no effect with {chosen}");
-                notices.push(Message::new(NO_EFFECT, path, text));
+                notices.push(notice(format!("with {}", chosen.join(" and "))));
             }
         }
         notices

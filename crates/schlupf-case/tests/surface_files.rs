@@ -217,7 +217,7 @@ fn each_defect_of_a_file_is_named() {
     let files = [
         ("wave_integers_holes.x3p", &plain, "2 of 384 are missing, the first in row 5, column 7"),
         ("wave_single_holes.x3p", &plain, "1 of 384 are missing, the first in row 5, column 7"),
-        ("flat.x3p", &plain, "the surface must not be flat, but every height is 0.000001 m"),
+        ("flat.x3p", &plain, "the surface must not be flat, but every height is 1e-6 m"),
         ("wave.npy", &plain, "contact_law.roughness.unit must be a unit of length, m, mm or µm"),
         ("wave.npy", &with_unit, "contact_law.roughness.spacing must be given"),
         ("wave_holes.xyz", &plain, "contact_law.roughness.unit must be a unit of length"),
@@ -235,7 +235,7 @@ fn each_defect_of_a_file_is_named() {
         ("a.csv", "x [um],y [um],z [um]\n0,0,1\n", "has a column `z [um]`"),
         ("a.csv", "x [um],y [um],height [um]\n0,0,1\n1,0,2\n0,2,3\n0,3.3,4\n", "lies between"),
         ("a.csv", "x [um],height [um]\n0,1\n1,2\n2,3\n1,2\n", "stands in line 3 too"),
-        ("a.csv", "x [um],height [um]\n0,1\n1,2\n", "must have at least 64 entries, but has 2"),
+        ("a.csv", "x [um],height [um]\n0,1\n1,2\n", "needs at least 64 entries, got 2"),
         ("a.csv", "x [um],y [um],height [um]\n0,0,1\nnan,0,2\n", "a.csv:3:1: x must be a finite"),
         ("a.xyz", "0 0 1\n1 0 2\n0 1\n", "a.xyz:3:1: a row must have 3 entries"),
         ("a.xyz", "0 0 1\n1 0 up\n", "a.xyz:2:1: height must be a finite number, but is \"up\""),

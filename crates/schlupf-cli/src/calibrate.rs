@@ -17,11 +17,12 @@ use schlupf::history::History;
 use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
-use schlupf_case::{Case, CaseErrors, Displacements, FieldNames, InputFile, read_displacements};
+use schlupf_case::{Case, CaseErrors, Displacements, InputFile, read_displacements};
 use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
+use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task, messages};
@@ -145,7 +146,7 @@ impl Patch {
         let tabulated = match tabulated_stiffness(ratios.0, ratios.1) {
             Ok(stiffness) => Some(stiffness),
             Err(error) if needs_no_table => {
-                warnings.push(of("no-table", error.text(&FieldNames::CASE)));
+                warnings.push(Notice::NoTable { error }.into());
                 None
             }
             Err(error) => return Err(error),
@@ -158,7 +159,8 @@ impl Patch {
         let anew = anew.transpose()?;
         let fitted = fitted(displacements)?;
         let exact = tabulated.map(|stiffness| self.layer(stiffness, None).stiffness);
-        warnings.extend(fitted.iter().flat_map(|fitted| doubts(fitted, exact)));
+        let doubts = fitted.iter().flat_map(|fitted| doubts(fitted, exact));
+        warnings.extend(doubts.map(Message::from));
         let mut converged = anew.is_none_or(|anew| anew.converged)
             && fitted.iter().flat_map(components).all(|component| component.fit.converged);
         let mut sides = None;
@@ -255,39 +257,25 @@ fn unlike(fit: &DisplacementFit, component: usize) -> Error {
 }
 
 /// What to know about fits to displacements; `exact` is the layer that is like the half-space.
-fn doubts(fitted: &Fitted, exact: Option<[LayerStiffness; 2]>) -> Vec<Message> {
+fn doubts(fitted: &Fitted, exact: Option<[LayerStiffness; 2]>) -> Vec<Notice> {
     let mut doubts = Vec::new();
-    for (k, (name, component)) in ["x", "y"].into_iter().zip(&fitted.components).enumerate() {
-        let Some(FittedComponent { fit, .. }) = component else { continue };
+    let components = ["x", "y"].into_iter().zip(&fitted.components).enumerate();
+    for (k, (component, fitted)) in components {
+        let Some(FittedComponent { fit, .. }) = fitted else { continue };
         if let Some(ratio) = exact.map(|exact| fit.bedding / exact[k].bedding)
             && !(FOREIGN.recip()..FOREIGN).contains(&ratio)
         {
-            doubts.push(of("foreign-bedding", format!(
-                "the bedding for displacement_{name} is {ratio:.1e} times that of half-spaces of the case's \
-                 bodies: are units and bodies right?"
-            )));
+            doubts.push(Notice::ForeignBedding { component, ratio });
         }
-        if fit.largest_deviation() > FAR {
-            doubts.push(of("hardly-a-layer", format!(
-                "the layer misses {:.0} % of displacement_{name}: it is hardly an elastic layer's",
-                100.0 * fit.largest_deviation()
-            )));
+        let deviation = fit.largest_deviation();
+        if deviation > FAR {
+            doubts.push(Notice::HardlyALayer { component, deviation });
         }
-        for (direction, is_open) in ["along", "across"].into_iter().zip(fit.is_open) {
-            if is_open {
-                doubts.push(of("open-reach", format!(
-                    "displacement_{name} leaves open how far the coupling reaches {direction} rolling: its \
-                     decay length is at the end of the range that is looked at"
-                )));
-            }
-        }
+        let directions = ["along", "across"].into_iter().zip(fit.is_open);
+        let open = directions.filter(|(_, is_open)| *is_open);
+        doubts.extend(open.map(|(direction, _)| Notice::OpenReach { component, direction }));
     }
     doubts
-}
-
-/// What is said of a calibration.
-fn of(code: &'static str, text: String) -> Message {
-    Message::new(code, "elasticity.calibration", text)
 }
 
 fn components(fitted: &Fitted) -> impl Iterator<Item = &FittedComponent> {

@@ -9,8 +9,9 @@ use schlupf_case::{Case, CaseFile, Effective, Folder, Place, schema as case_sche
 
 use crate::arguments::{CaseArguments, InitArguments};
 use crate::failure::Failure;
+use crate::outputs::{self, Output};
 use crate::progress::Progress;
-use crate::{contact_law, outputs, report, stdout};
+use crate::{contact_law, report, stdout};
 
 /// Reads the case that was named, or the default one.
 pub fn read_case(arguments: &CaseArguments, progress: &Progress) -> Result<Case, Failure> {
@@ -85,7 +86,7 @@ pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
         stdout::write(&text)?;
         return Ok(ExitCode::SUCCESS);
     }
-    outputs::check(&[("FILE", path)], &[])?;
+    outputs::check(&[Output { option: "FILE", path: path.to_owned() }], &[], None)?;
     if arguments.force {
         outputs::write(&[(path.clone(), text.into_bytes())], None)?;
     } else {

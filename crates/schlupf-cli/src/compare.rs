@@ -8,11 +8,12 @@ use schlupf::normal::Pressure;
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
-use schlupf_case::{Case, CaseErrors, Effective, Place};
+use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
+use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task, messages};
@@ -20,7 +21,6 @@ use crate::task::{Found, Task, messages};
 /// What the fields that a method sets come from, in messages.
 const COMPARE: &str = "compare";
 
-const MODEL: &str = "elasticity.model";
 const BOUND: &str = "fastsim.bound";
 
 const MARGIN: &str = "elasticity.margin";
@@ -84,6 +84,7 @@ fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, Failure> {
             reason
         });
         let Candidate { name, method, elasticity } = candidate;
+        let elasticity = elasticity.map(ElasticityModel::name);
         entries.push(Entry { name, method, elasticity, answer });
     }
     match first_errors {
@@ -100,10 +101,10 @@ fn explained(case: &Case, error: &Error) -> CaseErrors {
 struct Candidate {
     name: &'static str,
     method: &'static str,
-    elasticity: Option<&'static str>,
+    elasticity: Option<ElasticityModel>,
 }
 
-const fn full(name: &'static str, elasticity: &'static str) -> Candidate {
+const fn full(name: &'static str, elasticity: ElasticityModel) -> Candidate {
     Candidate { name, method: "full", elasticity: Some(elasticity) }
 }
 
@@ -113,9 +114,9 @@ const fn fast(name: &'static str, method: &'static str) -> Candidate {
 
 /// All methods.
 const CANDIDATES: [Candidate; 8] = [
-    full("full, half-space", "half-space"),
-    full("full, elastic layer", "elastic-layer"),
-    full("full, Winkler bedding", "winkler"),
+    full("full, half-space", ElasticityModel::HalfSpace),
+    full("full, elastic layer", ElasticityModel::ElasticLayer),
+    full("full, Winkler bedding", ElasticityModel::Winkler),
     fast("FASTSIM", "fastsim"),
     fast("modified FASTSIM", "modified-fastsim"),
     fast("Polach", "polach"),
@@ -127,9 +128,7 @@ impl Candidate {
     /// The case that asks for it, from one that asks for the full method.
     fn case(&self, full: &Case, watch: Watch) -> Result<Case, CaseErrors> {
         if let Some(model) = self.elasticity {
-            let effective = full.effective();
-            let own = effective.iter().find(|field| field.path == MODEL);
-            let is_own = own.is_some_and(|field| field.value.trim_matches('"') == model);
+            let is_own = full.elasticity == model;
             return if is_own { Ok(full.clone()) } else { with_elasticity(full, model, watch) };
         }
         let case = full.with(COMPARE, &[format!("solver.method={}", self.method)], watch)?;
@@ -152,10 +151,10 @@ fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
 
 /// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
 /// default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c = 1/L.
-fn with_elasticity(case: &Case, model: &str, watch: Watch) -> Result<Case, CaseErrors> {
+fn with_elasticity(case: &Case, model: ElasticityModel, watch: Watch) -> Result<Case, CaseErrors> {
     let without = STIFFNESSES.iter().chain(&[MARGIN]).map(|field| format!("{field}="));
     let assignments: Vec<String> =
-        [format!("{MODEL}={model}")].into_iter().chain(without).collect();
+        [format!("elasticity.model={}", model.name())].into_iter().chain(without).collect();
     case.with(COMPARE, &assignments, watch)
 }
 
@@ -217,9 +216,7 @@ impl Solved {
 /// gives no fields.
 fn warnings(entries: &[Entry]) -> Vec<Message> {
     let of = |entry: &Entry| match &entry.answer {
-        Err(reason) => {
-            vec![Message::new("not-available", "solver.method", reason).about("not available")]
-        }
+        Err(reason) => vec![Notice::NotAvailable { reason: reason.clone() }.into()],
         Ok(answer) => {
             let told = |warning: &&Warning| !matches!(warning, Warning::ForcesOnly { .. });
             messages(answer.solution.warnings.iter().filter(told)).collect()

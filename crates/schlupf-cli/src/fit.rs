@@ -16,6 +16,7 @@ use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
+use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, OwnFile, Task, messages};
@@ -174,10 +175,7 @@ fn other_loads(data: &[DataPoint], load: f64) -> Option<Message> {
     let far = loads.filter(|other| other / load > FAR || load / other > FAR);
     let other =
         far.max_by(|one, other| (one / load).ln().abs().total_cmp(&(other / load).ln().abs()))?;
-    let text = format!(
-        "the data have a load of {other:.4e} N, the case one of {load:.4e} N: are the units right?"
-    );
-    Some(Message::new("other-loads", "normal.load", text))
+    Some(Notice::OtherLoads { of_data: other, of_case: load }.into())
 }
 
 /// What is fitted.

@@ -4,6 +4,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use crate::stdout;
+
 /// Exit code of a command that was interrupted, that of a shell for SIGINT.
 const INTERRUPTED: i32 = 130;
 
@@ -59,7 +61,8 @@ pub fn listen() {
         unfinished.remove();
         let what =
             if unfinished.is_written { "the files are written" } else { "no file was written" };
-        let _ = writeln!(std::io::stderr(), "interrupted: {what}");
+        let cut = if stdout::is_writing() { "; standard output is incomplete" } else { "" };
+        let _ = writeln!(std::io::stderr(), "interrupted: {what}{cut}");
         std::process::exit(INTERRUPTED);
     });
 }

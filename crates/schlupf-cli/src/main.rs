@@ -13,6 +13,7 @@ mod curve;
 mod failure;
 mod fit;
 mod interrupt;
+mod notice;
 mod outputs;
 mod progress;
 mod report;

@@ -22,43 +22,43 @@ pub struct Input {
     pub except: Option<&'static str>,
 }
 
-/// Output paths that were checked, by option, with their directories resolved.
-type Seen<'a> = Vec<(&'a str, PathBuf)>;
+/// A file that is to be written.
+#[derive(Debug, Clone)]
+pub struct Output {
+    /// The option that names it, or the directory that it stands in.
+    pub option: &'static str,
+    /// Where it goes.
+    pub path: PathBuf,
+}
+
+/// A directory, which may be missing yet, that an option fills with files.
+#[derive(Debug)]
+pub struct Directory<'a> {
+    /// The option.
+    pub option: &'static str,
+    /// Where it is.
+    pub path: &'a Path,
+    /// Names of the files.
+    pub names: Vec<String>,
+}
 
 /// Checks output paths before the work: they are no `-`, their directories exist, they are no
 /// directories, no two are the same file, and none is an input.
-pub fn check(outputs: &[(&str, &Path)], inputs: &[Input]) -> Result<(), Failure> {
-    check_files(outputs, inputs).map(|_| ())
-}
-
-/// The same with a directory that `option` fills with files of these names.
-pub fn check_with_directory(
-    outputs: &[(&str, &Path)],
+pub fn check(
+    outputs: &[Output],
     inputs: &[Input],
-    (option, directory): (&str, &Path),
-    names: &[String],
+    directory: Option<&Directory>,
 ) -> Result<(), Failure> {
-    refuse_stdout(option, directory)?;
-    check_directory(directory)?;
-    let files: Vec<PathBuf> = if directory.is_dir() {
-        names.iter().map(|name| directory.join(name)).collect()
-    } else {
-        Vec::new()
-    };
-    let mut all = outputs.to_vec();
-    all.extend(files.iter().map(|file| (option, file.as_path())));
-    let seen = check_files(&all, inputs)?;
-    let location = resolved(directory);
-    let is_in_the_way = |other: &PathBuf| location.starts_with(other);
-    match seen.iter().find(|(_, other)| is_in_the_way(other)) {
-        Some((other, _)) => Err(shared(option, directory, other)),
-        None => Ok(()),
+    let mut files = outputs.to_vec();
+    if let Some(Directory { option, path, names }) = directory {
+        refuse_stdout(option, path)?;
+        check_directory(path)?;
+        // In a directory that is still to be made nothing is in the way.
+        let names = names.iter().filter(|_| path.is_dir());
+        files.extend(names.map(|name| Output { option, path: path.join(name) }));
     }
-}
-
-fn check_files<'a>(outputs: &[(&'a str, &Path)], inputs: &[Input]) -> Result<Seen<'a>, Failure> {
-    let mut seen: Seen = Vec::new();
-    for (option, path) in outputs {
+    let mut taken: Vec<Output> = Vec::new();
+    for Output { option, path } in &files {
         refuse_stdout(option, path)?;
         if path.is_dir() {
             return Err(Failure::file(path, io::Error::from(ErrorKind::IsADirectory)));
@@ -67,15 +67,21 @@ fn check_files<'a>(outputs: &[(&'a str, &Path)], inputs: &[Input]) -> Result<See
         if let Some(input) = inputs.iter().find(|input| input.is_at(&location, option)) {
             return Err(shared(option, path, &input.what));
         }
-        if let Some((other, _)) = seen.iter().find(|(_, other)| *other == location) {
-            return Err(shared(option, path, other));
+        if let Some(other) = taken.iter().find(|other| other.path == location) {
+            return Err(shared(option, path, other.option));
         }
         // Several outputs may go to /dev/null.
         if !is_special(path) {
-            seen.push((option, location));
+            taken.push(Output { option, path: location });
         }
     }
-    Ok(seen)
+    let Some(Directory { option, path, .. }) = directory else { return Ok(()) };
+    // A directory can be made neither in place of a file nor below one.
+    let location = resolved(path);
+    match taken.iter().find(|other| location.starts_with(&other.path)) {
+        Some(other) => Err(shared(option, path, other.option)),
+        None => Ok(()),
+    }
 }
 
 fn shared(option: &str, path: &Path, other: &str) -> Failure {

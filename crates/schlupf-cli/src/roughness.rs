@@ -1,19 +1,20 @@
 //! `schlupf roughness`.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::{Args, ValueHint};
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
+use schlupf::message::Message;
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
-    Case, CaseErrors, FieldNames, Files, Folder, GivenByOption, RoughnessRequest, caveats,
-    pressures,
+    Case, CaseErrors, FieldNames, Files, GivenByOption, RoughnessRequest, caveats, pressures,
 };
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
@@ -123,7 +124,7 @@ impl Task for Roughness {
 
     fn inputs(&self, plan: &Plan) -> Vec<Input> {
         let mut inputs = Input::of_case(&Task::case(self), &plan.case);
-        for (what, path) in [("the surface", &self.surface), ("--second", &self.second)] {
+        for (what, path) in [("the surface", &self.surface), (SECOND, &self.second)] {
             let input =
                 |path: &PathBuf| Input { what: what.to_owned(), path: path.clone(), except: None };
             inputs.extend(path.as_ref().map(input));
@@ -141,7 +142,7 @@ impl Task for Roughness {
         let is_wanted = is_wanted.into_iter().any(Option::is_some);
         let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
         let spots = spots.map_err(explain)?;
-        Ok(describe(self, &case, (request, rough), (result, spots)).into())
+        Ok(Pressed { request, rough, result, spots }.report(self, &case).into())
     }
 }
 
@@ -149,8 +150,8 @@ impl Task for Roughness {
 fn request(arguments: &Roughness, case: &Case, watch: Watch) -> Result<RoughnessRequest, Failure> {
     let fields = fields(arguments)?;
     let is_own = arguments.surface.is_none() && arguments.synthetic.is_none();
-    let files = (!is_own).then(|| -> Arc<dyn Files> { Folder::new("") });
-    let names = if is_own { FieldNames::CASE } else { NAMES };
+    let files = (!is_own).then(|| -> Arc<dyn Files> { Arc::new(files(arguments)) });
+    let names = if is_own { FieldNames::CASE } else { FieldNames::of_options(option) };
     match case.rough_contact(&fields, files, names, watch)? {
         Some(request) => Ok(request),
         None => Err(Failure::Arguments(
@@ -161,50 +162,104 @@ fn request(arguments: &Roughness, case: &Case, watch: Watch) -> Result<Roughness
     }
 }
 
-/// Keys of --synthetic and their fields.
-const KEYS: [(&str, &str); 7] = [
-    ("rms_height", "rms_height"),
-    ("rms_slope", "rms_slope"),
-    ("hurst", "hurst"),
-    ("longest", "longest_wavelength"),
-    ("roll_off", "roll_off_wavelength"),
-    ("shortest", "shortest_wavelength"),
-    ("seed", "seed"),
+/// A field of the roughness, as this command gives it.
+struct Given {
+    /// Last part of its path.
+    field: &'static str,
+    /// The option.
+    option: Option<&'static str>,
+    /// The key of --synthetic.
+    key: Option<&'static str>,
+    /// What the option says, as in a case file.
+    value: fn(&Roughness) -> Option<String>,
+}
+
+impl Given {
+    const fn by_option(
+        field: &'static str,
+        option: &'static str,
+        value: fn(&Roughness) -> Option<String>,
+    ) -> Self {
+        Self { field, option: Some(option), key: None, value }
+    }
+
+    const fn by_key(field: &'static str, key: &'static str) -> Self {
+        Self { field, option: None, key: Some(key), value: |_| None }
+    }
+
+    /// Dotted path of the field.
+    fn path(&self) -> String {
+        format!("{SECTION}{}", self.field)
+    }
+}
+
+const SECTION: &str = "contact_law.roughness.";
+const SURFACE: &str = "SURFACE";
+const SECOND: &str = "--second";
+
+/// All of them.
+const GIVEN: [Given; 18] = [
+    Given::by_option("file", SURFACE, |a| a.surface.as_ref().map(|_| quoted(SURFACE))),
+    Given::by_option("second_file", SECOND, |a| a.second.as_ref().map(|_| quoted(SECOND))),
+    Given::by_option("form", "--form", |a| a.form.clone()),
+    Given::by_option("cutoff_wavelength", "--cutoff", |a| a.cutoff.clone()),
+    Given::by_option("unit", "--unit", |a| a.unit.as_deref().map(quoted)),
+    Given::by_option("spacing", "--spacing", |a| a.spacing.clone()),
+    Given::by_option("fill_holes", "--fill-holes", |a| a.fill_holes.then(|| "true".to_owned())),
+    Given::by_option("square_cells", "--square-cells", |a| {
+        a.square_cells.then(|| "true".to_owned())
+    }),
+    Given::by_option("cells", "--cells", |a| a.cells.clone()),
+    Given::by_key("rms_height", "rms_height"),
+    Given::by_key("rms_slope", "rms_slope"),
+    Given::by_key("hurst", "hurst"),
+    Given::by_key("longest_wavelength", "longest"),
+    Given::by_key("roll_off_wavelength", "roll_off"),
+    Given::by_key("shortest_wavelength", "shortest"),
+    Given { key: Some("seed"), ..Given::by_option("seed", "--seed", |a| a.seed.clone()) },
+    Given::by_option("hardness", "--hardness", |a| a.hardness.clone()),
+    // Its value may be refused, and has a default: see `fields`.
+    Given::by_option("pressures", "--pressure", |_| None),
 ];
+
+/// What a field of a case is called here.
+fn option(path: &str) -> Option<&'static str> {
+    let field = path.strip_prefix(SECTION)?;
+    GIVEN.iter().find(|given| given.field == field).and_then(|given| given.option.or(given.key))
+}
+
+fn quoted(text: &str) -> String {
+    format!("{text:?}")
+}
+
+/// The files that options name, by the options: paths need not be text.
+fn files(arguments: &Roughness) -> BTreeMap<String, PathBuf> {
+    let files = [(SURFACE, &arguments.surface), (SECOND, &arguments.second)];
+    files
+        .into_iter()
+        .filter_map(|(option, path)| Some((option.to_owned(), path.clone()?)))
+        .collect()
+}
 
 /// The fields that the options give.
 fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
-    let file = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
-    let flag = |is_given: bool| is_given.then(|| "true".to_owned());
-    let quoted = |text: String| format!("{text:?}");
-    let options = [
-        ("file", file(&arguments.surface).map(quoted)),
-        ("second_file", file(&arguments.second).map(quoted)),
-        ("form", arguments.form.clone()),
-        ("cutoff_wavelength", arguments.cutoff.clone()),
-        ("unit", arguments.unit.clone().map(quoted)),
-        ("spacing", arguments.spacing.clone()),
-        ("fill_holes", flag(arguments.fill_holes)),
-        ("square_cells", flag(arguments.square_cells)),
-        ("cells", arguments.cells.clone()),
-        ("seed", arguments.seed.clone()),
-        ("hardness", arguments.hardness.clone()),
-    ];
-    let mut fields = Vec::new();
-    let mut push = |option, text: String, field: &str, value: String| {
-        fields.push(GivenByOption { option, text, field: field.to_owned(), value });
-    };
-    for (name, value) in options {
-        if let (Some(value), Some(option)) = (value, NAMES.option(&field(name))) {
-            let text = value.trim_matches('"').to_owned();
-            push(option, text, &field(name), value);
+    let mut fields = synthetic(arguments)?;
+    let files = files(arguments);
+    for given in &GIVEN {
+        if let (Some(option), Some(value)) = (given.option, (given.value)(arguments)) {
+            let text = files.get(option).map(|path| path.display().to_string());
+            let text = text.unwrap_or_else(|| value.trim_matches('"').to_owned());
+            fields.push(GivenByOption { option, text, field: given.path(), value });
         }
     }
-    for (text, field, value) in synthetic(arguments)? {
-        push("--synthetic", text, &field, value);
-    }
     if let Some(friction) = &arguments.friction {
-        push("--friction", friction.clone(), "friction.coefficient", friction.clone());
+        let (option, field) = ("--friction", "friction.coefficient".to_owned());
+        fields.push(GivenByOption {
+            option,
+            text: friction.clone(),
+            field,
+            value: friction.clone(),
+        });
     }
     let is_given = arguments.surface.is_some() || arguments.synthetic.is_some();
     let default = (is_given && arguments.case.is_none()).then(|| DEFAULT_PRESSURES.to_owned());
@@ -212,8 +267,8 @@ fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         let mut values = pressures("--pressure", &text).map_err(CaseErrors::from)?;
         values.sort_by(f64::total_cmp);
         let array: Vec<String> = values.iter().map(|value| format!("\"{value:e} Pa\"")).collect();
-        let array = format!("[{}]", array.join(","));
-        push("--pressure", text, "contact_law.roughness.pressures", array);
+        let (field, value) = (format!("{SECTION}pressures"), format!("[{}]", array.join(",")));
+        fields.push(GivenByOption { option: "--pressure", text, field, value });
     }
     Ok(fields)
 }
@@ -221,25 +276,29 @@ fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
 /// Mean pressures where nothing else says any.
 const DEFAULT_PRESSURES: &str = "0.2..1.2 GPa";
 
-/// Text, field and value of every part of --synthetic.
-fn synthetic(arguments: &Roughness) -> Result<Vec<(String, String, String)>, Failure> {
+/// The fields that --synthetic gives.
+fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
     let Some(text) = &arguments.synthetic else { return Ok(Vec::new()) };
     let parts = text.split(',').map(|part| {
         let (key, value) = part.split_once('=').unwrap_or((part, ""));
         let (key, value) = (key.trim(), value.trim());
-        let field = KEYS.iter().find(|(name, field)| key == *name || key == *field);
-        match field {
-            Some((_, field)) if !value.is_empty() => {
-                Ok((part.trim().to_owned(), self::field(field), value.to_owned()))
-            }
+        let is_meant = |own: &str, given: &Given| key == own || key == given.field;
+        let given = GIVEN.iter().find(|given| given.key.is_some_and(|own| is_meant(own, given)));
+        match given {
+            Some(given) if !value.is_empty() => Ok(GivenByOption {
+                option: "--synthetic",
+                text: part.trim().to_owned(),
+                field: given.path(),
+                value: value.to_owned(),
+            }),
             _ => Err(Failure::Arguments(format!(
                 "--synthetic must be key=value,key=value,… with the keys {}, but has {part:?}",
-                KEYS.map(|(name, _)| name).join(", ")
+                GIVEN.iter().filter_map(|given| given.key).collect::<Vec<_>>().join(", ")
             ))),
         }
     });
-    let parts = parts.collect::<Result<Vec<(String, String, String)>, Failure>>()?;
-    let is_named = |field: &str| parts.iter().any(|(_, path, _)| path.ends_with(field));
+    let parts = parts.collect::<Result<Vec<_>, Failure>>()?;
+    let is_named = |field: &str| parts.iter().any(|part| part.field.ends_with(field));
     if !["longest_wavelength", "shortest_wavelength"].into_iter().all(is_named) {
         return Err(Failure::Arguments(format!(
             "--synthetic must name the longest and the shortest wavelength, such as \
@@ -247,33 +306,6 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<(String, String, String)>, Fai
         )));
     }
     Ok(parts)
-}
-
-/// What fields of a case are called as options.
-const NAMES: FieldNames = FieldNames::of_options(&[
-    ("contact_law.roughness.file", "SURFACE"),
-    ("contact_law.roughness.second_file", "--second"),
-    ("contact_law.roughness.form", "--form"),
-    ("contact_law.roughness.cutoff_wavelength", "--cutoff"),
-    ("contact_law.roughness.unit", "--unit"),
-    ("contact_law.roughness.spacing", "--spacing"),
-    ("contact_law.roughness.fill_holes", "--fill-holes"),
-    ("contact_law.roughness.square_cells", "--square-cells"),
-    ("contact_law.roughness.cells", "--cells"),
-    ("contact_law.roughness.seed", "--seed"),
-    ("contact_law.roughness.hardness", "--hardness"),
-    ("contact_law.roughness.pressures", "--pressure"),
-    ("contact_law.roughness.rms_height", "rms_height"),
-    ("contact_law.roughness.rms_slope", "rms_slope"),
-    ("contact_law.roughness.hurst", "hurst"),
-    ("contact_law.roughness.longest_wavelength", "longest"),
-    ("contact_law.roughness.roll_off_wavelength", "roll_off"),
-    ("contact_law.roughness.shortest_wavelength", "shortest"),
-]);
-
-/// A field of the roughness.
-fn field(name: &str) -> String {
-    format!("contact_law.roughness.{name}")
 }
 
 /// The micro model; that of the case is taken over where it is the same.
@@ -319,33 +351,39 @@ fn spots(
     })
 }
 
-fn describe(
-    arguments: &Roughness,
-    case: &Case,
-    (request, rough): (RoughnessRequest, RoughSurface),
-    (result, spots): (MicroModelResult, Option<Spots>),
-) -> RoughnessReport {
-    let title = match (&request.key().source.origin, &arguments.synthetic) {
-        (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
-        (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
-        (SurfaceOrigin::Files { files, .. }, _) => {
-            let names: Vec<String> =
-                files.iter().map(|file| file.path().display().to_string()).collect();
-            names.join(" and ")
+/// What was pressed, and what came out.
+struct Pressed {
+    request: RoughnessRequest,
+    rough: RoughSurface,
+    result: MicroModelResult,
+    spots: Option<Spots>,
+}
+
+impl Pressed {
+    fn report(self, arguments: &Roughness, case: &Case) -> RoughnessReport {
+        let Self { request, rough, result, spots } = self;
+        let title = match (&request.key().source.origin, &arguments.synthetic) {
+            (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
+            (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
+            (SurfaceOrigin::Files { files, .. }, _) => {
+                let names: Vec<String> =
+                    files.iter().map(|file| file.path().display().to_string()).collect();
+                names.join(" and ")
+            }
+        };
+        let caveats = caveats(&result, rough.surface.lattice().len(), request.key());
+        let warnings = rough.notices.into_iter().chain(caveats).map(Message::from).collect();
+        RoughnessReport {
+            title,
+            spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
+            surface: rough.surface,
+            bodies: *request.bodies(),
+            contact_modulus: request.key().contact_modulus,
+            hardness: request.key().hardness,
+            result,
+            spots,
+            remarks: rough.remarks,
+            warnings,
         }
-    };
-    let caveats = caveats(&result, rough.surface.lattice().len(), request.key());
-    let warnings = rough.notices.into_iter().chain(caveats).collect();
-    RoughnessReport {
-        title,
-        spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
-        surface: rough.surface,
-        bodies: *request.bodies(),
-        contact_modulus: request.key().contact_modulus,
-        hardness: request.key().hardness,
-        result,
-        spots,
-        remarks: rough.remarks,
-        warnings,
     }
 }

@@ -9,12 +9,13 @@ use schlupf::message::{Message, Words};
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, FieldNames, Task as Rolling};
+use schlupf_case::{Case, CaseErrors, FieldNames, Rolling};
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::contact_law;
 use crate::failure::Failure;
+use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, OwnFile, Task, messages};
@@ -69,7 +70,7 @@ impl Task for Solve {
     fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
         self.refuse_state(case.method)?;
         let initial_state = self.initial_state.as_deref().map(read_state).transpose()?;
-        let rolling = case.task(initial_state).map_err(CaseErrors::from)?;
+        let rolling = case.rolling(initial_state).map_err(CaseErrors::from)?;
         Ok(Plan { case, rolling })
     }
 
@@ -112,12 +113,8 @@ impl Solve {
             ("--figures", "nothing to draw", &self.outputs.figures),
         ];
         let given = given.into_iter().filter(|(_, _, path)| path.is_some());
-        let name = solution.method.name();
-        let message = |(option, what, _)| {
-            let text = format!("{option} has {what}: solver.method = {name:?} gives no fields");
-            Message::new("empty-output", "solver.method", text)
-        };
-        given.map(message).collect()
+        let method = solution.method.name();
+        given.map(|(option, what, _)| Notice::EmptyOutput { option, what, method }.into()).collect()
     }
 
     /// Only the full method has a state.

@@ -13,12 +13,12 @@ use schlupf_output::figures::MARK;
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED};
-use crate::outputs::{self, Input};
+use crate::outputs::{self, Directory, Input, Output};
 use crate::progress::Progress;
 use crate::{report, stdout};
 
 /// A command that finds something and writes it.
-pub trait Task {
+pub trait Task: Send + Sync {
     /// What it is going to do, once the case is read and all that can be refused is.
     type Plan;
     /// What it finds.
@@ -120,17 +120,20 @@ fn figure_files(name: &str) -> [String; 2] {
 
 fn check_outputs<T: Task>(task: &T, plan: &T::Plan) -> Result<(), Failure> {
     let outputs = task.outputs();
-    let own = task.own_files();
     let common = [("--json", outputs.json_file()), ("--csv", outputs.csv.as_deref())];
     let common = common.into_iter().filter_map(|(option, path)| Some((option, path?)));
-    let files: Vec<(&str, &Path)> =
-        common.chain(own.iter().map(|file| (file.option, file.path))).collect();
-    let inputs = task.inputs(plan);
-    let Some(directory) = &outputs.figures else { return outputs::check(&files, &inputs) };
-    let names: Vec<String> =
-        T::Report::figure_names().iter().flat_map(|n| figure_files(n)).collect();
-    outputs::check_with_directory(&files, &inputs, ("--figures", directory), &names)?;
-    T::Report::figure_names().iter().try_for_each(|name| refuse_foreign(directory, name))
+    let own = task.own_files().into_iter().map(|file| (file.option, file.path));
+    let output = |(option, path): (&'static str, &Path)| Output { option, path: path.to_owned() };
+    let files: Vec<Output> = common.chain(own).map(output).collect();
+    let names = T::Report::figure_names();
+    let directory = outputs.figures.as_deref().map(|path| Directory {
+        option: "--figures",
+        path,
+        names: names.iter().flat_map(|name| figure_files(name)).collect(),
+    });
+    outputs::check(&files, &task.inputs(plan), directory.as_ref())?;
+    let mut figures = outputs.figures.iter().flat_map(|path| names.iter().map(move |n| (path, n)));
+    figures.try_for_each(|(path, name)| refuse_foreign(path, name))
 }
 
 /// Refuses to write over, or to remove later, a figure that is not ours.

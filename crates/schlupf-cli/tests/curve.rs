@@ -92,8 +92,7 @@ fn what_did_not_converge_is_written_and_marked() {
     let files = ["--creepage-x", "0..0.01", "--json", "c.json", "--figures", "f"];
     let run = curve(&bench, &[&files[..], &one_step].concat());
     assert_eq!(run.code, Some(3), "{}", run.stderr);
-    let expected =
-        "warning: not converged: 9 of 9 points, at creepage_x = 0, 8.98199e-5, 0.000215883, ";
+    let expected = "warning: not converged: 9 of 9 points, at kinematics.creepage_x = 0, 8.98199e-5, 0.000215883, ";
     assert!(run.stderr.starts_with(expected), "{}", run.stderr);
     assert!(run.stdout.contains("NOT CONVERGED"), "{}", run.stdout);
     let result: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
@@ -114,11 +113,11 @@ const BAD: &[(&[&str], &[&str])] = &[
     (&["--spin", "0 1/m..2 m"], &["`m` is m in base units"]),
     (
         &["--creepage-x", "0..1.5"],
-        &["--creepage-x 0..1.5", "the wheel must roll", "at creepage_x = 1 it does not"],
+        &["--creepage-x 0..1.5", "the wheel must roll", "does not at kinematics.creepage_x = 1"],
     ),
     (
         &["--creepage", "0..2", "--direction", "0 deg"],
-        &["--creepage 0..2 --direction 0 deg", "at creepage = 1 it does not"],
+        &["--creepage 0..2 --direction 0 deg", "does not at creepage = 1"],
     ),
     (&["--creepage", "0..0.1"], &["--direction <ANGLE>"]),
     (&["--creepage", "0..0.1", "--direction", "30"], &["must be an angle", "\"30\""]),

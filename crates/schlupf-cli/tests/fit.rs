@@ -148,7 +148,7 @@ fn the_gallery_has_points_to_fit() {
     assert_eq!(found["parameters"][3]["symbol"], "k_S");
     // Its friction knows the slip speed, not the heat.
     let warnings = found["warnings"].to_string();
-    assert!(warnings.contains("no scatter"), "{warnings}");
+    assert!(warnings.contains("not random"), "{warnings}");
 }
 
 #[test]
@@ -240,13 +240,13 @@ fn the_case_that_is_written_is_that_of_the_fit() {
 fn bad_requests_are_refused() {
     let rows: &[(&str, &[&str], i32, &str)] = &[
         ("friction.coeficient", &[], 2, "did you mean `friction.coefficient`?"),
-        ("friction.decay", &[], 2, "it is no constant of the friction law in use"),
+        ("friction.decay", &[], 2, "it is not a constant of the friction law in use"),
         (BOTH, &["--data", "none.csv"], 2, "cannot be used multiple times"),
         (BOTH, &["--gamma", "0"], 2, "between 0.01 and 10"),
         (BOTH, &["--max-steps", "0"], 2, "--max-steps"),
         (BOTH, &["--csv", "data.csv"], 2, "--csv must name a file of its own"),
         (BOTH, &["--write-case", "case.toml"], 2, "that of the case file, too"),
-        (BOTH, &["--set", "friction.coefficient=5"], 2, "for a fit to start from"),
+        (BOTH, &["--set", "friction.coefficient=5"], 2, "must start a fit between"),
     ];
     for (parameters, more, code, part) in rows {
         let bench = bench();

@@ -152,7 +152,7 @@ fn what_has_no_bulk_temperature_is_refused() {
         ),
         (
             format!("{BRAKING}{COOLING}[heat]\nmodel = \"none\"\n"),
-            &["case.toml:12:9: heat.model: the wheel warms by frictional heat only", "^^^"][..],
+            &["case.toml:12:9: heat.model: the wheel is heated by friction only", "^^^"][..],
         ),
         (
             format!("{BRAKING}{COOLING}{history}"),

@@ -45,3 +45,20 @@ fn a_command_that_is_interrupted_leaves_nothing() {
         assert!(time < Duration::from_secs(30), "{signal}: {time:?}");
     }
 }
+
+/// The pipe is full and nobody reads it.
+#[test]
+fn a_command_that_is_interrupted_while_it_prints_says_so() {
+    let bench = Bench::new();
+    bench.write("case.toml", "solver.method = \"polach\"\n");
+    let print = ["curve", "case.toml", "--creepage-x", "0..0.1", "--points", "2000", "--json", "-"];
+    let mut child =
+        bench.command(&print).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(Duration::from_secs(2));
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let run = Run::from(child.wait_with_output().unwrap());
+    let said = "interrupted: no file was written; standard output is incomplete\n";
+    assert!(run.stderr.ends_with(said), "{}", run.stderr);
+}

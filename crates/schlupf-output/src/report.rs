@@ -20,7 +20,7 @@ use crate::figures::{self, Drawing, Figure, FigureError};
 /// assert!(report.csv().is_some_and(|table| table.contains("traction_x")));
 /// # Ok::<(), schlupf::Error>(())
 /// ```
-pub trait Report {
+pub trait Report: Send + Sync {
     /// Whether the solution converged.
     fn status(&self) -> Status;
 

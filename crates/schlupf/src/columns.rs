@@ -92,7 +92,7 @@ impl<R: ?Sized> Column<R> {
 }
 
 /// A result consisting of rows with the same columns.
-pub trait Record: 'static {
+pub trait Record: Send + Sync + 'static {
     /// Number of rows.
     fn rows(&self) -> usize;
 

@@ -242,7 +242,7 @@ mod tests {
                 .check(&ROLLING)
                 .unwrap_err()
                 .to_string()
-                .contains("time must have at least 2 entries, but has 0")
+                .contains("time needs at least 2 entries, got 0")
         );
         let endless = History { shift: Some([0.0, f64::NAN]), ..History::default() };
         assert!(endless.check(&ROLLING).unwrap_err().to_string().contains("shift_y"));
@@ -276,11 +276,11 @@ mod tests {
         let refuse = |history: History| history.check(&ROLLING).unwrap_err().to_string();
         let times = vec![0.0, 1.0];
         let once = History { time: vec![0.0], ..History::default() };
-        assert!(refuse(once).contains("time must have at least 2 entries, but has 1"));
+        assert!(refuse(once).contains("time needs at least 2 entries, got 1"));
         let backwards = History { time: vec![1.0, 1.0], ..History::default() };
         assert!(refuse(backwards).contains("ascend strictly"));
         let short = History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };
-        assert!(refuse(short).contains("spin_history must have 2 values, but has 1"));
+        assert!(refuse(short).contains("spin_history needs 2 values, got 1"));
         let locked =
             History { time: times, creepage_x: Some(vec![0.0, 2.0]), ..History::default() };
         let message = refuse(locked);

@@ -81,7 +81,12 @@ impl Kinematics {
 
     /// Circumferential speed of the wheel ω R = (cos α − ξ) v0, in m/s.
     pub fn circumferential_speed(&self) -> f64 {
-        ((1.0 - self.creepage_y.powi(2)).sqrt() - self.creepage_x) * self.speed
+        (self.locking_creepage() - self.creepage_x) * self.speed
+    }
+
+    /// Longitudinal creepage √(1 − η²) at which the wheel locks, dimensionless.
+    fn locking_creepage(&self) -> f64 {
+        (1.0 - self.creepage_y.powi(2)).sqrt()
     }
 
     /// Rigid slip of the wheel over the rail at a point (in m), divided by the speed;
@@ -121,7 +126,8 @@ impl Kinematics {
         if rolling > 0.0 {
             return Ok(());
         }
-        Err(Error::NoRolling { creepage_x: self.creepage_x, rolling })
+        let limit = self.locking_creepage();
+        Err(Error::NoRolling { creepage_x: self.creepage_x, limit, rolling })
     }
 }
 

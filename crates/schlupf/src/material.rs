@@ -61,33 +61,6 @@ impl Default for Material {
     }
 }
 
-/// Wheel or rail.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// The wheel.
-    Wheel,
-    /// The rail.
-    Rail,
-}
-
-impl Side {
-    /// Name of the side.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Wheel => "wheel",
-            Self::Rail => "rail",
-        }
-    }
-
-    /// Bulk temperature of the side, as a quantity.
-    pub fn temperature(self) -> Quantity {
-        match self {
-            Self::Wheel => Quantity::WheelTemperature,
-            Self::Rail => Quantity::RailTemperature,
-        }
-    }
-}
-
 /// A wheel or rail: its material and its temperature far from the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {

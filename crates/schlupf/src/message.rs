@@ -4,16 +4,33 @@
 use std::borrow::Cow;
 
 use crate::quantity::Quantity;
-use crate::requirement::readable;
 
 /// What a face calls quantities: paths in a case file, options of a command, keywords of a function.
-pub trait Words {
+pub trait Words: Send + Sync {
     /// Its word for a quantity.
     fn word(&self, quantity: Quantity) -> Cow<'static, str>;
 
     /// How it says that a quantity has a name as its value.
     fn choice(&self, quantity: Quantity, name: &str) -> String {
         format!("{} = {name:?}", self.word(quantity))
+    }
+}
+
+/// What a message may be about: a quantity, or something that all faces call the same.
+pub trait Subject: Send + Sync {
+    /// The word of a face for it.
+    fn word(&self, words: &dyn Words) -> Cow<'static, str>;
+}
+
+impl Subject for Quantity {
+    fn word(&self, words: &dyn Words) -> Cow<'static, str> {
+        words.word(*self)
+    }
+}
+
+impl Subject for &'static str {
+    fn word(&self, _words: &dyn Words) -> Cow<'static, str> {
+        (*self).into()
     }
 }
 
@@ -61,18 +78,15 @@ impl Message {
     }
 }
 
-/// A number with its unit, if it has one.
-pub(crate) fn with_unit(value: f64, unit: &str) -> String {
-    format!("{} {unit}", readable(value)).trim_end().to_owned()
-}
-
 /// Declares an enum of messages: for each kind its code, its values, the quantity that it is about and
 /// its sentence in given [`Words`]. The code of a kind that holds another message is that of the other:
-/// `"code" [field]`.
+/// `"code" [field]`. Messages may be about another [`Subject`] than quantities.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! messages {
     (
         $(#[$about:meta])*
-        $name:ident: $(
+        $name:ident of $about_what:ty: $(
             $(#[$doc:meta])*
             $code:literal $([$inner:ident])? $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
             $quantity:expr, |$subject:ident, $words:ident| $text:expr;
@@ -98,7 +112,7 @@ macro_rules! messages {
             }
 
             /// The quantity that it is about.
-            pub fn quantity(&self) -> $crate::quantity::Quantity {
+            pub fn quantity(&self) -> $about_what {
                 match self { $(Self::$kind { $($field),* } => $quantity),* }
             }
 
@@ -106,7 +120,8 @@ macro_rules! messages {
             pub fn text(&self, words: &dyn $crate::message::Words) -> String {
                 match self {
                     $(Self::$kind { $($field),* } => {
-                        let ($subject, $words) = (words.word($quantity), words);
+                        let $subject = $crate::message::Subject::word(&$quantity, words);
+                        let $words = words;
                         $text
                     })*
                 }
@@ -114,7 +129,7 @@ macro_rules! messages {
 
             /// It in the words of a face.
             pub fn message(&self, words: &dyn $crate::message::Words) -> $crate::message::Message {
-                let quantity = words.word(self.quantity());
+                let quantity = $crate::message::Subject::word(&self.quantity(), words);
                 $crate::message::Message::new(self.code(), quantity, self.text(words))
             }
         }
@@ -125,6 +140,10 @@ macro_rules! messages {
             }
         }
     };
+    ($(#[$about:meta])* $name:ident: $($kinds:tt)*) => {
+        $crate::messages! { $(#[$about])* $name of $crate::quantity::Quantity: $($kinds)* }
+    };
 }
 
-pub(crate) use messages;
+#[doc(hidden)]
+pub use messages;

@@ -2,6 +2,12 @@
 //! are the same.
 
 /// The results of all items, in their order.
+///
+/// ```
+/// use schlupf::parallel;
+///
+/// assert_eq!(parallel::map(vec![1, 2, 3], |number| number * number), [1, 4, 9]);
+/// ```
 #[cfg(feature = "rayon")]
 pub fn map<I: Send, R: Send>(items: Vec<I>, work: impl Fn(I) -> R + Sync + Send) -> Vec<R> {
     use rayon::iter::{IntoParallelIterator, ParallelIterator};

@@ -102,6 +102,11 @@ impl Requirement {
     }
 }
 
+/// A number with its unit, if it has one.
+pub(crate) fn with_unit(value: f64, unit: &str) -> String {
+    format!("{} {unit}", readable(value)).trim_end().to_owned()
+}
+
 /// Formats a number with at most six digits, using powers of ten instead of a run of zeros.
 pub fn readable(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);

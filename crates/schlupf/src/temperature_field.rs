@@ -13,12 +13,20 @@ use crate::heat::HeatStep;
 use crate::heat::peclet::semi_axes;
 use crate::kinematics::ReferencePoint;
 use crate::material::Body;
-pub use crate::material::Side;
 use crate::method::Method;
 use crate::patch::{Patch, Strip};
 use crate::problem::Problem;
 use crate::solution::Solution;
 use crate::warning::Warning;
+
+/// Wheel or rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// The wheel.
+    Wheel,
+    /// The rail.
+    Rail,
+}
 
 /// The temperatures of a solution.
 ///

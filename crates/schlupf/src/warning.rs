@@ -1,9 +1,7 @@
 //! What a reader of results must know.
 
 use crate::error::FitStop;
-use crate::material::Side;
 use crate::message::messages;
-use crate::problem::Branch;
 use crate::quantity::Quantity;
 use crate::requirement::readable;
 
@@ -30,17 +28,14 @@ messages! {
 
     /// There are several steady states.
     "several-states" SeveralStates {
-        /// From where this one is reached.
-        branch: Branch,
+        /// Whether this one is reached from low slip (or from high slip).
+        from_low_slip: bool,
         /// Its tangential force, in N.
         force: [f64; 2],
         /// The tangential force of the state that is reached from the other side, in N.
         other_force: [f64; 2],
     } Quantity::Branch, |name, words| {
-        let [here, there] = match branch {
-            Branch::LowSlip => ["low", "high"],
-            Branch::HighSlip => ["high", "low"],
-        };
+        let [here, there] = if *from_low_slip { ["low", "high"] } else { ["high", "low"] };
         let [x, y] = force;
         let [other_x, other_y] = other_force;
         format!(
@@ -131,8 +126,9 @@ messages! {
         /// Points that each part needs.
         fewest: usize,
     } Quantity::UndeformedDistance, |name, words| format!(
-        "{name}: the distance is given at {points} points across the patch, too few to determine its \
-         shape between them; give at least {fewest}{}",
+        "{name}: the distance is given at {points} point{} across the patch, too few to determine its \
+         shape; give at least {fewest}{}",
+        if *points == 1 { "" } else { "s" },
         if *parts == 1 { String::new() } else { format!(" in each of its {parts} parts") }
     );
 
@@ -166,17 +162,17 @@ messages! {
 
     /// A surface so hot that material constants do not hold.
     "hot-surface" HotSurface {
-        /// Which one.
-        body: Side,
+        /// Which one: the temperature of the wheel, or of the rail.
+        surface: Quantity,
         /// Its largest temperature, in degC.
         temperature: f64,
         /// What happens there.
         limit: HeatLimit,
-    } body.temperature(), |name, words| format!(
+    } *surface, |name, words| format!(
         "{}: the surface of the {} reaches {temperature:.0} degC, {}: material constants, elasticity \
          and friction are not valid there",
         words.word(Quantity::HeatModel),
-        body.name(),
+        if *surface == Quantity::WheelTemperature { "wheel" } else { "rail" },
         limit.text()
     );
 

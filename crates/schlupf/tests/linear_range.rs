@@ -46,7 +46,8 @@ fn at_once(problem: &Problem, options: &Options) -> Solution {
 /// Fx, Fy and Mz over √(ab), over the size of the motion, in N.
 fn per_size(force: &Resultant, size: f64) -> [f64; 3] {
     let lever = (6e-3_f64 * 5e-3).sqrt();
-    [force.x, force.y, force.moment_z.unwrap() / lever].map(|component| component / size)
+    let moment = force.moment_z.unwrap_or(0.0) / lever;
+    [force.x, force.y, moment].map(|component| component / size)
 }
 
 fn length(v: [f64; 3]) -> f64 {

@@ -221,11 +221,11 @@ fn doubtful_profiles_are_told() {
     assert_eq!(warnings(81, 60e3), "");
     let few = warnings(11, 60e3);
     assert!(
-        few.contains("undeformed_distance: number of points of the distance across the patch: 1."),
+        few.contains("undeformed_distance: the distance is given at 1 point across the patch"),
         "{few}"
     );
     let hard = warnings(81, 3e6);
-    assert!(hard.contains("are load and shape in their right units?"), "{hard}");
+    assert!(hard.contains("check load and radii and their units"), "{hard}");
 }
 
 /// Goal: a small patch beside a large one is found although a coarse look sees one cell of it, or nothing.

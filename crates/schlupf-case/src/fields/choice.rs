@@ -10,7 +10,7 @@ pub struct Choice {
 }
 
 /// The type of a field that is one of several names.
-pub trait Choose: Copy + 'static {
+pub trait Choose: Copy + Send + Sync + 'static {
     /// The names, in the order of [`Self::ALL`].
     const CHOICES: &'static [Choice];
     /// What they stand for.
@@ -29,6 +29,13 @@ macro_rules! choices {
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum $name {
             $(#[doc = concat!("`", $text, "`.")] $variant,)+
+        }
+
+        impl $name {
+            /// Its name in a case file.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $text),+ }
+            }
         }
 
         impl Choose for $name {

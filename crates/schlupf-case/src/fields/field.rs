@@ -4,15 +4,18 @@ use super::Requirement;
 use super::choice::Choice;
 use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 use crate::document::{Content, Value};
-use crate::names::FieldNames;
 use crate::setting::{Refusal, Setting};
 use crate::units::{Measure, QuantityError, parse_quantity};
+use schlupf::Quantity;
+use schlupf::message::Names;
 
 /// A part of the case file under one heading.
 #[derive(Debug)]
 pub struct Section {
     /// Heading; empty for the top level.
     pub name: &'static str,
+    /// The quantities that all of it gives.
+    pub quantities: &'static [Quantity],
     /// What it is about.
     pub doc: &'static str,
     /// Its fields.
@@ -24,6 +27,8 @@ pub struct Section {
 pub struct Field {
     /// Dotted path, such as `kinematics.speed`.
     pub path: &'static str,
+    /// The quantities that it gives.
+    pub quantities: &'static [Quantity],
     /// What may stand there.
     pub kind: Kind,
     /// What its number must be, in SI units.
@@ -150,6 +155,7 @@ impl Field {
     ) -> Self {
         Self {
             path,
+            quantities: &[],
             kind,
             requirement,
             default,
@@ -242,7 +248,7 @@ impl Field {
             return Ok(number);
         }
         let help = creepage_in_per_cent(self.path, number);
-        Err(Refusal::new(self.requirement.text(unit, &FieldNames::CASE), value).help(help))
+        Err(Refusal::new(self.requirement.text(unit, &Names), value).help(help))
     }
 
     fn wrong_quantity(error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {

@@ -14,7 +14,7 @@ use super::bodies::{RAIL, WHEEL, radii};
 use crate::error::CaseError;
 use crate::fields::choice::NormalModel;
 use crate::settings::Settings;
-use crate::tables;
+use crate::tables::{self, NpyFile};
 
 const FILE: &str = "normal.file";
 const LOAD: &str = "normal.load";
@@ -57,10 +57,10 @@ fn tabulated(settings: &Settings) -> Result<Tabulated, CaseError> {
 }
 
 fn table(settings: &Settings) -> Result<PressureTable, CaseError> {
-    let File { name, bytes, spacings } = File::read(settings)?;
-    match spacings {
-        Some(spacings) => tables::pressure_from_npy(&name, &bytes, spacings, &settings.place(FILE)),
-        None => tables::pressure_from_csv(name, bytes),
+    let file = File::read(settings)?;
+    match file.npy(settings) {
+        Some(npy) => tables::pressure_from_npy(&npy),
+        None => tables::pressure_from_csv(file.name, file.bytes),
     }
 }
 
@@ -74,10 +74,10 @@ fn profile(settings: &Settings, contact_modulus: f64) -> Result<Profile, CaseErr
 }
 
 fn distance(settings: &Settings) -> Result<UndeformedDistance, CaseError> {
-    let File { name, bytes, spacings } = File::read(settings)?;
-    match spacings {
-        Some(spacings) => tables::distance_from_npy(&name, &bytes, spacings, &settings.place(FILE)),
-        None => tables::distance_from_csv(name, bytes, || rolling_radius(settings)),
+    let file = File::read(settings)?;
+    match file.npy(settings) {
+        Some(npy) => tables::distance_from_npy(&npy),
+        None => tables::distance_from_csv(file.name, file.bytes, || rolling_radius(settings)),
     }
 }
 
@@ -96,6 +96,12 @@ struct File {
 }
 
 impl File {
+    /// It as an .npy file, if it is one.
+    fn npy(&self, settings: &Settings) -> Option<NpyFile<'_>> {
+        let (name, bytes, place) = (&self.name, &self.bytes, settings.place(FILE));
+        self.spacings.map(|spacings| NpyFile { name, bytes, spacings, place })
+    }
+
     fn read(settings: &Settings) -> Result<Self, CaseError> {
         let (name, bytes) = settings.read_file(FILE)?;
         let ending = Path::new(&name).extension();

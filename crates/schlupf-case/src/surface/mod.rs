@@ -8,7 +8,6 @@ mod x3p;
 use std::path::Path;
 
 use schlupf::Error;
-use schlupf::message::Message;
 use schlupf::surface::holes::{Holes, require_few};
 use schlupf::surface::profile::Profile;
 use schlupf::surface::{HeightMap, Lattice};
@@ -21,11 +20,6 @@ use crate::place::Place;
 use crate::units::{Measure, parse_unit};
 
 pub use source::{RoughSurface, SurfaceOrigin, SurfaceSource};
-
-/// What is said of a roughness.
-pub(crate) fn notice(code: &'static str, text: String) -> Message {
-    Message::new(code, "contact_law.roughness", text)
-}
 
 /// Fields that errors of surfaces name.
 const FILE: &str = "contact_law.roughness.file";

@@ -7,7 +7,7 @@ use super::{ADVICE_ON_HEIGHTS, MeasuredSurface, Reading, finish, is_too_high, to
 use crate::error::CaseError;
 use crate::tables::axis::axis;
 use crate::tables::columns::{Column, Columns};
-use crate::tables::lattice;
+use crate::tables::lattice::{self, Along};
 use crate::units::Measure;
 
 const fn length(name: &'static str, required: bool, holes: bool) -> Column {
@@ -53,8 +53,9 @@ fn from_columns(columns: &Columns, how: Reading) -> Result<MeasuredSurface, Case
     } else {
         axis("y", ys, columns)?
     };
-    let points: [(_, _, &[f64]); 2] = [(names[0], &x, xs), (names[1], &y, ys)];
-    let (places, lines) = lattice::places(points, MAX_SPARSE, columns)?;
+    let along_x = Along { name: names[0], axis: &x, positions: xs };
+    let along_y = Along { name: names[1], axis: &y, positions: ys };
+    let (places, lines) = lattice::places(&along_x, &along_y, MAX_SPARSE, columns)?;
     let mut map = vec![f64::NAN; lines.len()];
     for (&place, &height) in places.iter().zip(heights) {
         map[place] = height;

@@ -3,18 +3,18 @@
 use std::path::Path;
 
 use schlupf::Error;
-use schlupf::message::Message;
 use schlupf::surface::form::Form;
 use schlupf::surface::profile::Profile;
 use schlupf::surface::spectrum::{RadialSpectrum, Window, spectral_gradient};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 
-use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions, notice};
+use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions};
 use crate::error::CaseError;
 use crate::fields::readable;
 use crate::files::InputFile;
 use crate::names::FieldNames;
+use crate::notice::Notice;
 use crate::place::Place;
 
 const RMS_SLOPE: &str = "contact_law.roughness.rms_slope";
@@ -68,7 +68,7 @@ pub struct RoughSurface {
     /// How it was made of what was given.
     pub remarks: Vec<String>,
     /// What is doubtful about it.
-    pub notices: Vec<Message>,
+    pub notices: Vec<Notice>,
 }
 
 /// The micro model takes slopes for small: root mean square gradients from which that is doubtful, and from
@@ -111,19 +111,15 @@ impl SurfaceSource {
         &self,
         surface: &HeightMap,
         names: FieldNames,
-    ) -> Result<Option<Message>, CaseError> {
+    ) -> Result<Option<Notice>, CaseError> {
         let gradient = spectral_gradient(surface);
         if gradient <= DOUBTFUL_GRADIENT {
             return Ok(None);
         }
-        let is = readable(gradient);
         if gradient <= LARGEST_GRADIENT {
-            let text = format!(
-                "the root mean square gradient is {is}: the model takes slopes for small, its k_c is \
-                 doubtful"
-            );
-            return Ok(Some(notice("steep-surface", text)));
+            return Ok(Some(Notice::SteepSurface { gradient }));
         }
+        let is = readable(gradient);
         let [low, high] = surface.range().map(|height| readable(height * 1e6));
         let (field, cause) = match &self.origin {
             SurfaceOrigin::SelfAffine(SelfAffine { roughness: Roughness::Gradient(_), .. }) => {
@@ -147,21 +143,13 @@ impl SurfaceSource {
     }
 
     /// What to say of a measured piece that is too small to be one of many.
-    fn check_size(&self, surface: &HeightMap) -> Option<Message> {
+    fn check_size(&self, surface: &HeightMap) -> Option<Notice> {
         let is_measured = matches!(self.origin, SurfaceOrigin::Files { .. });
         let lattice = surface.lattice();
         let part = lattice.length_x().min(lattice.length_y()) / WAVES_ACROSS;
         let spectrum = RadialSpectrum::of(surface, Window::of(surface));
         let share = spectrum.share_of_longer(part);
-        (is_measured && share > MOST_IN_LONG_WAVES).then(|| {
-            let text = format!(
-                "{:.0} % of the variance of the heights lies in waves longer than a fifth of the piece: its k_c \
-                 is that of this piece, another one may differ by tens of per cent; measure a larger one, or \
-                 take waviness off",
-                1e2 * share
-            );
-            notice("small-piece", text)
-        })
+        (is_measured && share > MOST_IN_LONG_WAVES).then_some(Notice::SmallPiece { share })
     }
 
     fn self_affine(
@@ -281,12 +269,7 @@ impl SurfaceSource {
         let cells = self.cells.unwrap_or(points.min(MOST_CELLS));
         let lattice = lattice.unwrap_or(Lattice::square(cells, length));
         if lattice.spacing_x > 1.01 * profile.spacing() {
-            let text = format!(
-                "waves of the profile shorter than {:.3} µm, two cells, are left out; more cells would \
-                 keep them",
-                2e6 * lattice.spacing_x
-            );
-            said.notices.push(notice("waves-left-out", text));
+            said.notices.push(Notice::WavesLeftOut { wavelength: 2.0 * lattice.spacing_x });
         }
         profile.isotropic_surface(lattice, seed)
     }
@@ -296,7 +279,7 @@ impl SurfaceSource {
 #[derive(Default)]
 struct Said {
     remarks: Vec<String>,
-    notices: Vec<Message>,
+    notices: Vec<Notice>,
 }
 
 impl Said {
@@ -315,14 +298,11 @@ impl Said {
         }
         let (name, share) = (file.display(), readable(1e2 * filled));
         let what = if is_profile { "points" } else { "cells" };
-        let text = format!("{name}: {share} % of the {what} had no height and were filled");
+        let filling = format!("{name}: {share} % of the {what} had no height and were filled");
         if filled <= DOUBTFUL_FILLING {
-            self.remarks.push(text);
+            self.remarks.push(filling);
         } else {
-            let text = format!(
-                "{text}: they are smooth, and Sa, Sq, Ssk, Sku, Sz, the gradients and k_c count them"
-            );
-            self.notices.push(notice("filled-points", text));
+            self.notices.push(Notice::FilledPoints { filling });
         }
     }
 }

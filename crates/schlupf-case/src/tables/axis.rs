@@ -42,14 +42,20 @@ pub fn axis(name: &str, positions: &[f64], columns: &Columns) -> Result<Axis, Ca
     if let Some(axis) = lattices.iter().find(fits) {
         return Ok(*axis);
     }
-    let axis = &lattices[1];
-    let stray = positions.iter().position(|x| !holds(axis, *x, digit)).unwrap_or(0);
+    let spacing = lattices[1].spacing;
+    let off = |step: &&[f64]| {
+        let steps = (step[1] - step[0]) / spacing;
+        (steps - steps.round()).abs()
+    };
+    let worst = sorted.windows(2).max_by(|one, other| off(one).total_cmp(&off(other)));
+    let [from, to] = worst.map_or([0.0; 2], |step| [step[0], step[1]]);
+    let row = positions.iter().position(|x| *x == to).unwrap_or(0);
+    let [from, to, spacing] = [from, to, spacing].map(|length| rounded(length * 1e3));
     let message = format!(
-        "{name} must be equidistant, but {} mm lies between the multiples of the spacing {} mm",
-        rounded(positions[stray] * 1e3),
-        rounded(axis.spacing * 1e3)
+        "{name} must be equidistant, but the step from {from} mm to {to} mm is not a multiple of the \
+         spacing of most others, {spacing} mm"
     );
-    Err(columns.error(columns.lines[stray], message))
+    Err(columns.error(columns.lines[row], message))
 }
 
 /// The lattice of about a spacing (in m) that is nearest to sorted positions, by least squares.

@@ -192,7 +192,7 @@ mod tests {
                 "d.csv:2:1: force_ratio must be finite and at most",
             ),
             ("creepage_x,force_ratio\n0.1,30\n", "neither in N nor in per cent"),
-            ("creepage_x,force_ratio\n1.5,0.3\n", "d.csv:2:1: creepage_x must be smaller"),
+            ("creepage_x,force_ratio\n1.5,0.3\n", "d.csv:2:1: creepage_x must be below"),
             ("creepage_x,force_ratio\n1.539,0.3\n", "not per cent: 1 % is 0.01"),
             ("creepage_y,force_ratio\n1.539,0.3\n", "not per cent: 1 % is 0.01"),
             ("creepage_x [%],force_ratio\n0.5,0.3\n", "d.csv:1:1: column `creepage_x` must be dim"),

@@ -3,10 +3,9 @@
 use schlupf::normal::profile::UndeformedDistance;
 
 use super::columns::{Column, Columns};
-use super::lattice::{self, FILE};
+use super::lattice::{self, FILE, NpyFile};
 use crate::error::CaseError;
 use crate::names::FieldNames;
-use crate::place::Place;
 use crate::units::Measure;
 
 const COLUMNS: [Column; 3] = [
@@ -53,22 +52,11 @@ fn ascending(columns: &Columns, ys: &[f64]) -> Result<Vec<usize>, CaseError> {
     Err(columns.error(columns.lines[first.max(second)], message))
 }
 
-/// The distance from an .npy file, in m, centred on the origin. Spacings in m.
-pub fn from_npy(
-    name: &str,
-    bytes: &[u8],
-    spacings: [f64; 2],
-    place: &Place,
-) -> Result<UndeformedDistance, CaseError> {
-    let table =
-        lattice::from_npy(name, bytes, spacings, place, (f64::is_finite, "finite distances"))?;
-    UndeformedDistance::on_lattice(table.x, table.y, table.values).map_err(|cause| {
-        lattice::npy_error(
-            name,
-            place,
-            &format!("is no distance: {}", cause.text(&FieldNames::CASE)),
-        )
-    })
+/// The distance from an .npy file, in m.
+pub fn from_npy(file: &NpyFile) -> Result<UndeformedDistance, CaseError> {
+    let table = file.table(f64::is_finite, "finite distances")?;
+    UndeformedDistance::on_lattice(table.x, table.y, table.values)
+        .map_err(|cause| file.error(&format!("is no distance: {}", cause.text(&FieldNames::CASE))))
 }
 
 #[cfg(test)]
@@ -118,8 +106,8 @@ mod tests {
                 "2,0.1\n",
                 "d.csv:4:1: every y must be given once, but y = 2 mm stands in line 3",
             ),
-            (LINE, "1,0.1\n", "", "at least 4 values of y, but has 3"),
-            (LINE, LINE, "y [mm],distance [mm]\n", "at least 4 values of y, but has 0"),
+            (LINE, "1,0.1\n", "", "at least 4 values of y, got 3"),
+            (LINE, LINE, "y [mm],distance [mm]\n", "at least 4 values of y, got 0"),
         ];
         for (text, from, to, expected) in cases {
             let message = read(&text.replacen(from, to, 1)).unwrap_err();

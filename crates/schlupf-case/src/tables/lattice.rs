@@ -29,9 +29,11 @@ impl Lattice {
     /// The lattice of positions (in m), each given once; `advice` says what to give where there is nothing.
     pub fn of(xs: &[f64], ys: &[f64], columns: &Columns, advice: &str) -> Result<Self, CaseError> {
         let (x, y) = (axis("x", xs, columns)?, axis("y", ys, columns)?);
-        let (places, lines) = places([("x", &x, xs), ("y", &y, ys)], MAX_SPARSE, columns)?;
+        let along_x = Along { name: "x", axis: &x, positions: xs };
+        let along_y = Along { name: "y", axis: &y, positions: ys };
+        let (places, lines) = places(&along_x, &along_y, MAX_SPARSE, columns)?;
         match lines.iter().position(|line| *line == 0) {
-            Some(hole) => Err(hole_error(hole, &lines, (&x, &y), columns).help(advice.to_owned())),
+            Some(hole) => Err(hole_error(hole, &lines, [&x, &y], columns).help(advice.to_owned())),
             None => Ok(Self { x, y, places }),
         }
     }
@@ -46,14 +48,26 @@ impl Lattice {
     }
 }
 
-/// Where on the lattice of two columns with these names and axes each row of a file lies, and in
-/// which line of the file each place of the lattice is given, zero if nowhere. The lattice has at
+/// A column with positions along an axis.
+#[derive(Debug)]
+pub struct Along<'a> {
+    /// Its name.
+    pub name: &'static str,
+    /// Where positions may be.
+    pub axis: &'a Axis,
+    /// In m.
+    pub positions: &'a [f64],
+}
+
+/// Where on the lattice of two columns each row of a file lies, and in which line of the file each place of the lattice is given, zero if nowhere. The lattice has at
 /// most `sparse` times as many points as the file.
 pub fn places(
-    [(name_x, x, xs), (name_y, y, ys)]: [(&str, &Axis, &[f64]); 2],
+    along_x: &Along,
+    along_y: &Along,
     sparse: usize,
     columns: &Columns,
 ) -> Result<(Vec<usize>, Vec<usize>), CaseError> {
+    let (x, y) = (along_x.axis, along_y.axis);
     if x.count.saturating_mul(y.count) > sparse * columns.lines.len() {
         let (nx, ny, rows) = (x.count, y.count, columns.lines.len());
         let message =
@@ -63,12 +77,15 @@ pub fn places(
     let mut lines = vec![0; x.count * y.count];
     let mut places = Vec::with_capacity(columns.lines.len());
     for (row, &line) in columns.lines.iter().enumerate() {
-        let place = y.nearest(ys[row]) * x.count + x.nearest(xs[row]);
+        let [at_x, at_y] = [along_x, along_y].map(|along| along.positions[row]);
+        let place = y.nearest(at_y) * x.count + x.nearest(at_x);
         if lines[place] != 0 {
-            let [at_x, at_y] = [xs, ys].map(|positions| millimetres(positions[row]));
             let message = format!(
-                "every point must be given once, but {name_x} = {at_x} mm, {name_y} = {at_y} mm stands in \
-                 line {} too",
+                "every point must be given once, but {} = {} mm, {} = {} mm stands in line {} too",
+                along_x.name,
+                millimetres(at_x),
+                along_y.name,
+                millimetres(at_y),
                 lines[place]
             );
             return Err(columns.error(line, message));
@@ -101,34 +118,46 @@ pub fn from_columns(
     Ok(Table { x: lattice.x.positions(), y: lattice.y.positions(), values })
 }
 
-/// From an .npy file, centred on the origin, spacings in m; each value must be `legal`, which `requirement` says
-/// in words.
-pub fn from_npy(
-    name: &str,
-    bytes: &[u8],
-    spacings: [f64; 2],
-    place: &Place,
-    (legal, requirement): (fn(f64) -> bool, &str),
-) -> Result<Table, CaseError> {
-    let array = npy::parse(bytes).map_err(|message| npy_error(name, place, &message))?;
-    if let Some(cell) = array.values.iter().position(|value| !legal(*value)) {
-        let (row, column) = (cell / array.columns, cell % array.columns);
-        let value = array.values[cell];
-        let message =
-            format!("must hold {requirement}, but is {value} in row {row}, column {column}");
-        return Err(npy_error(name, place, &message));
-    }
-    let axis = |count: usize, spacing: f64| -> Vec<f64> {
-        let middle = 0.5 * (count as f64 - 1.0);
-        (0..count).map(|index| (index as f64 - middle) * spacing).collect()
-    };
-    let (x, y) = (axis(array.columns, spacings[0]), axis(array.rows, spacings[1]));
-    Ok(Table { x, y, values: array.values })
+/// An .npy file, centred on the origin.
+#[derive(Debug)]
+pub struct NpyFile<'a> {
+    /// For messages.
+    pub name: &'a str,
+    /// What is in it.
+    pub bytes: &'a [u8],
+    /// Along x and y, in m.
+    pub spacings: [f64; 2],
+    /// Where it is named.
+    pub place: Place,
 }
 
-/// An error of an .npy file; the message follows its name in a sentence.
-pub fn npy_error(name: &str, place: &Place, message: &str) -> CaseError {
-    CaseError::new(FILE, format!("{FILE}: {name} {message}"), place.clone())
+impl NpyFile<'_> {
+    /// Its values, each of which must be `legal`; `requirement` says in words what that is.
+    pub fn table(
+        &self,
+        legal: impl Fn(f64) -> bool,
+        requirement: &str,
+    ) -> Result<Table, CaseError> {
+        let array = npy::parse(self.bytes).map_err(|message| self.error(&message))?;
+        if let Some(cell) = array.values.iter().position(|value| !legal(*value)) {
+            let (row, column) = (cell / array.columns, cell % array.columns);
+            let value = array.values[cell];
+            return Err(self.error(&format!(
+                "must hold {requirement}, but is {value} in row {row}, column {column}"
+            )));
+        }
+        let axis = |count: usize, spacing: f64| -> Vec<f64> {
+            let middle = 0.5 * (count as f64 - 1.0);
+            (0..count).map(|index| (index as f64 - middle) * spacing).collect()
+        };
+        let (x, y) = (axis(array.columns, self.spacings[0]), axis(array.rows, self.spacings[1]));
+        Ok(Table { x, y, values: array.values })
+    }
+
+    /// An error of it; the message follows its name in a sentence.
+    pub fn error(&self, message: &str) -> CaseError {
+        CaseError::new(FILE, format!("{FILE}: {} {message}", self.name), self.place.clone())
+    }
 }
 
 /// A point for messages.
@@ -142,8 +171,7 @@ pub fn millimetres(length: f64) -> f64 {
 }
 
 /// Points at the nearest line that was given in front of a hole, if any.
-fn hole_error(hole: usize, lines: &[usize], axes: (&Axis, &Axis), columns: &Columns) -> CaseError {
-    let (x, y) = axes;
+fn hole_error(hole: usize, lines: &[usize], [x, y]: [&Axis; 2], columns: &Columns) -> CaseError {
     let at = point(x.at(hole % x.count), y.at(hole / x.count));
     let holes = lines.iter().filter(|line| **line == 0).count();
     let message = format!(

@@ -16,5 +16,6 @@ pub use across::from_csv as variation_from_csv;
 pub use creep_data::from_csv as creep_data_from_csv;
 pub use displacements::{Displacements, read as read_displacements};
 pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy};
+pub use lattice::NpyFile;
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};

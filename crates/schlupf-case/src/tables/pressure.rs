@@ -3,10 +3,9 @@
 use schlupf::normal::tabulated::PressureTable;
 
 use super::columns::{Column, Columns};
-use super::lattice::{self, FILE};
+use super::lattice::{self, FILE, NpyFile};
 use crate::error::CaseError;
 use crate::names::FieldNames;
-use crate::place::Place;
 use crate::units::Measure;
 
 const COLUMNS: [Column; 3] = [
@@ -33,18 +32,12 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError
         .map_err(|error| columns.error(columns.header_line, error.text(&FieldNames::CASE)))
 }
 
-/// A table from an .npy file, centred on the origin. Spacings in m, pressures in Pa.
-pub fn from_npy(
-    name: &str,
-    bytes: &[u8],
-    spacings: [f64; 2],
-    place: &Place,
-) -> Result<PressureTable, CaseError> {
+/// A table from an .npy file, in Pa.
+pub fn from_npy(file: &NpyFile) -> Result<PressureTable, CaseError> {
     let legal = |value: f64| value.is_finite() && value >= 0.0;
-    let requirement = "finite pressures that are not negative";
-    let table = lattice::from_npy(name, bytes, spacings, place, (legal, requirement))?;
+    let table = file.table(legal, "finite pressures that are not negative")?;
     PressureTable::new(&table.x, &table.y, table.values)
-        .map_err(|cause| lattice::npy_error(name, place, &format!("is no table: {cause}")))
+        .map_err(|cause| file.error(&format!("is no table: {cause}")))
 }
 
 #[cfg(test)]

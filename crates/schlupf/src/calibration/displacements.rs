@@ -104,6 +104,20 @@ const STARTS: usize = 14;
 /// Fits bedding and couplings to samples. The fit starts from the best of some decay lengths, each
 /// with its optimal bedding: displacements are inversely proportional to it.
 ///
+/// ```
+/// use schlupf::calibration::displacements::{Sample, fit};
+/// use schlupf::grid::Grid;
+///
+/// let grid =
+///     Grid { columns: 9, rows: 9, spacing_x: 1e-3, spacing_y: 1e-3, ..Grid::default() };
+/// // One loaded cell of springs that are not coupled.
+/// let middle = |value| (0..81).map(|cell| if cell == 40 { value } else { 0.0 }).collect();
+/// let displacement = Vec::into_iter(middle(1e-6)).map(Some).collect();
+/// let found = fit(&[Sample::new(grid, middle(1e7), displacement)?])?;
+/// assert!((found.bedding / 1e13 - 1.0).abs() < 0.05);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// No samples; displacements opposite to their load; or a layer that cannot be set up.
 pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {

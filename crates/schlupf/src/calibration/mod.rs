@@ -82,6 +82,17 @@ impl Default for CalibrationOptions {
 
 /// Calibrates the layer for an axis ratio a/b and a combined Poisson's ratio (both dimensionless).
 ///
+/// ```
+/// use schlupf::calibration::{CalibrationOptions, calibrate};
+/// use schlupf::unwatched;
+///
+/// let coarse = CalibrationOptions { cells: 6, ..CalibrationOptions::default() };
+/// let layer = calibrate(1.0, 0.28, &coarse, &unwatched)?;
+/// // Without coupling a bed of springs is farther from the half-space.
+/// assert!(layer.converged && layer.layer.field < layer.winkler.field);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// An axis ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
 pub fn calibrate(

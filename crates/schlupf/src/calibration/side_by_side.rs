@@ -84,6 +84,17 @@ const CELLS: [usize; 2] = [48, 31];
 /// Compares the models for an axis ratio a/b and a combined Poisson's ratio ν (both dimensionless),
 /// the layer with these stiffnesses for displacements along and across rolling.
 ///
+/// ```no_run
+/// use schlupf::calibration::side_by_side::side_by_side;
+/// use schlupf::elasticity::calibrated_layer::RelativeStiffness;
+/// use schlupf::unwatched;
+///
+/// let stiffness = RelativeStiffness { bedding: 1.2, reach_along_x: 0.5, reach_along_y: 0.5 };
+/// let compared = side_by_side(1.0, 0.28, [stiffness; 2], &unwatched)?;
+/// assert!(compared.is_converged());
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// An axis ratio that is not positive, a Poisson's ratio outside 0 to 0.5, and [`Error::Stopped`].
 pub fn side_by_side(

@@ -5,6 +5,16 @@ use crate::error::Error;
 use crate::grid::{Grid, VectorField};
 
 /// Bodies that do not deform tangentially.
+///
+/// ```
+/// use schlupf::elasticity::rigid::Rigid;
+/// use schlupf::{Options, Problem, rolling, unwatched};
+///
+/// let problem = Problem::builder().creepage_x(0.05).elasticity(Rigid).build()?;
+/// let solution = rolling::steady::solve(&problem, &Options::default(), &unwatched)?;
+/// assert!(solution.normalised.x < -0.6);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rigid;
 

@@ -1,9 +1,9 @@
 //! What can be wrong with a fit.
 
 use super::Error;
-use crate::message::{Words, messages, with_unit};
+use crate::message::{Words, messages};
 use crate::quantity::Quantity;
-use crate::requirement::readable;
+use crate::requirement::{readable, with_unit};
 
 messages! {
     /// Why parameters cannot be fitted to data.

@@ -7,9 +7,9 @@ mod surface;
 
 use std::borrow::Cow;
 
-use crate::message::{Words, messages, with_unit};
+use crate::message::{Words, messages};
 use crate::quantity::Quantity;
-use crate::requirement::{Requirement, readable};
+use crate::requirement::{Requirement, readable, with_unit};
 
 pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
 pub use fit::{FitCause, FitError, FitStop};
@@ -47,11 +47,14 @@ messages! {
     "no-rolling" NoRolling {
         /// Longitudinal creepage, dimensionless.
         creepage_x: f64,
+        /// That at which the wheel locks, √(1 − η²), dimensionless.
+        limit: f64,
         /// Circumferential speed of the wheel, in m/s.
         rolling: f64,
     } Quantity::CreepageX, |name, words| format!(
-        "{name} must be smaller: the wheel must roll forwards, but {creepage_x} gives a {} wheel with a \
-         circumferential speed of {} m/s",
+        "{name} must be below √(1 − η²) = {}, at which the wheel locks, but is {creepage_x}: a {} \
+         wheel with a circumferential speed of {} m/s",
+        readable(*limit),
         if *rolling == 0.0 { "locked" } else { "reversed" },
         readable(*rolling)
     );
@@ -126,13 +129,16 @@ messages! {
     "not-equidistant" NotEquidistant {
         /// Which.
         axis: char,
-        /// A position, in m.
-        position: f64,
-        /// Where it was expected, in m.
-        expected: f64,
+        /// The two between which the step is farthest from the mean, in m.
+        step: [f64; 2],
+        /// The mean step, in m.
+        spacing: f64,
     } Quantity::PressureTable, |name, words| format!(
-        "{name} must have ascending, equidistant positions {axis}, but has {position} m where \
-         {expected} m was expected"
+        "{name} must have ascending, equidistant positions {axis}, but the step from {} m to {} m \
+         differs from the mean of {} m",
+        step[0],
+        step[1],
+        readable(*spacing)
     );
 
     /// The pressures of a table are not those of a contact.
@@ -453,8 +459,11 @@ messages! {
         /// Where the wheel no longer rolls, in the unit of the creepage if it has one.
         value: f64,
     } quantity.own_component(), |name, words| {
-        let value = with_unit(*value, quantity.unit());
-        format!("{name}: the wheel must roll throughout a creep curve, but at {value} it does not")
+        let place = with_unit(*value, quantity.unit());
+        let abscissa = words.word(*quantity);
+        format!(
+            "{name}: the wheel must roll throughout a creep curve, but does not at {abscissa} = {place}"
+        )
     };
 
     /// Motions of a calibration that were not solved.

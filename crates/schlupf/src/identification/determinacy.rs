@@ -167,7 +167,7 @@ mod tests {
         assert!(message.contains("near 0.4 no measured force depends on it"), "{message}");
         let alike = Mat::from_fn(3, 2, |i, _| 1.0 + i as f64);
         let message = covariance(&minimum(alike), &values).unwrap_err().to_string();
-        let both = "tell friction_coefficient and contact_stiffness apart";
+        let both = "distinguish friction_coefficient and contact_stiffness";
         assert!(message.contains(both), "{message}");
         let correlation = vec![vec![1.0, -0.97], vec![-0.97, 1.0]];
         let message = check(&values, &[0.1, 1e7], &correlation).unwrap_err().to_string();

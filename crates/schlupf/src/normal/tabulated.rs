@@ -38,11 +38,13 @@ fn axis(name: char, positions: &[f64]) -> Result<Axis, Error> {
     let spacing = (positions[count - 1] - positions[0]) / (count - 1) as f64;
     let axis = Axis { start: positions[0], spacing, count };
     let fits = |k: &usize| (positions[*k] - axis.at(*k)).abs() <= SPACING_TOLERANCE * spacing;
-    if let Some(k) = (0..count).find(|k| !fits(k)) {
-        let (position, expected) = (positions[k], axis.at(k));
-        return Err(Error::NotEquidistant { axis: name, position, expected });
+    if (0..count).all(|k| fits(&k)) {
+        return Ok(axis);
     }
-    Ok(axis)
+    let off = |step: &&[f64]| (step[1] - step[0] - spacing).abs();
+    let worst = positions.windows(2).max_by(|one, other| off(one).total_cmp(&off(other)));
+    let step = worst.map_or([0.0; 2], |step| [step[0], step[1]]);
+    Err(Error::NotEquidistant { axis: name, step, spacing })
 }
 
 impl PressureTable {
@@ -354,7 +356,7 @@ mod tests {
             PressureTable::new(x, y, p).unwrap_err().to_string()
         };
         let axis = [0.0, 1.0, 2.0];
-        assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("must have 6 values, but has 5"));
+        assert!(refuse(&axis, &[0.0, 1.0], vec![1.0; 5]).contains("needs 6 values, got 5"));
         assert!(refuse(&[0.0, 1.0, 3.0], &axis, vec![1.0; 9]).contains("equidistant"));
         assert!(refuse(&axis, &[0.0], vec![1.0; 3]).contains("at least 2 values of y"));
         assert!(refuse(&axis, &axis, vec![0.0; 9]).contains("largest pressure between"));

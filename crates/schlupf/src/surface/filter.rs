@@ -18,6 +18,21 @@ const REACH: f64 = 1.0;
 
 impl HeightMap {
     /// The surface without waves longer than a cut-off wavelength (in m).
+    ///
+    /// ```
+    /// use schlupf::surface::{HeightMap, Lattice};
+    ///
+    /// let lattice = Lattice { columns: 64, rows: 64, spacing_x: 1e-6, spacing_y: 1e-6 };
+    /// let wave = |cell: u32| 1e-6 * (f64::from(cell % 64) / 64.0).sin();
+    /// let ripple = |cell: u32| 1e-8 * f64::from(cell % 2);
+    /// let heights = (0..4096).map(|cell| wave(cell) + ripple(cell)).collect();
+    /// let rough = HeightMap::new(lattice, heights)?.without_waviness(8e-6)?;
+    /// assert!(rough.heights().iter().all(|height| height.abs() < 1e-7));
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A cut-off wavelength that is not between the cell size and the size of the surface.
     pub fn without_waviness(&self, cutoff: f64) -> Result<Self, Error> {
         let lattice = *self.lattice();
         let Lattice { columns, rows, spacing_x, spacing_y } = lattice;

@@ -57,6 +57,21 @@ pub struct FormRemoval {
 
 impl HeightMap {
     /// Removes a form.
+    ///
+    /// ```
+    /// use schlupf::surface::{HeightMap, Lattice, form::Form};
+    ///
+    /// let lattice = Lattice { columns: 20, rows: 10, spacing_x: 1e-6, spacing_y: 1e-6 };
+    /// let tilted = (0..200).map(|cell| 1e-8 * f64::from(cell % 20));
+    /// let ripple = (0..200).map(|cell| 1e-9 * f64::from(cell % 2));
+    /// let heights = tilted.zip(ripple).map(|(plane, ripple)| plane + ripple).collect();
+    /// let flat = HeightMap::new(lattice, heights)?.without_form(Form::Plane)?;
+    /// assert!(flat.surface.heights().iter().all(|height| height.abs() < 1e-9));
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A form that does not fit the surface.
     pub fn without_form(&self, form: Form) -> Result<FormRemoval, Error> {
         let lattice = self.lattice();
         let scale = 0.5 * lattice.length_x().hypot(lattice.length_y());

@@ -256,7 +256,7 @@ mod tests {
         let cases = [
             (Lattice { columns: 1, ..lattice() }, good.clone(), "columns must be between"),
             (Lattice { spacing_y: 0.0, ..lattice() }, good.clone(), "spacing_y must be"),
-            (lattice(), good[..5].to_vec(), "heights must have 6 values, but has 5"),
+            (lattice(), good[..5].to_vec(), "heights needs 6 values, got 5"),
             (lattice(), holes, "but is NaN m in row 1, column 1"),
         ];
         for (lattice, heights, expected) in cases {

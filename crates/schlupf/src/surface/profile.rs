@@ -240,7 +240,7 @@ mod tests {
             (1e-6, line.clone(), "must not be flat"),
             (1e-6, hole, "but is NaN m in place 3"),
             (0.0, line.clone(), "spacing_x must be positive"),
-            (1e-6, line[..10].to_vec(), "heights must have at least 64 entries, but has 10"),
+            (1e-6, line[..10].to_vec(), "heights needs at least 64 entries, got 10"),
         ];
         for (spacing, heights, expected) in cases {
             let message = Profile::new(spacing, &heights).unwrap_err().to_string();

@@ -1,10 +1,10 @@
 //! `[elasticity]`.
 
+use super::quantity;
 use super::solver::{FULL, METHOD};
-use super::{quantity, shaping};
 use crate::fields::choice::{CalibratedWith, Choose, ElasticityModel};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
-use crate::fields::field::{Field, Kind};
+use crate::fields::field::{Field, Kind, Section};
 use crate::units::Measure;
 use schlupf::requirement::Requirement::{self, Between, Finite};
 
@@ -15,122 +15,49 @@ const MARGIN: Requirement = Between(0.0, 1e3);
 
 const MODEL: &str = "elasticity.model";
 const LAYER: &[&str] = &["elastic-layer"];
+const SPRINGS: &[&str] = &["elastic-layer", "winkler"];
 
-pub(super) const FIELDS: &[Field] = &[
-    shaping(
-        "elasticity.model",
-        Kind::Choice(ElasticityModel::CHOICES),
-        Finite,
-        Text("elastic-layer"),
-        "model of the deformation",
-    )
-    .with(METHOD, FULL),
-    shaping(
-        "elasticity.calibration",
-        Kind::Choice(CalibratedWith::CHOICES),
-        Finite,
+section! {
+    ELASTICITY "elasticity"
+        "How the bodies deform under tangential traction.";
+
+    "model" [Elasticity] Kind::Choice(ElasticityModel::CHOICES), Finite, Text("elastic-layer"),
+        "model of the deformation", shaping(), with(METHOD, FULL);
+    "calibration" [Calibration] Kind::Choice(CalibratedWith::CHOICES), Finite,
         Computed("\"half-space\", where no stiffness is given"),
-        "where the stiffnesses come from",
-    )
-    .example("half-space")
-    .with(MODEL, &["elastic-layer", "winkler"]),
-    shaping(
-        "elasticity.bedding_x",
-        quantity(&Measure::BEDDING),
-        BEDDING,
-        Nothing,
-        "c, bedding stiffness for displacements along x",
-    )
-    .example("1.0e13 N/m^3")
-    .with(MODEL, &["elastic-layer", "winkler"]),
-    shaping(
-        "elasticity.bedding_y",
-        quantity(&Measure::BEDDING),
-        BEDDING,
-        Same("elasticity.bedding_x"),
-        "the same for displacements along y",
-    )
-    .example("1.0e13 N/m^3")
-    .with(MODEL, &["elastic-layer", "winkler"]),
-    shaping(
-        "elasticity.coupling_x",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
-        Nothing,
-        "g, coupling stiffness for displacements along x",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.coupling_x_across",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
+        "where the stiffnesses come from", shaping(), example("half-space"), with(MODEL, SPRINGS);
+    "bedding_x" [BeddingX] quantity(&Measure::BEDDING), BEDDING, Nothing,
+        "c, bedding stiffness for displacements along x", shaping(), example("1.0e13 N/m^3"),
+        with(MODEL, SPRINGS);
+    "bedding_y" [BeddingY] quantity(&Measure::BEDDING), BEDDING, Same("elasticity.bedding_x"),
+        "the same for displacements along y", shaping(), example("1.0e13 N/m^3"),
+        with(MODEL, SPRINGS);
+    "coupling_x" [CouplingX] quantity(&Measure::STIFFNESS), COUPLING, Nothing,
+        "g, coupling stiffness for displacements along x", shaping(), example("3.24e7 N/m"),
+        with(MODEL, LAYER);
+    "coupling_x_across" [CouplingXAcross] quantity(&Measure::STIFFNESS), COUPLING,
         Same("elasticity.coupling_x"),
-        "the same between neighbours across rolling, if it is another one",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.coupling_y",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
-        Same("elasticity.coupling_x"),
-        "g, coupling stiffness for displacements along y",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.coupling_y_across",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
+        "the same between neighbours across rolling, if it is another one", shaping(),
+        example("3.24e7 N/m"), with(MODEL, LAYER);
+    "coupling_y" [CouplingY] quantity(&Measure::STIFFNESS), COUPLING, Same("elasticity.coupling_x"),
+        "g, coupling stiffness for displacements along y", shaping(), example("3.24e7 N/m"),
+        with(MODEL, LAYER);
+    "coupling_y_across" [CouplingYAcross] quantity(&Measure::STIFFNESS), COUPLING,
         Same("elasticity.coupling_y"),
-        "the same between neighbours across rolling, if it is another one",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.spring_x",
-        quantity(&Measure::STIFFNESS),
-        SPRING,
-        Nothing,
-        "Δc, spring of one cell along x, in place of the stiffnesses per area",
-    )
-    .example("2.0e6 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.spring_y",
-        quantity(&Measure::STIFFNESS),
-        SPRING,
-        Same("elasticity.spring_x"),
-        "the same along y",
-    )
-    .example("2.0e6 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.spring_coupling_x",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
-        Nothing,
-        "Δc_k, spring between neighbouring cells for displacements along x",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.spring_coupling_y",
-        quantity(&Measure::STIFFNESS),
-        COUPLING,
+        "the same between neighbours across rolling, if it is another one", shaping(),
+        example("3.24e7 N/m"), with(MODEL, LAYER);
+    "spring_x" [SpringX] quantity(&Measure::STIFFNESS), SPRING, Nothing,
+        "Δc, spring of one cell along x, in place of the stiffnesses per area", shaping(),
+        example("2.0e6 N/m"), with(MODEL, LAYER);
+    "spring_y" [SpringY] quantity(&Measure::STIFFNESS), SPRING, Same("elasticity.spring_x"),
+        "the same along y", shaping(), example("2.0e6 N/m"), with(MODEL, LAYER);
+    "spring_coupling_x" [SpringCouplingX] quantity(&Measure::STIFFNESS), COUPLING, Nothing,
+        "Δc_k, spring between neighbouring cells for displacements along x", shaping(),
+        example("3.24e7 N/m"), with(MODEL, LAYER);
+    "spring_coupling_y" [SpringCouplingY] quantity(&Measure::STIFFNESS), COUPLING,
         Same("elasticity.spring_coupling_x"),
-        "the same for displacements along y",
-    )
-    .example("3.24e7 N/m")
-    .with(MODEL, LAYER),
-    shaping(
-        "elasticity.margin",
-        quantity(&Measure::LENGTH),
-        MARGIN,
-        Computed("eight decay lengths √(g/c)"),
-        "width of the surroundings of the patch on each side",
-    )
-    .example("12 mm")
-    .with(MODEL, LAYER),
-];
+        "the same for displacements along y", shaping(), example("3.24e7 N/m"), with(MODEL, LAYER);
+    "margin" [Margin] quantity(&Measure::LENGTH), MARGIN, Computed("eight decay lengths √(g/c)"),
+        "width of the surroundings of the patch on each side", shaping(), example("12 mm"),
+        with(MODEL, LAYER);
+}

@@ -165,10 +165,8 @@ mod tests {
     #[test]
     fn impossible_tables_are_named() {
         let message = |y: &[f64], factor: &[f64]| across(y, factor).unwrap_err().to_string();
-        assert!(message(&[0.0], &[1.0]).starts_with("variation_y must have at least 2"));
-        assert!(
-            message(&[0.0, 1.0], &[1.0]).contains("variation_factor must have 2 values, but has 1")
-        );
+        assert!(message(&[0.0], &[1.0]).starts_with("variation_y needs at least 2"));
+        assert!(message(&[0.0, 1.0], &[1.0]).contains("variation_factor needs 2 values, got 1"));
         assert!(message(&[0.0, f64::NAN], &[1.0; 2]).contains("but is NaN m in place 2"));
         assert!(message(&[0.0, 1e-3, 1e-3], &[1.0; 3]).contains("0.001 m comes after 0.001 m"));
         assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("but is -0.1 at y = 0.001 m"));

@@ -268,6 +268,6 @@ mod tests {
         check(0.1, 800.0).unwrap();
         let message = check(0.0, 720.0).unwrap_err().to_string();
         assert!(message.contains("enters the contact at 720 degC"), "{message}");
-        assert!(message.contains("at 20 + 700 = 720 degC"), "{message}");
+        assert!(message.contains("reference temperature of 20 degC, at 720 degC"), "{message}");
     }
 }

@@ -149,6 +149,6 @@ mod tests {
         let constant = |m0| -> Arc<dyn FrictionLaw> { Arc::new(Constant::new(m0).unwrap()) };
         assert!(Product::new(constant(0.4), constant(0.4)).unwrap().is_constant());
         let message = Product::new(constant(0.4), constant(0.3)).unwrap_err().to_string();
-        assert!(message.contains("it is 0.4 of one and 0.3 of the other"), "{message}");
+        assert!(message.contains("one has 0.4 and the other 0.3"), "{message}");
     }
 }

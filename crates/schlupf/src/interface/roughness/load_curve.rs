@@ -355,7 +355,7 @@ mod tests {
     #[test]
     fn a_curve_that_does_not_grow_is_refused() {
         let message = LoadCurve::new(points(|_| 1e-6)).unwrap_err().to_string();
-        assert!(message.contains("must be positive and grow"), "{message}");
+        assert!(message.contains("must be positive and increase"), "{message}");
         let few = points(|p| p)[..2].to_vec();
         assert!(LoadCurve::new(few).is_err());
     }

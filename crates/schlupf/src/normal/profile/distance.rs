@@ -163,12 +163,12 @@ mod tests {
         let across =
             |y: &[f64], d: &[f64], r: f64| UndeformedDistance::across(y.to_vec(), d.to_vec(), r);
         let cases = [
-            (across(&y[..3], &y[..3], 1.0), "at least 4 values of y, but has 3"),
+            (across(&y[..3], &y[..3], 1.0), "at least 4 values of y, got 3"),
             (
                 across(&[0.0, 2.0, 1.0, 3.0], &y, 1.0),
                 "ascend strictly in y, but 1 m comes after 2 m",
             ),
-            (across(&y, &y[..3], 1.0), "must have 4 values, but has 3"),
+            (across(&y, &y[..3], 1.0), "needs 4 values, got 3"),
             (across(&y, &[0.0, 1.0, f64::NAN, 0.0], 1.0), "NaN m in place 3"),
             (across(&y, &y, -1.0), "wheel_radius_x must be positive"),
         ];

@@ -165,7 +165,7 @@ impl Setup {
         let warning = (apart > branches::DISTINCT * options.tolerance * limit).then(|| {
             let tangential = |force: Resultant| [force.x, force.y];
             Warning::SeveralStates {
-                branch: options.branch,
+                from_low_slip: options.branch == Branch::LowSlip,
                 force: tangential(force),
                 other_force: tangential(other),
             }

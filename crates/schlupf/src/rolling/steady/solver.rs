@@ -28,7 +28,8 @@ use super::setup::{Search, Setup};
 /// let options = Options { cells_x: 12, cells_y: 12, ..Options::default() };
 /// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
 /// // What friction dissipates is what the creep forces put in.
-/// assert!((solution.power.friction / solution.power.creep - 1.0).abs() < 1e-3);
+/// let power = solution.power.unwrap_or_default();
+/// assert!((power.friction / power.creep - 1.0).abs() < 1e-3);
 /// # Ok::<(), schlupf::Error>(())
 /// ```
 ///

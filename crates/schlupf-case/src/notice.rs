@@ -1,0 +1,140 @@
+//! Whatever the reader of results must know about a case.
+
+use schlupf::message::{Message, messages};
+
+use crate::fields::readable;
+use crate::names::FieldNames;
+use crate::place::Place;
+
+const ROUGHNESS: &str = "contact_law.roughness";
+
+messages! {
+    /// A notice about a field or a section of a case.
+    Notice of &'static str:
+
+    /// A field was given that the chosen models do not use.
+    "no-effect" NoEffect {
+        /// Where it was given.
+        place: Place,
+        /// Dotted path.
+        field: &'static str,
+        /// What it would need, or what excludes it, such as `with heat.model = "none"`.
+        because: String,
+    } *field, |subject, words| format!("{place}: {field} has no effect {because}");
+
+    /// A height that no rough surfaces in contact have.
+    "unusual-height" UnusualHeight {
+        /// h_rms of both surfaces together, in m.
+        rms_height: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "h_rms is {} m, outside of 1 nm to 100 µm: is its unit right?",
+        readable(*rms_height)
+    );
+
+    /// Elastic spots that carry more than any steel does.
+    "yielding-spots" YieldingSpots {
+        /// Mean pressure in the spots, in Pa.
+        in_spots: f64,
+        /// Mean pressure on the surface, in Pa.
+        mean_pressure: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "the spots carry {:.1} GPa in the mean at {:.0} MPa, more than steel does before it yields \
+         (2.5 to 3 GPa on rails): a hardness belongs to this surface",
+        1e-9 * in_spots,
+        1e-6 * mean_pressure
+    );
+
+    /// Too few cells to show the shape of the spots.
+    "few-cells-in-contact" FewCellsInContact {
+        /// Cells in contact in the mean, dimensionless.
+        cells: f64,
+        /// At which pressure: `largest` or `smallest`.
+        at: &'static str,
+    } ROUGHNESS, |subject, words| format!(
+        "only {cells:.0} cells are in contact at the {at} pressure: k_c is doubtful; more cells or a \
+         larger surface make it better"
+    );
+
+    /// A surface that does not load exponentially.
+    "not-exponential" NotExponential {
+        /// What Eq. (8) with one k_c misses of μp, root mean square, dimensionless.
+        root_mean_square_error: f64,
+        /// The largest of it, dimensionless.
+        largest_error: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "Eq. (8) with one k_c misses {:.0} % of μp (root mean square), at most {:.0} %: the surface does \
+         not load exponentially at these pressures",
+        1e2 * root_mean_square_error,
+        1e2 * largest_error
+    );
+
+    /// A k_c that depends on the pressure.
+    "stiffness-varies" StiffnessVaries {
+        /// Smallest and largest k_c, in 1/m.
+        stiffness: [f64; 2],
+        /// Smallest and largest mean pressure, in Pa.
+        mean_pressure: [f64; 2],
+    } ROUGHNESS, |subject, words| format!(
+        "k_c depends on the pressure: from {:.3e} to {:.3e} 1/m between {:.0} and {:.0} MPa",
+        stiffness[0],
+        stiffness[1],
+        1e-6 * mean_pressure[0],
+        1e-6 * mean_pressure[1]
+    );
+
+    /// A normal contact of the micro model that did not converge.
+    "micro-model-not-converged" MicroModelNotConverged {} ROUGHNESS, |subject, words| {
+        "the normal contact of the micro model did not converge at every pressure: do not trust its k_c"
+            .to_owned()
+    };
+
+    /// Pressures too few for the closed form.
+    "no-closed-form" NoClosedForm {} ROUGHNESS, |subject, words| {
+        "fewer than three of the solved pressures bring 1 to 20 % of the surface into contact: the \
+         closed form does not apply"
+            .to_owned()
+    };
+
+    /// Slopes that are hardly small.
+    "steep-surface" SteepSurface {
+        /// Root mean square gradient, dimensionless.
+        gradient: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "the root mean square gradient is {}: the model takes slopes for small, its k_c is doubtful",
+        readable(*gradient)
+    );
+
+    /// A measured piece that is too small to be one of many.
+    "small-piece" SmallPiece {
+        /// Part of the variance in waves longer than a fifth of it, dimensionless.
+        share: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "{:.0} % of the variance of the heights lies in waves longer than a fifth of the piece: its k_c \
+         is that of this piece, another one may differ by tens of per cent; measure a larger one, or \
+         take waviness off",
+        1e2 * share
+    );
+
+    /// Waves of a profile that the cells do not show.
+    "waves-left-out" WavesLeftOut {
+        /// The longest of them, in m.
+        wavelength: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "waves of the profile shorter than {:.3} µm, two cells, are left out; more cells would keep them",
+        1e6 * wavelength
+    );
+
+    /// Many points had no height.
+    "filled-points" FilledPoints {
+        /// The file and how many points of it were filled, as a sentence.
+        filling: String,
+    } ROUGHNESS, |subject, words| format!(
+        "{filling}: they are smooth, and Sa, Sq, Ssk, Sku, Sz, the gradients and k_c count them"
+    );
+}
+
+impl From<Notice> for Message {
+    fn from(notice: Notice) -> Self {
+        notice.message(&FieldNames::CASE)
+    }
+}
