@@ -81,8 +81,8 @@ impl Kernel {
 
 impl FastContact {
     /// Sets up a problem for a method. This finds the normal contact, unless
-    /// [`PressureSource::prepare`](crate::normal::PressureSource::prepare), which can be watched, has
-    /// found it before.
+    /// [`PressureSource::prepare`](crate::normal::PressureSource::prepare), which can be watched,
+    /// has found it before.
     ///
     /// ```
     /// use schlupf::{Options, Problem, method::FastMethod, simplified::FastContact};

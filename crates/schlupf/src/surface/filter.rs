@@ -32,7 +32,7 @@ impl HeightMap {
     /// ```
     ///
     /// # Errors
-    /// A cut-off wavelength that is not between the cell size and the size of the surface.
+    /// A cut-off wavelength shorter than two cells or longer than the surface.
     pub fn without_waviness(&self, cutoff: f64) -> Result<Self, Error> {
         let lattice = *self.lattice();
         let Lattice { columns, rows, spacing_x, spacing_y } = lattice;
