@@ -12,7 +12,7 @@ use super::color::INK;
 pub(crate) enum Anchor {
     /// At its start.
     Start,
-    /// In its middle.
+    /// At its centre.
     Middle,
     /// At its end.
     End,

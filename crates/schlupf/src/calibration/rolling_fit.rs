@@ -143,7 +143,7 @@ impl<'a> Motions<'a> {
         Ok(start)
     }
 
-    /// Solutions of all motions; nothing if one is not found directly.
+    /// Solutions of all motions; `None` if one is not found directly.
     fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Result<Option<Vec<Solution>>, Error> {
         let base = Problem { elasticity: Arc::clone(elasticity), ..self.contact.problem.clone() };
         let chains = self.ways.chunks(CHAIN).collect();

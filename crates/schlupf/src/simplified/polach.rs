@@ -9,7 +9,7 @@ use crate::solution::Resultant;
 
 use super::EllipticContact;
 
-/// Forces on the wheel for a friction limit μN, in N; the moment is unknown: NaN.
+/// Forces on the wheel for a friction limit μN, in N; the moment is unknown (`None`).
 ///
 /// With the lateral creepage η_c = η + φa if that is larger in magnitude than η, otherwise η, the
 /// total creepage ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν with the [stress
