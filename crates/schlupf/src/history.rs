@@ -284,6 +284,9 @@ mod tests {
         let locked =
             History { time: times, creepage_x: Some(vec![0.0, 2.0]), ..History::default() };
         let message = refuse(locked);
-        assert!(message.contains("creepage_x_history: at 1 s") && message.contains("reversed"));
+        assert!(
+            message.contains("at 1 s, creepage_x_history must be below")
+                && message.contains("reversed")
+        );
     }
 }

@@ -169,7 +169,7 @@ mod tests {
         assert!(message(&[0.0, 1.0], &[1.0]).contains("variation_factor needs 2 values, got 1"));
         assert!(message(&[0.0, f64::NAN], &[1.0; 2]).contains("but is NaN m in place 2"));
         assert!(message(&[0.0, 1e-3, 1e-3], &[1.0; 3]).contains("0.001 m comes after 0.001 m"));
-        assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("but is -0.1 at y = 0.001 m"));
+        assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("but is -0.1 at y = 1e-3 m"));
         assert!(message(&[0.0, 1e-3], &[1.0, f64::INFINITY]).contains("is inf"));
         let centre = message(&[-1e-3, 1e-3], &[0.5, 1.0]);
         assert!(centre.contains("must be 1 at y = 0") && centre.contains("is 0.75 there"));
