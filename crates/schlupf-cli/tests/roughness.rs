@@ -269,3 +269,22 @@ fn results_say_where_the_stiffness_comes_from() {
     let run = bench.run(&["check", "case.toml"]);
     assert!(run.stdout.contains("k_c        3.1008e6 1/m, closed form"), "{}", run.stdout);
 }
+
+/// A name that is not UTF-8 opens its file, and only messages replace what cannot be shown.
+#[cfg(target_os = "linux")]
+#[test]
+fn paths_need_not_be_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let bench = Bench::new();
+    for option in [None, Some("--second")] {
+        let path = bench.path("").join(OsStr::from_bytes(b"bad\xff.csv"));
+        std::fs::write(&path, "# nothing").unwrap();
+        let arguments = option.map_or(vec![], |option| vec![sample("wave.csv"), option.to_owned()]);
+        let output = bench.command(&["roughness"]).args(arguments).arg(path).output().unwrap();
+        let run = Run::from(output);
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.stderr.contains("bad\u{fffd}.csv") && run.stderr.contains("header"), "{run:?}");
+    }
+}
