@@ -233,7 +233,11 @@ fn each_defect_of_a_file_is_named() {
     let texts = [
         ("a.csv", "x,y,height [um]\n0,0,1\n", "a.csv:1:1: column `x` must name its unit"),
         ("a.csv", "x [um],y [um],z [um]\n0,0,1\n", "has a column `z [um]`"),
-        ("a.csv", "x [um],y [um],height [um]\n0,0,1\n1,0,2\n0,2,3\n0,3.3,4\n", "lies between"),
+        (
+            "a.csv",
+            "x [um],y [um],height [um]\n0,0,1\n1,0,2\n0,2,3\n0,3.3,4\n",
+            "y must be equidistant",
+        ),
         ("a.csv", "x [um],height [um]\n0,1\n1,2\n2,3\n1,2\n", "stands in line 3 too"),
         ("a.csv", "x [um],height [um]\n0,1\n1,2\n", "needs at least 64 entries, got 2"),
         ("a.csv", "x [um],y [um],height [um]\n0,0,1\nnan,0,2\n", "a.csv:3:1: x must be a finite"),

@@ -143,7 +143,7 @@ const BAD: &[(&[&str], &[&str])] = &[
     ),
     (
         &["--creepage-y", "0..0.9", "--over", "kinematics.creepage_x=0,0.5"],
-        &["--creepage-y 0..0.9", "at creepage_y = 0.866025 it does not"],
+        &["--creepage-y 0..0.9", "does not at kinematics.creepage_y = 0.866025"],
     ),
     (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is that of the case file"]),
     (&["--creepage-x", "0..0.1", "--csv", "-"], &["--csv must name a file"]),

@@ -110,10 +110,10 @@ impl Kinematics {
     }
 
     /// Derivatives of ln(v0/(ωR)) with respect to ξ and η, dimensionless.
-    pub fn slowness_by_creepage(&self) -> [f64; 2] {
+    pub fn contact_time_ratio_by_creepage(&self) -> [f64; 2] {
         let along = (1.0 - self.creepage_y.powi(2)).sqrt();
-        let slowness = (along - self.creepage_x).recip();
-        [slowness, slowness * self.creepage_y / along]
+        let contact_time_ratio = (along - self.creepage_x).recip();
+        [contact_time_ratio, contact_time_ratio * self.creepage_y / along]
     }
 
     /// Checks that the wheel rolls: a speed, finite creepages, ω R > 0.

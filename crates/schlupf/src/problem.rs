@@ -48,7 +48,7 @@ impl Problem {
     /// Péclet numbers of the two bodies passing, at the speeds of `kinematics`, through a contact
     /// of semi-axes a and b (in m).
     pub fn peclet(&self, kinematics: &Kinematics, semi_axes: [f64; 2]) -> Peclet {
-        let wheel_speed = kinematics.speed / self.conduction(kinematics).slowness();
+        let wheel_speed = kinematics.speed / self.conduction(kinematics).contact_time_ratio();
         let diffusivities = [&self.wheel, &self.rail].map(|body| body.material.diffusivity());
         Peclet::new(semi_axes, [wheel_speed, kinematics.speed], diffusivities)
     }

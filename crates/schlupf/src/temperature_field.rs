@@ -61,7 +61,7 @@ struct Conductor {
     /// Share of the frictional heat, dimensionless.
     share: f64,
     /// Times in this body divided by those in the rail, dimensionless.
-    slowness: f64,
+    contact_time_ratio: f64,
     effusivity: f64,
     diffusivity: f64,
 }
@@ -133,17 +133,17 @@ impl TemperatureField {
             .unwrap_or((solution.kinematics, solution.force));
         let conduction = problem.conduction(&motion);
         let [wheel_share, rail_share] = conduction.shares();
-        let conductor = |body: &Body, share: f64, slowness: f64| Conductor {
+        let conductor = |body: &Body, share: f64, contact_time_ratio: f64| Conductor {
             bulk: body.bulk_temperature,
             step: conduction.entry_temperature - body.bulk_temperature,
             share,
-            slowness,
+            contact_time_ratio,
             effusivity: body.material.effusivity(),
             diffusivity: body.material.diffusivity(),
         };
         Ok(Self {
             tracks: patch.strips.iter().map(track).collect(),
-            wheel: conductor(&problem.wheel, wheel_share, conduction.slowness()),
+            wheel: conductor(&problem.wheel, wheel_share, conduction.contact_time_ratio()),
             rail: conductor(&problem.rail, rail_share, 1.0),
         })
     }
@@ -185,7 +185,7 @@ impl Track {
 
 impl Conductor {
     fn temperature(&self, track: &Track, x: f64, depth: f64) -> f64 {
-        let seconds = |way: f64| self.slowness * way / track.speed;
+        let seconds = |way: f64| self.contact_time_ratio * way / track.speed;
         let since_entry = seconds(track.entry_x - x);
         let in_contact = seconds(track.entry_x - track.exit_x.max(x));
         let mixed = self.step * mixing(depth, self.diffusivity, since_entry, in_contact);
@@ -204,7 +204,7 @@ impl Conductor {
         let mut began = since_entry;
         let mut sum = 0.0;
         for step in track.record.iter().rev() {
-            let ended = began - self.slowness * step.duration;
+            let ended = began - self.contact_time_ratio * step.duration;
             sum += step.flux * (part(began) - part(ended));
             began = ended;
             if began <= 0.0 {

@@ -81,7 +81,7 @@ impl Equations {
             half_speed,
             spacing: grid.spacing_x,
             pressure: patch.cells.iter().map(|cell| cell.pressure).collect(),
-            ways: patch.cells.iter().map(|cell| cell.way_in.distance).collect(),
+            ways: patch.cells.iter().map(|cell| cell.path_in.distance).collect(),
             is_first,
             on_the_way,
             in_passing,

@@ -276,7 +276,7 @@ fn the_origin_stays_when_the_load_changes() {
 #[test]
 fn there_is_no_derivative_by_the_load() {
     let profile = pressed(across(0.46, |y| 0.5 * y * y / 0.3), 60e3);
-    assert_eq!(profile.growth(), None);
+    assert_eq!(profile.load_exponent(), None);
     let problem = schlupf::Problem {
         normal: Arc::new(profile),
         elasticity: half_space(),

@@ -91,7 +91,7 @@ fn carried_away(problem: &Problem, solution: &Solution, field: &TemperatureField
     const LAYERS: u32 = 300;
     let grid = solution.state.grid;
     let conduction = problem.conduction(&solution.kinematics);
-    let speeds = [30.0 / conduction.slowness(), 30.0];
+    let speeds = [30.0 / conduction.contact_time_ratio(), 30.0];
     let bodies = [(Side::Wheel, problem.wheel), (Side::Rail, problem.rail)];
     [0, 1].map(|k| {
         let (side, body) = bodies[k];
@@ -134,7 +134,7 @@ fn wheel_and_rail_carry_away_the_friction_power() {
             let conduction = sliding.conduction(&solution.kinematics);
             let beta = 1.772_453_850_905_516 * 0.906_402_477_055_477 / 0.919_062_526_848_883;
             let width = (2.0 * 6e-3_f64).sqrt() * 5e-3 * beta;
-            let root = (30.0 / conduction.slowness() / std::f64::consts::PI).sqrt();
+            let root = (30.0 / conduction.contact_time_ratio() / std::f64::consts::PI).sqrt();
             let step = bulk - conduction.entry_temperature;
             let exact = 2.0 * sliding.wheel.material.effusivity() * step * root * width;
             assert_relative_eq!(exchanged, exact, max_relative = 5e-3);

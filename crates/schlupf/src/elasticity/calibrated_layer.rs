@@ -122,7 +122,7 @@ impl Elasticity for CalibratedLayer {
         let half = |cells: usize, spacing: f64| 0.5 * cells as f64 * spacing;
         let semi_axes =
             [half(grid.columns - 2 * BORDER, grid.spacing_x), half(grid.rows, grid.spacing_y)];
-        self.layer(semi_axes)?.growing(grid, GROWTH)
+        self.layer(semi_axes)?.growing(grid, SIZE_EXPONENT)
     }
 
     fn caveat(&self) -> Option<Warning> {
@@ -135,4 +135,4 @@ impl Elasticity for CalibratedLayer {
 }
 
 /// Its displacements scale with this power of the patch size, like those of the half-space.
-const GROWTH: f64 = 1.0;
+const SIZE_EXPONENT: f64 = 1.0;

@@ -10,7 +10,7 @@ use crate::quantity::Quantity;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Winkler {
     bedding: [f64; 2],
-    growth: f64,
+    size_exponent: f64,
 }
 
 impl Winkler {
@@ -24,13 +24,13 @@ impl Winkler {
     pub fn new(bedding_x: f64, bedding_y: f64) -> Result<Self, Error> {
         require_positive(Quantity::BeddingX, bedding_x)?;
         require_positive(Quantity::BeddingY, bedding_y)?;
-        Ok(Self { bedding: [bedding_x, bedding_y], growth: 0.0 })
+        Ok(Self { bedding: [bedding_x, bedding_y], size_exponent: 0.0 })
     }
 
     /// The same for stiffnesses that belong to this patch size, so that displacements scale with
     /// the patch as those of the half-space do.
     pub(crate) fn growing_with_the_patch(self) -> Self {
-        Self { growth: 1.0, ..self }
+        Self { size_exponent: 1.0, ..self }
     }
 
     /// Bedding stiffnesses c along and across rolling, in N/m³.
@@ -63,7 +63,7 @@ impl Compliance for Winkler {
     ) -> bool {
         self.displacement(traction, displacement);
         for u in displacement.x.iter_mut().chain(&mut displacement.y) {
-            *u *= self.growth;
+            *u *= self.size_exponent;
         }
         true
     }

@@ -72,11 +72,11 @@ impl Gmres {
         self.triangle.clear();
         self.rotations.clear();
         self.projected.clear();
-        self.make_room(system, 0);
+        self.grow(system, 0);
     }
 
     /// Allocates vectors of the right length for one more dimension.
-    fn make_room(&mut self, system: &impl Equilibrium, dimension: usize) {
+    fn grow(&mut self, system: &impl Equilibrium, dimension: usize) {
         if self.basis.len() <= dimension {
             self.basis.push(Vec::new());
             self.responses.push(Vec::new());
@@ -89,7 +89,7 @@ impl Gmres {
     /// triangular.
     fn extend(&mut self, system: &mut impl Equilibrium) {
         let k = self.rotations.len();
-        self.make_room(system, k + 1);
+        self.grow(system, k + 1);
         self.direction.copy_from_slice(&self.basis[k]);
         system.precondition(&mut self.direction);
         system.compliance_product(&self.direction, &mut self.responses[k]);

@@ -101,7 +101,7 @@ impl ContactConduction {
         let mut scaled = patch.grid;
         scaled.spacing_x *= scale;
         scaled.spacing_y *= scale;
-        let speeds = [speed / conduction.slowness(), speed];
+        let speeds = [speed / conduction.contact_time_ratio(), speed];
         let influences = [0, 1].map(|body| {
             let (diffusivity, effusivity) =
                 (materials[body].diffusivity(), materials[body].effusivity());

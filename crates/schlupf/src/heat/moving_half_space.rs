@@ -27,7 +27,7 @@ pub(crate) struct MovingHalfSpace {
 }
 
 /// Steps of √t grow by this fraction, as long as
-const GROWTH: f64 = 0.5;
+const STEP_RATIO: f64 = 0.5;
 
 /// they do not exceed this times √κ/v: within that, the released heat moves as far as it spreads.
 const STEP: f64 = 1.0;
@@ -94,7 +94,7 @@ impl MovingHalfSpace {
             if is_carried_off || to > last {
                 return nodes;
             }
-            panel = [to, to + (GROWTH * to).min(longest)];
+            panel = [to, to + (STEP_RATIO * to).min(longest)];
         }
     }
 }

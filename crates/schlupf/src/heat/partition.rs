@@ -29,7 +29,7 @@ pub struct Conduction {
     /// Whether the partition follows from the speeds.
     follows_speed: bool,
     share: f64,
-    slowness: f64,
+    contact_time_ratio: f64,
 }
 
 impl Conduction {
@@ -37,14 +37,14 @@ impl Conduction {
     pub fn new(partition: Partition, wheel: &Body, rail: &Body, kinematics: &Kinematics) -> Self {
         let effusivity = [wheel.material.effusivity(), rail.material.effusivity()];
         // Ratio of the contact times of the materials of wheel and rail.
-        let slowness = match partition {
+        let contact_time_ratio = match partition {
             Partition::Given(_) => 1.0,
             // A ratio of speeds, also for bodies at rest.
             Partition::Velocity => {
                 Kinematics { speed: 1.0, ..*kinematics }.circumferential_speed().recip()
             }
         };
-        let drawn = [effusivity[0] / slowness.sqrt(), effusivity[1]];
+        let drawn = [effusivity[0] / contact_time_ratio.sqrt(), effusivity[1]];
         let wheel_weight = drawn[0] / (drawn[0] + drawn[1]);
         let share = match partition {
             Partition::Given(share) => share,
@@ -54,11 +54,14 @@ impl Conduction {
         Self {
             entry_temperature: wheel_weight * bulk[0] + (1.0 - wheel_weight) * bulk[1],
             bulk,
-            factor: [share * slowness.sqrt() / effusivity[0], (1.0 - share) / effusivity[1]],
+            factor: [
+                share * contact_time_ratio.sqrt() / effusivity[0],
+                (1.0 - share) / effusivity[1],
+            ],
             wheel_weight,
             follows_speed: partition == Partition::Velocity,
             share,
-            slowness,
+            contact_time_ratio,
         }
     }
 
@@ -83,8 +86,8 @@ impl Conduction {
     }
 
     /// Ratio of the contact times of the materials of wheel and rail, dimensionless.
-    pub fn slowness(&self) -> f64 {
-        self.slowness
+    pub fn contact_time_ratio(&self) -> f64 {
+        self.contact_time_ratio
     }
 
     /// Surface temperatures of wheel and rail (in degC) for a rise times effusivity, in W √s/m².
@@ -100,7 +103,7 @@ impl Conduction {
 
     /// Derivative of the contact temperature (in K) with respect to ln(v0/(ωR)), at constant rise
     /// times effusivity in W √s/m².
-    pub fn contact_temperature_by_slowness(&self, rise_times_effusivity: f64) -> f64 {
+    pub fn contact_temperature_by_time_ratio(&self, rise_times_effusivity: f64) -> f64 {
         if !self.follows_speed {
             return 0.0;
         }

@@ -54,11 +54,11 @@ pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, 
         let (parameter, value) = values[k];
         return Err(FitError::NoInfluence { quantity: parameter.quantity(), value }.into());
     }
-    minimum.covariance().ok_or_else(|| inseparable(&loosest(jacobian, &norms), values))
+    minimum.covariance().ok_or_else(|| inseparable(&least_determined(jacobian, &norms), values))
 }
 
 /// The combination of parameters, of length one, on which the forces depend least.
-fn loosest(jacobian: &Mat<f64>, norms: &[f64]) -> Vec<f64> {
+fn least_determined(jacobian: &Mat<f64>, norms: &[f64]) -> Vec<f64> {
     let normal = jacobian.transpose() * jacobian;
     let n = norms.len();
     let scaled = Mat::from_fn(n, n, |i, j| normal[(i, j)] / (norms[i] * norms[j]));

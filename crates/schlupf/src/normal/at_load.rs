@@ -43,8 +43,8 @@ impl PressureSource for AtLoad {
         self.source.prepare(load.or(Some(self.load)), watch)
     }
 
-    fn growth(&self) -> Option<f64> {
-        self.source.growth()
+    fn load_exponent(&self) -> Option<f64> {
+        self.source.load_exponent()
     }
 
     fn caveat(&self) -> Option<Warning> {

@@ -53,8 +53,8 @@ impl PressureSource for Ellipse {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         let load = load.unwrap_or(self.load);
         require_positive(Quantity::Load, load)?;
-        let growth = (load / self.load).cbrt();
-        let (a, b) = (growth * self.semi_axis_x, growth * self.semi_axis_y);
+        let scale = (load / self.load).cbrt();
+        let (a, b) = (scale * self.semi_axis_x, scale * self.semi_axis_y);
         let summary = NormalSummary {
             load,
             semi_axis_x: a,

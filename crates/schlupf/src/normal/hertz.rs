@@ -127,7 +127,7 @@ impl PressureSource for Hertz {
         Ok(NormalContact { summary, pressure: Pressure::Elliptic })
     }
 
-    fn growth(&self) -> Option<f64> {
+    fn load_exponent(&self) -> Option<f64> {
         Some(1.0 / 3.0)
     }
 }

@@ -35,7 +35,7 @@ pub trait PressureSource: Debug + Send + Sync {
     /// load changes in the description of the source: 1/3 for two bodies of given curvature, 0 for
     /// a patch of given size. `None` if the patch changes its shape or the power is not known; then
     /// there are no derivatives with respect to the load.
-    fn growth(&self) -> Option<f64> {
+    fn load_exponent(&self) -> Option<f64> {
         Some(0.0)
     }
 

@@ -79,7 +79,7 @@ impl Integrals {
             x: self.x / self.area,
             y: self.y / self.area,
             since_entry: self.mean(&self.entry),
-            way_in: Travel::default(),
+            path_in: Travel::default(),
         }
     }
 }
@@ -128,10 +128,10 @@ pub(super) fn append_strips(patch: &mut Patch, row: usize, columns: &[Integrals]
             continue;
         }
         let mut cell = sums.cell(&grid, grid.index(i, row));
-        cell.way_in = cell.since_entry.after(&upstream);
-        if cell.way_in.distance <= 0.0 {
+        cell.path_in = cell.since_entry.after(&upstream);
+        if cell.path_in.distance <= 0.0 {
             close(patch, exit);
-            cell.way_in = cell.since_entry;
+            cell.path_in = cell.since_entry;
         }
         upstream = cell.since_entry;
         exit = sums.mean(&sums.exit);

@@ -159,7 +159,7 @@ mod tests {
             let (patch, _) = ellipse(5e-3, 5e-3, nx, ny);
             for strip in &patch.strips {
                 for k in strip.cells.clone() {
-                    assert!(patch.cells[k].way_in.distance > 0.0);
+                    assert!(patch.cells[k].path_in.distance > 0.0);
                 }
                 let first = patch.cells[strip.cells.start].since_entry;
                 assert_relative_eq!(first.distance, strip.exit.distance, max_relative = 1e-9);

@@ -60,7 +60,7 @@ pub struct Cell {
     pub since_entry: Travel,
     /// Path into the cell: from the leading edge if it is the first of its strip, otherwise from
     /// its upstream neighbour.
-    pub way_in: Travel,
+    pub path_in: Travel,
 }
 
 /// Path of a material point along x between two positions: integrals along the path, averaged over
@@ -134,7 +134,7 @@ impl Patch {
             cell.x *= length;
             cell.y *= length;
             cell.since_entry = cell.since_entry.rescaled(length);
-            cell.way_in = cell.way_in.rescaled(length);
+            cell.path_in = cell.path_in.rescaled(length);
         }
         for strip in &mut self.strips {
             strip.exit = strip.exit.rescaled(length);

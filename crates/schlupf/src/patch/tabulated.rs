@@ -112,7 +112,7 @@ mod tests {
             assert_relative_eq!(patch.load(), contact.summary.load, max_relative = 1e-12);
             for strip in &patch.strips {
                 for cell in &patch.cells[strip.cells.clone()] {
-                    assert!(cell.way_in.distance > 0.0);
+                    assert!(cell.path_in.distance > 0.0);
                 }
             }
             let hertz = Ellipse::from_load(a, b, contact.summary.load).unwrap();

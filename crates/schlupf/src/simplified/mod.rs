@@ -134,7 +134,7 @@ impl FastContact {
     pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
         let problem = &self.at.problem;
         let contact = problem.normal.normal_contact(Some(load))?;
-        if problem.normal.growth().is_none() {
+        if problem.normal.load_exponent().is_none() {
             self.contact = EllipticContact::of(problem, contact.summary)?;
             self.kernel = Kernel::new(self.method, problem, &self.options, &contact)?;
             return Ok(());
@@ -187,7 +187,7 @@ impl FastContact {
         let (problem, normal) = (&self.at.problem, &self.contact.normal);
         let limit = friction_limit(problem, normal.load);
         let warnings = warnings::of(problem, normal, self.method, &force, limit);
-        let mut account = summary::Account {
+        let mut account = summary::SolverReport {
             method: Method::Fast(self.method),
             status: Status::Converged,
             residual: 0.0,
@@ -231,7 +231,7 @@ impl FastContact {
         self.without_fields(force, account)
     }
 
-    fn without_fields(&self, force: Resultant, account: summary::Account) -> Solution {
+    fn without_fields(&self, force: Resultant, account: summary::SolverReport) -> Solution {
         let (problem, normal) = (&self.at.problem, self.contact.normal);
         let motion = problem.kinematics;
         let contact_area = PI * normal.semi_axis_x * normal.semi_axis_y;

@@ -20,7 +20,7 @@ use crate::warning::Warning;
 use snapshot::{Snapshot, View};
 
 /// What a driver knows in addition to the fields.
-pub(crate) struct Account {
+pub(crate) struct SolverReport {
     pub method: Method,
     pub status: Status,
     /// Relative residual, dimensionless.
@@ -37,7 +37,7 @@ pub(crate) fn solution(
     problem: &Problem,
     options: &Options,
     View { normal, patch, now }: View,
-    account: Account,
+    account: SolverReport,
 ) -> Solution {
     let force = force(patch, now);
     Solution {
@@ -134,7 +134,7 @@ fn exchanged(problem: &Problem, patch: &Patch, now: &Snapshot) -> f64 {
     }
     let conduction = &now.conduction;
     let step = conduction.bulk_temperatures()[0] - conduction.entry_temperature;
-    chill(problem, patch, now.kinematics.speed / conduction.slowness()) * step
+    chill(problem, patch, now.kinematics.speed / conduction.contact_time_ratio()) * step
 }
 
 /// Heat flow through the contact divided by the step from the wheel's bulk temperature to its

@@ -18,7 +18,7 @@ pub struct LayerCompliance {
     couples_cells: bool,
     /// The power of the grid size with which displacements scale, dimensionless; `None` for
     /// constant stiffnesses per area.
-    growth: Option<f64>,
+    size_exponent: Option<f64>,
     lattice: Lattice,
     /// The systems along y, with the rows beyond the grid condensed.
     condensed: Tridiagonal,
@@ -124,7 +124,7 @@ impl LayerCompliance {
             couples_cells: stiffness
                 .iter()
                 .any(|s| s.coupling_along_x > 0.0 || s.coupling_along_y > 0.0),
-            growth: None,
+            size_exponent: None,
             condensed: Tridiagonal::new(&lattice.bedding, lattice.coupling, grid.rows, &outside),
             places: (0..columns).map(|j| cosine.place(j)).collect(),
             spectrum: vec![ZERO; columns * grid.rows],
@@ -137,7 +137,7 @@ impl LayerCompliance {
 
     /// The same for displacements that scale with a power of the grid size.
     pub(super) fn growing(self, power: f64) -> Self {
-        Self { growth: Some(power), ..self }
+        Self { size_exponent: Some(power), ..self }
     }
 
     /// Positions of the columns of the grid in the transform.
@@ -251,7 +251,7 @@ impl Compliance for LayerCompliance {
         traction: &VectorField,
         displacement: &mut VectorField,
     ) -> bool {
-        if let Some(power) = self.growth {
+        if let Some(power) = self.size_exponent {
             self.displacement(traction, displacement);
             for u in displacement.x.iter_mut().chain(&mut displacement.y) {
                 *u *= power;

@@ -176,7 +176,7 @@ impl PressureSource for Profile {
         Ok(())
     }
 
-    fn growth(&self) -> Option<f64> {
+    fn load_exponent(&self) -> Option<f64> {
         None
     }
 

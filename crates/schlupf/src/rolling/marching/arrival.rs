@@ -110,7 +110,7 @@ impl Place<'_> {
     /// An element that was in contact at the previous instant.
     fn carry_on(&self, element: &Element, departure: &Departure) -> Arrival {
         let cell = self.cell;
-        let way = self.motion.map_or(cell.way_in.distance, |motion| {
+        let way = self.motion.map_or(cell.path_in.distance, |motion| {
             let before = motion.way_until_start(departure.x, departure.entry_x);
             let way = motion.way_until_end(cell.x, cell.entry_x()) - before;
             way.clamp(0.0, LONGEST_WAY * self.grid.spacing_x)

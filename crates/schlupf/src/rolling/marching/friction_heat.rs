@@ -29,7 +29,7 @@ pub(super) fn set_temperatures(
 
 /// Friction at a place at the last evaluation.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Rubbing {
+pub(super) struct FrictionPoint {
     /// Coefficient of friction, dimensionless.
     pub friction: f64,
     /// Friction power per unit area, in W/m².
@@ -40,7 +40,7 @@ pub(super) struct Rubbing {
     pub slip_speed: f64,
 }
 
-impl Rubbing {
+impl FrictionPoint {
     /// The coefficient of friction (dimensionless) in a cell into which an element with a heat
     /// record has come: the root of μ = law(T(μ)), where the friction power is proportional to μ.
     /// If μ decreases with T, it is unique.
@@ -53,8 +53,9 @@ impl Rubbing {
     ) -> f64 {
         let [before, _] = passage.ways;
         let at = |rise: f64| {
-            let rubbed = Rubbed { y: passage.y, way: before, rise, slip_speed: self.slip_speed };
-            lagging(problem, now, arrived.friction, &rubbed)
+            let input =
+                FrictionInput { y: passage.y, way: before, rise, slip_speed: self.slip_speed };
+            lagging(problem, now, arrived.friction, &input)
         };
         if problem.heat.model.is_none() || problem.friction.law.is_constant() {
             return at(0.0);
@@ -72,7 +73,7 @@ impl Rubbing {
 }
 
 /// Material after friction along its path through a cell, or a part of it.
-pub(super) struct Rubbed {
+pub(super) struct FrictionInput {
     /// Position of the cell across rolling, in m.
     pub y: f64,
     /// The path length, in m.
@@ -89,7 +90,7 @@ pub(super) fn lagging(
     problem: &Problem,
     now: &Snapshot,
     arrived: Option<f64>,
-    &Rubbed { y, way, rise, slip_speed }: &Rubbed,
+    &FrictionInput { y, way, rise, slip_speed }: &FrictionInput,
 ) -> f64 {
     let law = problem.friction_response(&now.conduction, rise, slip_speed, y).coefficient;
     let Some(memory) = problem.friction_memory() else { return law };

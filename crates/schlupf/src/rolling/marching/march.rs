@@ -27,7 +27,7 @@ use crate::transient::Transient;
 use crate::warning::{Unconverged, Warning};
 
 use super::arrival::{Arrival, carry_over, positions};
-use super::friction_heat::{Rubbed, Rubbing, lagging, set_temperatures};
+use super::friction_heat::{FrictionInput, FrictionPoint, lagging, set_temperatures};
 use super::initial_state::{fitting, on_patch};
 use super::past::Past;
 use super::shift::{AT_REST, Shift};
@@ -313,11 +313,11 @@ impl<'a> March<'a> {
         for strip in &patch.strips {
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
-                let mut rubbing = Rubbing::default();
+                let mut rubbing = FrictionPoint::default();
                 if let Some(e) = at[cell.index] {
                     self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
                     self.now.rise[k] = old.rise[e];
-                    rubbing = Rubbing {
+                    rubbing = FrictionPoint {
                         friction: old.friction.get(e).copied().unwrap_or(0.0),
                         power: old.friction_power.get(e).copied().unwrap_or(0.0),
                         bound_power: cell.pressure * self.elements[e].slip_speed,
@@ -399,7 +399,7 @@ impl<'a> March<'a> {
 
     /// The record of an instant whose elements have moved by whole cells.
     fn past_in_place(&self) -> Past {
-        let ways = self.contact.patch.cells.iter().map(|cell| cell.way_in.distance);
+        let ways = self.contact.patch.cells.iter().map(|cell| cell.path_in.distance);
         Past::of(&self.contact, &self.displacement, ways)
     }
 
@@ -431,13 +431,13 @@ impl<'a> March<'a> {
         for strip in &patch.strips {
             for k in strip.cells.clone() {
                 let element = &mut self.elements[k];
-                let rubbed = Rubbed {
+                let input = FrictionInput {
                     y: patch.cells[k].y,
                     way: ways_through(patch, strip, k).iter().sum(),
                     rise: element.rise,
                     slip_speed: element.slip_speed,
                 };
-                let coefficient = lagging(self.problem, &self.now, arrived[k], &rubbed);
+                let coefficient = lagging(self.problem, &self.now, arrived[k], &input);
                 element.friction_on_leaving = Some(coefficient);
             }
         }
@@ -498,7 +498,7 @@ impl<'a> March<'a> {
         }
         let state =
             State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
-        let account = summary::Account {
+        let account = summary::SolverReport {
             method: Method::Full,
             status,
             residual,
@@ -532,8 +532,8 @@ impl<'a> March<'a> {
 /// Rigid slip (in m) along a path in contact (in m) into a cell, which is the whole path from its
 /// upstream neighbour or from the leading edge unless the edge moves.
 fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
-    let part = way / cell.way_in.distance;
-    cell.way_in.rigid_slip(kinematics).map(|slip| part * slip)
+    let part = way / cell.path_in.distance;
+    cell.path_in.rigid_slip(kinematics).map(|slip| part * slip)
 }
 
 /// Largest change over the largest new value.

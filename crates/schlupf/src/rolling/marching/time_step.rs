@@ -49,7 +49,7 @@ pub(super) struct TimeStep<'a> {
     /// ∂(μ pₙ law)/∂(p + γ (D − A p)) of each cell.
     yielding: Vec<[[f64; 2]; 2]>,
     /// Ratio of displacement to traction of the patch as a whole, for each component, in m/Pa.
-    stand_in: [f64; 2],
+    patch_compliance: [f64; 2],
     /// Whether entering material is displaced by the material in contact.
     is_coupled: bool,
     /// A p where the material of each cell entered, in m.
@@ -67,7 +67,7 @@ impl<'a> TimeStep<'a> {
         slides: Vec<Slide>,
     ) -> Self {
         let cells = slides.len();
-        let (gamma, stand_in) = (contact.safe_stiffness(), contact.stand_in());
+        let (gamma, patch_compliance) = (contact.safe_stiffness(), contact.patch_compliance());
         let is_coupled = contact.compliance.couples_cells();
         Self {
             contact,
@@ -80,7 +80,7 @@ impl<'a> TimeStep<'a> {
             responses: vec![Response::default(); cells],
             sliding: vec![[0.0; 2]; cells],
             yielding: vec![[[0.0; 2]; 2]; cells],
-            stand_in,
+            patch_compliance,
             largest: 0.0,
         }
     }
@@ -116,7 +116,7 @@ impl Equilibrium for TimeStep<'_> {
         let made = self.contact.product(p);
         made.at_cells(u);
         made.at_entries(&mut self.at_entry);
-        let own = self.contact.cell_looseness();
+        let own = self.contact.cell_compliance();
         let Prescribed { in_contact, in_place, .. } = self.prescribed;
         for (at, u) in u.iter_mut().enumerate() {
             let k = at / 2;
@@ -170,7 +170,7 @@ impl Equilibrium for TimeStep<'_> {
         for (k, [[xx, xy], [yx, yy]]) in self.yielding.iter().enumerate() {
             let share = if self.is_coupled { self.prescribed.in_contact[k] } else { 1.0 };
             let bedding = self.cell.gamma * share;
-            let [wx, wy] = self.stand_in.map(|a| 1.0 - bedding * a);
+            let [wx, wy] = self.patch_compliance.map(|a| 1.0 - bedding * a);
             let matrix = [[1.0 - xx * wx, -xy * wy], [-yx * wx, 1.0 - yy * wy]];
             let solved = solve_2x2(matrix, [v[2 * k], v[2 * k + 1]]);
             v[2 * k..2 * k + 2].copy_from_slice(&solved);

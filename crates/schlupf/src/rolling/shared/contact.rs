@@ -16,7 +16,7 @@ pub(crate) struct DiscreteContact {
     pub compliance: Box<dyn Compliance>,
     pub interpolation: Interpolation,
     /// Buffers for the fields of a product.
-    room: Room,
+    workspace: Workspace,
     /// μ0 k_c, in 1/m: times the pressure, the initial stiffness of the contact law.
     bristles: f64,
     /// Infinite for rigid bodies.
@@ -24,7 +24,7 @@ pub(crate) struct DiscreteContact {
     estimates: Option<Estimates>,
 }
 
-struct Room {
+struct Workspace {
     traction: VectorField,
     displacement: VectorField,
     /// Differences of the displacement along the passage.
@@ -35,7 +35,7 @@ struct Room {
 pub(crate) struct Displaced<'a> {
     patch: &'a Patch,
     interpolation: &'a Interpolation,
-    room: &'a mut Room,
+    workspace: &'a mut Workspace,
 }
 
 /// A patch replaced by another one on the same grid when the load changed.
@@ -48,7 +48,7 @@ pub(crate) struct Former {
 /// Estimates of the compliance of the whole patch, used by marching.
 #[derive(Debug, Clone, Copy)]
 struct Estimates {
-    stand_in: [f64; 2],
+    patch_compliance: [f64; 2],
     safe_stiffness: f64,
 }
 
@@ -67,7 +67,7 @@ impl DiscreteContact {
             normal: normal.summary,
             patch,
             compliance,
-            room: Room { traction: zeros(), displacement: zeros(), passing: zeros() },
+            workspace: Workspace { traction: zeros(), displacement: zeros(), passing: zeros() },
             bristles: bristles(problem),
             cell_stiffness: 0.0,
             estimates: None,
@@ -152,34 +152,38 @@ impl DiscreteContact {
 
     /// A p, with the traction given in each cell.
     pub fn product(&mut self, p: &[f64]) -> Displaced<'_> {
-        self.interpolation.spread(p, &mut self.room.traction);
-        self.compliance.displacement(&self.room.traction, &mut self.room.displacement);
+        self.interpolation.spread(p, &mut self.workspace.traction);
+        self.compliance.displacement(&self.workspace.traction, &mut self.workspace.displacement);
         self.displaced()
     }
 
     /// The derivative of A p with respect to the logarithm of the patch size, if the elasticity
     /// knows it.
     pub fn product_by_size(&mut self, p: &[f64]) -> Option<Displaced<'_>> {
-        let Room { traction, displacement, .. } = &mut self.room;
+        let Workspace { traction, displacement, .. } = &mut self.workspace;
         self.interpolation.spread(p, traction);
         let is_known = self.compliance.displacement_by_size(traction, displacement);
         is_known.then(|| self.displaced())
     }
 
     fn displaced(&mut self) -> Displaced<'_> {
-        Displaced { patch: &self.patch, interpolation: &self.interpolation, room: &mut self.room }
+        Displaced {
+            patch: &self.patch,
+            interpolation: &self.interpolation,
+            workspace: &mut self.workspace,
+        }
     }
 
     /// Ratio of the displacement at the outer edge of the modelled surface to the largest one,
     /// dimensionless.
     pub fn edge_displacement(&mut self, p: &[f64]) -> f64 {
-        self.interpolation.spread(p, &mut self.room.traction);
-        self.compliance.edge_displacement(&self.room.traction)
+        self.interpolation.spread(p, &mut self.workspace.traction);
+        self.compliance.edge_displacement(&self.workspace.traction)
     }
 
     /// Ratio of displacement to traction of the patch as a whole, for each component, in m/Pa.
-    pub fn stand_in(&mut self) -> [f64; 2] {
-        self.estimates().stand_in
+    pub fn patch_compliance(&mut self) -> [f64; 2] {
+        self.estimates().patch_compliance
     }
 
     /// 1/‖A‖ or slightly less, in Pa/m; for rigid bodies as [`Self::cell_stiffness`].
@@ -190,7 +194,7 @@ impl DiscreteContact {
 
     fn estimates(&mut self) -> Estimates {
         let estimates = self.estimates.unwrap_or_else(|| Estimates {
-            stand_in: self.estimate_stand_in(),
+            patch_compliance: self.estimate_patch_compliance(),
             safe_stiffness: self.estimate_safe_stiffness(),
         });
         self.estimates = Some(estimates);
@@ -213,7 +217,7 @@ impl DiscreteContact {
     }
 
     /// Ratio of displacement to traction of that cell, in m/Pa; zero for rigid bodies.
-    pub fn cell_looseness(&self) -> f64 {
+    pub fn cell_compliance(&self) -> f64 {
         self.cell_stiffness.recip()
     }
 
@@ -224,7 +228,7 @@ impl DiscreteContact {
     }
 
     /// Under tractions proportional to the pressure.
-    fn estimate_stand_in(&mut self) -> [f64; 2] {
+    fn estimate_patch_compliance(&mut self) -> [f64; 2] {
         let p: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
         let mut u = vec![0.0; p.len()];
         self.product(&p).at_cells(&mut u);
@@ -260,23 +264,23 @@ impl DiscreteContact {
 impl Displaced<'_> {
     /// On the whole grid, in m.
     pub fn field(&self) -> &VectorField {
-        &self.room.displacement
+        &self.workspace.displacement
     }
 
     /// At the cells' points, in m.
     pub fn at_cells(&self, u: &mut [f64]) {
-        self.interpolation.gather(&self.room.displacement, u);
+        self.interpolation.gather(&self.workspace.displacement, u);
     }
 
     /// Where the material of each cell entered, in m.
     pub fn at_entries(&self, u: &mut [f64]) {
-        self.interpolation.gather_at_entries(&self.room.displacement, u);
+        self.interpolation.gather_at_entries(&self.workspace.displacement, u);
     }
 
     /// Derivative of those with respect to the cubic share of the interpolation at the leading
     /// edge.
     pub fn at_entries_by_share(&self, u: &mut [f64]) {
-        self.interpolation.gather_at_entries_by_share(&self.room.displacement, u);
+        self.interpolation.gather_at_entries_by_share(&self.workspace.displacement, u);
     }
 
     /// Mean of both components in a cell, in m.
@@ -288,7 +292,7 @@ impl Displaced<'_> {
 
     /// Elastic energy ½ Σ p·(A p) ΔA, in J.
     pub fn stored_energy(&self) -> f64 {
-        let (p, u) = (&self.room.traction, &self.room.displacement);
+        let (p, u) = (&self.workspace.traction, &self.workspace.displacement);
         0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
     }
 
@@ -298,7 +302,7 @@ impl Displaced<'_> {
     /// A symmetric, translation-invariant compliance does no net work on such changes, Σ p·change =
     /// 0 exactly: elasticity is conservative.
     pub fn change_in_passing(&mut self, change: &mut [f64]) {
-        let Room { displacement, passing, .. } = &mut *self.room;
+        let Workspace { displacement, passing, .. } = &mut *self.workspace;
         differences(displacement, self.patch.grid.columns, passing);
         self.interpolation.gather_means(passing, change);
     }

@@ -26,12 +26,12 @@ impl Passage {
 /// The paths of the material in a cell, before and after the cell's point (in m): half of those to
 /// its neighbours, and the full path to an edge.
 pub(crate) fn ways_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
-    let way_in = patch.cells[k].way_in.distance;
-    let before = if k == strip.cells.start { way_in } else { 0.5 * way_in };
+    let path_in = patch.cells[k].path_in.distance;
+    let before = if k == strip.cells.start { path_in } else { 0.5 * path_in };
     let after = if k + 1 == strip.cells.end {
         strip.exit.distance
     } else {
-        0.5 * patch.cells[k + 1].way_in.distance
+        0.5 * patch.cells[k + 1].path_in.distance
     };
     [before, after]
 }

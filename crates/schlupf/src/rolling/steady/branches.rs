@@ -44,7 +44,7 @@ pub(super) fn may_be_several(problem: &Problem, level: &Level, has_state: bool) 
 fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let Level { contact, friction, .. } = level;
     let loosening =
-        contact.cell_looseness() * problem.kinematics.speed / contact.patch.grid.spacing_x;
+        contact.cell_compliance() * problem.kinematics.speed / contact.patch.grid.spacing_x;
     // If no state was found the slip is arbitrary and may hide the steep part of the law: the rigid
     // slip is used.
     let rigid =

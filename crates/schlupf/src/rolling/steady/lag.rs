@@ -28,7 +28,7 @@ struct Passage {
 }
 
 /// Variables on which the friction of a cell depends.
-pub(super) struct Rubbed {
+pub(super) struct FrictionInput {
     /// Coefficient according to the law, dimensionless.
     pub law: f64,
     /// Slip speed, in m/s.
@@ -74,8 +74,8 @@ impl Lag {
     }
 
     /// Sets the coefficient of a cell.
-    pub fn pass(&mut self, k: usize, rubbed: &Rubbed) {
-        let &Rubbed { law, slip_speed, durations, is_first } = rubbed;
+    pub fn pass(&mut self, k: usize, input: &FrictionInput) {
+        let &FrictionInput { law, slip_speed, durations, is_first } = input;
         let Some(memory) = &self.memory else {
             self.coefficient[k] = law;
             return;

@@ -24,13 +24,13 @@ pub(super) struct Level {
     /// The same for the previous points, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
     /// Its initial guess from previous solutions alone, in Pa.
-    pub foreseen: Vec<f64>,
-    pub room: Room,
+    pub predicted: Vec<f64>,
+    pub workspace: Workspace,
 }
 
 /// Buffers for a level's part in products and preconditioning.
 #[derive(Default)]
-pub(super) struct Room {
+pub(super) struct Workspace {
     /// Displacements where the material entered, in m.
     pub at_entry: Vec<f64>,
     /// Changes of heat fluxes, in W/m².
@@ -94,8 +94,8 @@ impl Level {
             traction: zeros(),
             response: Vec::new(),
             earlier: [zeros(), zeros()],
-            foreseen: zeros(),
-            room: Room {
+            predicted: zeros(),
+            workspace: Workspace {
                 at_entry: zeros(),
                 flux: vec![0.0; contact.patch.len()],
                 bound: vec![0.0; contact.patch.len()],

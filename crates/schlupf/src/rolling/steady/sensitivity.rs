@@ -93,7 +93,7 @@ impl<'a> Derivatives<'a> {
     }
 
     fn all(&mut self) -> Option<Sensitivity> {
-        let [slowness_x, slowness_y] = self.problem.kinematics.slowness_by_creepage();
+        let [slowness_x, slowness_y] = self.problem.kinematics.contact_time_ratio_by_creepage();
         let warmer = self.warmer();
         let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
         let along_y = Kinematics { creepage_y: 1.0, ..standing(self.problem) };
@@ -142,24 +142,25 @@ impl<'a> Derivatives<'a> {
     /// constant friction power.
     fn warmer(&self) -> Vec<f64> {
         let Level { contact, friction, .. } = &self.levels[0];
-        let by_slowness = |rise: &f64| friction.conduction.contact_temperature_by_slowness(*rise);
+        let by_slowness = |rise: &f64| friction.conduction.contact_temperature_by_time_ratio(*rise);
         let perpendicular = || friction.rise.iter().map(by_slowness).collect();
         friction
             .contact_temperature_by(self.problem, &contact.patch, Scaling::Slowness)
             .unwrap_or_else(perpendicular)
     }
 
-    /// Direct changes when the motion changes by `motion`, and ln(v0/(ωR)) by `slowness`, where the
+    /// Direct changes when the motion changes by `motion`, and ln(v0/(ωR)) by `contact_time_ratio`, where the
     /// contact temperature changes by `warmer` (in K).
-    fn by_motion(&self, motion: &Kinematics, slowness: f64, warmer: &[f64]) -> Direct {
+    fn by_motion(&self, motion: &Kinematics, contact_time_ratio: f64, warmer: &[f64]) -> Direct {
         let Level { contact, friction, .. } = &self.levels[0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             direct.set_motion(k, cell, motion);
             let by_temperature = friction.response[k].by_temperature;
-            direct.friction.law[k] = by_temperature * slowness * warmer[k];
-            let entry = friction.conduction.contact_temperature_by_slowness(0.0);
-            direct.friction.entry[k] = friction.lag.entry[k].by_temperature * slowness * entry;
+            direct.friction.law[k] = by_temperature * contact_time_ratio * warmer[k];
+            let entry = friction.conduction.contact_temperature_by_time_ratio(0.0);
+            direct.friction.entry[k] =
+                friction.lag.entry[k].by_temperature * contact_time_ratio * entry;
         }
         direct
     }
@@ -194,17 +195,17 @@ impl<'a> Derivatives<'a> {
 
     /// Direct changes with the logarithm of the load, if the elasticity knows how it scales.
     fn direct_by_load(&mut self) -> Option<Direct> {
-        let growth = self.problem.normal.growth()?;
+        let load_exponent = self.problem.normal.load_exponent()?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.response = vec![0.0; self.response_step.len()];
         let mut system = SteadyState::new(self.problem, self.levels);
-        if growth != 0.0 && !system.response_by_size(&mut direct.response) {
+        if load_exponent != 0.0 && !system.response_by_size(&mut direct.response) {
             return None;
         }
-        self.products += usize::from(growth != 0.0);
+        self.products += usize::from(load_exponent != 0.0);
         let Level { contact, strips, friction, response, .. } = &self.levels[0];
         for u in &mut direct.response {
-            *u *= growth;
+            *u *= load_exponent;
         }
         let kinematics = &self.problem.kinematics;
         let turning = Kinematics { spin: kinematics.spin, ..standing(self.problem) };
@@ -213,40 +214,43 @@ impl<'a> Derivatives<'a> {
             // All paths grow; the contribution of spin grows with the square.
             direct.set_motion(k, cell, &turning);
             let (rigid, half_turn) =
-                (cell.way_in.rigid_slip(kinematics), turning.half_turn(cell.way_in.distance));
+                (cell.path_in.rigid_slip(kinematics), turning.half_turn(cell.path_in.distance));
             for c in 0..2 {
                 direct.cause.rigid[2 * k + c] += rigid[c];
-                direct.cause.rigid[2 * k + c] *= growth;
-                direct.cause.turn[2 * k + c] = 2.0 * growth * half_turn[c];
-                direct.friction.slip[k][c] *= growth;
+                direct.cause.rigid[2 * k + c] *= load_exponent;
+                direct.cause.turn[2 * k + c] = 2.0 * load_exponent * half_turn[c];
+                direct.friction.slip[k][c] *= load_exponent;
             }
             // T β is a flux times the square root of a time.
             let by_size = warmer.as_ref().map_or(0.5 * friction.rise[k], |warmer| {
                 warmer[k] / friction.conduction.contact_factor()
             });
-            direct.friction.rise[k] = growth * by_size;
-            direct.friction.law[k] = growth * friction.response[k].by_y * cell.y;
-            direct.friction.entry[k] = growth * friction.lag.entry[k].by_y * cell.y;
-            direct.bound[k] = (1.0 - 2.0 * growth) * strips.bound[k];
+            direct.friction.rise[k] = load_exponent * by_size;
+            direct.friction.law[k] = load_exponent * friction.response[k].by_y * cell.y;
+            direct.friction.entry[k] = load_exponent * friction.lag.entry[k].by_y * cell.y;
+            direct.bound[k] = (1.0 - 2.0 * load_exponent) * strips.bound[k];
         }
-        direct.friction.way = growth;
+        direct.friction.way = load_exponent;
         // The slip is the change of A p along the passage divided by the cell size, which grows.
         if friction.is_coupled {
             let size = strips.len() * 2;
-            add_scaled(&mut direct.response[size..], -growth, &response[size..]);
+            add_scaled(&mut direct.response[size..], -load_exponent, &response[size..]);
         }
-        let softening = if growth == 0.0 { Some(0.0) } else { self.stiffness_by_size() };
-        self.stiffen(&mut direct, 1.0 - 2.0 * growth - growth * softening.unwrap_or(0.0));
+        let softening = if load_exponent == 0.0 { Some(0.0) } else { self.stiffness_by_size() };
+        self.stiffen(
+            &mut direct,
+            1.0 - 2.0 * load_exponent - load_exponent * softening.unwrap_or(0.0),
+        );
         Some(direct)
     }
 
     fn by_load(&mut self, direct: &Direct) -> Option<Resultant> {
-        let growth = self.problem.normal.growth()?;
+        let load_exponent = self.problem.normal.load_exponent()?;
         let moved = self.by(direct)?;
         let Level { contact, traction, .. } = &self.levels[0];
         let whole = summary::resultant(&contact.patch, traction);
         // The area of the cells also grows, and so do the lever arms.
-        let grown = moved.plus(growth, &whole.scaled(2.0, 3.0));
+        let grown = moved.plus(load_exponent, &whole.scaled(2.0, 3.0));
         Some(scaled(&grown, contact.normal.load.recip()))
     }
 
@@ -297,7 +301,7 @@ fn scaled(resultant: &Resultant, factor: f64) -> Resultant {
 impl Direct {
     /// The changes in a cell when its motion changes.
     fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
-        let way = &cell.way_in;
+        let way = &cell.path_in;
         let (rigid, turn) = (way.rigid_slip(motion), motion.half_turn(way.distance));
         let slip = motion.rigid_slip(cell.x, cell.y);
         for c in 0..2 {

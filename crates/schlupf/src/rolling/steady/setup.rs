@@ -211,13 +211,13 @@ impl Setup {
             }
         }
         level.clip();
-        level.foreseen.copy_from_slice(&level.traction);
+        level.predicted.copy_from_slice(&level.traction);
         if let (Some(Descent { transfer, carried, .. }), Some(next)) =
             (&mut level.descent, coarser.first())
         {
-            let pairs = next.traction.iter().zip(&next.foreseen);
-            for (news, (found, foreseen)) in carried.iter_mut().zip(pairs) {
-                *news = found - foreseen;
+            let pairs = next.traction.iter().zip(&next.predicted);
+            for (news, (found, predicted)) in carried.iter_mut().zip(pairs) {
+                *news = found - predicted;
             }
             transfer.add_prolonged(carried, &mut level.traction);
             level.clip();
@@ -295,7 +295,7 @@ impl Setup {
         let warnings = warnings(problem, options, contact, &now);
         let view = View { normal: &contact.normal, patch: &contact.patch, now: &now };
         let whole = Outcome { iterations: work.newton_iterations, ..*outcome };
-        let account = summary::Account {
+        let account = summary::SolverReport {
             method: Method::Full,
             status: if is_found { Status::Converged } else { Status::NotConverged },
             residual: outcome.residual,

@@ -23,7 +23,7 @@ use crate::rolling::shared::passage::{
     self, flux_over_heat, pair, rigid_velocity, slip, speed_of, ways_through,
 };
 
-use super::lag::{Lag, LagCause, Rubbed};
+use super::lag::{FrictionInput, Lag, LagCause};
 
 /// Slip, heat, temperature and friction of every cell, and their tangent.
 pub(super) struct SteadyFriction {
@@ -198,8 +198,8 @@ impl SteadyFriction {
         let y = patch.cells[k].y;
         let response = problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
         let (durations, is_first) = (self.heat.durations(k), k == self.heat.first(k));
-        let rubbed = Rubbed { law: response.coefficient, slip_speed, durations, is_first };
-        self.lag.pass(k, &rubbed);
+        let input = FrictionInput { law: response.coefficient, slip_speed, durations, is_first };
+        self.lag.pass(k, &input);
         self.response[k] = response;
     }
 
@@ -230,7 +230,7 @@ impl SteadyFriction {
     /// The traction on the rail p (in Pa) for a given fraction of μ pₙ in each cell
     /// (dimensionless), if all slip is rigid: cell by cell down the strips, each with the friction
     /// at the resulting temperature.
-    pub fn rub_rigidly(
+    pub fn rigid_slip_state(
         &mut self,
         problem: &Problem,
         patch: &Patch,
@@ -305,10 +305,10 @@ impl SteadyFriction {
     ) {
         for (k, flux) in flux.iter_mut().enumerate() {
             let slid = self.slip_change(passing, cause, k);
-            let rubbed = passage::power(pair(&self.traction, k), slid);
+            let input = passage::power(pair(&self.traction, k), slid);
             *flux = self.flux_change(k, pair(traction, k));
             if self.power[k] >= 0.0 {
-                *flux += rubbed * self.flux_over_power[k];
+                *flux += input * self.flux_over_power[k];
             }
         }
         let mut risen = std::mem::take(&mut self.risen);

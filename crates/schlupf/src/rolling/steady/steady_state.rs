@@ -35,7 +35,7 @@ impl<'a> SteadyState<'a> {
     }
 
     /// Evaluates friction at p, and the resulting bound.
-    fn rub(&mut self, p: &[f64], u: &[f64]) {
+    fn evaluate_friction(&mut self, p: &[f64], u: &[f64]) {
         if self.is_coupled() {
             let level = &mut self.levels[0];
             let passing = &u[level.size()..];
@@ -60,8 +60,8 @@ impl Equilibrium for SteadyState<'_> {
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         let is_coupled = self.is_coupled();
-        let Level { contact, strips, room, .. } = &mut self.levels[0];
-        relate(contact.product(p), strips, &mut room.at_entry, u, is_coupled);
+        let Level { contact, strips, workspace, .. } = &mut self.levels[0];
+        relate(contact.product(p), strips, &mut workspace.at_entry, u, is_coupled);
     }
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
@@ -69,27 +69,27 @@ impl Equilibrium for SteadyState<'_> {
     }
 
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
-        self.rub(p, u);
+        self.evaluate_friction(p, u);
         self.levels[0].strips.residual(p, u, residual);
     }
 
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]) {
         let is_coupled = self.is_coupled();
-        let Level { strips, friction, room, .. } = &mut self.levels[0];
+        let Level { strips, friction, workspace, .. } = &mut self.levels[0];
         if !is_coupled {
             strips.tangent(v, response, None, None, product);
             return;
         }
         let change = Change { traction: v, passing: &response[v.len()..] };
-        friction.bound_changes(change, None, &mut room.flux, &mut room.bound);
-        strips.tangent(v, response, Some(&room.bound), None, product);
+        friction.bound_changes(change, None, &mut workspace.flux, &mut workspace.bound);
+        strips.tangent(v, response, Some(&workspace.bound), None, product);
     }
 
     /// The state of rigid bodies, which is a good guess where friction follows a high slip speed.
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         if self.is_coupled() {
             let Level { contact, strips, friction, .. } = &mut self.levels[0];
-            friction.rub_rigidly(self.problem, &contact.patch, &strips.rigid_saturation(), p);
+            friction.rigid_slip_state(self.problem, &contact.patch, &strips.rigid_saturation(), p);
         }
         self.is_coupled()
     }
@@ -155,23 +155,23 @@ impl SteadyState<'_> {
         let size = self.size();
         let mut response = direct.response.clone();
         response.resize(self.response_size(), 0.0);
-        let Level { contact, strips, friction, room, .. } = &mut self.levels[0];
+        let Level { contact, strips, friction, workspace, .. } = &mut self.levels[0];
         let nothing = vec![0.0; size];
         if is_coupled {
             let unloaded = Change { traction: &nothing, passing: &response[size..] };
             let cause = Some(&direct.friction);
-            friction.bound_changes(unloaded, cause, &mut room.flux, &mut room.bound);
+            friction.bound_changes(unloaded, cause, &mut workspace.flux, &mut workspace.bound);
         } else {
             let cells = contact.patch.cells.iter().zip(&direct.friction.law);
-            for (bound, (cell, law)) in room.bound.iter_mut().zip(cells) {
+            for (bound, (cell, law)) in workspace.bound.iter_mut().zip(cells) {
                 *bound = cell.pressure * law;
             }
         }
-        for (bound, direct) in room.bound.iter_mut().zip(&direct.bound) {
+        for (bound, direct) in workspace.bound.iter_mut().zip(&direct.bound) {
             *bound += direct;
         }
         let b = &response[..size];
-        strips.tangent(&nothing, b, Some(&room.bound), Some(&direct.cause), change);
+        strips.tangent(&nothing, b, Some(&workspace.bound), Some(&direct.cause), change);
     }
 
     /// Derivative of the linear response (in m) at the solution with respect to the logarithm of
@@ -179,14 +179,14 @@ impl SteadyState<'_> {
     /// depends; `None` if it does not.
     pub fn response_by_stiffness(&mut self) -> Option<Vec<f64>> {
         let mut response = vec![0.0; self.response_size()];
-        let Level { contact, strips, traction, room, .. } = &mut self.levels[0];
+        let Level { contact, strips, traction, workspace, .. } = &mut self.levels[0];
         let by_stiffness = contact.cubic_share_by_stiffness();
         if by_stiffness == 0.0 {
             return None;
         }
         let b = &mut response[..traction.len()];
-        contact.product(traction).at_entries_by_share(&mut room.at_entry);
-        for (b, entry) in b.iter_mut().zip(&room.at_entry) {
+        contact.product(traction).at_entries_by_share(&mut workspace.at_entry);
+        for (b, entry) in b.iter_mut().zip(&workspace.at_entry) {
             *b = -by_stiffness * entry;
         }
         strips.differences(b);
@@ -197,11 +197,11 @@ impl SteadyState<'_> {
     /// size; returns whether the elasticity knows it.
     pub fn response_by_size(&mut self, response: &mut [f64]) -> bool {
         let is_coupled = self.is_coupled();
-        let Level { contact, strips, traction, room, .. } = &mut self.levels[0];
+        let Level { contact, strips, traction, workspace, .. } = &mut self.levels[0];
         let made = contact.product_by_size(traction);
         let is_known = made.is_some();
         if let Some(made) = made {
-            relate(made, strips, &mut room.at_entry, response, is_coupled);
+            relate(made, strips, &mut workspace.at_entry, response, is_coupled);
         }
         is_known
     }

@@ -134,8 +134,8 @@ impl StripLaw {
         self.remembers_distance = self.law.respond(&Slide::default()).by_distance != [[0.0; 2]; 2];
         self.kinematics = problem.kinematics;
         let way = |cell: &Cell| Way {
-            distance: cell.way_in.distance,
-            rigid: cell.way_in.rigid_slip(&problem.kinematics),
+            distance: cell.path_in.distance,
+            rigid: cell.path_in.rigid_slip(&problem.kinematics),
         };
         self.ways.clear();
         self.ways.extend(patch.cells.iter().map(way));
@@ -233,7 +233,7 @@ impl StripLaw {
             let target =
                 [0, 1].map(|c| p[2 * k + c] + self.gamma * (self.ways[k].rigid[c] - b[2 * k + c]));
             let before = (self.slides[k], self.responses[k]);
-            let increment = self.foreseen(k, target, &change);
+            let increment = self.predicted(k, target, &change);
             let mut slide = Slide { increment, ..self.slide(k, &handed) };
             let response = cell.solve(&mut slide, self.bound[k], target);
             self.tangents[k] = self.tangent_of(k, &slide, &response);
@@ -250,7 +250,7 @@ impl StripLaw {
 
     /// Sliding of a cell, to first order, when its target and the state passed to it differ from
     /// those of the last residual.
-    fn foreseen(&self, k: usize, target: [f64; 2], change: &Handed) -> [f64; 2] {
+    fn predicted(&self, k: usize, target: [f64; 2], change: &Handed) -> [f64; 2] {
         let gain = self.gain(k, change);
         let rest = [0, 1].map(|c| target[c] - self.targets[k][c] - self.bound[k] * gain[c]);
         let more = times(&self.tangents[k].softness, rest);

@@ -50,7 +50,7 @@ impl Flexibility {
     }
 
     /// Growth of the traction on the rail along a path in adhesion, in Pa.
-    pub fn growth(&self, motion: &Kinematics, way: &Travel) -> [f64; 2] {
+    pub fn stick_increment(&self, motion: &Kinematics, way: &Travel) -> [f64; 2] {
         let turning = motion.spin / self.spin;
         [
             motion.creepage_x / self.longitudinal * way.distance - turning * way.moment_y,
@@ -59,17 +59,18 @@ impl Flexibility {
     }
 
     /// The single flexibility (in m³/N) that converts traction (in Pa) lost to the limit into slip:
-    /// the one that converts the growth of the traction into the rigid slip (in m) of the same
+    /// the one that converts the increment of the traction into the rigid slip (in m) of the same
     /// path, as far as both are parallel, but within the largest and the smallest of the three.
-    pub fn along(&self, growth: [f64; 2], rigid_slip: [f64; 2]) -> f64 {
+    pub fn along(&self, stick_increment: [f64; 2], rigid_slip: [f64; 2]) -> f64 {
         let Self { longitudinal, lateral, spin } = *self;
         let smallest = longitudinal.min(lateral).min(spin);
         let largest = longitudinal.max(lateral).max(spin);
-        let square = growth[0] * growth[0] + growth[1] * growth[1];
+        let square =
+            stick_increment[0] * stick_increment[0] + stick_increment[1] * stick_increment[1];
         if square == 0.0 {
             return smallest;
         }
-        let product = growth[0] * rigid_slip[0] + growth[1] * rigid_slip[1];
+        let product = stick_increment[0] * rigid_slip[0] + stick_increment[1] * rigid_slip[1];
         (product / square).clamp(smallest, largest)
     }
 

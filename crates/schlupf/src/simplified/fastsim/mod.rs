@@ -133,7 +133,7 @@ impl Fastsim {
             return;
         }
         self.heated = (model.map(Arc::clone), speed);
-        let ways = self.patch.cells.iter().map(|cell| cell.way_in.distance);
+        let ways = self.patch.cells.iter().map(|cell| cell.path_in.distance);
         self.heat.set(model, ways.map(|way| [way / speed; 2]));
     }
 
@@ -143,7 +143,7 @@ impl Fastsim {
             let mut carried = Carried::default();
             for k in strip.cells.clone() {
                 let cell = &self.patch.cells[k];
-                let rigid = self.flexibility.growth(motion, &cell.way_in);
+                let rigid = self.flexibility.stick_increment(motion, &cell.path_in);
                 carried = carried.next(rigid, self.friction[k] * pressure(cell));
                 self.traction[k] = carried.traction;
             }
@@ -153,7 +153,7 @@ impl Fastsim {
     /// The same for friction that depends on slip and heat.
     ///
     /// A point that arrives with more traction than its coefficient here would have allowed there
-    /// loses the excess without slip and heat: see [`Self::way_in`].
+    /// loses the excess without slip and heat: see [`Self::path_in`].
     fn pass_with_friction(&mut self, problem: &Problem) {
         self.prepare_heat(problem);
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
@@ -166,11 +166,11 @@ impl Fastsim {
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
                 let inherited = heat.inherited(k);
-                let growth = flexibility.growth(motion, &cell.way_in);
+                let stick_increment = flexibility.stick_increment(motion, &cell.path_in);
                 let arrive = |mu: f64| {
-                    let next = carried.next(growth, mu * pressure(cell));
+                    let next = carried.next(stick_increment, mu * pressure(cell));
                     let ends = [cut(carried.traction, mu * pressure_before), next.traction];
-                    (next, Passage::new(flexibility, motion, &cell.way_in, ends))
+                    (next, Passage::new(flexibility, motion, &cell.path_in, ends))
                 };
                 let mu = fixed_point(start, |mu| {
                     let (_, passage) = arrive(mu);
@@ -221,37 +221,37 @@ impl Fastsim {
     /// Slip, friction power and temperatures of a strip.
     fn warm(&mut self, now: &mut Snapshot, strip: usize) {
         let strip = self.patch.strips[strip].clone();
-        let mut way_in = Passage::default();
+        let mut path_in = Passage::default();
         for k in strip.cells.clone() {
             let cell = self.patch.cells[k];
             if k == strip.cells.start {
-                way_in = self.way_in(&now.kinematics, k, None);
+                path_in = self.path_in(&now.kinematics, k, None);
             }
             let is_last = k + 1 == strip.cells.end;
             let way_out = if is_last {
                 let ends = [self.traction[k], [0.0; 2]];
                 Passage::new(&self.flexibility, &now.kinematics, &strip.exit, ends)
             } else {
-                self.way_in(&now.kinematics, k + 1, Some(k))
+                self.path_in(&now.kinematics, k + 1, Some(k))
             };
-            let heat = way_in.heat();
+            let heat = path_in.heat();
             let inherited = self.heat.inherited(k);
             now.rise[k] = self.heat.rise(k, inherited, heat);
             self.heat.flux[k] = heat;
             // Half of each path belongs to the cell, and all of a path from or to an edge.
             let shares = [
-                if k == strip.cells.start { 1.0 } else { 0.5 } * cell.way_in.distance,
+                if k == strip.cells.start { 1.0 } else { 0.5 } * cell.path_in.distance,
                 if is_last { strip.exit.distance } else { 0.5 * way_out.distance },
             ];
             let mean = |of: fn(&Passage) -> f64| {
-                (shares[0] * of(&way_in) + shares[1] * of(&way_out)) / (shares[0] + shares[1])
+                (shares[0] * of(&path_in) + shares[1] * of(&way_out)) / (shares[0] + shares[1])
             };
             now.slip[k] = [mean(|way| way.slip[0]), mean(|way| way.slip[1])];
             now.friction_power[k] = cell.covered * mean(|way| way.power);
-            way_in = way_out;
+            path_in = way_out;
         }
         let duration = strip.exit.distance / now.kinematics.speed;
-        let way_out = HeatStep { flux: way_in.heat(), duration };
+        let way_out = HeatStep { flux: path_in.heat(), duration };
         now.exit_rise.push(self.heat.exit_rise_after(&strip, way_out));
     }
 
@@ -260,11 +260,11 @@ impl Fastsim {
     /// Where friction decreases along the strip, a part of the traction can no longer be sustained
     /// and springs back. The resulting slip and heat in a cell depend on the cell size, and so
     /// would friction that depends on them; this part is therefore ignored.
-    fn way_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
+    fn path_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
         let held =
             |j: usize| cut(self.traction[j], self.friction[k] * pressure(&self.patch.cells[j]));
         let ends = [before.map_or([0.0; 2], held), self.traction[k]];
-        Passage::new(&self.flexibility, motion, &self.patch.cells[k].way_in, ends)
+        Passage::new(&self.flexibility, motion, &self.patch.cells[k].path_in, ends)
     }
 }
 

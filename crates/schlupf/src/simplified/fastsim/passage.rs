@@ -17,7 +17,7 @@ pub(super) struct Passage {
 }
 
 impl Passage {
-    /// A path with the tractions on the rail (in Pa) at both ends. If these differ by the growth of
+    /// A path with the tractions on the rail (in Pa) at both ends. If these differ by the increment of
     /// the traction in adhesion, nothing slips.
     pub fn new(
         flexibility: &Flexibility,
@@ -26,9 +26,9 @@ impl Passage {
         [from, to]: [[f64; 2]; 2],
     ) -> Self {
         let rate = motion.speed / way.distance;
-        let growth = flexibility.growth(motion, way);
-        let scale = rate * flexibility.along(growth, way.rigid_slip(motion));
-        let slip = [0, 1].map(|c| scale * (growth[c] - (to[c] - from[c])));
+        let stick_increment = flexibility.stick_increment(motion, way);
+        let scale = rate * flexibility.along(stick_increment, way.rigid_slip(motion));
+        let slip = [0, 1].map(|c| scale * (stick_increment[c] - (to[c] - from[c])));
         let power = 0.5 * ((from[0] + to[0]) * slip[0] + (from[1] + to[1]) * slip[1]);
         Self { distance: way.distance, slip, power }
     }
