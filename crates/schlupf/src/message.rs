@@ -141,7 +141,7 @@ macro_rules! messages {
         }
     };
     ($(#[$about:meta])* $name:ident: $($kinds:tt)*) => {
-        $crate::messages! { $(#[$about])* $name of $crate::quantity::Quantity: $($kinds)* }
+        $crate::message::messages! { $(#[$about])* $name of $crate::quantity::Quantity: $($kinds)* }
     };
 }
 
