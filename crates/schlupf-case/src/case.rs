@@ -16,6 +16,7 @@ use crate::error::{CaseError, CaseErrors};
 use crate::fields;
 use crate::fields::choice::{Driver, ElasticityModel};
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
+use crate::notice::Notice;
 use crate::place::Place;
 use crate::read;
 
@@ -83,6 +84,8 @@ impl CaseFile {
         let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
         let caveats = law_stiffness.caveats().into_iter();
         let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
+        let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
+        let idle = self.settings.idle();
         Ok(Case {
             title: self.settings.text("title")?,
             problem,
@@ -93,7 +96,7 @@ impl CaseFile {
             options: read::options(&self.settings)?,
             cooling: read::cooling(&self.settings)?,
             law_stiffness,
-            notices: self.settings.idle().into_iter().map(Message::from).chain(caveats).collect(),
+            notices: nothing.into_iter().chain(idle).map(Message::from).chain(caveats).collect(),
             file: self.clone(),
         })
     }
@@ -238,7 +241,7 @@ impl Case {
     /// All fields in effect, given or by default.
     pub fn effective(&self) -> Vec<Effective> {
         fields::all()
-            .filter(|field| self.file.settings.is_used(field))
+            .filter(|field| self.file.settings.has_effect(field))
             .map(|field| Effective {
                 path: field.path,
                 value: self.file.settings.shown(field.path),

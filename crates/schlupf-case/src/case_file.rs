@@ -1,16 +1,21 @@
 //! A case file: what to solve and how, checked, with nothing solved yet.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::document::{self, Entry};
-use crate::error::{CaseError, CaseErrors, Cause};
-use crate::files::{Files, Folder};
+use crate::error::{CaseError, CaseErrors};
+use crate::files::{Files, Folder, read_up_to};
 use crate::names::FieldNames;
 use crate::place::{Place, Source};
 use crate::read::{self, Parts};
 use crate::settings::Settings;
 use crate::template::template;
+
+/// Largest case file that is read, in bytes.
+pub const LARGEST_CASE: u64 = 4 << 20;
 
 /// A case file that was read and checked. Nothing is solved before [`Self::pose`].
 #[derive(Debug, Clone)]
@@ -58,22 +63,28 @@ impl CaseFile {
 
     /// Reads a case file; relative paths start in its folder.
     pub fn from_path(path: &Path, overrides: &[String]) -> Result<Self, CaseErrors> {
+        let file = File::open(path);
         let name = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|error| CaseError {
-            cause: Cause::FileSystem,
-            ..CaseError::new(
-                "",
-                format!("the case file cannot be read: {error}"),
-                Place::File { name: name.clone() },
-            )
-        })?;
+        Self::from_reader(file, &name, Folder::of(path), overrides)
+    }
+
+    /// The same from whatever can be read, such as standard input, up to [`LARGEST_CASE`].
+    pub fn from_reader<R: Read>(
+        reader: io::Result<R>,
+        name: &str,
+        files: Arc<dyn Files>,
+        overrides: &[String],
+    ) -> Result<Self, CaseErrors> {
+        let bytes = reader.and_then(|reader| read_up_to(LARGEST_CASE, reader));
+        let bytes =
+            bytes.map_err(|error| CaseError::unreadable("", "the case file", name, &error))?;
         let text = String::from_utf8(bytes).map_err(|error| {
             let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = before.split(|byte| *byte == b'\n').count();
             let message = format!("the case file must be text in UTF-8, but is not in line {line}");
-            CaseError::new("", message, Place::File { name: name.clone() })
+            CaseError::new("", message, Place::File { name: name.to_owned() })
         })?;
-        Self::from_str(&text, &name, Folder::of(path), overrides)
+        Self::from_str(&text, name, files, overrides)
     }
 
     /// The same with other fields, each `section.field=value`, that an option of the command line gives.

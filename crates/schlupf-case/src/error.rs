@@ -1,6 +1,7 @@
 //! Why a case cannot be read.
 
 use std::fmt;
+use std::io;
 
 use crate::place::Place;
 
@@ -24,7 +25,7 @@ pub struct CaseError {
 pub enum Cause {
     /// The input is wrong.
     Input,
-    /// The file system did not give the case file.
+    /// A file cannot be read.
     FileSystem,
     /// The input may be right, but what follows from it was not found.
     NotConverged,
@@ -42,6 +43,17 @@ impl CaseError {
             help: None,
             cause: Cause::Input,
         }
+    }
+
+    /// A file that cannot be read.
+    pub(crate) fn unreadable(field: &str, what: &str, name: &str, error: &io::Error) -> Self {
+        let place = Place::File { name: name.to_owned() };
+        Self::new(field, format!("{what} cannot be read: {error}"), place).of(Cause::FileSystem)
+    }
+
+    /// The same with another cause.
+    pub(crate) fn of(self, cause: Cause) -> Self {
+        Self { cause, ..self }
     }
 
     /// The same with advice.

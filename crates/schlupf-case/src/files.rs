@@ -2,9 +2,29 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// Largest file of data that is read, in bytes.
+pub const LARGEST_FILE: u64 = 2 << 30;
+
+/// Reads up to so many bytes.
+///
+/// # Errors
+/// Whatever keeps them from being read, and more bytes.
+pub fn read_up_to(most: u64, reader: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        let most = most >> 20;
+        return Err(io::Error::other(format!(
+            "it is larger than {most} MiB, the most that is read"
+        )));
+    }
+    Ok(bytes)
+}
 
 /// Finds the files that a case names: in a folder, in memory, or wherever the caller has them.
 pub trait Files: Debug + Send + Sync {
@@ -38,7 +58,7 @@ impl Folder {
 
 impl Files for Folder {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        std::fs::read(self.locate(name))
+        read_up_to(LARGEST_FILE, File::open(self.locate(name))?)
     }
 
     fn locate(&self, name: &str) -> PathBuf {
@@ -57,7 +77,7 @@ impl Files for BTreeMap<String, Vec<u8>> {
 /// Files anywhere, by other names than their paths, which need not be text.
 impl Files for BTreeMap<String, PathBuf> {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        std::fs::read(self.locate(name))
+        read_up_to(LARGEST_FILE, File::open(self.locate(name))?)
     }
 
     fn locate(&self, name: &str) -> PathBuf {

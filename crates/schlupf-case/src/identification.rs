@@ -3,7 +3,7 @@
 use schlupf::identification::{DataPoint, Parameter};
 use schlupf::kinematics::Kinematics;
 
-use crate::error::{CaseError, Cause};
+use crate::error::CaseError;
 use crate::fields::closest;
 use crate::files::InputFile;
 use crate::names;
@@ -49,14 +49,8 @@ pub fn read_data(
     kinematics: &Kinematics,
 ) -> Result<Vec<DataPoint>, CaseError> {
     let name = file.path().display().to_string();
-    let bytes = file.read().map_err(|error| CaseError {
-        cause: Cause::FileSystem,
-        ..CaseError::new(
-            "",
-            format!("the measured points cannot be read: {error}"),
-            Place::File { name: name.clone() },
-        )
-    })?;
+    let what = "the file of measured points";
+    let bytes = file.read().map_err(|error| CaseError::unreadable("", what, &name, &error))?;
     tables::creep_data_from_csv(option, name, bytes, kinematics)
 }
 

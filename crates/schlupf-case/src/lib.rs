@@ -35,7 +35,7 @@ pub use case_file::CaseFile;
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
 pub use fields::choice::{Driver, ElasticityModel};
-pub use files::{Files, Folder, InputFile};
+pub use files::{Files, Folder, InputFile, LARGEST_FILE, read_up_to};
 pub use law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin, caveats};
 pub use names::{FieldNames, quantity_field};
 pub use notice::Notice;

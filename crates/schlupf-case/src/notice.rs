@@ -12,6 +12,13 @@ messages! {
     /// A notice about a field or a section of a case.
     Notice of &'static str:
 
+    /// A case file gives nothing.
+    "nothing-given" NothingGiven {} "title", |subject, words| {
+        "the case gives no fields: all have their defaults, free rolling of a steel wheel on a steel rail; \
+         `schlupf init` writes a case to start from"
+            .to_owned()
+    };
+
     /// A field was given that the chosen models do not use.
     "no-effect" NoEffect {
         /// Where it was given.

@@ -7,7 +7,7 @@ use schlupf::Quantity;
 
 use crate::document::{Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
-use crate::fields::{self, ALTERNATIVES, Choose, Default, Field, NOT_PER_CENT, UsedWith};
+use crate::fields::{self, ALTERNATIVES, Choose, Default, Field, NOT_PER_CENT, SECTIONS, UsedWith};
 use crate::files::{Files, InputFile};
 use crate::names::{self, FieldNames, Noting};
 use crate::notice::Notice;
@@ -79,7 +79,8 @@ impl Settings {
         let bytes = file.read().map_err(|error| {
             let message =
                 format!("{path} must be the path of a readable file, but is {name:?}: {error}");
-            self.error(path, message).help("paths are relative to the case file".to_owned())
+            let error = self.error(path, message).of(Cause::FileSystem);
+            error.help("paths are relative to the case file".to_owned())
         })?;
         Ok((name, bytes))
     }
@@ -313,6 +314,17 @@ impl Settings {
             return false;
         }
         field.uses().count() == 0 || field.uses().any(|used| self.is_chosen(used))
+    }
+
+    /// Whether a field is used, and not only a default of a section that may be left out and is.
+    pub fn has_effect(&self, field: &Field) -> bool {
+        let section = SECTIONS.iter().find(|section| section.name == section_of(field.path));
+        let is_left_out = section.is_some_and(|section| {
+            let is_optional = |field: &Field| !matches!(field.default, Default::Text(_));
+            let is_given = |field: &Field| self.given.contains_key(field.path);
+            section.fields.iter().all(is_optional) && !section.fields.iter().any(is_given)
+        });
+        self.is_used(field) && !is_left_out
     }
 
     /// Whether a choice is made with one of these names, and counts itself.

@@ -7,16 +7,16 @@ use clap::{Args, ValueHint};
 /// Which case.
 #[derive(Debug, Clone, Args)]
 pub struct CaseArguments {
-    /// Case file (TOML); a steel wheel braking on a steel rail when none is named
+    /// Case file (TOML), `-` for standard input; by default a steel wheel braking on a steel rail
     #[arg(value_hint = ValueHint::FilePath)]
     pub case: Option<PathBuf>,
-    /// Set a field in place of the file, such as normal.load="60 kN"; an empty value takes it out
+    /// Set a field in place of the file, such as normal.load="60 kN"; an empty value removes the field
     #[arg(long = "set", value_name = "SECTION.FIELD=VALUE")]
     pub overrides: Vec<String>,
 }
 
-/// What stands for standard output.
-const STANDARD_OUTPUT: &str = "-";
+/// What stands for standard input or output.
+pub const STANDARD_STREAM: &str = "-";
 
 /// Where to write the results.
 #[derive(Debug, Args)]
@@ -38,7 +38,7 @@ pub struct OutputArguments {
 impl OutputArguments {
     /// The file of the JSON, if it goes into one.
     pub fn json_file(&self) -> Option<&Path> {
-        self.json.as_deref().filter(|path| *path != Path::new(STANDARD_OUTPUT))
+        self.json.as_deref().filter(|path| *path != Path::new(STANDARD_STREAM))
     }
 
     /// Whether the JSON goes to standard output.

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use schlupf_case::{Case, CaseFile, Effective, Folder, Place, schema as case_schema, template};
 
-use crate::arguments::{CaseArguments, InitArguments};
+use crate::arguments::{CaseArguments, InitArguments, STANDARD_STREAM};
 use crate::failure::Failure;
 use crate::outputs::{self, Output};
 use crate::progress::Progress;
@@ -17,7 +17,12 @@ use crate::{contact_law, report, stdout};
 pub fn read_case(arguments: &CaseArguments, progress: &Progress) -> Result<Case, Failure> {
     let overrides = &arguments.overrides;
     let file = if let Some(path) = &arguments.case {
-        CaseFile::from_path(path, overrides)
+        if path == Path::new(STANDARD_STREAM) {
+            let input = Ok(std::io::stdin().lock());
+            CaseFile::from_reader(input, "standard input", Folder::new(""), overrides)
+        } else {
+            CaseFile::from_path(path, overrides)
+        }
     } else {
         let text = CaseFile::default_text();
         CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
@@ -53,7 +58,7 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
         case.options.cells_x,
         case.options.cells_y,
         law.stiffness,
-        law.from.replace('-', " "),
+        law.from.name(),
         creepages(&case, &effective),
     );
     for field in effective {
@@ -82,7 +87,7 @@ fn creepages(case: &Case, effective: &[Effective]) -> String {
 /// `schlupf init`: writes a commented case file.
 pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
     let (path, text) = (&arguments.file, template());
-    if path == Path::new("-") {
+    if path == Path::new(STANDARD_STREAM) {
         stdout::write(&text)?;
         return Ok(ExitCode::SUCCESS);
     }

@@ -1,7 +1,7 @@
 //! k_c of a case as results show it.
 
 use schlupf_case::{Case, StiffnessOrigin};
-use schlupf_output::contact_law::{ContactLaw, Fit};
+use schlupf_output::contact_law::{ContactLaw, Fit, Origin};
 
 /// k_c and where it comes from.
 pub fn of(case: &Case) -> ContactLaw {
@@ -9,12 +9,12 @@ pub fn of(case: &Case) -> ContactLaw {
     let plain =
         |from| ContactLaw { stiffness, from, rms_height: None, slope_factor: None, fit: None };
     match &case.law_stiffness.origin {
-        StiffnessOrigin::Given => plain("given"),
-        StiffnessOrigin::Default => plain("default"),
+        StiffnessOrigin::Given => plain(Origin::Given),
+        StiffnessOrigin::Default => plain(Origin::Default),
         StiffnessOrigin::ClosedForm { rms_height, slope_factor } => ContactLaw {
             rms_height: Some(*rms_height),
             slope_factor: Some(*slope_factor),
-            ..plain("closed-form")
+            ..plain(Origin::ClosedForm)
         },
         StiffnessOrigin::MicroModel(micro) => {
             let result = &micro.result;
@@ -30,7 +30,7 @@ pub fn of(case: &Case) -> ContactLaw {
                     largest_error: found.common.largest_error,
                     closed_form: result.closed_form,
                 }),
-                ..plain("micro-model")
+                ..plain(Origin::MicroModel)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! `schlupf solve`.
 
 use std::borrow::Cow;
-use std::fs;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
@@ -9,7 +9,7 @@ use schlupf::message::{Message, Words};
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, FieldNames, Rolling};
+use schlupf_case::{Case, CaseErrors, FieldNames, LARGEST_FILE, Rolling, read_up_to};
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -153,7 +153,8 @@ impl Words for StateFile<'_> {
 }
 
 fn read_state(path: &Path) -> Result<State, Failure> {
-    let bytes = fs::read(path).map_err(|cause| Failure::file(path, cause))?;
+    let bytes = File::open(path).and_then(|file| read_up_to(LARGEST_FILE, file));
+    let bytes = bytes.map_err(|cause| Failure::file(path, cause))?;
     serde_json::from_slice(&bytes).map_err(|error| {
         let path = path.display();
         Failure::Arguments(format!(

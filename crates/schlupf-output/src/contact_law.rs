@@ -9,8 +9,8 @@ use crate::number::significant as number;
 pub struct ContactLaw {
     /// k_c, in 1/m.
     pub stiffness: f64,
-    /// `given`, `default`, `closed-form` or `micro-model`.
-    pub from: &'static str,
+    /// Its origin.
+    pub from: Origin,
     /// Combined h_rms of both surfaces (in m), if k_c comes from a roughness.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rms_height: Option<f64>,
@@ -20,6 +20,32 @@ pub struct ContactLaw {
     /// The fit of the micro model.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fit: Option<Fit>,
+}
+
+/// Where k_c comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Origin {
+    /// It is given.
+    Given,
+    /// It is the default.
+    Default,
+    /// The closed form with a roughness.
+    ClosedForm,
+    /// The micro model of a rough surface.
+    MicroModel,
+}
+
+impl Origin {
+    /// Its name, for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Default => "default",
+            Self::ClosedForm => "closed form",
+            Self::MicroModel => "micro model",
+        }
+    }
 }
 
 /// Fit of Eq. (8) to the tangential curves of a micro model.
@@ -52,7 +78,7 @@ impl ContactLaw {
             (None, Some(factor)) => {
                 format!("k_c, closed form: h_rms = {height} µm, γ = {}", number(factor))
             }
-            (None, None) if self.from == "default" => "k_c, the default".to_owned(),
+            (None, None) if self.from == Origin::Default => "k_c, the default".to_owned(),
             (None, None) => "k_c, as given".to_owned(),
         }
     }

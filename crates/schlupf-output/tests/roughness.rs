@@ -9,7 +9,7 @@ use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::unwatched;
 use schlupf_output::Report;
-use schlupf_output::contact_law::{ContactLaw, Fit};
+use schlupf_output::contact_law::{ContactLaw, Fit, Origin};
 use schlupf_output::figures::FigureError;
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
@@ -191,7 +191,7 @@ fn what_is_not_there_is_not_drawn() {
 fn a_contact_law_has_its_keys() {
     let law = ContactLaw {
         stiffness: 3e6,
-        from: "micro-model",
+        from: Origin::MicroModel,
         rms_height: Some(1e-6),
         slope_factor: None,
         fit: Some(Fit {

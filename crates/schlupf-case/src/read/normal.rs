@@ -45,7 +45,8 @@ fn ellipse(settings: &Settings) -> Result<Ellipse, CaseError> {
     let b = settings.number("normal.semi_axis_y")?;
     let ellipse = match settings.optional_number("normal.peak_pressure")? {
         Some(peak_pressure) => Ellipse::from_peak_pressure(a, b, peak_pressure),
-        None => Ellipse::from_load(a, b, settings.number("normal.load")?),
+        None if settings.is_given(LOAD) => Ellipse::from_load(a, b, settings.number(LOAD)?),
+        None => return Err(settings.missing_beside(LOAD, "normal.model")),
     };
     ellipse.map_err(|error| settings.explain(&error))
 }

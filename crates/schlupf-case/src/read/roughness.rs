@@ -16,7 +16,7 @@ use schlupf::surface::form::Form;
 use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 
-use crate::error::{CaseError, Cause};
+use crate::error::CaseError;
 use crate::fields::choice::FormTakenOff;
 use crate::fields::{MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
 use crate::law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin};
@@ -341,7 +341,7 @@ fn placed(settings: &Settings, error: CaseError) -> CaseError {
             place_of(settings, &error.field)
         }
     };
-    CaseError { place, cause: Cause::Input, ..error }
+    CaseError { place, ..error }
 }
 
 fn place_of(settings: &Settings, field: &str) -> Place {

@@ -103,7 +103,7 @@ impl Reading<'_> {
         let bytes = file.read().map_err(|error| {
             let error =
                 self.refusal(&name, format!("must be a readable file, but is not: {error}"));
-            CaseError { cause: Cause::FileSystem, ..error }
+            error.of(Cause::FileSystem)
         })?;
         self.bytes(name, bytes)
     }
@@ -117,6 +117,17 @@ impl Reading<'_> {
             Some("x3p") => x3p::read(&name, bytes, self),
             _ => Err(self.refusal(&name, "must be a .csv, .npy, .x3p or .xyz file, but is not")),
         }
+    }
+
+    /// Distances of the points along x and y (in m) of a file that does not have them.
+    fn spacings(self, name: &str) -> Result<[f64; 2], CaseError> {
+        self.options.spacing.ok_or_else(|| {
+            let message = format!(
+                "{} must be given, because {name} does not say how far its points are apart",
+                self.names.name(SPACING)
+            );
+            CaseError::new(SPACING, message, Place::File { name: name.to_owned() })
+        })
     }
 
     /// What the field that names the file is called.

@@ -14,9 +14,10 @@ const fn length(name: &'static str, required: bool, holes: bool) -> Column {
     Column { name, measure: Some(&Measure::LENGTH), required, holes }
 }
 
-/// Without y, or all along x or all along y, it is a profile.
+/// Without y, or all along x or all along y, it is a profile; with heights alone, one whose spacing is
+/// given beside it.
 const COLUMNS: [Column; 3] =
-    [length("x", true, false), length("y", false, false), length("height", true, true)];
+    [length("x", false, false), length("y", false, false), length("height", true, true)];
 
 /// A lattice with more points than this for each row is no map with holes, but no map at all.
 const MAX_SPARSE: usize = 4;
@@ -40,6 +41,15 @@ fn from_columns(columns: &Columns, how: Reading) -> Result<MeasuredSurface, Case
     if let Some(row) = heights.iter().position(|height| is_too_high(*height)) {
         let message = format!("{} {}", how.field_name(), too_high(heights[row], "this one"));
         return Err(columns.error(columns.lines[row], message).help(ADVICE_ON_HEIGHTS.to_owned()));
+    }
+    if xs.is_empty() && !heights.is_empty() {
+        if !ys.is_empty() {
+            let message = "column `x` is missing beside `y`";
+            return Err(columns.error(columns.header_line, message));
+        }
+        let [spacing_x, spacing_y] = how.spacings(name)?;
+        let lattice = Lattice { columns: heights.len(), rows: 1, spacing_x, spacing_y };
+        return finish(name, lattice, heights.clone(), how);
     }
     let zeros = vec![0.0; xs.len()];
     let ys = if ys.is_empty() { &zeros } else { ys };

@@ -5,9 +5,8 @@ use schlupf::grid::{Axis, BORDER, Grid};
 
 use super::columns::{Column, Columns};
 use super::lattice::Lattice;
-use crate::error::{CaseError, Cause};
+use crate::error::CaseError;
 use crate::files::InputFile;
-use crate::place::Place;
 use crate::units::Measure;
 
 const fn column(name: &'static str, measure: &'static Measure, required: bool) -> Column {
@@ -36,14 +35,8 @@ pub struct Displacements {
 /// the wheel and displacement of the wheel relative to the rail. A component without traction is left out.
 pub fn read(option: &'static str, file: &InputFile) -> Result<Displacements, CaseError> {
     let name = file.path().display().to_string();
-    let bytes = file.read().map_err(|error| CaseError {
-        cause: Cause::FileSystem,
-        ..CaseError::new(
-            option,
-            format!("the file of {option} cannot be read: {error}"),
-            Place::File { name: name.clone() },
-        )
-    })?;
+    let what = format!("the file of {option}");
+    let bytes = file.read().map_err(|error| CaseError::unreadable(option, &what, &name, &error))?;
     from_csv(name, bytes, option)
 }
 

@@ -1,0 +1,120 @@
+//! Where input comes from, and what is assumed where it is silent.
+
+mod support;
+
+use std::process::Stdio;
+
+use support::{Bench, Run};
+
+const CHEAP: [&str; 4] = ["--set", "grid.cells_x=8", "--set", "grid.cells_y=8"];
+
+#[test]
+fn a_case_comes_from_standard_input() {
+    let bench = Bench::new();
+    bench.write("in.toml", "title = \"piped\"\n[kinematics]\ncreepage_x = 0.002\n");
+    let solve = |case: &str| {
+        let mut command = bench.command(&[&["solve", case][..], &CHEAP].concat());
+        command.stdin(std::fs::File::open(bench.path("in.toml")).unwrap());
+        Run::from(command.output().unwrap())
+    };
+    let (piped, named) = (solve("-"), solve("in.toml"));
+    assert_eq!(piped.code, Some(0), "{}", piped.stderr);
+    assert!(piped.stdout.starts_with("piped\n") && piped.stdout == named.stdout);
+    bench.write("in.toml", "[kinematics]\nspeed = 3\n");
+    let wrong = solve("-");
+    assert_eq!(wrong.code, Some(2));
+    assert!(wrong.stderr.contains("standard input:2:9: kinematics.speed"), "{}", wrong.stderr);
+}
+
+/// One exit code, wherever the file is named.
+#[test]
+fn a_missing_file_is_one_of_the_file_system() {
+    let bench = Bench::new();
+    let case = |name: &str, section: &str, more: &str| {
+        bench.write(name, &format!("[{section}]\n{more}file = \"no.csv\"\n"));
+    };
+    case("table.toml", "normal", "model = \"tabulated\"\n");
+    case("rough.toml", "contact_law.roughness", "");
+    case("history.toml", "history", "");
+    for arguments in [
+        &["solve", "no.toml"][..],
+        &["solve", "table.toml"],
+        &["solve", "rough.toml"],
+        &["solve", "history.toml"],
+        &["check", "table.toml"],
+        &["curve", "table.toml", "--creepage-x", "0..0.01"],
+        &["fit", "--data", "no.csv", "--fit", "friction.coefficient"],
+        &["roughness", "no.csv"],
+        &["calibrate", "--displacements", "no.csv"],
+        &["solve", "--initial-state", "no.json"],
+    ] {
+        let run = bench.run(arguments);
+        assert_eq!(run.code, Some(1), "{arguments:?}: {}", run.stderr);
+        assert!(run.stderr.contains("No such file"), "{arguments:?}: {}", run.stderr);
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn files_without_end_are_read_up_to_a_size() {
+    let bench = Bench::new();
+    let run = bench.run(&["solve", "/dev/zero"]);
+    assert_eq!(run.code, Some(1));
+    assert!(run.stderr.contains("larger than 4 MiB"), "{}", run.stderr);
+    let mut endless = bench.command(&["check", "-"]);
+    endless.stdin(std::fs::File::open("/dev/zero").unwrap()).stdout(Stdio::null());
+    let run = Run::from(endless.output().unwrap());
+    assert!(run.stderr.contains("standard input: the case file cannot be read"), "{}", run.stderr);
+}
+
+#[test]
+fn an_ellipse_needs_a_load_or_a_pressure() {
+    let bench = Bench::new();
+    let ellipse = "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\n";
+    bench.write("case.toml", ellipse);
+    let run = bench.run(&["check", "case.toml"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("case.toml:2:9: normal.load is missing"), "{}", run.stderr);
+    for given in ["load = \"80 kN\"", "peak_pressure = \"1 GPa\""] {
+        bench.write("case.toml", &format!("{ellipse}{given}\n"));
+        assert_eq!(bench.run(&["check", "case.toml"]).code, Some(0), "{given}");
+    }
+}
+
+#[test]
+fn what_is_assumed_and_what_has_an_effect_is_told() {
+    let bench = Bench::new();
+    bench.write("empty.toml", "# nothing yet\n");
+    let run = bench.run(&["check", "empty.toml"]);
+    assert_eq!(run.code, Some(0));
+    assert!(run.stderr.contains("the case gives no fields"), "{}", run.stderr);
+    assert!(!run.stdout.contains("contact_law.roughness"), "{}", run.stdout);
+    bench.write("rough.toml", "[contact_law.roughness]\nrms_height = \"1 um\"\n");
+    let run = bench.run(&["check", "rough.toml"]);
+    assert!(run.stdout.contains("contact_law.roughness.slope_factor"), "{}", run.stdout);
+    assert!(!run.stderr.contains("gives no fields"));
+}
+
+/// The points of a profile may be equidistant without saying so.
+#[test]
+fn a_profile_of_heights_alone_has_its_spacing_beside_it() {
+    let bench = Bench::new();
+    let heights = |k: i32| 0.4 * f64::from(k * k % 37) / 37.0;
+    let with = |line: fn(i32, f64) -> String| -> String {
+        (0..128).map(|k| line(k, heights(k))).collect()
+    };
+    let bare = with(|_, height| format!("{height}\n"));
+    let placed = with(|k, height| format!("{},{height}\n", 2 * k));
+    bench.write("bare.csv", &format!("height [um]\n{bare}"));
+    bench.write("placed.csv", &format!("x [um],height [um]\n{placed}"));
+    let json = |surface: &str, more: &[&str]| {
+        let run = bench.run(&[&["roughness", surface, "--json", "-"][..], more].concat());
+        assert!(run.code == Some(0), "{surface}: {}", run.stderr);
+        let mut document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        document["surface"].take()
+    };
+    assert_eq!(json("bare.csv", &["--spacing", "2 um"]), json("placed.csv", &[]));
+    let run = bench.run(&["roughness", "bare.csv"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("--spacing must be given"), "{}", run.stderr);
+}
