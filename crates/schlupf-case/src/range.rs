@@ -180,7 +180,7 @@ mod tests {
         assert!(message("0..2 1/m").contains("write the number alone"));
         let message = |text| spin(text).unwrap_err().to_string();
         assert!(message("0..2").contains("the unit is missing"), "{}", message("0..2"));
-        assert!(message("0 1/m..2 m").contains("`m` is m in base units"));
+        assert!(message("0 1/m..2 m").contains("`m` is the unit of a length"));
         assert!(message("1 m..2 1/m").contains("the start of the range must be an inverse length"));
         assert!(range("--x", "no.field", "0..1").is_err());
     }
@@ -216,7 +216,7 @@ mod tests {
         assert_eq!(read("200,500 MPa"), [2e8, 5e8]);
         let message = |text| pressures("--pressure", text).unwrap_err().to_string();
         assert!(message("1").contains("--pressure 1: each pressure must be a pressure"));
-        assert!(message("1 mm").contains("`mm` is m in base units"));
+        assert!(message("1 mm").contains("`mm` is the unit of a length"));
         assert!(message("1 GPa,,2 GPa").contains("but is \"\""), "{}", message("1 GPa,,2 GPa"));
         assert!(message("0..1 GPa").contains("the start of the range must be between 1"));
     }

@@ -391,7 +391,7 @@ impl Settings {
             self.place(earlier)
         );
         let remove = if overridden(later) && !overridden(earlier) {
-            format!("take {earlier} out of the file, or with --set {earlier}=")
+            format!("remove {earlier} from the file, or with --set {earlier}=")
         } else {
             "remove one of them".to_owned()
         };

@@ -102,7 +102,7 @@ fn units_are_checked() {
         (
             "[kinematics]\nspeed = \"30 kN\"",
             "kinematics.speed",
-            &["m/s or km/h", "\"30 kN\"", "`kN` is kg m s^-2 in base units"],
+            &["m/s or km/h", "\"30 kN\"", "`kN` is the unit of a force"],
         ),
         ("[kinematics]\nspeed = \"30 kmh\"", "kinematics.speed", &["unknown unit `kmh`"]),
         ("[kinematics]\nspeed = \"30 m//s\"", "kinematics.speed", &["not a product or quotient"]),

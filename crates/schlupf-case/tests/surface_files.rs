@@ -221,7 +221,7 @@ fn each_defect_of_a_file_is_named() {
         ("wave.npy", &plain, "contact_law.roughness.unit must be a unit of length, m, mm or µm"),
         ("wave.npy", &with_unit, "contact_law.roughness.spacing must be given"),
         ("wave_holes.xyz", &plain, "contact_law.roughness.unit must be a unit of length"),
-        ("wave_holes.xyz", &wrong_unit, "`s` is s in base units"),
+        ("wave_holes.xyz", &wrong_unit, "`s` is the unit of a time"),
         ("wave_holes.xyz", &with_unit, "1 of 384 are missing"),
         ("make.py", &plain, "must be a .csv, .npy, .x3p or .xyz file, but is not"),
         ("none.x3p", &plain, "must be a readable file"),

@@ -97,11 +97,14 @@ fn update(bar: &ProgressBar, message: Message) {
         }
         bar.set_length(total as u64);
         bar.set_position(done as u64);
-        bar.set_message(name);
+        bar.set_message(format!("{name}{}", residual(progress.change)));
     } else {
-        let change = progress.change.map(|change| format!(", relative change {change:.1e}"));
-        bar.set_message(format!("{name} {done}{}", change.unwrap_or_default()));
+        bar.set_message(format!("{name} {done}{}", residual(progress.change)));
     }
+}
+
+fn residual(change: Option<f64>) -> String {
+    change.map_or_else(String::new, |change| format!(", residual {change:.1e}"))
 }
 
 fn style_of_known_length() -> ProgressStyle {

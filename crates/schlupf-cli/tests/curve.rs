@@ -110,7 +110,7 @@ const BAD: &[(&[&str], &[&str])] = &[
     (&["--creepage-x", "0..nan"], &["--creepage-x 0..nan: the end", "finite", "NaN"]),
     (&["--creepage-x", "0..1 m"], &["a number without unit", "\"1 m\""]),
     (&["--spin", "0..2"], &["the unit is missing", "1/m"]),
-    (&["--spin", "0 1/m..2 m"], &["`m` is m in base units"]),
+    (&["--spin", "0 1/m..2 m"], &["`m` is the unit of a length"]),
     (
         &["--creepage-x", "0..1.5"],
         &["--creepage-x 0..1.5", "the wheel must roll", "does not at kinematics.creepage_x = 1"],

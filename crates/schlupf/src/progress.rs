@@ -90,12 +90,13 @@ pub fn unwatched(_: Progress) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Watches part of a computation: whatever it reports, the progress passed on is that of the whole.
+/// Watches part of a computation: whatever it reports, the progress passed on is that of the whole,
+/// with the part's residual if the whole has none.
 pub(crate) fn within(
     watch: Watch<'_>,
     whole: Progress,
 ) -> impl Fn(Progress) -> ControlFlow<()> + Sync + '_ {
-    move |_| watch(whole)
+    move |part| watch(Progress { change: whole.change.or(part.change), ..whole })
 }
 
 /// Reports progress; an error if the computation is to stop.

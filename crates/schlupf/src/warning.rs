@@ -235,7 +235,7 @@ messages! {
     "cold-friction" ColdFriction {
         /// The method.
         method: &'static str,
-    } Quantity::FrictionModel, |name, words| format!(
+    } Quantity::Method, |name, words| format!(
         "{name}: {method:?} has no temperatures, so friction is that at the temperature of the \
          entering material"
     );

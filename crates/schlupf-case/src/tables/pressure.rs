@@ -71,7 +71,7 @@ mod tests {
             ("0,0,1", "0,0", "p.csv:4:1: a row must have 3 entries"),
             ("1,0,2", "1.3,0,2", "p.csv:3:1: x must be equidistant"),
             ("[MPa]", "", "p.csv:2:1: column `pressure` must name its unit, Pa, MPa or GPa"),
-            ("[MPa]", "[mm]", "`mm` is m in base units"),
+            ("[MPa]", "[mm]", "`mm` is the unit of a length"),
             ("pressure", "presure", "did you mean `pressure`?"),
             ("y [mm],", "", "p.csv:2:1: column `y` is missing"),
             ("y [mm]", "x [mm]", "p.csv:2:1: column `x` is given twice"),

@@ -28,12 +28,12 @@ pub enum QuantityError {
         text: String,
     },
     /// The unit is one of another quantity.
-    #[error("`{unit}` is {dimension} in base units")]
+    #[error("`{unit}` is {kind}")]
     WrongDimension {
         /// The unit.
         unit: String,
-        /// Its dimension in base units.
-        dimension: String,
+        /// What it is, such as `the unit of a force`.
+        kind: String,
     },
     /// A temperature was given in place of a temperature difference.
     #[error("`{unit}` is for temperatures counted from its own zero; a difference is given in K")]

@@ -34,6 +34,27 @@ const fn ratio(
 }
 
 impl Measure {
+    /// All that have a dimension.
+    pub const RATIOS: [Self; 17] = [
+        Self::LENGTH,
+        Self::TIME,
+        Self::ANGLE,
+        Self::SPEED,
+        Self::FORCE,
+        Self::PRESSURE,
+        Self::AREA,
+        Self::STIFFNESS,
+        Self::BEDDING,
+        Self::DENSITY,
+        Self::PER_LENGTH,
+        Self::PER_SPEED,
+        Self::ANGULAR_VELOCITY,
+        Self::CONDUCTIVITY,
+        Self::SPECIFIC_HEAT,
+        Self::HEAT_TRANSFER,
+        Self::TEMPERATURE_DIFFERENCE,
+    ];
+
     /// Speed, in m/s.
     pub const SPEED: Self = ratio("a speed", "m/s", "m/s or km/h", Dimension::mechanical(1, 0, -1));
     /// Length, in m.

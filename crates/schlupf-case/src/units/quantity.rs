@@ -39,26 +39,33 @@ pub fn parse_unit(unit: &str, measure: &Measure) -> Result<Conversion, QuantityE
         (Scale::AbsoluteTemperature, Some(conversion)) => Ok(conversion),
         (Scale::AbsoluteTemperature, None) => {
             let parsed = expression::parse(unit)?;
-            Err(wrong_dimension(unit, &parsed.dimension.to_string()))
+            Err(wrong_dimension(unit, parsed.dimension))
         }
         (Scale::Ratio(dimension), Some(_)) if unit != "K" => {
             if dimension == Dimension::TEMPERATURE {
                 return Err(QuantityError::TemperatureForDifference { unit: unit.to_owned() });
             }
-            Err(wrong_dimension(unit, "a temperature scale, not a unit,"))
+            let kind = "a temperature scale, not a unit".to_owned();
+            Err(QuantityError::WrongDimension { unit: unit.to_owned(), kind })
         }
         (Scale::Ratio(dimension), _) => {
             let parsed = expression::parse(unit)?;
             if parsed.dimension != dimension {
-                return Err(wrong_dimension(unit, &parsed.dimension.to_string()));
+                return Err(wrong_dimension(unit, parsed.dimension));
             }
             Ok(Conversion { factor: parsed.factor, offset: 0.0 })
         }
     }
 }
 
-fn wrong_dimension(unit: &str, dimension: &str) -> QuantityError {
-    QuantityError::WrongDimension { unit: unit.to_owned(), dimension: dimension.to_owned() }
+fn wrong_dimension(unit: &str, dimension: Dimension) -> QuantityError {
+    let named = Measure::RATIOS.into_iter().find(|m| m.scale == Scale::Ratio(dimension));
+    let kind = match named {
+        Some(measure) => format!("the unit of {}", measure.name),
+        None if dimension == Dimension::NONE => "without dimension".to_owned(),
+        None => format!("{dimension} in SI base units"),
+    };
+    QuantityError::WrongDimension { unit: unit.to_owned(), kind }
 }
 
 /// From an absolute temperature scale to degC.
@@ -164,7 +171,7 @@ mod tests {
     #[test]
     fn what_is_wrong_is_told_apart() {
         let speed = |text| parse_quantity(text, &Measure::SPEED).unwrap_err().to_string();
-        assert_eq!(speed("108 kN"), "`kN` is kg m s^-2 in base units");
+        assert_eq!(speed("108 kN"), "`kN` is the unit of a force");
         assert_eq!(speed("108"), "the unit is missing");
         assert_eq!(speed("fast"), "there is no number in front");
         assert_eq!(speed(""), "there is no number in front");
