@@ -42,19 +42,16 @@ pub fn axis(name: &str, positions: &[f64], columns: &Columns) -> Result<Axis, Ca
     if let Some(axis) = lattices.iter().find(fits) {
         return Ok(*axis);
     }
-    let off = |step: &[f64]| {
-        let steps = (step[1] - step[0]) / median;
-        (steps - steps.round()).abs()
-    };
-    let worst = sorted.windows(2).map(off).fold(0.0, f64::max);
-    // Of two steps about one stray position, the first one ends there.
-    let step = sorted.windows(2).find(|step| off(step) >= (1.0 - 1e-6) * worst);
-    let [from, to] = step.map_or([0.0; 2], |step| [step[0], step[1]]);
-    let row = positions.iter().position(|x| *x == to).unwrap_or(0);
-    let [from, to, spacing] = [from, to, median].map(|length| rounded(length * 1e3));
+    let axis = &lattices[1];
+    let off = |row: &usize| (positions[*row] - axis.at(axis.nearest(positions[*row]))).abs();
+    let row = (0..positions.len()).max_by(|one, other| off(one).total_cmp(&off(other)));
+    let row = row.unwrap_or(0);
+    let neighbour = sorted.iter().rfind(|x| **x < positions[row]).or(sorted.last());
+    let (from, to) = (neighbour.copied().unwrap_or(0.0), positions[row]);
+    let [from, to, spacing] = [from, to, axis.spacing].map(|length| rounded(length * 1e3));
     let message = format!(
         "{name} must be equidistant, but the step from {from} mm to {to} mm is not a multiple of the \
-         spacing of most others, {spacing} mm"
+         spacing {spacing} mm"
     );
     Err(columns.error(columns.lines[row], message))
 }
