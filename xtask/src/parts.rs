@@ -91,7 +91,13 @@ impl Part {
         Ok(match self {
             Self::Fmt => vec![Step::cargo("fmt --all --check")],
             Self::Clippy => {
-                vec![Step::cargo("clippy --workspace --all-targets -- -D warnings")]
+                // The workspace builds with all features of the library, users with any of them.
+                let features = ["", " --features serde", " --features rayon"];
+                let alone = features.map(|feature| {
+                    Step::cargo(&format!("clippy --package schlupf{feature} -- -D warnings"))
+                });
+                let all = Step::cargo("clippy --workspace --all-targets -- -D warnings");
+                std::iter::once(all).chain(alone).collect()
             }
             Self::Test => vec![Step::cargo("test --workspace")],
             Self::Doc => {

@@ -29,9 +29,8 @@ fn samples(page: &Path) -> Vec<Sample> {
     let starts = (0..lines.len()).filter(|k| lines[*k] == "```sh");
     let samples = starts.filter_map(|start| {
         let (commands, end) = block(&lines, start);
-        let is_prose = |line: &&str| !line.is_empty() && !line.starts_with("```");
         let follows = lines[end..].iter().position(|line| *line == "```text")?;
-        if lines[end..end + follows].iter().any(|line| is_prose(&line) && follows > 6) {
+        if follows > 6 {
             return None;
         }
         let commands = commands.join("\n").replace("\\\n", " ");

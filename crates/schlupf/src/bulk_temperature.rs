@@ -51,6 +51,7 @@ impl Cooling {
 
 /// The heat balance of a wheel.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct BulkTemperature {
     /// Bulk temperature of the wheel, in degC.

@@ -1,6 +1,8 @@
 //! Independent work items: on all threads with the feature `rayon`, otherwise on one. The results
 //! are the same.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 /// The results of all items, in their order.
 ///
 /// ```
@@ -34,5 +36,34 @@ pub fn try_map<I: Send, R: Send, E: Send>(
     items: Vec<I>,
     work: impl Fn(I) -> Result<R, E> + Sync + Send,
 ) -> Result<Vec<R>, E> {
-    map(items, work).into_iter().collect()
+    let first_failed = AtomicUsize::new(usize::MAX);
+    let work = |(k, item)| {
+        if k > first_failed.load(Ordering::Relaxed) {
+            return None;
+        }
+        let result = work(item);
+        if result.is_err() {
+            first_failed.fetch_min(k, Ordering::Relaxed);
+        }
+        Some(result)
+    };
+    // What stands behind the first error is left out.
+    map(items.into_iter().enumerate().collect(), work).into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_error_in_the_order_of_the_items_ends_the_work() {
+        let done = AtomicUsize::new(0);
+        let work = |k: usize| {
+            done.fetch_add(1, Ordering::Relaxed);
+            if k % 10 == 7 { Err(k) } else { Ok(k) }
+        };
+        assert_eq!(try_map((0..1000).collect(), work), Err(7));
+        assert!(done.load(Ordering::Relaxed) < 1000);
+        assert_eq!(try_map(vec![1, 2, 3], work), Ok(vec![1, 2, 3]));
+    }
 }

@@ -3,6 +3,7 @@
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use crate::identification::Parameter;
+use crate::interface::roughness::load_curve::LoadCurve;
 use crate::message::Names;
 use crate::method::Method;
 use crate::normal::NormalSummary;
@@ -13,6 +14,13 @@ use crate::warning::Warning;
 impl Serialize for Quantity {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
+    }
+}
+
+/// As its points.
+impl Serialize for LoadCurve {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.points().serialize(serializer)
     }
 }
 

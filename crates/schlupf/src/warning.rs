@@ -132,6 +132,18 @@ messages! {
         if *parts == 1 { String::new() } else { format!(" in each of its {parts} parts") }
     );
 
+    /// A patch that has shrunk to few cells.
+    "few-cells" FewCells {
+        /// Cells along rolling in its longest strip.
+        cells: usize,
+        /// Cells along rolling under the largest load.
+        of: usize,
+    } Quantity::HistoryLoad, |name, words| format!(
+        "{name}: under the smallest load the patch spans {cells} cells along rolling, because the grid \
+         has {of} for the largest one; increase {}",
+        words.word(Quantity::CellsX)
+    );
+
     /// Rolling so slowly that heat also flows along the surface.
     "slow-rolling" SlowRolling {
         /// Péclet numbers of wheel and rail, dimensionless.
@@ -162,17 +174,16 @@ messages! {
 
     /// A surface so hot that material constants do not hold.
     "hot-surface" HotSurface {
-        /// Which one: the temperature of the wheel, or of the rail.
-        surface: Quantity,
+        /// Which one: the bulk temperature of the wheel, or of the rail.
+        body: Quantity,
         /// Its largest temperature, in degC.
         temperature: f64,
         /// What happens there.
         limit: HeatLimit,
-    } *surface, |name, words| format!(
-        "{}: the surface of the {} reaches {temperature:.0} degC, {}: material constants, elasticity \
+    } *body, |name, words| format!(
+        "{name}: the surface of the {} reaches {temperature:.0} degC, {}: material constants, elasticity \
          and friction are not valid there",
-        words.word(Quantity::HeatModel),
-        if *surface == Quantity::WheelTemperature { "wheel" } else { "rail" },
+        if *body == Quantity::WheelBulkTemperature { "wheel" } else { "rail" },
         limit.text()
     );
 

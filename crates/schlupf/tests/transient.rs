@@ -18,7 +18,7 @@ use schlupf::interface::friction::{constant::Constant, temperature_linear::Tempe
 use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
 use schlupf::normal::hertz::Hertz;
-use schlupf::{Problem, Solution, unwatched};
+use schlupf::{Problem, Solution, Warning, unwatched};
 
 /// Load of the reference, in N, and μ N.
 const LOAD: f64 = 75_398.224;
@@ -348,4 +348,21 @@ fn the_calibrated_layer_is_ahead_of_the_half_space() {
             assert_relative_eq!(*force, documented, epsilon = 6e-3);
         }
     }
+}
+
+/// The grid is that of the largest load, which may be far larger than what comes after it.
+#[test]
+fn a_load_that_leaves_few_cells_is_told() {
+    let told = |peak: f64| {
+        let history = History {
+            time: vec![0.0, 0.01, 0.02, 0.03],
+            load: Some(vec![LOAD, LOAD, peak * LOAD, LOAD]),
+            ..History::default()
+        };
+        solve_over(&reference(), history, &cells(12)).warnings
+    };
+    let is_about = |warnings: &[Warning], code| warnings.iter().any(|w| w.code() == code);
+    let (calm, wild) = (told(1.1), told(1000.0));
+    assert!(!is_about(&calm, "few-cells") && !is_about(&calm, "beyond-elastic"), "{calm:?}");
+    assert!(is_about(&wild, "few-cells") && is_about(&wild, "beyond-elastic"), "{wild:?}");
 }

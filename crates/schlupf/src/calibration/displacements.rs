@@ -67,6 +67,7 @@ impl Sample {
 
 /// A fitted component.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct DisplacementFit {
     /// Bedding c, in N/m³.

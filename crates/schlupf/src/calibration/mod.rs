@@ -31,6 +31,7 @@ use rolling_fit::{FITTED, Motions, OTHERS};
 
 /// Result of a calibration.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Calibration {
     /// Axis ratio a/b of the patch, dimensionless.

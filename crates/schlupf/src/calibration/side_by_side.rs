@@ -19,6 +19,8 @@ use super::rolling_contact::{FRICTION, PEAK_PRESSURE, RollingContact, SIZE};
 
 /// A model of the comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Model {
     /// The elastic half-space, which the others approximate.
     HalfSpace,
@@ -32,6 +34,7 @@ pub enum Model {
 
 /// Forces and traction of one model under growing creepage.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Answer {
     /// The model.
     pub model: Model,
@@ -46,6 +49,7 @@ pub struct Answer {
 
 /// A growing creepage.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Course {
     /// Creepages, as fractions of that at which Kalker's linear theory gives the force μN;
     /// dimensionless.
@@ -58,6 +62,7 @@ pub struct Course {
 
 /// The half-space and its substitutes on one ellipse.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SideBySide {
     /// Axis ratio a/b, dimensionless.
     pub axis_ratio: f64,

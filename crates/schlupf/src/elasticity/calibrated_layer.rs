@@ -17,6 +17,7 @@ use crate::warning::Warning;
 /// Stiffness of the layer for one displacement component, relative to the patch: s = √(ab) is its
 /// size, G the combined shear modulus of the bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RelativeStiffness {
     /// Bedding c s/G, dimensionless.
     pub bedding: f64,

@@ -430,8 +430,7 @@ messages! {
         /// The method.
         method: &'static str,
     } Quantity::Method, |name, words| {
-        let purpose = purpose.text();
-        format!("{name}: {purpose} need a method with temperatures; {method:?} has none")
+        format!("{name}: {}; {method:?} has none", purpose.text())
     };
 
     /// No heat where something follows from it.
@@ -542,8 +541,8 @@ pub enum HeatPurpose {
 impl HeatPurpose {
     fn text(self) -> &'static str {
         match self {
-            Self::BulkTemperature => "bulk temperatures",
-            Self::Field => "temperatures below the surface",
+            Self::BulkTemperature => "bulk temperatures need a method with temperatures",
+            Self::Field => "temperatures below the surface need the heat record of \"full\"",
         }
     }
 }

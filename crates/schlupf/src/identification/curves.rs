@@ -10,6 +10,7 @@ use super::model::CreepForceModel;
 
 /// Data over one creepage, and the model between them.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedCurves {
     /// The creepage that varies most, or the total creepage if ξ and η vary in a fixed direction.
     pub abscissa: Abscissa,
@@ -26,6 +27,7 @@ impl FittedCurves {
 
 /// Points that differ only in one creepage, or in the total one.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Series {
     /// Their component.
     pub component: Component,
@@ -39,6 +41,7 @@ pub struct Series {
 
 /// A point of a fitted model.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModelPoint {
     /// Its creepage, dimensionless, or in 1/m for spin.
     pub creepage: f64,

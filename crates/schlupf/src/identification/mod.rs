@@ -20,7 +20,6 @@ mod rolling_contact;
 mod statistics;
 pub mod roughness;
 
-pub use confidence::students_t;
 pub use curves::{FittedCurves, ModelPoint, Series, sample_curves};
 pub use data::{Component, Condition, DataPoint, FittedPoint};
 pub use fit::{Estimate, Fit, check, fit};

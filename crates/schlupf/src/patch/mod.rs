@@ -16,6 +16,7 @@ use crate::grid::Grid;
 use crate::kinematics::Kinematics;
 use crate::normal::{NormalContact, Pressure};
 
+#[doc(hidden)]
 pub use interpolation::Interpolation;
 
 /// A discretised contact patch.

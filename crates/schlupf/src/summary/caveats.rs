@@ -27,9 +27,9 @@ pub(crate) fn of_temperatures(
 ) -> Vec<Warning> {
     let mut caveats = Vec::from_iter(of_slow_rolling(problem, normal, now));
     let temperature = super::temperature(patch, now);
-    let wheel = (Quantity::WheelTemperature, temperature.max_wheel, &problem.wheel.material);
-    let rail = (Quantity::RailTemperature, temperature.max_rail, &problem.rail.material);
-    caveats.extend([wheel, rail].into_iter().filter_map(of_hot_body));
+    let (wheel, rail) = (Quantity::WheelBulkTemperature, Quantity::RailBulkTemperature);
+    caveats.extend(of_hot_body(wheel, temperature.max_wheel, &problem.wheel.material));
+    caveats.extend(of_hot_body(rail, temperature.max_rail, &problem.rail.material));
     if now.surfaces.as_ref().is_some_and(|surfaces| !surfaces.is_found) {
         caveats.push(Warning::of(Unconverged::HeatExchange {}));
     }
@@ -48,7 +48,7 @@ fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) ->
     problem.peclet(&now.kinematics, semi_axes(normal)).caveat(false)
 }
 
-fn of_hot_body((surface, temperature, material): (Quantity, f64, &Material)) -> Option<Warning> {
+fn of_hot_body(body: Quantity, temperature: f64, material: &Material) -> Option<Warning> {
     let known = &Material::STEEL;
     let is_near = |value: f64, of_steel: f64| (value / of_steel - 1.0).abs() < STEEL_RANGE;
     let is_steel = is_near(material.young_modulus, known.young_modulus)
@@ -58,5 +58,5 @@ fn of_hot_body((surface, temperature, material): (Quantity, f64, &Material)) -> 
         (true, false) => HeatLimit::Austenite,
         (false, _) => HeatLimit::AnyMaterial,
     };
-    (temperature > AUSTENITE).then_some(Warning::HotSurface { surface, temperature, limit })
+    (temperature > AUSTENITE).then_some(Warning::HotSurface { body, temperature, limit })
 }

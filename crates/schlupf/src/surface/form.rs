@@ -43,6 +43,7 @@ impl Form {
 
 /// A surface and the form removed from it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct FormRemoval {
     /// The remaining vertical deviations.

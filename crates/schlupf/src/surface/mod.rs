@@ -109,6 +109,7 @@ const LARGEST_TOGETHER: usize = 1 << (usize::BITS - 8);
 
 /// Heights on a lattice, all finite.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HeightMap {
     lattice: Lattice,
     heights: Vec<f64>,

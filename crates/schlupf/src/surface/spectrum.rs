@@ -29,6 +29,7 @@ impl Window {
 
 /// Power spectral density averaged over all directions.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct RadialSpectrum {
     /// Mean wave number of each ring, in rad/m.

@@ -11,7 +11,7 @@
 mod compliance;
 mod tridiagonal;
 
-pub use compliance::LayerCompliance;
+use compliance::LayerCompliance;
 
 use super::{Compliance, Elasticity};
 use crate::error::{Error, require, require_positive};

@@ -69,6 +69,7 @@ pub struct LoadCurve {
 
 /// The range in which the load grows exponentially with the approach, p ∝ exp(d/ℓ).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct ExponentialRange {
     /// Length ℓ = γ h_rms over which the load grows by a factor of e, in m.

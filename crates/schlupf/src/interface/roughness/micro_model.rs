@@ -27,6 +27,7 @@ pub struct MicroModel {
 
 /// Result of the micro model.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct MicroModelResult {
     /// Statistics of the surface.

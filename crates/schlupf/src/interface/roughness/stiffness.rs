@@ -19,6 +19,7 @@ pub struct ExponentialFit {
 
 /// k_c at several mean pressures.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct ContactStiffness {
     /// Mean pressures, in Pa.

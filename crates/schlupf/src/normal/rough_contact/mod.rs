@@ -64,6 +64,7 @@ pub struct RoughContact {
 
 /// A solved normal contact. Fields are stored row by row, like the heights.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct RoughContactSolution {
     /// Whether the residual is below the tolerance.

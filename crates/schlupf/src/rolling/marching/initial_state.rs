@@ -2,7 +2,7 @@
 //! patch.
 
 use crate::error::Error;
-use crate::grid::Grid;
+use crate::grid::{BORDER, Grid};
 use crate::heat::HeatStep;
 use crate::patch::Patch;
 use crate::state::{Element, State};
@@ -50,7 +50,7 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     }
     let both = [&state.grid, grid];
     Err(Error::StateOfAnotherGrid {
-        cells: both.map(|grid| [grid.columns, grid.rows]),
+        cells: both.map(|grid| [grid.columns.saturating_sub(2 * BORDER), grid.rows]),
         spacings: both.map(|grid| [grid.spacing_x, grid.spacing_y]),
     })
 }

@@ -16,7 +16,7 @@ use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
 use crate::rolling::shared::passage::{Passage, speed_of, ways_through};
 use crate::rolling::shared::turn::{Way, with_turn};
-use crate::rolling::shared::warnings::warnings;
+use crate::rolling::shared::warnings::{warnings, yielding};
 use crate::solution::{Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{
@@ -145,6 +145,10 @@ struct March<'a> {
     /// Traction and temperature rises one passage ago.
     passage_start: [Vec<f64>; 2],
     worst_residual: f64,
+    /// Cells in the longest strip: fewest and most of all instants.
+    strip_lengths: [usize; 2],
+    /// Of all instants, in Pa.
+    largest_pressure: f64,
     /// Number of successive time steps whose equilibrium was not found.
     failures: usize,
     work: Work,
@@ -182,6 +186,8 @@ impl<'a> March<'a> {
             largest_step: 0.0,
             passage_start: [Vec::new(), Vec::new()],
             worst_residual: 0.0,
+            strip_lengths: [usize::MAX, 0],
+            largest_pressure: 0.0,
             failures: 0,
             work: Work { cells: contact.patch.len(), ..Work::default() },
             instants: Vec::new(),
@@ -458,6 +464,10 @@ impl<'a> March<'a> {
 
     fn keep_instant(&mut self) {
         self.worst_residual = self.worst_residual.max(self.outcome.residual);
+        let length = self.contact.patch.strips.iter().map(|strip| strip.cells.len()).max();
+        let ([fewest, most], length) = (self.strip_lengths, length.unwrap_or(0));
+        self.strip_lengths = [fewest.min(length), most.max(length)];
+        self.largest_pressure = self.largest_pressure.max(self.contact.normal.peak_pressure);
         let distance = self.work.steps as f64 * self.contact.patch.grid.spacing_x;
         let view =
             View { normal: &self.contact.normal, patch: &self.contact.patch, now: &self.now };
@@ -479,6 +489,17 @@ impl<'a> March<'a> {
         Progress { stage: Stage::Marching, done: self.work.steps, total, change }
     }
 
+    /// Loads of the history that the grid or the bodies do not bear.
+    fn of_load(&self) -> Vec<Warning> {
+        /// Fewest cells along rolling that show a patch, if the grid has as many.
+        const FEWEST: usize = 8;
+        let [cells, of] = self.strip_lengths;
+        let coarse = (cells < FEWEST && cells < of).then_some(Warning::FewCells { cells, of });
+        let is_past = self.largest_pressure > self.contact.normal.peak_pressure;
+        let yields = is_past.then(|| yielding(self.problem, self.largest_pressure)).flatten();
+        coarse.into_iter().chain(yields).collect()
+    }
+
     fn into_solution(mut self) -> Solution {
         let transient = !self.history.is_endless();
         let passed = self.passage_change.is_finite();
@@ -493,6 +514,7 @@ impl<'a> March<'a> {
             Status::NotConverged
         };
         let mut warnings = warnings(self.problem, self.options, &mut self.contact, &self.now);
+        warnings.extend(self.of_load());
         if status == Status::NotConverged {
             warnings.insert(0, Warning::of(self.why_not_converged()));
         }

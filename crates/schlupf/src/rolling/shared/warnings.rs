@@ -22,7 +22,7 @@ const LARGEST_RETURNED_POWER: f64 = 0.01;
 const YIELDING: f64 = 0.03;
 
 /// A warning of a largest pressure (in Pa) that no body can bear.
-fn yielding(problem: &Problem, pressure: f64) -> Option<Warning> {
+pub(crate) fn yielding(problem: &Problem, pressure: f64) -> Option<Warning> {
     let modulus = contact_modulus(&problem.wheel.material, &problem.rail.material);
     (pressure > YIELDING * modulus).then_some(Warning::BeyondElastic { pressure, modulus })
 }
