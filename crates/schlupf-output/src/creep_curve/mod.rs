@@ -67,8 +67,11 @@ impl CurveFamily {
 
     fn all_warnings(&self) -> Vec<Message> {
         let Some((first, others)) = self.members.split_first() else { return Vec::new() };
-        let is_common =
-            |message: &&Message| others.iter().all(|member| member.warnings.contains(message));
+        // Points that did not converge are those of one curve, even where as many are those of another.
+        let is_of_one = |message: &Message| !others.is_empty() && message.is_of_convergence();
+        let is_common = |message: &&Message| {
+            !is_of_one(message) && others.iter().all(|member| member.warnings.contains(message))
+        };
         let common: Vec<Message> = first.warnings.iter().filter(is_common).cloned().collect();
         let own = self.members.iter().flat_map(|member| {
             let own = member.warnings.iter().filter(|message| !common.contains(message)).cloned();

@@ -26,7 +26,7 @@ pub(super) fn text(temperatures: &Temperatures) -> String {
         let Line { wheel, rail, .. } = &surface.line;
         line(
             &mut text,
-            &format!("largest: wheel {} °C, rail {} °C", largest(wheel), largest(rail)),
+            &format!("largest of these: wheel {} °C, rail {} °C", largest(wheel), largest(rail)),
         );
     }
     text.push('\n');
