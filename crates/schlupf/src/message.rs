@@ -1,5 +1,5 @@
-//! What is said to the reader of numbers: errors and warnings, each kind declared once with its code,
-//! its values and its sentence.
+//! Errors and warnings as messages: each kind is declared once with its code, its values and its
+//! sentence, which every face renders in its own words.
 
 use std::borrow::Cow;
 

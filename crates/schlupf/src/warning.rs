@@ -1,4 +1,4 @@
-//! What a reader of results must know.
+//! Warnings: what users of results should know.
 
 use crate::error::FitStop;
 use crate::message::messages;
