@@ -338,3 +338,16 @@ fn numbers_that_are_none_do_not_spoil_the_rest() {
     family.members.clear();
     assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
 }
+
+/// Numbers from dark to light; names have no order, so neither have their colours.
+#[test]
+fn names_have_colours_without_an_order() {
+    let drawn = |values: &[&str]| drawing(&family_of(over_x(0.0, 0.05), values));
+    let [blue, purple] = ["#0072b2", "#440154"].map(|color| format!(r#"stroke="{color}""#));
+    let names = drawn(&["full", "fastsim", "polach"]);
+    assert!(names.contains(&blue) && !names.contains(&purple));
+    for numbers in [["10 m/s", "20 m/s"], ["-1", "+.5"], ["\"60 kN\"", "\"80 kN\""]] {
+        let numbers = drawn(&numbers);
+        assert!(numbers.contains(&purple) && !numbers.contains(&blue));
+    }
+}

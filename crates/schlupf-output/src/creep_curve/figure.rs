@@ -89,7 +89,7 @@ impl<'a> Picture<'a> {
             family,
             abscissa,
             x,
-            colors: color::series(family.members.len()),
+            colors: colors(family),
             components: vec![],
         };
         let [main, other] = components(abscissa);
@@ -290,6 +290,20 @@ impl<'a> Picture<'a> {
             drawing.plain_text([left + SAMPLE + 8.0, y], &style, &text);
         }
     }
+}
+
+/// Colours of the members: from dark to light for numbers, otherwise without an order.
+fn colors(family: &CurveFamily) -> Vec<String> {
+    let is_number = |value: &str| {
+        let first = value.trim_start_matches(['"', '+', '-', '.']).chars().next();
+        first.is_some_and(|character| character.is_ascii_digit())
+    };
+    let mut values = family.members.iter().filter_map(|member| member.value.as_deref());
+    let count = family.members.len();
+    if values.any(|value| !is_number(value)) {
+        return color::unordered(count);
+    }
+    color::series(count)
 }
 
 /// The component along the abscissa, and the transverse one.
