@@ -68,6 +68,8 @@ pub(crate) const WIDTH: f64 = 900.0;
 pub(crate) const LEFT: f64 = 92.0;
 /// Margin to the right of the plot area.
 pub(crate) const RIGHT: f64 = 30.0;
+/// Width of the plot area.
+const PLOT: f64 = WIDTH - LEFT - RIGHT;
 const SHADE: &str = r##"fill="#e9eef4""##;
 /// Stroke of the line at zero.
 pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
@@ -75,7 +77,8 @@ pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
 impl Stack {
     /// Height of the drawing.
     pub(crate) fn height(&self) -> f64 {
-        let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
+        let space = |panel: &Panel| panel.height + GAP + self.further_rows(panel);
+        let panels: f64 = self.panels.iter().map(space).sum();
         HEADING + 30.0 + panels + 36.0
     }
 
@@ -88,9 +91,10 @@ impl Stack {
     pub(crate) fn draw(&self, drawing: &mut Drawing, top: f64) {
         let mut top = top;
         for (index, panel) in self.panels.iter().enumerate() {
+            top += self.further_rows(panel);
             let frame = Frame {
                 corner: [LEFT, top],
-                size: [WIDTH - LEFT - RIGHT, panel.height],
+                size: [PLOT, panel.height],
                 x: self.x,
                 y: panel.range(),
             };
@@ -112,7 +116,12 @@ impl Stack {
         drawing.line([LEFT, zero], [frame.right(), zero], ZERO);
         panel.draw_curves(drawing, frame);
         frame.draw_vertical(drawing, &panel.label);
-        marks::legend(drawing, [LEFT, frame.corner[1] - 9.0], frame.size[0], &self.entries(panel));
+        marks::legend_above(drawing, frame.corner, PLOT, &self.entries(panel));
+    }
+
+    /// Height of the legend of a panel beyond its first row.
+    pub(crate) fn further_rows(&self, panel: &Panel) -> f64 {
+        marks::further_rows(PLOT, &self.entries(panel))
     }
 
     fn entries(&self, panel: &Panel) -> Vec<Entry> {
