@@ -175,6 +175,25 @@ fn the_figures_name_what_they_show() {
     }
 }
 
+/// Eq. (8) is no pressure: it comes after them. Both panels tell which colour is which pressure.
+#[test]
+fn the_legends_list_the_pressures_and_then_the_law() {
+    let svg = report().drawings().unwrap().remove(0).1;
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let lines = document.descendants().filter(|node| node.has_tag_name("text"));
+    let line = |node: roxmltree::Node| -> String {
+        node.descendants().filter(roxmltree::Node::is_text).filter_map(|n| n.text()).collect()
+    };
+    let lines: Vec<String> = lines.map(line).collect();
+    let starts: Vec<&str> = lines
+        .iter()
+        .filter(|line| line.ends_with("MPa") || line.starts_with("Eq. (8)"))
+        .map(|line| line.split(" with").next().unwrap())
+        .collect();
+    let law = "Eq. (8), fitted to each";
+    assert_eq!(starts, ["400 MPa", "1000 MPa", law, "400 MPa", "1000 MPa", "Eq. (8)"]);
+}
+
 #[test]
 fn what_is_not_there_is_not_drawn() {
     let mut report = report();

@@ -77,9 +77,13 @@ pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
 impl Stack {
     /// Height of the drawing.
     pub(crate) fn height(&self) -> f64 {
+        HEADING + 30.0 + self.plot_height() + GAP + 36.0
+    }
+
+    /// Height of the plot areas with their gaps and legends, except for the first row of the first.
+    pub(crate) fn plot_height(&self) -> f64 {
         let space = |panel: &Panel| panel.height + GAP + self.further_rows(panel);
-        let panels: f64 = self.panels.iter().map(space).sum();
-        HEADING + 30.0 + panels + 36.0
+        self.panels.iter().map(space).sum::<f64>() - GAP
     }
 
     /// An empty drawing of the right size.
@@ -120,7 +124,7 @@ impl Stack {
     }
 
     /// Height of the legend of a panel beyond its first row.
-    pub(crate) fn further_rows(&self, panel: &Panel) -> f64 {
+    fn further_rows(&self, panel: &Panel) -> f64 {
         marks::further_rows(PLOT, &self.entries(panel))
     }
 

@@ -4,7 +4,7 @@
 use schlupf::Status;
 
 use super::RoughnessReport;
-use crate::figures::color;
+use crate::figures::color::{self, INK};
 use crate::figures::marks::{self, HEADING, short};
 use crate::figures::panels::{Curve, GAP, Panel, Stack, WIDTH};
 use crate::figures::svg::Drawing;
@@ -16,15 +16,16 @@ const HEIGHT: f64 = 290.0;
 const AXIS: f64 = 70.0;
 /// Space above the first panel, for the legend.
 const LEGEND: f64 = 40.0;
-/// Maximum number of named curves: those that fit into a row.
+/// Maximum number of named curves.
 const MOST_NAMES: usize = 6;
 
 /// The figure; `None` where there is no curve.
 pub(super) fn draw(report: &RoughnessReport) -> Option<String> {
     let stacks = [normalised(report)?, over_displacement(report)?];
+    let heights = stacks.each_ref().map(Stack::plot_height);
     let top = HEADING + LEGEND;
-    let below = top + HEIGHT + GAP + AXIS;
-    let mut drawing = Drawing::new(WIDTH, below + HEIGHT + AXIS);
+    let below = top + heights[0] + GAP + AXIS;
+    let mut drawing = Drawing::new(WIDTH, below + heights[1] + AXIS);
     heading(&mut drawing, report);
     let [first, second] = stacks;
     first.draw(&mut drawing, top);
@@ -57,20 +58,27 @@ fn normalised(report: &RoughnessReport) -> Option<Stack> {
     let mut curves = Vec::new();
     let fits = result.stiffness.fits.iter();
     let colors = color::series(result.tangential.len());
-    let step = result.tangential.len().div_ceil(MOST_NAMES);
     for (k, ((curve, fit), color)) in result.tangential.iter().zip(fits).zip(&colors).enumerate() {
         let points = curve.points.iter();
         let points = points.map(|point| [point.normalised_displacement, point.normalised_traction]);
-        let name = format!("{} MPa", short((curve.mean_pressure / 1e6).round()));
-        let name = if k.is_multiple_of(step) { name.as_str() } else { "" };
-        curves.push(Curve::solid(points.collect(), color, name));
+        curves.push(Curve::solid(points.collect(), color, &pressure(report, k)));
         let sliding = curve.full_sliding_displacement;
-        let name = if k == 0 { "Eq. (8)" } else { "" };
-        curves.push(Curve::dashed(exponential(fit.stiffness * sliding), color, name));
+        curves.push(Curve::dashed(exponential(fit.stiffness * sliding), color, ""));
     }
+    curves.push(Curve::dashed(Vec::new(), INK, "Eq. (8), fitted to each"));
     let label = "displacement over that of full sliding, $u$/$u$_s";
     let end = curves.first()?.points.last()?[0];
     Some(stack([0.0, end], label, curves))
+}
+
+/// The name of a curve: its mean pressure, for as many curves as have a name.
+fn pressure(report: &RoughnessReport, k: usize) -> String {
+    let curves = &report.result.tangential;
+    if k.is_multiple_of(curves.len().div_ceil(MOST_NAMES)) {
+        format!("{} MPa", short((curves[k].mean_pressure / 1e6).round()))
+    } else {
+        String::new()
+    }
 }
 
 /// 1 − exp(−k x) up to x = 1.25.
@@ -87,10 +95,11 @@ fn over_displacement(report: &RoughnessReport) -> Option<Stack> {
         .tangential
         .iter()
         .zip(&colors)
-        .map(|(curve, color)| {
+        .enumerate()
+        .map(|(k, (curve, color))| {
             let point = curve.points.iter();
             let point = point.map(|point| [point.displacement / 1e-6, point.normalised_traction]);
-            Curve::solid(point.collect(), color, "")
+            Curve::solid(point.collect(), color, &pressure(report, k))
         })
         .collect();
     let ends = curves.iter().filter_map(|curve| curve.points.last()).map(|point| point[0]);

@@ -19,8 +19,9 @@ const STRENGTHS: [f64; 3] = [1.0, 0.6, 0.35];
 pub(super) fn draw(temperatures: &Temperatures) -> Option<String> {
     let stacks = [row(temperatures)?, profile(temperatures)?];
     let top = HEADING + 40.0;
-    let below = top + HEIGHT + GAP + AXIS;
-    let mut drawing = Drawing::new(WIDTH, below + HEIGHT + AXIS);
+    let heights = stacks.each_ref().map(Stack::plot_height);
+    let below = top + heights[0] + GAP + AXIS;
+    let mut drawing = Drawing::new(WIDTH, below + heights[1] + AXIS);
     heading(&mut drawing, temperatures);
     marks::rolling_direction(&mut drawing, [WIDTH - 116.0, HEADING + 14.0]);
     let [first, second] = stacks;
