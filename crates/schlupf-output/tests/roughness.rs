@@ -153,6 +153,8 @@ fn texts(svg: &str) -> String {
 fn the_figures_name_what_they_show() {
     let report = report();
     let drawings = report.drawings().unwrap();
+    let fraction = report.result.normal.corrected_contact_fraction(1e9);
+    let fraction = format!("{} % in contact", (1e4 * fraction).round() / 100.0);
     assert_eq!(
         drawings.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>(),
         RoughnessReport::figure_names()
@@ -160,7 +162,7 @@ fn the_figures_name_what_they_show() {
     let parts: [&[&str]; 4] = [
         &["a <rough> surface", "400 MPa", "1000 MPa", "Eq. (8) with ", "displacement"],
         &["The surface", "height (µm)", " (µm)"],
-        &["Contact spots", "20 % of the cells in contact", "pressure (GPa)"],
+        &["Contact spots", &fraction, "pressure (GPa)"],
         &["wave number", "mean over all directions", "10"],
     ];
     for ((name, svg), parts) in drawings.iter().zip(parts) {
