@@ -163,3 +163,28 @@ fn every_figure_has_a_name_that_is_known_before() {
     assert_eq!(drawings.len(), known.len());
     assert!(drawings.iter().all(|(name, _)| known.contains(name)), "{known:?}");
 }
+
+/// The rolled distance says little where the speed varies; a varying load explains the forces.
+#[test]
+fn histories_are_drawn_over_time_where_the_speed_varies() {
+    let mut solution = solution(RECIPE);
+    let history = |solution: &Solution| {
+        let drawings = drawings("", solution).unwrap();
+        let svg = &drawings.iter().find(|(name, _)| name == "history").unwrap().1;
+        assert_sound_drawing(svg);
+        text_of(svg)
+    };
+    let text = history(&solution);
+    assert!(text.contains("rolled distance (mm)") && !text.contains("time ("));
+    assert!(!text.contains("load N"));
+    solution.history[20].load = 60e3;
+    let text = history(&solution);
+    assert!(text.contains("rolled distance (mm)") && text.contains("load N (kN)"));
+    // A shift at rest.
+    solution.history[0].kinematics.speed = 0.0;
+    let text = history(&solution);
+    assert!(text.contains("Forces over time") && !text.contains("speed"), "{text}");
+    solution.history[20].kinematics.speed = 20.0;
+    let text = history(&solution);
+    assert!(text.contains("time (ms)") && text.contains("speed v0 (m/s)"), "{text}");
+}

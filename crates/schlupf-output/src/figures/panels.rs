@@ -49,11 +49,11 @@ pub(crate) struct Panel {
 
 /// Panels over one horizontal axis.
 #[derive(Debug)]
-pub(crate) struct Stack {
+pub(crate) struct Stack<'a> {
     /// Range of the horizontal axis.
     pub x: [f64; 2],
     /// Label of the horizontal axis.
-    pub label: &'static str,
+    pub label: &'a str,
     /// The panels from top to bottom.
     pub panels: Vec<Panel>,
     /// Shaded ranges of the horizontal axis.
@@ -74,7 +74,7 @@ const SHADE: &str = r##"fill="#e9eef4""##;
 /// Stroke of the line at zero.
 pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
 
-impl Stack {
+impl Stack<'_> {
     /// Height of the drawing.
     pub(crate) fn height(&self) -> f64 {
         HEADING + 30.0 + self.plot_height() + GAP + 36.0

@@ -53,7 +53,7 @@ pub(super) fn remark(report: &RoughnessReport) -> &'static str {
 }
 
 /// Q/(μP) against u/u_s, with a separate fit for each pressure.
-fn normalised(report: &RoughnessReport) -> Option<Stack> {
+fn normalised(report: &RoughnessReport) -> Option<Stack<'static>> {
     let result = &report.result;
     let mut curves = Vec::new();
     let fits = result.stiffness.fits.iter();
@@ -88,7 +88,7 @@ fn exponential(stiffness: f64) -> Vec<[f64; 2]> {
 }
 
 /// Q/(μP) against u in µm, with one fit for all pressures.
-fn over_displacement(report: &RoughnessReport) -> Option<Stack> {
+fn over_displacement(report: &RoughnessReport) -> Option<Stack<'static>> {
     let result = &report.result;
     let colors = color::series(result.tangential.len());
     let mut curves: Vec<Curve> = result
@@ -112,7 +112,7 @@ fn over_displacement(report: &RoughnessReport) -> Option<Stack> {
     (end > 0.0 && end.is_finite()).then(|| stack([0.0, end], "displacement $u$ (µm)", curves))
 }
 
-fn stack(x: [f64; 2], label: &'static str, curves: Vec<Curve>) -> Stack {
+fn stack(x: [f64; 2], label: &'static str, curves: Vec<Curve>) -> Stack<'static> {
     let panel =
         Panel { label: "force over that of full sliding".to_owned(), height: HEIGHT, curves };
     Stack { x, label, panels: vec![panel], shaded: Vec::new(), shading: "" }

@@ -43,7 +43,7 @@ fn heading(drawing: &mut Drawing, temperatures: &Temperatures) {
 }
 
 /// Against x, with the contact shaded.
-fn row(temperatures: &Temperatures) -> Option<Stack> {
+fn row(temperatures: &Temperatures) -> Option<Stack<'static>> {
     let mut curves = Vec::new();
     for (row, strength) in temperatures.rows.iter().zip(STRENGTHS) {
         let deep = format!("{} µm deep", short((row.depth / 1e-6).round()));
@@ -61,7 +61,7 @@ fn row(temperatures: &Temperatures) -> Option<Stack> {
 }
 
 /// Against the depth.
-fn profile(temperatures: &Temperatures) -> Option<Stack> {
+fn profile(temperatures: &Temperatures) -> Option<Stack<'static>> {
     let line = &temperatures.profile;
     Some(Stack {
         x: range(line)?,
