@@ -188,3 +188,20 @@ fn histories_are_drawn_over_time_where_the_speed_varies() {
     let text = history(&solution);
     assert!(text.contains("time (ms)") && text.contains("speed v0 (m/s)"), "{text}");
 }
+
+/// Straight ahead there are no lateral forces, tractions and slips to be listed.
+#[test]
+fn components_that_are_zero_have_no_curve_and_no_name() {
+    let text = |recipe: Recipe, name: &str| {
+        let drawings = drawings("", &solution(recipe)).unwrap();
+        text_of(&drawings.iter().find(|(other, _)| other == name).unwrap().1)
+    };
+    let sideways = Recipe { direction: 0.5, ..RECIPE };
+    for (name, along, across) in
+        [("cut_y0", "\u{2212}tx", "\u{2212}ty"), ("history", "\u{2212}Fx", "\u{2212}Fy")]
+    {
+        assert!(text(RECIPE, name).contains(along) && !text(RECIPE, name).contains(across));
+        assert!(text(sideways, name).contains(along) && text(sideways, name).contains(across));
+    }
+    assert!(!text(RECIPE, "cut_y0").contains("vsy"));
+}

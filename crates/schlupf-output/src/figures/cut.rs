@@ -153,7 +153,7 @@ fn tractions(cut: &Cut) -> Panel {
     }
     curves.push(Curve::solid(cut.along(&x, true), BLUE, "\u{2212}$t$_x"));
     curves.push(Curve::solid(cut.along(&y, true), VERMILION, "\u{2212}$t$_y"));
-    Panel { label: format!("traction on the rail ({})", unit.symbol), height: 260.0, curves }
+    Panel::of_components(format!("traction on the rail ({})", unit.symbol), 260.0, curves)
 }
 
 fn slip(cut: &Cut) -> Panel {
@@ -167,7 +167,7 @@ fn slip(cut: &Cut) -> Panel {
     };
     let curves =
         vec![curve(&fields.slip_x, BLUE, "$v$_{sx}"), curve(&fields.slip_y, VERMILION, "$v$_{sy}")];
-    Panel { label: format!("slip velocity ({})", unit.symbol), height: 150.0, curves }
+    Panel::of_components(format!("slip velocity ({})", unit.symbol), 150.0, curves)
 }
 
 /// `None` if there is no heat.

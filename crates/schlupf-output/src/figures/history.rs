@@ -83,7 +83,7 @@ fn forces(history: &[Instant], x: &[f64]) -> Panel {
             "\u{2212}$F$_y",
         ),
     ];
-    Panel { label: format!("force on the rail ({})", unit.symbol), height: 260.0, curves }
+    Panel::of_components(format!("force on the rail ({})", unit.symbol), 260.0, curves)
 }
 
 /// `None` if it is constant.
@@ -119,7 +119,7 @@ fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
         Curve::solid(points(x, history, |instant| instant.kinematics.creepage_x), BLUE, "$ξ$"),
         Curve::solid(points(x, history, |instant| instant.kinematics.creepage_y), VERMILION, "$η$"),
     ];
-    changes.then_some(Panel { label: "creepage".to_owned(), height: 150.0, curves })
+    changes.then(|| Panel::of_components("creepage".to_owned(), 150.0, curves))
 }
 
 /// `None` if there is no heat.

@@ -29,6 +29,12 @@ impl Curve {
         Self { points, stroke, text: text.to_owned() }
     }
 
+    /// Its largest magnitude.
+    fn largest(&self) -> f64 {
+        let values = self.points.iter().map(|point| point[1].abs());
+        values.filter(|value| value.is_finite()).fold(0.0, f64::max)
+    }
+
     /// A dashed curve.
     pub(crate) fn dashed(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
         let stroke = format!(r#"stroke="{color}" stroke-width="1.6" stroke-dasharray="7 4""#);
@@ -149,6 +155,19 @@ impl Stack<'_> {
 pub(crate) const GAP: f64 = 36.0;
 
 impl Panel {
+    /// A panel without the curves that are invisible everywhere; if all are, with
+    /// the first.
+    pub(crate) fn of_components(label: String, height: f64, mut curves: Vec<Curve>) -> Self {
+        const INVISIBLE: f64 = 1e-4;
+        let largest = curves.iter().map(Curve::largest).fold(0.0, f64::max);
+        if largest > 0.0 {
+            curves.retain(|curve| curve.largest() > INVISIBLE * largest);
+        } else {
+            curves.truncate(1);
+        }
+        Self { label, height, curves }
+    }
+
     /// Draws the curves into a frame.
     pub(crate) fn draw_curves(&self, drawing: &mut Drawing, frame: &Frame) {
         for curve in &self.curves {
