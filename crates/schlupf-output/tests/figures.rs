@@ -205,3 +205,24 @@ fn components_that_are_zero_have_no_curve_and_no_name() {
     }
     assert!(!text(RECIPE, "cut_y0").contains("vsy"));
 }
+
+/// A wheel of 180 °C heats a rail of 5 °C: rises of the two cannot be compared.
+#[test]
+fn temperatures_are_absolute_where_the_bulk_temperatures_differ() {
+    let mut solution = solution(RECIPE);
+    let temperature = solution.temperature.as_mut().unwrap();
+    temperature.max_wheel += 160.0;
+    temperature.max_rail -= 15.0;
+    let drawings = drawings("", &solution).unwrap();
+    for name in ["map_temperature", "surface_temperature"] {
+        let svg = &drawings.iter().find(|(other, _)| other == name).unwrap().1;
+        assert_sound_drawing(svg);
+        let text = text_of(svg);
+        assert!(text.contains("Temperature of the surface, wheel\n"), "{text}");
+        assert!(text.contains("T (°C)") && !text.contains("ΔT"), "{text}");
+        // Colours and surface begin near the bulk temperature, not at zero.
+        assert!(text.contains("\n180\n") && !text.contains("\n0\n"), "{text}");
+    }
+    let cut = &drawings.iter().find(|(name, _)| name == "cut_y0").unwrap().1;
+    assert!(text_of(cut).contains("temperature (°C)"));
+}

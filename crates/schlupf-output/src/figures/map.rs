@@ -8,7 +8,7 @@ use super::contour::{Segment, outline, stick_border};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample};
 use super::patch::Patch;
-use super::quantity::{Quantity, colors};
+use super::quantity::Quantity;
 use super::sampler::Sampler;
 use super::svg::{Drawing, open_path};
 
@@ -40,7 +40,7 @@ pub(crate) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) 
     marks::heading(&mut drawing, patch, &quantity.title);
     let frame = &layout.frame;
     frame.draw_grid(&mut drawing);
-    let scale = colors(quantity.palette, quantity.range());
+    let scale = quantity.colors(quantity.range());
     begin_patch_clip(&mut drawing, patch, frame);
     draw_cells(&mut drawing, frame, &cells_by_level(patch, quantity, &scale), (patch, &scale));
     drawing.end_group();
