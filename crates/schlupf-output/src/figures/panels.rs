@@ -155,8 +155,7 @@ impl Stack<'_> {
 pub(crate) const GAP: f64 = 36.0;
 
 impl Panel {
-    /// A panel without the curves that are invisible everywhere; if all are, with
-    /// the first.
+    /// A panel without the curves that are invisible everywhere; if all are, with the first.
     pub(crate) fn of_components(label: String, height: f64, mut curves: Vec<Curve>) -> Self {
         const INVISIBLE: f64 = 1e-4;
         let largest = curves.iter().map(Curve::largest).fold(0.0, f64::max);

@@ -50,7 +50,7 @@ pub(crate) struct Strips {
 }
 
 /// Covered fraction below which a cell is skipped.
-const SLIVER: f64 = 0.25;
+pub(crate) const SLIVER: f64 = 0.25;
 
 #[derive(Debug)]
 struct Strip {
