@@ -188,3 +188,13 @@ fn numbers_stay_within_their_frame() {
         assert_eq!(seen, 2);
     }
 }
+
+/// A logarithmic axis has no zero from which a bar could start: two dots for each of the methods.
+#[test]
+fn times_are_dots() {
+    let comparison = comparison();
+    let svg = figure(&comparison).svg;
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let dots = document.descendants().filter(|node| node.has_tag_name("circle"));
+    assert_eq!(dots.count(), 2 * comparison.entries.len());
+}

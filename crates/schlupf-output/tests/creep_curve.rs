@@ -338,3 +338,82 @@ fn numbers_that_are_none_do_not_spoil_the_rest() {
     family.members.clear();
     assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
 }
+
+/// Numbers from dark to light; names have no order, so neither have their colours.
+#[test]
+fn names_have_colours_without_an_order() {
+    let drawn = |values: &[&str]| drawing(&family_of(over_x(0.0, 0.05), values));
+    let [blue, purple] = ["#0072b2", "#440154"].map(|color| format!(r#"stroke="{color}""#));
+    let names = drawn(&["full", "fastsim", "polach"]);
+    assert!(names.contains(&blue) && !names.contains(&purple));
+    for numbers in [["10 m/s", "20 m/s"], ["-1", "+.5"], ["\"60 kN\"", "\"80 kN\""]] {
+        let numbers = drawn(&numbers);
+        assert!(numbers.contains(&purple) && !numbers.contains(&blue));
+    }
+}
+
+/// The upper edges of the plot areas, and the lower end of what is written above the first.
+fn edges(svg: &str) -> (Vec<f64>, Vec<[f64; 2]>) {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let number = |node: &roxmltree::Node, name| node.attribute(name).unwrap().parse::<f64>();
+    let of = |tag: &'static str| document.descendants().filter(move |node| node.has_tag_name(tag));
+    let frames = of("rect").filter(|node| node.attribute("fill") == Some("none"));
+    let frames = frames.map(|node| number(&node, "y").unwrap()).collect();
+    let texts = of("text").map(|node| ["x", "y"].map(|name| number(&node, name).unwrap()));
+    (frames, texts.collect())
+}
+
+/// Two components, slopes, maxima, saturation and a failure: the legend needs two rows.
+#[test]
+fn a_long_legend_stays_above_the_curves() {
+    let path = Path::in_direction([0.0, 0.05], 45_f64.to_radians(), [0.0; 2]).unwrap();
+    let mut family = family_of(path, &["0.2", "0.4"]);
+    for member in &mut family.members {
+        let curve = &mut member.curve;
+        curve.points.iter_mut().for_each(|point| point.force.x *= 1.4);
+        let maximum = Maximum { is_saturated: true, ..curve.maxima[0].clone() };
+        curve.maxima.push(maximum);
+        curve.points[3].status = Status::NotConverged;
+    }
+    let (frames, texts) = edges(&drawing(&family));
+    let [left, right, room] = [92.0, 600.0, 5.0];
+    let inside = |[x, y]: &&[f64; 2]| *x > left && *x < right && *y > frames[0] - room;
+    let written: Vec<&[f64; 2]> = texts.iter().filter(inside).collect();
+    assert!(written.iter().all(|[_, y]| *y > frames[0] + 330.0), "{frames:?} {written:?}");
+    let rows: BTreeSet<i64> = texts
+        .iter()
+        .filter(|[x, y]| *x > left && *x < right && *y < frames[0] && *y > 100.0)
+        .map(|[_, y]| *y as i64)
+        .collect();
+    assert_eq!(rows.len(), 2, "{rows:?}");
+}
+
+/// Full sliding is said to set in where the force is almost its largest: the mark is on the curve.
+#[test]
+fn the_mark_of_saturation_lies_on_its_curve() {
+    let mut family = family_of(over_x(0.0, 0.05), &[]);
+    let curve = &mut family.members[0].curve;
+    for point in &mut curve.points {
+        point.force.x = -LOAD * point.abscissa;
+    }
+    let force = Resultant::new(-0.9 * LOAD, 0.0, 0.0);
+    curve.maxima[0] =
+        Maximum { abscissa: 0.0251, is_saturated: true, force, ..curve.maxima[0].clone() };
+    curve.initial_slope = None;
+    let svg = drawing(&family);
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let circles = document.descendants().filter(|node| node.has_tag_name("circle"));
+    let middle = |node: roxmltree::Node| {
+        ["cx", "cy"].map(|name| node.attribute(name).unwrap().parse::<f64>().unwrap())
+    };
+    let [x, y] = circles.map(middle).next().unwrap();
+    // The curve is a straight line from the corner at the lower left to 0.05 at the right edge.
+    let path = svg.split("d=\"M").find(|path| path.contains("#0072b2")).unwrap();
+    let points = path.split('"').next().unwrap().split('L').map(|point| {
+        let mut numbers = point.split(' ').map(|number| number.parse::<f64>().unwrap());
+        [numbers.next().unwrap(), numbers.next().unwrap()]
+    });
+    let points: Vec<[f64; 2]> = points.collect();
+    let ([x0, y0], [x1, y1]) = (points[0], points[points.len() - 1]);
+    assert!((y - y0 - (y1 - y0) * (x - x0) / (x1 - x0)).abs() < 0.1, "{x} {y} {points:?}");
+}

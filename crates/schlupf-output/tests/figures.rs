@@ -163,3 +163,100 @@ fn every_figure_has_a_name_that_is_known_before() {
     assert_eq!(drawings.len(), known.len());
     assert!(drawings.iter().all(|(name, _)| known.contains(name)), "{known:?}");
 }
+
+/// The rolled distance says little where the speed varies; a varying load explains the forces.
+#[test]
+fn histories_are_drawn_over_time_where_the_speed_varies() {
+    let mut solution = solution(RECIPE);
+    let history = |solution: &Solution| {
+        let drawings = drawings("", solution).unwrap();
+        let svg = &drawings.iter().find(|(name, _)| name == "history").unwrap().1;
+        assert_sound_drawing(svg);
+        text_of(svg)
+    };
+    let text = history(&solution);
+    assert!(text.contains("rolled distance (mm)") && !text.contains("time ("));
+    assert!(!text.contains("load N"));
+    solution.history[20].load = 60e3;
+    let text = history(&solution);
+    assert!(text.contains("rolled distance (mm)") && text.contains("load N (kN)"));
+    // A shift at rest.
+    solution.history[0].kinematics.speed = 0.0;
+    let text = history(&solution);
+    assert!(text.contains("Forces over time") && !text.contains("speed"), "{text}");
+    solution.history[20].kinematics.speed = 20.0;
+    let text = history(&solution);
+    assert!(text.contains("time (ms)") && text.contains("speed v0 (m/s)"), "{text}");
+}
+
+/// Straight ahead there are no lateral forces, tractions and slips to be listed.
+#[test]
+fn components_that_are_zero_have_no_curve_and_no_name() {
+    let text = |recipe: Recipe, name: &str| {
+        let drawings = drawings("", &solution(recipe)).unwrap();
+        text_of(&drawings.iter().find(|(other, _)| other == name).unwrap().1)
+    };
+    let sideways = Recipe { direction: 0.5, ..RECIPE };
+    for (name, along, across) in
+        [("cut_y0", "\u{2212}tx", "\u{2212}ty"), ("history", "\u{2212}Fx", "\u{2212}Fy")]
+    {
+        assert!(text(RECIPE, name).contains(along) && !text(RECIPE, name).contains(across));
+        assert!(text(sideways, name).contains(along) && text(sideways, name).contains(across));
+    }
+    assert!(!text(RECIPE, "cut_y0").contains("vsy"));
+}
+
+/// A wheel of 180 °C heats a rail of 5 °C: rises of the two cannot be compared.
+#[test]
+fn temperatures_are_absolute_where_the_bulk_temperatures_differ() {
+    let mut solution = solution(RECIPE);
+    let temperature = solution.temperature.as_mut().unwrap();
+    temperature.max_wheel += 160.0;
+    temperature.max_rail -= 15.0;
+    let drawings = drawings("", &solution).unwrap();
+    for name in ["map_temperature", "surface_temperature"] {
+        let svg = &drawings.iter().find(|(other, _)| other == name).unwrap().1;
+        assert_sound_drawing(svg);
+        let text = text_of(svg);
+        assert!(text.contains("Temperature of the surface, wheel\n"), "{text}");
+        assert!(text.contains("T (°C)") && !text.contains("ΔT"), "{text}");
+        // Colours and surface begin near the bulk temperature, not at zero.
+        assert!(text.contains("\n180\n"), "{text}");
+    }
+    let cut = &drawings.iter().find(|(name, _)| name == "cut_y0").unwrap().1;
+    assert!(text_of(cut).contains("temperature (°C)"));
+}
+
+fn map_of_traction(solution: &Solution) -> String {
+    let drawings = drawings("", solution).unwrap();
+    drawings.into_iter().find(|(name, _)| name == "map_traction").unwrap().1
+}
+
+/// The part that sticks is hatched: here at the leading edge, at positive x.
+#[test]
+fn the_part_that_sticks_is_hatched() {
+    let svg = map_of_traction(&solution(RECIPE));
+    assert!(text_of(&svg).contains("\nstick\n"));
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let is_hatched = |node: &roxmltree::Node| {
+        node.has_tag_name("path") && node.attribute("fill") == Some("url(#stick)")
+    };
+    let hatched = document.descendants().find(is_hatched).unwrap().attribute("d").unwrap();
+    let ellipse = document.descendants().find(|node| node.has_tag_name("ellipse")).unwrap();
+    let middle: f64 = ellipse.attribute("cx").unwrap().parse().unwrap();
+    let points = hatched.split(['M', 'L', 'z']).filter(|point| !point.is_empty());
+    let xs: Vec<f64> =
+        points.map(|point| point.split(' ').next().unwrap().parse().unwrap()).collect();
+    let mean = xs.iter().sum::<f64>() / xs.len() as f64;
+    assert!(mean > middle + 10.0, "{mean} {middle}");
+}
+
+/// A few cells of the rim that are said to stick at nearly full slip are no region.
+#[test]
+fn single_cells_that_stick_leave_no_border() {
+    let mut solution = solution(Recipe { stick: 0.0, ..RECIPE });
+    solution.fields.sliding.fill(true);
+    solution.fields.sliding[0] = false;
+    let text = text_of(&map_of_traction(&solution));
+    assert!(text.contains("contact") && !text.contains("stick"), "{text}");
+}

@@ -153,6 +153,8 @@ fn texts(svg: &str) -> String {
 fn the_figures_name_what_they_show() {
     let report = report();
     let drawings = report.drawings().unwrap();
+    let fraction = report.result.normal.corrected_contact_fraction(1e9);
+    let fraction = format!("{} % in contact", (1e4 * fraction).round() / 100.0);
     assert_eq!(
         drawings.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>(),
         RoughnessReport::figure_names()
@@ -160,7 +162,7 @@ fn the_figures_name_what_they_show() {
     let parts: [&[&str]; 4] = [
         &["a <rough> surface", "400 MPa", "1000 MPa", "Eq. (8) with ", "displacement"],
         &["The surface", "height (µm)", " (µm)"],
-        &["Contact spots", "20 % of the cells in contact", "pressure (GPa)"],
+        &["Contact spots", &fraction, "pressure (GPa)"],
         &["wave number", "mean over all directions", "10"],
     ];
     for ((name, svg), parts) in drawings.iter().zip(parts) {
@@ -173,6 +175,25 @@ fn the_figures_name_what_they_show() {
     for figure in report.figures().unwrap() {
         assert!(figure.png.starts_with(b"\x89PNG"), "{}", figure.name);
     }
+}
+
+/// Eq. (8) is no pressure: it comes after them. Both panels tell which colour is which pressure.
+#[test]
+fn the_legends_list_the_pressures_and_then_the_law() {
+    let svg = report().drawings().unwrap().remove(0).1;
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let lines = document.descendants().filter(|node| node.has_tag_name("text"));
+    let line = |node: roxmltree::Node| -> String {
+        node.descendants().filter(roxmltree::Node::is_text).filter_map(|n| n.text()).collect()
+    };
+    let lines: Vec<String> = lines.map(line).collect();
+    let starts: Vec<&str> = lines
+        .iter()
+        .filter(|line| line.ends_with("MPa") || line.starts_with("Eq. (8)"))
+        .map(|line| line.split(" with").next().unwrap())
+        .collect();
+    let law = "Eq. (8), fitted to each";
+    assert_eq!(starts, ["400 MPa", "1000 MPa", law, "400 MPa", "1000 MPa", "Eq. (8)"]);
 }
 
 #[test]

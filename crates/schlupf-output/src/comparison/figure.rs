@@ -1,4 +1,4 @@
-//! Results of several methods for one case: bars side by side.
+//! Results of several methods for one case: bars side by side, and their times.
 
 use schlupf::method::FastMethod;
 use schlupf::{Method, Status};
@@ -55,10 +55,15 @@ const COLUMNS: [Column; 4] = [
     },
 ];
 
-/// Colours of the cold and the warm times.
-const TIME_COLORS: [&str; 2] = ["#c9c9c9", "#6a6a6a"];
+/// Styles of the dots of the cold and the warm times.
+const TIME_STYLES: [&str; 2] = [
+    r##"fill="#ffffff" stroke="#4a4a4a" stroke-width="1.6""##,
+    r##"fill="#4a4a4a" stroke="#4a4a4a" stroke-width="1.6""##,
+];
+/// Style of the line between them.
+const TIME_LINE: &str = r##"stroke="#a0a0a0" stroke-width="1.6""##;
 const TIME_NOTE: &str =
-    "time: light from nothing, with set-up (the number); dark the forces once more, set-up there";
+    "time: hollow from nothing, with set-up (the number); full the forces once more, set-up there";
 
 /// Values below this fraction of μ0 N (or of μ0 N √(ab)) are invisible.
 const INVISIBLE: f64 = 1e-6;
@@ -272,18 +277,19 @@ fn draw_outline(drawing: &mut Drawing, [left, top]: [f64; 2], height: f64, label
     drawing.text([left + 0.5 * COLUMN, top - 14.0], &style, label);
 }
 
-/// The column of times, in ms on a logarithmic axis: cold and warm.
+/// The column of times, in ms on a logarithmic axis: cold and warm. They are dots, because lengths
+/// have no meaning where the axis has no zero.
 fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer]) {
     let height = ROW * answers.len() as f64;
     let times: Vec<[f64; 2]> =
         answers.iter().map(|answer| [answer.time, answer.time_again].map(|t| 1e3 * t)).collect();
     let logarithms = || times.iter().flatten().filter(|time| is_time(**time)).map(|t| t.log10());
-    // The shortest time also has a bar.
+    // The dot of the shortest time is within the column.
     let low = logarithms().reduce(f64::min).unwrap_or(0.0).floor() - 0.3;
     let unit = times
         .iter()
         .filter(|time| is_time(time[0]))
-        .map(|time| (COLUMN - room(&text(time[0]))) / (time[0].log10() - low))
+        .map(|time| (COLUMN - room(&text(time[0])) - SPACE) / (time[0].log10() - low))
         .fold(COLUMN, f64::min);
     let at = |logarithm: f64| left + unit * (logarithm - low);
     for tick in powers_of_ten(low, low + COLUMN / unit, 5) {
@@ -291,11 +297,14 @@ fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer])
     }
     for (k, time) in times.iter().enumerate() {
         let middle = middle(top, k);
-        for (time, color) in time.iter().zip(TIME_COLORS).filter(|(time, _)| is_time(**time)) {
-            let fill = format!(r#"fill="{color}""#);
-            drawing.rectangle([left, middle - 0.5 * BAR], [at(time.log10()) - left, BAR], &fill);
+        if time.iter().all(|time| is_time(*time)) {
+            let [from, to] = time.map(|time| [at(time.log10()), middle]);
+            drawing.line(from, to, TIME_LINE);
         }
-        let end = if is_time(time[0]) { at(time[0].log10()) } else { left };
+        for (time, style) in time.iter().zip(TIME_STYLES).filter(|(time, _)| is_time(**time)) {
+            marks::dot(drawing, [at(time.log10()), middle], style);
+        }
+        let end = if is_time(time[0]) { at(time[0].log10()) + SPACE } else { left };
         let style = TextStyle::new(TICK_SIZE, Anchor::Start);
         drawing.plain_text([end + SPACE, baseline(middle)], &style, &text(time[0]));
     }

@@ -20,7 +20,9 @@ pub(super) fn draw(family: &CurveFamily) -> Option<String> {
     let picture = Picture::new(family)?;
     let panels = picture.panels();
     let heights: f64 = panels.iter().map(|panel| panel.panel.height + GAP).sum();
-    let top = HEADING + 40.0;
+    let width = picture.right() - LEFT;
+    let further_rows = panels.first().map(|first| marks::further_rows(width, &first.entries));
+    let top = HEADING + 40.0 + further_rows.unwrap_or_default();
     let height = (top + heights + 26.0).max(top + picture.legend_height() + 16.0);
     let mut drawing = Drawing::new(WIDTH, height);
     picture.heading(&mut drawing);
@@ -29,7 +31,7 @@ pub(super) fn draw(family: &CurveFamily) -> Option<String> {
     for (k, panel) in panels.into_iter().enumerate() {
         let frame = Frame {
             corner,
-            size: [picture.right() - LEFT, panel.panel.height],
+            size: [width, panel.panel.height],
             x: picture.x,
             y: panel.range(),
         };
@@ -89,7 +91,7 @@ impl<'a> Picture<'a> {
             family,
             abscissa,
             x,
-            colors: color::series(family.members.len()),
+            colors: colors(family),
             components: vec![],
         };
         let [main, other] = components(abscissa);
@@ -212,13 +214,14 @@ impl<'a> Picture<'a> {
         members.filter_map(tangent).collect()
     }
 
+    /// Marks on the curves of the main component: where full sliding sets in, the force is that of
+    /// the curve, not the largest, from which it differs by up to a thousandth.
     fn mark_maxima(&self, panel: &mut MarkedPanel) {
-        let main = &self.components[0];
-        for (member, color) in self.family.members.iter().zip(&self.colors) {
+        let members = self.family.members.iter().zip(&self.colors);
+        for (k, (member, color)) in members.enumerate() {
+            let curve = panel.panel.curves.get(k);
             for maximum in &member.curve.maxima {
-                let value = main.of(&maximum.force) / member.curve.normal.load;
-                if value.is_finite() {
-                    let at = [maximum.abscissa, value];
+                if let Some(at) = curve.and_then(|curve| on_curve(curve, maximum.abscissa)) {
                     panel.dots.push(Dot { at, color: color.clone(), hollow: maximum.is_saturated });
                 }
             }
@@ -292,6 +295,20 @@ impl<'a> Picture<'a> {
     }
 }
 
+/// Colours of the members: from dark to light for numbers, otherwise without an order.
+fn colors(family: &CurveFamily) -> Vec<String> {
+    let is_number = |value: &str| {
+        let first = value.trim_start_matches(['"', '+', '-', '.']).chars().next();
+        first.is_some_and(|character| character.is_ascii_digit())
+    };
+    let mut values = family.members.iter().filter_map(|member| member.value.as_deref());
+    let count = family.members.len();
+    if values.any(|value| !is_number(value)) {
+        return color::unordered(count);
+    }
+    color::series(count)
+}
+
 /// The component along the abscissa, and the transverse one.
 fn components(abscissa: Abscissa) -> [Component; 2] {
     const DASHES: &str = "8 4";
@@ -338,6 +355,17 @@ fn with_maxima(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64) -> Vec<[f6
 
 fn curve(points: &[[f64; 2]], color: &str, dashes: &str) -> Curve {
     Curve { points: smooth(points), stroke: stroke(color, dashes), text: String::new() }
+}
+
+/// The point of a drawn curve at an abscissa.
+fn on_curve(curve: &Curve, abscissa: f64) -> Option<[f64; 2]> {
+    let on_piece = |[from, to]: [[f64; 2]; 2]| {
+        let share = if to[0] > from[0] { (abscissa - from[0]) / (to[0] - from[0]) } else { 0.0 };
+        let value = from[1] + share * (to[1] - from[1]);
+        let is_here = (from[0]..=to[0]).contains(&abscissa) && value.is_finite();
+        is_here.then_some([abscissa, value])
+    };
+    curve.points.windows(2).find_map(|pair| on_piece([pair[0], pair[1]]))
 }
 
 /// The line of the initial slope.
@@ -455,7 +483,6 @@ impl MarkedPanel {
             marks::cross(drawing, frame.at(*at), &cross_stroke());
         }
         frame.draw_vertical(drawing, &self.panel.label);
-        let width = frame.size[0];
-        marks::legend(drawing, [left, frame.corner[1] - 9.0], width, &self.entries);
+        marks::legend_above(drawing, frame.corner, frame.size[0], &self.entries);
     }
 }

@@ -84,6 +84,16 @@ pub(crate) fn series(count: usize) -> Vec<String> {
     (0..count).map(|k| paint(Palette::Mechanical, level(k).round() as usize)).collect()
 }
 
+/// Colours of curves that have no order, such as those of methods (Okabe and Ito 2008, without the
+/// yellow, which is too light); more curves than colours are ordered all the same.
+pub(crate) fn unordered(count: usize) -> Vec<String> {
+    const COLORS: [&str; 7] = [BLUE, VERMILION, GREEN, "#cc79a7", "#000000", "#e69f00", "#56b4e9"];
+    if count > COLORS.len() {
+        return series(count);
+    }
+    COLORS[..count].iter().map(|color| (*color).to_owned()).collect()
+}
+
 #[rustfmt::skip]
 #[expect(clippy::unreadable_literal, reason = "two digits for each of red, green and blue")]
 const VIRIDIS: [u32; 33] = [

@@ -3,6 +3,7 @@
 use schlupf::grid::Grid;
 
 use super::patch::Patch;
+use super::sampler::SLIVER;
 
 /// A piece of a border, in m.
 pub(crate) type Segment = [[f64; 2]; 2];
@@ -17,14 +18,23 @@ pub(crate) struct Sliding {
 }
 
 /// The used fraction of the friction bound, if it separates sliding from sticking cells, as it does
-/// by definition: its contour is smooth. Otherwise the flags of the cells.
+/// by definition: its contour is smooth. Otherwise the flags of the cells. Where next to nothing
+/// sticks, everything slides: single cells at the rim would leave horns.
 pub(crate) fn sliding(patch: &Patch) -> Sliding {
+    /// Share of the contact.
+    const NEXT_TO_NOTHING: f64 = 0.01;
     let used = used_friction(patch);
     let sliding = &patch.fields().sliding;
     let of =
         |state: bool| used.iter().zip(sliding).filter(move |(_, s)| **s == state).map(|(u, _)| *u);
     let most_sticking = of(false).fold(0.0, f64::max);
     let least_sliding = of(true).fold(f64::INFINITY, f64::min);
+    let covered = &patch.fields().covered;
+    let stuck = covered.iter().zip(sliding).filter(|(_, sliding)| !**sliding);
+    let stuck: f64 = stuck.map(|(covered, _)| covered).sum();
+    if stuck < NEXT_TO_NOTHING * covered.iter().sum::<f64>() {
+        return Sliding { values: used, level: -1.0 };
+    }
     if most_sticking < least_sliding && least_sliding.is_finite() {
         return Sliding { level: 0.5 * (most_sticking + least_sliding), values: used };
     }
@@ -36,6 +46,17 @@ pub(crate) fn sliding(patch: &Patch) -> Sliding {
 pub(crate) fn stick_border(patch: &Patch) -> Vec<Segment> {
     let Sliding { values, level } = sliding(patch);
     contour(patch, &values, level)
+}
+
+/// The part of the patch that sticks, as polygons that may reach beyond its rim; none if all of it
+/// sticks.
+pub(crate) fn sticking(patch: &Patch) -> Vec<Vec<[f64; 2]>> {
+    let Sliding { values, level } = sliding(patch);
+    if contour(patch, &values, level).is_empty() {
+        return Vec::new();
+    }
+    let field = Padded::new(patch, &values);
+    field.squares(level).map(below).filter(|polygon| polygon.len() > 2).collect()
 }
 
 /// |t|/(μ pₙ) in every contact cell, zero where unknown.
@@ -71,37 +92,38 @@ pub(crate) fn outline(patch: &Patch) -> Vec<Segment> {
 
 /// The contour of a field between the cell centres, extended over the rim of the patch.
 fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Segment> {
-    let field = Padded::new(patch, values);
-    let mut segments = Vec::new();
-    for j in 1..field.rows {
-        for i in 1..field.columns {
-            let corner = |i: usize, j: usize| {
-                field.value(i, j).map(|value| (field.position(i, j), value - level))
-            };
-            let corners = [corner(i - 1, j - 1), corner(i, j - 1), corner(i, j), corner(i - 1, j)];
-            if let [Some(p), Some(q), Some(r), Some(s)] = corners {
-                segments.extend(crossings([p, q, r, s]));
-            }
-        }
-    }
-    segments
+    Padded::new(patch, values).squares(level).flat_map(crossings).collect()
+}
+
+/// The corners of a square between four cell centres, with their values above a level.
+type Square = [([f64; 2], f64); 4];
+
+/// Point where the contour crosses the edge of a square that begins at a corner.
+fn crossing(corners: &Square, index: usize) -> Option<[f64; 2]> {
+    let ((p, f), (q, g)) = (corners[index], corners[(index + 1) % 4]);
+    let share = f / (f - g);
+    let point = [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])];
+    ((f >= 0.0) != (g >= 0.0)).then_some(point)
 }
 
 /// Points where the contour crosses the edges of a square, joined in pairs.
-fn crossings(corners: [([f64; 2], f64); 4]) -> Vec<Segment> {
-    let mut points = Vec::new();
-    for (index, &(p, f)) in corners.iter().enumerate() {
-        let (q, g) = corners[(index + 1) % 4];
-        if (f >= 0.0) != (g >= 0.0) {
-            let share = f / (f - g);
-            points.push([p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])]);
-        }
-    }
+fn crossings(corners: Square) -> Vec<Segment> {
+    let points: Vec<[f64; 2]> = (0..4).filter_map(|index| crossing(&corners, index)).collect();
     points.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// A field on the grid with one more cell all around. Two rings of cells around the contact get the
-/// mean of their inner neighbours, so that contours reach the rim.
+/// The part of a square below the level.
+fn below(corners: Square) -> Vec<[f64; 2]> {
+    let of_edge = |index: usize| {
+        let (corner, value) = corners[index];
+        (value < 0.0).then_some(corner).into_iter().chain(crossing(&corners, index))
+    };
+    (0..4).flat_map(of_edge).collect()
+}
+
+/// A field on the grid with one more cell all around. Rings of cells around the contact get the
+/// mean of their inner neighbours, so that contours reach the rim; so do slivers at the rim, whose
+/// small numbers scatter.
 struct Padded<'a> {
     grid: &'a Grid,
     columns: usize,
@@ -115,12 +137,27 @@ impl<'a> Padded<'a> {
         let (columns, rows) = (fields.grid.columns + 2, fields.grid.rows + 2);
         let mut padded =
             Self { grid: &fields.grid, columns, rows, values: vec![None; columns * rows] };
-        for (&[i, j], value) in fields.cell.iter().zip(values) {
-            padded.values[(j + 1) * columns + i + 1] = Some(*value);
+        let is_sliver = |cell: usize| fields.covered[cell] < SLIVER;
+        let all = (0..fields.len()).all(is_sliver);
+        for (cell, &[i, j]) in fields.cell.iter().enumerate() {
+            padded.values[(j + 1) * columns + i + 1] =
+                (all || !is_sliver(cell)).then_some(values[cell]);
         }
-        padded.grow();
-        padded.grow();
+        for _ring in 0..3 {
+            padded.grow();
+        }
         padded
+    }
+
+    /// All squares between four known values, relative to a level.
+    fn squares(&self, level: f64) -> impl Iterator<Item = Square> {
+        let corner = move |i: usize, j: usize| {
+            self.value(i, j).map(|value| (self.position(i, j), value - level))
+        };
+        let places = (1..self.rows).flat_map(|j| (1..self.columns).map(move |i| [i, j]));
+        places.filter_map(move |[i, j]| {
+            Some([corner(i - 1, j - 1)?, corner(i, j - 1)?, corner(i, j)?, corner(i - 1, j)?])
+        })
     }
 
     fn value(&self, i: usize, j: usize) -> Option<f64> {

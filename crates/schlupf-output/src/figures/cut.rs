@@ -12,7 +12,7 @@ use super::quantity::scaled;
 use super::sampler::Sampler;
 use super::units;
 
-/// Traction on the rail with its bound, slip velocity, and temperature rise along y = 0.
+/// Traction on the rail with its bound, slip velocity, and temperature along y = 0.
 pub(crate) fn draw(patch: &Patch) -> String {
     let cut = Cut::new(patch);
     let mut panels = vec![tractions(&cut), slip(&cut)];
@@ -153,7 +153,7 @@ fn tractions(cut: &Cut) -> Panel {
     }
     curves.push(Curve::solid(cut.along(&x, true), BLUE, "\u{2212}$t$_x"));
     curves.push(Curve::solid(cut.along(&y, true), VERMILION, "\u{2212}$t$_y"));
-    Panel { label: format!("traction on the rail ({})", unit.symbol), height: 260.0, curves }
+    Panel::of_components(format!("traction on the rail ({})", unit.symbol), 260.0, curves)
 }
 
 fn slip(cut: &Cut) -> Panel {
@@ -167,13 +167,12 @@ fn slip(cut: &Cut) -> Panel {
     };
     let curves =
         vec![curve(&fields.slip_x, BLUE, "$v$_{sx}"), curve(&fields.slip_y, VERMILION, "$v$_{sy}")];
-    Panel { label: format!("slip velocity ({})", unit.symbol), height: 150.0, curves }
+    Panel::of_components(format!("slip velocity ({})", unit.symbol), 150.0, curves)
 }
 
 /// `None` if there is no heat.
 fn temperature(cut: &Cut) -> Option<Panel> {
-    let fields = cut.patch.fields();
-    let (wheel, rail) = (&fields.temperature_rise_wheel, &fields.temperature_rise_rail);
+    let [wheel, rail] = &cut.patch.surface_temperatures();
     let hot = |field: &[f64]| field.iter().any(|t| *t != 0.0 && t.is_finite());
     let curves = if wheel == rail {
         vec![Curve::solid(cut.along(wheel, false), GREEN, "wheel and rail")]
@@ -183,6 +182,7 @@ fn temperature(cut: &Cut) -> Option<Panel> {
             Curve::dashed(cut.along(rail, false), GREEN, "rail"),
         ]
     };
-    let label = "temperature rise (K)".to_owned();
+    let is_rise = cut.patch.different_bulks().is_none();
+    let label = if is_rise { "temperature rise (K)" } else { "temperature (°C)" }.to_owned();
     (hot(wheel) || hot(rail)).then_some(Panel { label, height: 150.0, curves })
 }

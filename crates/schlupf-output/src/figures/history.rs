@@ -1,31 +1,67 @@
-//! Forces and temperature against the distance rolled.
+//! Forces and temperature against the distance rolled, or against time if the speed varies.
 
 use schlupf::solution::Instant;
 
-use super::color::{BLUE, GREEN, VERMILION};
+use super::color::{BLUE, GREEN, INK, VERMILION};
 use super::marks::{self, HEADING};
 use super::panels::{Curve, Panel, Stack, known};
 use super::patch::Patch;
-use super::units;
+use super::units::{self, Unit};
 
-/// Forces on the rail, varying creepages, and the largest temperature rise against the distance
-/// rolled.
+/// Forces on the rail, what varies of load, speed and creepages, and the largest temperature rise.
 pub(crate) fn draw(patch: &Patch) -> String {
     let history = &patch.solution.history;
-    let distance: Vec<f64> = history.iter().map(|instant| instant.distance).collect();
-    let total = distance.last().copied().unwrap_or(0.0);
-    let unit = units::pick(units::DISTANCE, total);
-    let x: Vec<f64> = distance.iter().map(|s| s / unit.size).collect();
+    let axis = Axis::of(history);
+    let places: Vec<f64> = history.iter().map(axis.place).collect();
+    let total = places.last().copied().unwrap_or(0.0);
+    let unit = units::pick(axis.units, total);
+    let x: Vec<f64> = places.iter().map(|place| place / unit.size).collect();
     let mut panels = vec![forces(history, &x)];
+    panels.extend(load(history, &x));
+    panels.extend(speed(history, &x));
     panels.extend(creepages(history, &x));
     panels.extend(temperature(history, &x));
     let end = if total > 0.0 && total.is_finite() { total / unit.size } else { 1.0 };
-    let label = if unit.symbol == "m" { "rolled distance (m)" } else { "rolled distance (mm)" };
-    let stack = Stack { x: [0.0, end], label, panels, shaded: Vec::new(), shading: "" };
+    let label = format!("{} ({})", axis.label, unit.symbol);
+    let stack = Stack { x: [0.0, end], label: &label, panels, shaded: Vec::new(), shading: "" };
     let mut drawing = stack.drawing();
-    marks::heading(&mut drawing, patch, "Forces over the rolled distance");
+    marks::heading(&mut drawing, patch, axis.title);
     stack.draw(&mut drawing, HEADING + 40.0);
     drawing.finish()
+}
+
+/// What the curves are drawn against.
+struct Axis {
+    title: &'static str,
+    label: &'static str,
+    units: &'static [Unit],
+    place: fn(&Instant) -> f64,
+}
+
+impl Axis {
+    /// Time if the speed varies or a shift at rest precedes the rolling; otherwise the distance,
+    /// with which the contact settles.
+    fn of(history: &[Instant]) -> Self {
+        if varies(history, |instant| instant.kinematics.speed) {
+            return Self {
+                title: "Forces over time",
+                label: "time",
+                units: units::TIME,
+                place: |instant| instant.time,
+            };
+        }
+        Self {
+            title: "Forces over the rolled distance",
+            label: "rolled distance",
+            units: units::DISTANCE,
+            place: |instant| instant.distance,
+        }
+    }
+}
+
+fn varies(history: &[Instant], value: fn(&Instant) -> f64) -> bool {
+    let first = history.first().map(value);
+    history.iter().any(|instant| Some(value(instant)) != first)
 }
 
 fn points(x: &[f64], history: &[Instant], value: impl Fn(&Instant) -> f64) -> Vec<[f64; 2]> {
@@ -47,7 +83,27 @@ fn forces(history: &[Instant], x: &[f64]) -> Panel {
             "\u{2212}$F$_y",
         ),
     ];
-    Panel { label: format!("force on the rail ({})", unit.symbol), height: 260.0, curves }
+    Panel::of_components(format!("force on the rail ({})", unit.symbol), 260.0, curves)
+}
+
+/// `None` if it is constant.
+fn load(history: &[Instant], x: &[f64]) -> Option<Panel> {
+    let largest = history.iter().map(|instant| instant.load).fold(0.0, f64::max);
+    let unit = units::pick(units::FORCE, largest);
+    let points = points(x, history, |instant| instant.load / unit.size);
+    let label = format!("load $N$ ({})", unit.symbol);
+    let curves = vec![Curve::solid(points, INK, "")];
+    varies(history, |instant| instant.load).then_some(Panel { label, height: 150.0, curves })
+}
+
+/// `None` if it is constant, apart from a shift at rest.
+fn speed(history: &[Instant], x: &[f64]) -> Option<Panel> {
+    let at_rest = history.iter().take_while(|instant| instant.kinematics.speed == 0.0).count();
+    let (history, x) = (&history[at_rest..], &x[at_rest..]);
+    let points = points(x, history, |instant| instant.kinematics.speed);
+    let curves = vec![Curve::solid(points, INK, "")];
+    let panel = Panel { label: "speed $v$_0 (m/s)".to_owned(), height: 150.0, curves };
+    varies(history, |instant| instant.kinematics.speed).then_some(panel)
 }
 
 /// `None` if they are constant. A shift at rest has none.
@@ -63,7 +119,7 @@ fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
         Curve::solid(points(x, history, |instant| instant.kinematics.creepage_x), BLUE, "$ξ$"),
         Curve::solid(points(x, history, |instant| instant.kinematics.creepage_y), VERMILION, "$η$"),
     ];
-    changes.then_some(Panel { label: "creepage".to_owned(), height: 150.0, curves })
+    changes.then(|| Panel::of_components("creepage".to_owned(), 150.0, curves))
 }
 
 /// `None` if there is no heat.

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::color::{ColorScale, paint};
-use super::contour::{Segment, outline, stick_border};
+use super::contour::{Segment, outline, stick_border, sticking};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample};
 use super::patch::Patch;
-use super::quantity::{Quantity, colors};
+use super::quantity::Quantity;
 use super::sampler::Sampler;
 use super::svg::{Drawing, open_path};
 
@@ -33,6 +33,13 @@ const BORDER: [&str; 2] = [
     r##"fill="none" stroke="#ffffff" stroke-width="2.2" stroke-linecap="round""##,
 ];
 
+/// White lines over the part that sticks.
+const HATCHING: &str = r##"<pattern id="stick" width="9" height="9" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 4.5H9" stroke="#ffffff" stroke-width="1.3" stroke-opacity="0.75"/></pattern>"##;
+const HATCHED: &str = r#"fill="url(#stick)""#;
+/// The same in the legend, on a background.
+const HATCHED_SAMPLE: [&str; 2] =
+    [r##"stroke="#7d7d7d" stroke-width="13""##, r#"stroke="url(#stick)" stroke-width="13""#];
+
 /// The map of a quantity over x and y in mm, both to the same scale.
 pub(crate) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) -> String {
     let layout = Layout::new(patch);
@@ -40,13 +47,15 @@ pub(crate) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) 
     marks::heading(&mut drawing, patch, &quantity.title);
     let frame = &layout.frame;
     frame.draw_grid(&mut drawing);
-    let scale = colors(quantity.palette, quantity.range());
+    let scale = quantity.colors(quantity.range());
     begin_patch_clip(&mut drawing, patch, frame);
     draw_cells(&mut drawing, frame, &cells_by_level(patch, quantity, &scale), (patch, &scale));
     drawing.end_group();
     draw_rim(&mut drawing, patch, frame);
     let border = stick_border(patch);
+    drawing.shape(HATCHING);
     begin_patch_clip(&mut drawing, patch, frame);
+    drawing.path(&polygons_path(frame, &sticking(patch)), HATCHED);
     for stroke in BORDER {
         drawing.path(&segments_path(frame, &border), stroke);
     }
@@ -210,6 +219,14 @@ fn segments_path(frame: &Frame, segments: &[Segment]) -> String {
     segments.iter().map(|segment| open_path(&segment.map(place))).collect()
 }
 
+fn polygons_path(frame: &Frame, polygons: &[Vec<[f64; 2]>]) -> String {
+    let place = |point: &[f64; 2]| frame.at([point[0] / MILLIMETRE, point[1] / MILLIMETRE]);
+    let path = |polygon: &Vec<[f64; 2]>| {
+        open_path(&polygon.iter().map(place).collect::<Vec<_>>()) + "z"
+    };
+    polygons.iter().map(path).collect()
+}
+
 /// Arrows on a lattice about the centre, the longest almost as long as their spacing.
 fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arrows) {
     const SPACING: f64 = 36.0;
@@ -253,10 +270,12 @@ fn entries(border: &[Segment], arrows: Option<&Arrows>) -> Vec<Entry> {
     let mut entries =
         vec![Entry { sample: Sample::Line(vec![RIM.to_owned()]), text: "contact".to_owned() }];
     if !border.is_empty() {
-        entries.push(Entry {
-            sample: Sample::Line(BORDER.map(str::to_owned).to_vec()),
-            text: "stick | slip".to_owned(),
-        });
+        let mut entry = |strokes: [&str; 2], text: &str| {
+            let sample = Sample::Line(strokes.map(str::to_owned).to_vec());
+            entries.push(Entry { sample, text: text.to_owned() });
+        };
+        entry(HATCHED_SAMPLE, "stick");
+        entry(BORDER, "border to slip");
     }
     if let Some(arrows) = arrows {
         entries

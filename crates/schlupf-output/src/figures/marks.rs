@@ -188,10 +188,28 @@ pub(crate) enum Sample {
     Cross(String),
 }
 
+/// A legend above a plot area whose upper left corner is given; further rows grow upwards, by
+/// [`further_rows`].
+pub(crate) fn legend_above(
+    drawing: &mut Drawing,
+    [left, top]: [f64; 2],
+    width: f64,
+    entries: &[Entry],
+) {
+    legend(drawing, [left, top - 9.0 - further_rows(width, entries)], width, entries);
+}
+
+/// Height of a legend of a given width beyond its first row.
+pub(crate) fn further_rows(width: f64, entries: &[Entry]) -> f64 {
+    legend(&mut Drawing::new(width, 1.0), [0.0; 2], width, entries) - LEGEND_ROW
+}
+
+/// Height of a row of a legend.
+const LEGEND_ROW: f64 = 22.0;
+
 /// Entries in a row from the left end of its baseline, in several rows if they do not fit; returns
 /// the height used.
 pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &[Entry]) -> f64 {
-    const ROW: f64 = 22.0;
     const SAMPLE: f64 = 30.0;
     let [left, top] = at;
     let [mut x, mut y] = at;
@@ -204,7 +222,7 @@ pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
             };
         let entry_width = sample + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
         if x > left && x + entry_width > left + width {
-            [x, y] = [left, y + ROW];
+            [x, y] = [left, y + LEGEND_ROW];
         }
         let middle = y - 0.36 * TICK_SIZE;
         match &entry.sample {
@@ -224,5 +242,5 @@ pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
         drawing.text([x + sample + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);
         x += entry_width;
     }
-    y - top + ROW
+    y - top + LEGEND_ROW
 }

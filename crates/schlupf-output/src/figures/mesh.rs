@@ -11,7 +11,7 @@ pub(crate) struct Facet {
     /// Edges on the two far lines of its mesh; the near ones are drawn by its neighbours, which
     /// come later and would cover them.
     pub edges: Vec<[[f64; 3]; 2]>,
-    /// Whether it belongs to the wall between the rim of the surface and zero.
+    /// Whether it belongs to the wall between the rim of the surface and its base.
     pub wall: bool,
 }
 
@@ -68,8 +68,8 @@ pub(crate) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
 }
 
 /// The surface in square meshes over the extent of the patch. For a Hertzian patch it ends at the
-/// ellipse and drops from there to zero.
-pub(crate) fn facets(patch: &Patch, sampler: &Sampler) -> Vec<Facet> {
+/// ellipse and drops from there to its base.
+pub(crate) fn facets(patch: &Patch, sampler: &Sampler, base: f64) -> Vec<Facet> {
     let [x, y] = extent(patch);
     let node = |range: [f64; 2], index: usize| between(range, index, MESHES);
     let height = |place: [f64; 2]| [place[0], place[1], sampler.value(place)];
@@ -79,7 +79,7 @@ pub(crate) fn facets(patch: &Patch, sampler: &Sampler) -> Vec<Facet> {
             let mesh = [[node(x, i), node(x, i + 1)], [node(y, j), node(y, j + 1)]];
             for square in parts(mesh, patch.elliptic) {
                 if patch.elliptic {
-                    facets.extend(rim_facets(square, mesh, height));
+                    facets.extend(rim_facets(square, mesh, (base, height)));
                 } else {
                     facets.push(Facet::new(&square, mesh, height));
                 }
@@ -116,7 +116,7 @@ fn between([low, high]: [f64; 2], index: usize, count: usize) -> f64 {
 fn rim_facets(
     square: [[f64; 2]; 4],
     mesh: [[f64; 2]; 2],
-    height: impl Fn([f64; 2]) -> [f64; 3] + Copy,
+    (base, height): (f64, impl Fn([f64; 2]) -> [f64; 3] + Copy),
 ) -> Vec<Facet> {
     let (inside, rim) = within_ellipse(square);
     let mut facets = Vec::new();
@@ -124,7 +124,7 @@ fn rim_facets(
         facets.push(Facet::new(&inside, mesh, height));
     }
     if let [p, q] = rim[..] {
-        let foot = |place: [f64; 2]| [place[0], place[1], 0.0];
+        let foot = |place: [f64; 2]| [place[0], place[1], base];
         let corners = vec![height(p), height(q), foot(q), foot(p)];
         facets.push(Facet { corners, edges: Vec::new(), wall: true });
     }

@@ -29,6 +29,12 @@ impl Curve {
         Self { points, stroke, text: text.to_owned() }
     }
 
+    /// Its largest magnitude.
+    fn largest(&self) -> f64 {
+        let values = self.points.iter().map(|point| point[1].abs());
+        values.filter(|value| value.is_finite()).fold(0.0, f64::max)
+    }
+
     /// A dashed curve.
     pub(crate) fn dashed(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
         let stroke = format!(r#"stroke="{color}" stroke-width="1.6" stroke-dasharray="7 4""#);
@@ -49,11 +55,11 @@ pub(crate) struct Panel {
 
 /// Panels over one horizontal axis.
 #[derive(Debug)]
-pub(crate) struct Stack {
+pub(crate) struct Stack<'a> {
     /// Range of the horizontal axis.
     pub x: [f64; 2],
     /// Label of the horizontal axis.
-    pub label: &'static str,
+    pub label: &'a str,
     /// The panels from top to bottom.
     pub panels: Vec<Panel>,
     /// Shaded ranges of the horizontal axis.
@@ -68,15 +74,22 @@ pub(crate) const WIDTH: f64 = 900.0;
 pub(crate) const LEFT: f64 = 92.0;
 /// Margin to the right of the plot area.
 pub(crate) const RIGHT: f64 = 30.0;
+/// Width of the plot area.
+const PLOT: f64 = WIDTH - LEFT - RIGHT;
 const SHADE: &str = r##"fill="#e9eef4""##;
 /// Stroke of the line at zero.
 pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
 
-impl Stack {
+impl Stack<'_> {
     /// Height of the drawing.
     pub(crate) fn height(&self) -> f64 {
-        let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
-        HEADING + 30.0 + panels + 36.0
+        HEADING + 30.0 + self.plot_height() + GAP + 36.0
+    }
+
+    /// Height of the plot areas with their gaps and legends, except for the first row of the first.
+    pub(crate) fn plot_height(&self) -> f64 {
+        let space = |panel: &Panel| panel.height + GAP + self.further_rows(panel);
+        self.panels.iter().map(space).sum::<f64>() - GAP
     }
 
     /// An empty drawing of the right size.
@@ -88,9 +101,10 @@ impl Stack {
     pub(crate) fn draw(&self, drawing: &mut Drawing, top: f64) {
         let mut top = top;
         for (index, panel) in self.panels.iter().enumerate() {
+            top += self.further_rows(panel);
             let frame = Frame {
                 corner: [LEFT, top],
-                size: [WIDTH - LEFT - RIGHT, panel.height],
+                size: [PLOT, panel.height],
                 x: self.x,
                 y: panel.range(),
             };
@@ -112,7 +126,12 @@ impl Stack {
         drawing.line([LEFT, zero], [frame.right(), zero], ZERO);
         panel.draw_curves(drawing, frame);
         frame.draw_vertical(drawing, &panel.label);
-        marks::legend(drawing, [LEFT, frame.corner[1] - 9.0], frame.size[0], &self.entries(panel));
+        marks::legend_above(drawing, frame.corner, PLOT, &self.entries(panel));
+    }
+
+    /// Height of the legend of a panel beyond its first row.
+    fn further_rows(&self, panel: &Panel) -> f64 {
+        marks::further_rows(PLOT, &self.entries(panel))
     }
 
     fn entries(&self, panel: &Panel) -> Vec<Entry> {
@@ -136,6 +155,18 @@ impl Stack {
 pub(crate) const GAP: f64 = 36.0;
 
 impl Panel {
+    /// A panel without the curves that are invisible everywhere; if all are, with the first.
+    pub(crate) fn of_components(label: String, height: f64, mut curves: Vec<Curve>) -> Self {
+        const INVISIBLE: f64 = 1e-4;
+        let largest = curves.iter().map(Curve::largest).fold(0.0, f64::max);
+        if largest > 0.0 {
+            curves.retain(|curve| curve.largest() > INVISIBLE * largest);
+        } else {
+            curves.truncate(1);
+        }
+        Self { label, height, curves }
+    }
+
     /// Draws the curves into a frame.
     pub(crate) fn draw_curves(&self, drawing: &mut Drawing, frame: &Frame) {
         for curve in &self.curves {

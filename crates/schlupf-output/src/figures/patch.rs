@@ -49,6 +49,25 @@ impl<'a> Patch<'a> {
         &self.solution.fields
     }
 
+    /// The bulk temperatures of wheel and rail, in degC, if they are known to differ.
+    pub(crate) fn different_bulks(&self) -> Option<[f64; 2]> {
+        /// Difference that counts as none, in K.
+        const NONE: f64 = 1e-6;
+        let temperature = self.solution.temperature?;
+        let wheel = temperature.max_wheel - temperature.max_rise_wheel;
+        let rail = temperature.max_rail - temperature.max_rise_rail;
+        ((wheel - rail).abs() > NONE).then_some([wheel, rail])
+    }
+
+    /// Of wheel and rail in every contact cell: temperatures in degC if the bulk temperatures
+    /// differ, otherwise rises in K.
+    pub(crate) fn surface_temperatures(&self) -> [Vec<f64>; 2] {
+        let fields = self.fields();
+        let [wheel, rail] = self.different_bulks().unwrap_or_default();
+        let above = |field: &[f64], bulk: f64| field.iter().map(|rise| bulk + rise).collect();
+        [above(&fields.temperature_rise_wheel, wheel), above(&fields.temperature_rise_rail, rail)]
+    }
+
     /// Semi-axes a and b, in m.
     pub(crate) fn semi_axes(&self) -> [f64; 2] {
         [self.solution.normal.semi_axis_x, self.solution.normal.semi_axis_y]

@@ -5,6 +5,7 @@ use schlupf::solution::Fields;
 
 use super::color::{ColorScale, Palette};
 use super::patch::Patch;
+use super::ticks::round_axis;
 use super::units::{self, Unit};
 
 /// A field over the contact cells, ready to be drawn.
@@ -25,14 +26,35 @@ pub(crate) struct Quantity {
     pub normalised: bool,
     /// Colours.
     pub palette: Palette,
+    /// Value at which colours and surface begin: zero except for temperatures in °C.
+    pub base: f64,
 }
 
 impl Quantity {
-    /// Smallest and largest value, zero included.
+    /// Smallest and largest value, the base included.
     pub(crate) fn range(&self) -> [f64; 2] {
-        let low = self.values.iter().copied().fold(0.0, f64::min);
-        let high = self.values.iter().copied().fold(0.0, f64::max);
+        let low = self.values.iter().copied().fold(self.base, f64::min);
+        let high = self.values.iter().copied().fold(self.base, f64::max);
         [low, high]
+    }
+
+    /// Colours over a range: from zero for values of one sign, except for a few stray ones,
+    /// otherwise symmetric about zero; from the base if that is not zero.
+    pub(crate) fn colors(&self, range: [f64; 2]) -> ColorScale {
+        let [low, high] = range;
+        let largest = high.max(-low);
+        let palette = self.palette;
+        if self.base != 0.0 {
+            return ColorScale { palette, low, high };
+        }
+        if low < -STRAY * largest && high > STRAY * largest {
+            return ColorScale { palette: Palette::Signed, low: -largest, high: largest };
+        }
+        if high >= -low {
+            ColorScale { palette, low: 0.0, high }
+        } else {
+            ColorScale { palette, low, high: 0.0 }
+        }
     }
 
     /// A field of negative values with its sign reversed, so that a surface is a hill and not a pit
@@ -51,27 +73,12 @@ impl Quantity {
     /// Whether it has anything to show: some value above rounding error.
     pub(crate) fn is_visible(&self, threshold: f64) -> bool {
         let [low, high] = self.range();
-        high.max(-low) > threshold
+        (high - self.base).max(self.base - low) > threshold
     }
 }
 
 /// The fraction of the largest value up to which values of the other sign are considered stray.
 const STRAY: f64 = 0.1;
-
-/// Colours over a range: from zero for values of one sign, except for a few stray ones, otherwise
-/// symmetric about zero.
-pub(crate) fn colors(palette: Palette, range: [f64; 2]) -> ColorScale {
-    let [low, high] = range;
-    let largest = high.max(-low);
-    if low < -STRAY * largest && high > STRAY * largest {
-        return ColorScale { palette: Palette::Signed, low: -largest, high: largest };
-    }
-    if high >= -low {
-        ColorScale { palette, low: 0.0, high }
-    } else {
-        ColorScale { palette, low, high: 0.0 }
-    }
-}
 
 /// A field of the cells as shown in maps: its magnitude, if it is a vector.
 struct Map {
@@ -153,6 +160,7 @@ impl Map {
             vanishes_at_rim: self.vanishes_at_rim,
             normalised: false,
             palette: self.palette,
+            base: 0.0,
         }
     }
 }
@@ -201,19 +209,29 @@ pub(crate) fn of_the_paper(patch: &Patch) -> Vec<Quantity> {
     ]
 }
 
-/// The rise of the hotter body above its bulk temperature.
+/// The surface of the hotter body: its temperature where the bulk temperatures differ, because then
+/// the rises of the two cannot be compared; otherwise its rise.
 fn temperature(patch: &Patch) -> Quantity {
-    let largest = |of| finite(column(patch, of).into_iter()).into_iter().fold(0.0, f64::max);
-    let [wheel, rail] = [schlupf::Quantity::RiseWheel, schlupf::Quantity::RiseRail].map(largest);
-    let (body, of): (_, &[_]) = if (wheel - rail).abs() <= 1e-6 * wheel.max(rail) {
-        ("wheel and rail", RISE.of)
-    } else if wheel > rail {
-        ("wheel", RISE.of)
+    let bulk = patch.different_bulks();
+    let [wheel, rail] = patch.surface_temperatures().map(|field| finite(field.into_iter()));
+    let largest = |field: &[f64]| field.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let [hot_wheel, hot_rail] = [largest(&wheel), largest(&rail)];
+    let difference = (hot_wheel - hot_rail).abs();
+    let (body, values) = if difference <= 1e-6 * hot_wheel.abs().max(hot_rail.abs()) {
+        ("wheel and rail", wheel)
+    } else if hot_wheel > hot_rail {
+        ("wheel", wheel)
     } else {
-        ("rail", &[schlupf::Quantity::RiseRail])
+        ("rail", rail)
     };
-    let title = format!("{}, {body}", RISE.title);
-    Quantity { title, ..Map { of, ..RISE }.physical(patch) }
+    let rise = RISE.physical(patch);
+    if bulk.is_none() {
+        return Quantity { title: format!("{}, {body}", RISE.title), values, ..rise };
+    }
+    let coldest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let base = round_axis(coldest, largest(&values), 5).0[0];
+    let title = format!("Temperature of the surface, {body}");
+    Quantity { title, label: "$T$ (°C)".to_owned(), values, base, ..rise }
 }
 
 /// A field in a unit suitable for its largest value.

@@ -7,8 +7,8 @@ use super::patch::Patch;
 pub(crate) enum Sampler<'a> {
     /// A Hertzian patch: strips along rolling, stretched to the ellipse.
     Strips(Strips),
-    /// Any other: linear between the cell centres, zero outside the contact.
-    Cells(&'a Patch<'a>, &'a [f64]),
+    /// Any other: linear between the cell centres; outside the contact the given value.
+    Cells(&'a Patch<'a>, &'a [f64], f64),
 }
 
 impl<'a> Sampler<'a> {
@@ -18,7 +18,15 @@ impl<'a> Sampler<'a> {
         if patch.elliptic {
             Self::Strips(Strips::new(patch, values, vanishes_at_rim))
         } else {
-            Self::Cells(patch, values)
+            Self::Cells(patch, values, 0.0)
+        }
+    }
+
+    /// The same with a value other than zero outside the contact.
+    pub(crate) fn above(self, outside: f64) -> Self {
+        match self {
+            Self::Cells(patch, values, _) => Self::Cells(patch, values, outside),
+            strips @ Self::Strips(_) => strips,
         }
     }
 
@@ -26,7 +34,9 @@ impl<'a> Sampler<'a> {
     pub(crate) fn value(&self, position: [f64; 2]) -> f64 {
         match self {
             Self::Strips(strips) => strips.value(position),
-            Self::Cells(patch, values) => between_cells(patch, values, position),
+            Self::Cells(patch, values, outside) => {
+                between_cells(patch, (values, *outside), position)
+            },
         }
     }
 }
@@ -40,7 +50,7 @@ pub(crate) struct Strips {
 }
 
 /// Covered fraction below which a cell is skipped.
-const SLIVER: f64 = 0.25;
+pub(crate) const SLIVER: f64 = 0.25;
 
 #[derive(Debug)]
 struct Strip {
@@ -126,7 +136,11 @@ fn mix(lower: [f64; 2], upper: [f64; 2], at: f64) -> f64 {
     lower[1] + share * (upper[1] - lower[1])
 }
 
-fn between_cells(patch: &Patch, values: &[f64], position: [f64; 2]) -> f64 {
+fn between_cells(
+    patch: &Patch,
+    (values, outside): (&[f64], f64),
+    position: [f64; 2],
+) -> f64 {
     let grid = &patch.fields().grid;
     let [a, b] = patch.semi_axes();
     let u = (position[0] * a - grid.origin_x) / grid.spacing_x - 0.5;
@@ -134,9 +148,9 @@ fn between_cells(patch: &Patch, values: &[f64], position: [f64; 2]) -> f64 {
     let (column, row) = (u.floor(), v.floor());
     let corner = |i: f64, j: f64| {
         if i < 0.0 || j < 0.0 {
-            return 0.0;
+            return outside;
         }
-        patch.cell(i as usize, j as usize).map_or(0.0, |cell| values[cell])
+        patch.cell(i as usize, j as usize).map_or(outside, |cell| values[cell])
     };
     let along =
         |j: f64| mix([column, corner(column, j)], [column + 1.0, corner(column + 1.0, j)], u);

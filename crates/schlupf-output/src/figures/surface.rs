@@ -9,7 +9,7 @@ use super::marks::{self, HEADING};
 use super::mesh::{self, Facet};
 use super::patch::Patch;
 use super::projection::Projection;
-use super::quantity::{Quantity, colors};
+use super::quantity::Quantity;
 use super::sampler::Sampler;
 use super::svg::{Drawing, GRID_LINE, open_path};
 use super::ticks::{Tick, round_axis, round_ticks};
@@ -20,24 +20,28 @@ const SIZE: [f64; 2] = [900.0, 740.0];
 pub(crate) fn draw(patch: &Patch, quantity: &Quantity) -> String {
     let mut drawing = Drawing::new(SIZE[0], SIZE[1]);
     marks::heading(&mut drawing, patch, &quantity.title);
-    let facets =
-        mesh::facets(patch, &Sampler::new(patch, &quantity.values, quantity.vanishes_at_rim));
+    let base = quantity.base;
+    let sampler = Sampler::new(patch, &quantity.values, quantity.vanishes_at_rim).above(base);
+    let facets = mesh::facets(patch, &sampler, base);
     let heights = || facets.iter().flat_map(|facet| &facet.corners).map(|corner| corner[2]);
-    let [low, high]: [f64; 2] = [heights().fold(0.0, f64::min), heights().fold(0.0, f64::max)];
+    let [low, high]: [f64; 2] = [heights().fold(base, f64::min), heights().fold(base, f64::max)];
     // A few stray values of the other sign do not move the floor of the box.
-    let least = 0.05 * high.max(-low);
-    let range = [if low > -least { 0.0 } else { low }, if high < least { 0.0 } else { high }];
+    let least = 0.05 * (high - base).max(base - low);
+    let range = [
+        if low > base - least { base } else { low },
+        if high < base + least { base } else { high },
+    ];
     let [x, y] = mesh::extent(patch);
     let (z, z_ticks) = round_axis(range[0], range[1], 5);
     let projection = Projection { ranges: [x, y, z], center: [402.0, 478.0], scale: 230.0 };
-    let scale = colors(quantity.palette, range);
+    let scale = quantity.colors(range);
     draw_box(&mut drawing, &projection, &z_ticks);
     draw_floor_axes(&mut drawing, &projection);
     draw_upright(&mut drawing, &projection, &z_ticks, &quantity.label);
     if patch.elliptic {
-        draw_rim(&mut drawing, &projection);
+        draw_rim(&mut drawing, &projection, base);
     }
-    draw_facets(&mut drawing, &projection, facets, &scale);
+    draw_facets(&mut drawing, &projection, facets, (&scale, base));
     marks::color_bar(&mut drawing, [792.0, HEADING + 60.0], 340.0, &scale, &quantity.label);
     drawing.finish()
 }
@@ -47,10 +51,10 @@ fn draw_facets(
     drawing: &mut Drawing,
     projection: &Projection,
     mut facets: Vec<Facet>,
-    scale: &ColorScale,
+    (scale, base): (&ColorScale, f64),
 ) {
     let least_wall = 0.004 * (projection.ranges[2][1] - projection.ranges[2][0]);
-    facets.retain(|facet| !facet.wall || facet.value().abs() > least_wall);
+    facets.retain(|facet| !facet.wall || (facet.value() - base).abs() > least_wall);
     facets
         .sort_by(|p, q| projection.distance(q.place()).total_cmp(&projection.distance(p.place())));
     drawing.begin_group(r##"stroke="#000000" stroke-opacity="0.45" stroke-width="0.5""##);
@@ -152,11 +156,11 @@ fn draw_floor_axes(drawing: &mut Drawing, projection: &Projection) {
     drawing.text(floor(middle_x, y0 - 0.67 * deep), &style, "rolling direction");
 }
 
-/// The rim of the patch at zero.
-fn draw_rim(drawing: &mut Drawing, projection: &Projection) {
+/// The rim of the patch at the base of the surface.
+fn draw_rim(drawing: &mut Drawing, projection: &Projection, base: f64) {
     let points: Vec<[f64; 2]> = (0..=120)
         .map(|step| f64::from(step) / 120.0 * TAU)
-        .map(|angle| projection.at([angle.cos(), angle.sin(), 0.0]))
+        .map(|angle| projection.at([angle.cos(), angle.sin(), base]))
         .collect();
     drawing.polyline(&points, &format!(r#"stroke="{INK}" stroke-width="1.2""#));
 }

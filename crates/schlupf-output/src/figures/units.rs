@@ -26,6 +26,8 @@ pub(crate) const TEMPERATURE_RISE: &[Unit] = &[unit(1.0, "K")];
 pub(crate) const FORCE: &[Unit] = &[unit(1e3, "kN"), unit(1.0, "N")];
 /// Units of distance along the rail.
 pub(crate) const DISTANCE: &[Unit] = &[unit(1.0, "m"), unit(1e-3, "mm")];
+/// Units of time.
+pub(crate) const TIME: &[Unit] = &[unit(1.0, "s"), unit(1e-3, "ms")];
 
 /// Units of lengths on a rough surface.
 pub(crate) const ROUGH_LENGTH: &[Unit] = &[unit(1e-3, "mm"), unit(1e-6, "µm")];

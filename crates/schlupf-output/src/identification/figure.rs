@@ -16,22 +16,18 @@ use crate::figures::svg::Drawing;
 const FORCES: [f64; 2] = [340.0, 260.0];
 /// Height of the panel of residuals.
 const RESIDUALS: f64 = 170.0;
-/// Height of a row of the legend.
-const LEGEND_ROW: f64 = 22.0;
 
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(report: &FitReport) -> Option<String> {
     let picture = Picture::new(report)?;
     let entries = picture.entries();
-    // The legend may take several rows: it is drawn once to determine its height.
     let width = WIDTH - LEFT - RIGHT;
-    let rows = marks::legend(&mut Drawing::new(WIDTH, 1.0), [LEFT, 0.0], width, &entries);
-    let top = HEADING + 18.0 + rows;
+    let top = HEADING + 40.0 + marks::further_rows(width, &entries);
     let panels = picture.panels();
     let heights: f64 = panels.iter().map(|panel| panel.panel.height + GAP).sum();
     let mut drawing = Drawing::new(WIDTH, top + heights - GAP + 62.0);
     picture.heading(&mut drawing);
-    marks::legend(&mut drawing, [LEFT, top - 9.0 - (rows - LEGEND_ROW)], width, &entries);
+    marks::legend_above(&mut drawing, [LEFT, top], width, &entries);
     let mut corner = [LEFT, top];
     for (k, panel) in panels.iter().enumerate() {
         let size = [width, panel.panel.height];

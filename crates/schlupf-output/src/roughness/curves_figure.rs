@@ -4,7 +4,7 @@
 use schlupf::Status;
 
 use super::RoughnessReport;
-use crate::figures::color;
+use crate::figures::color::{self, INK};
 use crate::figures::marks::{self, HEADING, short};
 use crate::figures::panels::{Curve, GAP, Panel, Stack, WIDTH};
 use crate::figures::svg::Drawing;
@@ -16,15 +16,16 @@ const HEIGHT: f64 = 290.0;
 const AXIS: f64 = 70.0;
 /// Space above the first panel, for the legend.
 const LEGEND: f64 = 40.0;
-/// Maximum number of named curves: those that fit into a row.
+/// Maximum number of named curves.
 const MOST_NAMES: usize = 6;
 
 /// The figure; `None` where there is no curve.
 pub(super) fn draw(report: &RoughnessReport) -> Option<String> {
     let stacks = [normalised(report)?, over_displacement(report)?];
+    let heights = stacks.each_ref().map(Stack::plot_height);
     let top = HEADING + LEGEND;
-    let below = top + HEIGHT + GAP + AXIS;
-    let mut drawing = Drawing::new(WIDTH, below + HEIGHT + AXIS);
+    let below = top + heights[0] + GAP + AXIS;
+    let mut drawing = Drawing::new(WIDTH, below + heights[1] + AXIS);
     heading(&mut drawing, report);
     let [first, second] = stacks;
     first.draw(&mut drawing, top);
@@ -52,25 +53,32 @@ pub(super) fn remark(report: &RoughnessReport) -> &'static str {
 }
 
 /// Q/(μP) against u/u_s, with a separate fit for each pressure.
-fn normalised(report: &RoughnessReport) -> Option<Stack> {
+fn normalised(report: &RoughnessReport) -> Option<Stack<'static>> {
     let result = &report.result;
     let mut curves = Vec::new();
     let fits = result.stiffness.fits.iter();
     let colors = color::series(result.tangential.len());
-    let step = result.tangential.len().div_ceil(MOST_NAMES);
     for (k, ((curve, fit), color)) in result.tangential.iter().zip(fits).zip(&colors).enumerate() {
         let points = curve.points.iter();
         let points = points.map(|point| [point.normalised_displacement, point.normalised_traction]);
-        let name = format!("{} MPa", short((curve.mean_pressure / 1e6).round()));
-        let name = if k.is_multiple_of(step) { name.as_str() } else { "" };
-        curves.push(Curve::solid(points.collect(), color, name));
+        curves.push(Curve::solid(points.collect(), color, &pressure(report, k)));
         let sliding = curve.full_sliding_displacement;
-        let name = if k == 0 { "Eq. (8)" } else { "" };
-        curves.push(Curve::dashed(exponential(fit.stiffness * sliding), color, name));
+        curves.push(Curve::dashed(exponential(fit.stiffness * sliding), color, ""));
     }
+    curves.push(Curve::dashed(Vec::new(), INK, "Eq. (8), fitted to each"));
     let label = "displacement over that of full sliding, $u$/$u$_s";
     let end = curves.first()?.points.last()?[0];
     Some(stack([0.0, end], label, curves))
+}
+
+/// The name of a curve: its mean pressure, for as many curves as have a name.
+fn pressure(report: &RoughnessReport, k: usize) -> String {
+    let curves = &report.result.tangential;
+    if k.is_multiple_of(curves.len().div_ceil(MOST_NAMES)) {
+        format!("{} MPa", short((curves[k].mean_pressure / 1e6).round()))
+    } else {
+        String::new()
+    }
 }
 
 /// 1 − exp(−k x) up to x = 1.25.
@@ -80,17 +88,18 @@ fn exponential(stiffness: f64) -> Vec<[f64; 2]> {
 }
 
 /// Q/(μP) against u in µm, with one fit for all pressures.
-fn over_displacement(report: &RoughnessReport) -> Option<Stack> {
+fn over_displacement(report: &RoughnessReport) -> Option<Stack<'static>> {
     let result = &report.result;
     let colors = color::series(result.tangential.len());
     let mut curves: Vec<Curve> = result
         .tangential
         .iter()
         .zip(&colors)
-        .map(|(curve, color)| {
+        .enumerate()
+        .map(|(k, (curve, color))| {
             let point = curve.points.iter();
             let point = point.map(|point| [point.displacement / 1e-6, point.normalised_traction]);
-            Curve::solid(point.collect(), color, "")
+            Curve::solid(point.collect(), color, &pressure(report, k))
         })
         .collect();
     let ends = curves.iter().filter_map(|curve| curve.points.last()).map(|point| point[0]);
@@ -103,7 +112,7 @@ fn over_displacement(report: &RoughnessReport) -> Option<Stack> {
     (end > 0.0 && end.is_finite()).then(|| stack([0.0, end], "displacement $u$ (µm)", curves))
 }
 
-fn stack(x: [f64; 2], label: &'static str, curves: Vec<Curve>) -> Stack {
+fn stack(x: [f64; 2], label: &'static str, curves: Vec<Curve>) -> Stack<'static> {
     let panel =
         Panel { label: "force over that of full sliding".to_owned(), height: HEIGHT, curves };
     Stack { x, label, panels: vec![panel], shaded: Vec::new(), shading: "" }

@@ -43,12 +43,12 @@ pub(super) fn spots(report: &RoughnessReport, spots: &Spots) -> String {
     let largest = spots.pressure.iter().copied().fold(0.0, f64::max);
     let high = (largest / 1e9).max(f64::MIN_POSITIVE);
     let scale = ColorScale { palette: Palette::Mechanical, low: 0.0, high };
-    let count = spots.pressure.iter().filter(|pressure| **pressure > 0.0).count();
-    let share = 100.0 * count as f64 / spots.pressure.len() as f64;
+    // The same fraction as in the summary: that of the cells is larger by half of their perimeter.
+    let fraction = report.result.normal.corrected_contact_fraction(spots.mean_pressure);
     let conditions = format!(
-        "mean pressure {} MPa: {} % of the cells in contact",
+        "mean pressure {} MPa: {} % in contact",
         short((spots.mean_pressure / 1e6).round()),
-        short((10.0 * share).round() / 10.0)
+        short((1e4 * fraction).round() / 100.0)
     );
     let level = |cell: usize| {
         let pressure = spots.pressure[cell];

@@ -19,8 +19,9 @@ const STRENGTHS: [f64; 3] = [1.0, 0.6, 0.35];
 pub(super) fn draw(temperatures: &Temperatures) -> Option<String> {
     let stacks = [row(temperatures)?, profile(temperatures)?];
     let top = HEADING + 40.0;
-    let below = top + HEIGHT + GAP + AXIS;
-    let mut drawing = Drawing::new(WIDTH, below + HEIGHT + AXIS);
+    let heights = stacks.each_ref().map(Stack::plot_height);
+    let below = top + heights[0] + GAP + AXIS;
+    let mut drawing = Drawing::new(WIDTH, below + heights[1] + AXIS);
     heading(&mut drawing, temperatures);
     marks::rolling_direction(&mut drawing, [WIDTH - 116.0, HEADING + 14.0]);
     let [first, second] = stacks;
@@ -42,7 +43,7 @@ fn heading(drawing: &mut Drawing, temperatures: &Temperatures) {
 }
 
 /// Against x, with the contact shaded.
-fn row(temperatures: &Temperatures) -> Option<Stack> {
+fn row(temperatures: &Temperatures) -> Option<Stack<'static>> {
     let mut curves = Vec::new();
     for (row, strength) in temperatures.rows.iter().zip(STRENGTHS) {
         let deep = format!("{} µm deep", short((row.depth / 1e-6).round()));
@@ -60,7 +61,7 @@ fn row(temperatures: &Temperatures) -> Option<Stack> {
 }
 
 /// Against the depth.
-fn profile(temperatures: &Temperatures) -> Option<Stack> {
+fn profile(temperatures: &Temperatures) -> Option<Stack<'static>> {
     let line = &temperatures.profile;
     Some(Stack {
         x: range(line)?,
