@@ -174,6 +174,9 @@ impl Columns {
 
     fn header(&self, cells: &[&str], wanted: &[Column]) -> Result<Vec<Assigned>, CaseError> {
         let mut assigned: Vec<Assigned> = Vec::new();
+        if let Some(cell) = cells.iter().find(|cell| cell.contains([';', '\t'])) {
+            return Err(self.other_separator(cell, wanted));
+        }
         for cell in cells {
             let (name, unit) = split_header(cell);
             let Some(index) = wanted.iter().position(|column| column.name == name) else {
@@ -199,14 +202,20 @@ impl Columns {
     }
 
     fn unknown_column(&self, cell: &str, name: &str, wanted: &[Column]) -> CaseError {
+    fn other_separator(&self, cell: &str, wanted: &[Column]) -> CaseError {
+        let separator = if cell.contains(';') { "semicolons" } else { "tabs" };
+        let message = format!(
+            "columns must be separated by commas, as in `{}`, but are by {separator}",
+            expected_header(wanted)
+        );
+        let help = "numbers have a decimal point, not a comma".to_owned();
+        self.error(self.header_line, message).help(help)
+    }
+
         let expected = expected_header(wanted);
         let message = format!("the header must be such as `{expected}`, but has a column `{cell}`");
         let meant = closest(name, wanted.iter().map(|column| column.name));
-        let help = if cell.contains([';', '\t']) {
-            Some("separate the columns by commas".to_owned())
-        } else {
-            meant.map(|meant| format!("did you mean `{meant}`?"))
-        };
+        let help = meant.map(|meant| format!("did you mean `{meant}`?"));
         self.error(self.header_line, message).help(help)
     }
 
@@ -337,6 +346,20 @@ mod tests {
     }
 
     #[test]
+    /// As spreadsheets write where the decimal sign is a comma.
+    #[test]
+    fn semicolons_and_tabs_are_told() {
+        for (text, separator) in
+            [("time [s];factor\n0,5;1\n", "semicolons"), ("time [s]\tfactor\n", "tabs")]
+        {
+            let expected = format!(
+                "f.csv:1:1: columns must be separated by commas, as in `time [s],factor`, but are by {separator}"
+            );
+            let message = read(text).unwrap_err();
+            assert!(message.starts_with(&expected), "{message}");
+        }
+    }
+
     fn commas_within_quotation_marks_separate_nothing() {
         let message = |row: &str| read(&format!("time [s],factor\n0,1\n{row}\n2,3\n")).unwrap_err();
         assert!(
