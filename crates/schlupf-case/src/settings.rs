@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use schlupf::Quantity;
 
-use crate::document::{Entry, Origin, Value};
+use crate::document::{Content, Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
 use crate::fields::{self, ALTERNATIVES, Choose, Default, Field, NOT_PER_CENT, SECTIONS, UsedWith};
 use crate::files::{Files, InputFile};
@@ -386,8 +386,8 @@ impl Settings {
         let message = format!(
             "{later_name} must not be given together with {earlier_name}: {reason}, but {later_name} is \
              {} and {earlier_name} is {} ({})",
-            self.shown(later),
-            self.shown(earlier),
+            self.given_as(later),
+            self.given_as(earlier),
             self.place(earlier)
         );
         let remove = if overridden(later) && !overridden(earlier) {
@@ -417,4 +417,17 @@ fn unknown_field(entry: &Entry) -> CaseError {
         _ => "`schlupf init -` shows all fields".to_owned(),
     };
     CaseError::new(path, format!("unknown field `{path}`"), place).help(help)
+
+    /// A field's value as the user gave it: what stands after its own option, else as in the case file.
+    fn given_as(&self, path: &str) -> String {
+        let given = self.given.get(path).map(|given| (&given.origin, &given.value.content));
+        match given {
+            Some((Origin::Override { option, text }, Content::Text(_)))
+                if self.names.option(path) == Some(&**option) =>
+            {
+                format!("{text:?}")
+            }
+            _ => self.shown(path),
+        }
+    }
 }
