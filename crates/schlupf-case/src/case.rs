@@ -76,7 +76,7 @@ impl CaseFile {
     }
 
     /// The same; a micro model that was solved for a like case is taken over.
-    fn pose_like(
+    pub(crate) fn pose_like(
         &self,
         solved: Option<&Arc<MicroContact>>,
         watch: Watch,
@@ -103,11 +103,11 @@ impl CaseFile {
 }
 
 impl Case {
-    /// The same case with other fields, each `section.field=value`, that an option of the command line
-    /// gives. They need to fit together only when all are in place.
+    /// The same case with other fields, each `section.field=value`, that an option, say of the command
+    /// line, gives. They need to fit together only when all are in place.
     pub fn with(
         &self,
-        option: &'static str,
+        option: impl Into<Arc<str>>,
         assignments: &[String],
         watch: Watch,
     ) -> Result<Self, CaseErrors> {
@@ -127,10 +127,10 @@ impl Case {
     /// What is to be solved, from a state if there is one.
     ///
     /// ```
-    /// use schlupf_case::{CaseFile, Folder, Rolling};
+    /// use schlupf_case::{CaseFile, Folder, Overrides, Rolling};
     ///
     /// let text = CaseFile::default_text();
-    /// let file = CaseFile::from_str(&text, "template", Folder::new(""), &[])?;
+    /// let file = CaseFile::from_str(&text, "template", Folder::new(""), Overrides::NONE)?;
     /// let case = file.pose(&schlupf::unwatched)?;
     /// assert!(matches!(case.rolling(None), Ok(Rolling::Steady(_))));
     /// # Ok::<(), schlupf_case::CaseErrors>(())

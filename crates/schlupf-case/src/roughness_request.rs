@@ -19,7 +19,7 @@ use crate::surface::RoughSurface;
 #[derive(Debug, Clone)]
 pub struct GivenByOption {
     /// The option, such as `--unit`.
-    pub option: &'static str,
+    pub option: Arc<str>,
     /// What stands after it.
     pub text: String,
     /// Dotted path of the field.
@@ -52,7 +52,8 @@ impl Case {
         // Whatever method the case is solved by, and whatever its k_c is.
         entries.retain(|entry| !is_replaced(entry, files.is_some()));
         for given in options {
-            let origin = Origin::Override { option: given.option, text: given.text.clone() };
+            let origin =
+                Origin::Override { option: Arc::clone(&given.option), text: given.text.clone() };
             document::assign(&mut entries, origin, &given.field, &given.value);
         }
         let files = files.unwrap_or_else(|| Arc::clone(&self.file.files));

@@ -5,7 +5,9 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::ExitCode;
 
-use schlupf_case::{Case, CaseFile, Effective, Folder, Place, schema as case_schema, template};
+use schlupf_case::{
+    Case, CaseFile, Effective, Folder, Overrides, Place, schema as case_schema, template,
+};
 
 use crate::arguments::{CaseArguments, InitArguments, STANDARD_STREAM};
 use crate::failure::Failure;
@@ -13,9 +15,9 @@ use crate::outputs::{self, Output};
 use crate::progress::Progress;
 use crate::{contact_law, report, stdout};
 
-/// Reads the case that was named, or the default one.
-pub fn read_case(arguments: &CaseArguments, progress: &Progress) -> Result<Case, Failure> {
-    let overrides = &arguments.overrides;
+/// Reads the case that was named, or the default one; nothing is solved yet.
+pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
+    let overrides = Overrides { option: "--set", assignments: &arguments.overrides };
     let file = if let Some(path) = &arguments.case {
         if path == Path::new(STANDARD_STREAM) {
             let input = Ok(std::io::stdin().lock());

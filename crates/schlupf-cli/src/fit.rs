@@ -11,7 +11,9 @@ use schlupf::message::Message;
 use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
-use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, Folder, InputFile};
+use schlupf_case::{
+    Case, CaseError, CaseErrors, CaseFile, FieldNames, Folder, InputFile, Overrides, Place,
+};
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -252,6 +254,6 @@ fn fitted_case(
     }
     let text = case.edited(&values, folder).map_err(CaseErrors::from)?;
     // What is written can be read again.
-    CaseFile::from_str(&text, &path.display().to_string(), Folder::new(folder), &[])?;
+    CaseFile::from_str(&text, &path.display().to_string(), Folder::new(folder), Overrides::NONE)?;
     Ok(text)
 }

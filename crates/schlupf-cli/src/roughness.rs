@@ -142,7 +142,7 @@ impl Task for Roughness {
         let is_wanted = is_wanted.into_iter().any(Option::is_some);
         let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
         let spots = spots.map_err(explain)?;
-        Ok(Pressed { request, rough, result, spots }.report(self, &case).into())
+        Ok(Pressed { request, rough, result, spots }.report(self, &title).into())
     }
 }
 
@@ -249,13 +249,13 @@ fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         if let (Some(option), Some(value)) = (given.option, (given.value)(arguments)) {
             let text = files.get(option).map(|path| path.display().to_string());
             let text = text.unwrap_or_else(|| value.trim_matches('"').to_owned());
-            fields.push(GivenByOption { option, text, field: given.path(), value });
+            fields.push(GivenByOption { option: option.into(), text, field: given.path(), value });
         }
     }
     if let Some(friction) = &arguments.friction {
         let (option, field) = ("--friction", "friction.coefficient".to_owned());
         fields.push(GivenByOption {
-            option,
+            option: option.into(),
             text: friction.clone(),
             field,
             value: friction.clone(),
@@ -268,7 +268,7 @@ fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         values.sort_by(f64::total_cmp);
         let array: Vec<String> = values.iter().map(|value| format!("\"{value:e} Pa\"")).collect();
         let (field, value) = (format!("{SECTION}pressures"), format!("[{}]", array.join(",")));
-        fields.push(GivenByOption { option: "--pressure", text, field, value });
+        fields.push(GivenByOption { option: "--pressure".into(), text, field, value });
     }
     Ok(fields)
 }
@@ -286,7 +286,7 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         let given = GIVEN.iter().find(|given| given.key.is_some_and(|own| is_meant(own, given)));
         match given {
             Some(given) if !value.is_empty() => Ok(GivenByOption {
-                option: "--synthetic",
+                option: "--synthetic".into(),
                 text: part.trim().to_owned(),
                 field: given.path(),
                 value: value.to_owned(),
