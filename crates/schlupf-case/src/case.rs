@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use schlupf::bulk_temperature::Cooling;
 use schlupf::history::History;
+use schlupf::material::Material;
 use schlupf::message::Message;
+use schlupf::normal::NormalContact;
 use schlupf::rolling::MarchingSolver;
 use schlupf::state::State;
 use schlupf::{Method, Options, Problem, Solver, Transient, Watch};
@@ -84,21 +86,59 @@ impl CaseFile {
         let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
         let caveats = law_stiffness.caveats().into_iter();
         let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
-        let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
-        let idle = self.settings.idle();
         Ok(Case {
-            title: self.settings.text("title")?,
+            title: self.title()?,
             problem,
             history: self.parts.history.clone(),
             method: read::method(&self.settings)?,
             elasticity: self.settings.chosen("elasticity.model")?,
             driver: read::driver(&self.settings)?,
-            options: read::options(&self.settings)?,
+            options: self.options()?,
             cooling: read::cooling(&self.settings)?,
             law_stiffness,
-            notices: nothing.into_iter().chain(idle).map(Message::from).chain(caveats).collect(),
+            notices: self.notices().into_iter().chain(caveats).collect(),
             file: self.clone(),
         })
+    }
+
+    /// Title for the summary and the figures.
+    pub fn title(&self) -> Result<String, CaseError> {
+        self.settings.text("title")
+    }
+
+    /// How accurately to solve.
+    pub fn options(&self) -> Result<Options, CaseError> {
+        read::options(&self.settings)
+    }
+
+    /// What was given without effect, each with its place.
+    pub fn notices(&self) -> Vec<Message> {
+        let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
+        nothing.into_iter().chain(self.settings.idle()).map(Message::from).collect()
+    }
+
+    /// Materials of wheel and rail.
+    pub fn materials(&self) -> [Material; 2] {
+        self.parts.materials()
+    }
+
+    /// The normal contact, of a history that with the largest load; nothing else is solved.
+    pub fn normal_contact(&self, watch: Watch) -> Result<NormalContact, CaseErrors> {
+        Ok(self.parts.normal_contact(&self.settings, watch)?)
+    }
+
+    /// An error of the core, at the place of the field that it names.
+    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+        self.settings.explain(error)
+    }
+
+    /// Files that the case names, each with the field that does, whether that has an effect or not.
+    pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
+        fields::all()
+            .filter(|field| matches!(field.kind, fields::Kind::Path))
+            .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
+            .map(|(field, file)| (field, self.files.locate(file)))
+            .collect()
     }
 }
 
@@ -194,7 +234,7 @@ impl Case {
 
     /// An error of the core, at the place of the field that it names.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
-        self.file.settings.explain(error)
+        self.file.explain(error)
     }
 
     /// What cools the wheel in the long run.
@@ -213,11 +253,7 @@ impl Case {
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.
     pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
-        fields::all()
-            .filter(|field| matches!(field.kind, fields::Kind::Path))
-            .filter_map(|field| Some((field.path, self.file.settings.given_text(field.path)?)))
-            .map(|(field, file)| (field, self.file.files.locate(file)))
-            .collect()
+        self.file.files()
     }
 
     /// The text of the case with other values of some fields (in SI units, or dimensionless) and all

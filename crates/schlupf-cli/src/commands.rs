@@ -29,15 +29,14 @@ pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
         let text = CaseFile::default_text();
         CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
     };
-    // Contact of profiles and of a rough surface may take a while.
-    progress.stage("posing the problem");
-    Ok(file?.pose(&progress.watch())?)
+    Ok(file?)
 }
 
 /// `schlupf check`: reads a case and says what it would solve.
 pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
     let progress = Progress::start();
-    let case = read_case(arguments, &progress)?;
+    progress.stage("posing the problem");
+    let case = read_case(arguments)?.pose(&progress.watch())?;
     drop(progress);
     let normal = case
         .problem
@@ -93,7 +92,7 @@ pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
         stdout::write(&text)?;
         return Ok(ExitCode::SUCCESS);
     }
-    outputs::check(&[Output { option: "FILE", path: path.to_owned() }], &[], None)?;
+    outputs::check(&[Output { option: "FILE", path: path.to_owned() }], None)?;
     if arguments.force {
         outputs::write(&[(path.clone(), text.into_bytes())], None)?;
     } else {

@@ -8,13 +8,12 @@ use schlupf::normal::Pressure;
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
-use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, Place};
+use schlupf_case::{Case, CaseErrors, CaseFile, Effective, ElasticityModel, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
 use crate::notice::Notice;
-use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task, messages};
 
@@ -48,13 +47,10 @@ impl Task for Compare {
         &self.outputs
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Case, Failure> {
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Case, Failure> {
+        let case = file.pose(watch)?;
         case.require_steady("a comparison is").map_err(CaseErrors::from)?;
         Ok(case)
-    }
-
-    fn inputs(&self, case: &Case) -> Vec<Input> {
-        Input::of_case(&self.case, case)
     }
 
     fn find(&self, case: Case, progress: &Progress) -> Result<Found<Comparison>, Failure> {

@@ -93,8 +93,9 @@ impl Task for Fit {
         case.into_iter().collect()
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let parameters = parameters(FIT, &self.parameters).map_err(CaseErrors::from)?;
+        let case = file.pose(watch)?;
         let data = read_data(DATA, &InputFile::at(&self.data), &case.problem.kinematics);
         let data = data.map_err(CaseErrors::from)?;
         let explain = |error: Error| self.explain(&case, &error);
@@ -106,8 +107,8 @@ impl Task for Fit {
         Ok(Plan { case, parameters, data, model, load })
     }
 
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        let mut inputs = Input::of_case(&self.case, &plan.case);
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, file);
         inputs.push(Input { what: DATA.to_owned(), path: self.data.clone(), except: None });
         inputs
     }

@@ -14,7 +14,7 @@ use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
-    Case, CaseErrors, FieldNames, Files, GivenByOption, RoughnessRequest, caveats, pressures,
+    CaseErrors, CaseFile, FieldNames, Files, GivenByOption, RoughnessRequest, caveats, pressures,
 };
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
@@ -94,7 +94,8 @@ pub struct Roughness {
 
 /// A surface to press, and on what.
 pub struct Plan {
-    case: Case,
+    /// Title of the case.
+    title: String,
     request: RoughnessRequest,
 }
 
@@ -118,12 +119,13 @@ impl Task for Roughness {
         [heights, pressures, gaps].into_iter().flatten().collect()
     }
 
-    fn plan(&self, case: Case, watch: Watch) -> Result<Plan, Failure> {
-        Ok(Plan { request: request(self, &case, watch)?, case })
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
+        let title = file.title().map_err(CaseErrors::from)?;
+        Ok(Plan { title, request: request(self, &file, watch)? })
     }
 
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        let mut inputs = Input::of_case(&Task::case(self), &plan.case);
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        let mut inputs = Input::of_case(&Task::case(self), file);
         for (what, path) in [("the surface", &self.surface), (SECOND, &self.second)] {
             let input =
                 |path: &PathBuf| Input { what: what.to_owned(), path: path.clone(), except: None };
@@ -133,11 +135,11 @@ impl Task for Roughness {
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<RoughnessReport>, Failure> {
-        let Plan { case, request } = plan;
+        let Plan { title, request } = plan;
         progress.stage("reading the surface");
         let rough = request.load().map_err(CaseErrors::from)?;
         let explain = |error: Error| Failure::Case(request.explain(&error).into());
-        let result = solve(&case, &request, &rough, progress).map_err(explain)?;
+        let result = solve(&request, &rough, progress).map_err(explain)?;
         let is_wanted = [&self.outputs.figures, &self.pressures, &self.gaps];
         let is_wanted = is_wanted.into_iter().any(Option::is_some);
         let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
@@ -147,7 +149,11 @@ impl Task for Roughness {
 }
 
 /// What the options and the case ask for.
-fn request(arguments: &Roughness, case: &Case, watch: Watch) -> Result<RoughnessRequest, Failure> {
+fn request(
+    arguments: &Roughness,
+    case: &CaseFile,
+    watch: Watch,
+) -> Result<RoughnessRequest, Failure> {
     let fields = fields(arguments)?;
     let is_own = arguments.surface.is_none() && arguments.synthetic.is_none();
     let files = (!is_own).then(|| -> Arc<dyn Files> { Arc::new(files(arguments)) });
@@ -310,23 +316,17 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
 
 /// The micro model; that of the case is taken over where it is the same.
 fn solve(
-    case: &Case,
     request: &RoughnessRequest,
     rough: &RoughSurface,
     progress: &Progress,
 ) -> Result<MicroModelResult, Error> {
     let (key, bodies) = (request.key(), request.bodies());
-    let mean_pressures = request.mean_pressures();
-    if let Some(solved) = case.micro_contact().filter(|solved| solved.serves(key, mean_pressures)) {
-        let normal = solved.result.normal.clone();
-        return MicroModelResult::new(solved.result.statistics, normal, bodies, mean_pressures);
-    }
     let model = MicroModel {
         surface: rough.surface.clone(),
         contact_modulus: key.contact_modulus,
         bodies: *bodies,
         hardness: key.hardness,
-        mean_pressures: mean_pressures.to_vec(),
+        mean_pressures: request.mean_pressures().to_vec(),
     };
     model.solve(&LoadCurveOptions::default(), &progress.watch())
 }
@@ -360,7 +360,7 @@ struct Pressed {
 }
 
 impl Pressed {
-    fn report(self, arguments: &Roughness, case: &Case) -> RoughnessReport {
+    fn report(self, arguments: &Roughness, case_title: &str) -> RoughnessReport {
         let Self { request, rough, result, spots } = self;
         let title = match (&request.key().source.origin, &arguments.synthetic) {
             (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),

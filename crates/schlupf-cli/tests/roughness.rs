@@ -108,6 +108,20 @@ fn bodies_and_friction_come_from_the_case() {
     assert!(plastic(&soft) > 0.01 && plastic(&plain) == 0.0);
 }
 
+/// A surface of its own needs neither the surface of the case nor its micro model.
+#[test]
+fn the_surface_of_the_case_is_not_read_for_another() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[contact_law]\nroughness = \"gone.csv\"\n");
+    let pressure = ["--pressure", "0.4,0.8 GPa", "--case", "case.toml"];
+    let document = document(&bench, &[&[QUICK], &pressure[..]].concat());
+    assert!(number(&document["contact_law"]["stiffness"]) > 0.0);
+    let own = run(&bench, &["--case", "case.toml"]);
+    assert!(own.stderr.contains("gone.csv"), "{}", own.stderr);
+    let calibrated = bench.run(&["calibrate", "case.toml", "--cells", "10"]);
+    assert_eq!(calibrated.code, Some(0), "{}", calibrated.stderr);
+}
+
 /// A profile becomes a surface of its roughness; two surfaces are added.
 #[test]
 fn profiles_and_pairs_are_taken() {
