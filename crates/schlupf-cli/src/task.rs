@@ -68,13 +68,21 @@ impl<'a> OwnFile<'a> {
     ) -> Option<Self> {
         path.map(|path| Self { option, format, path })
     }
+
+    /// The results do not have it.
+    fn missing(&self) -> Failure {
+        let Self { option, format, path } = self;
+        let cause = format!("{option}: the results have no {format}; nothing was written");
+        Failure::file(path, std::io::Error::other(cause))
+    }
 }
 
 /// What a command has found.
 pub struct Found<R> {
     /// The results.
     pub report: R,
-    /// What went wrong besides; the results are written all the same.
+    /// Why not all that was asked for can be written; the results are printed, but no file is written:
+    /// one of an earlier run would look current beside them.
     pub failure: Option<Failure>,
 }
 
@@ -95,15 +103,19 @@ pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
     progress.stage("posing the problem");
     let plan = task.plan(file, &progress.watch())?;
     let Found { report, failure } = task.find(plan, &progress)?;
-    let files = files(task, &report, &progress)?;
-    drop(progress);
-    let figures = task.outputs().figures.as_deref();
-    outputs::write(&files, figures)?;
-    if let Some(directory) = figures {
-        outputs::remove(&stale::<T>(directory, &files));
+    if failure.is_none() {
+        let files = files(task, &report, &progress)?;
+        let figures = task.outputs().figures.as_deref();
+        outputs::write(&files, figures)?;
+        if let Some(directory) = figures {
+            outputs::remove(&stale::<T>(directory, &files));
+        }
     }
-    print(task.outputs(), &report)?;
+    drop(progress);
+    // Whether it can be printed or not, what is doubtful is said.
+    let printed = print(task.outputs(), &report);
     report::warn_all(report.warnings(), report.status());
+    printed?;
     match (failure, report.status()) {
         (Some(failure), _) => Err(failure),
         (None, Status::Converged) => Ok(ExitCode::SUCCESS),
@@ -167,6 +179,11 @@ fn refuse_foreign(path: &Path) -> Result<(), Failure> {
     if !path.exists() || is_ours(path) {
         return Ok(());
     }
+    Err(Failure::Arguments(format!(
+        "--figures must name a directory without other files of the names of figures, but {} is not \
+         marked as drawn by schlupf",
+        path.display()
+    )))
 }
 
 /// Whether a drawing or a picture is one of ours: its mark stands near its beginning.
@@ -182,11 +199,6 @@ fn is_ours(figure: &Path) -> bool {
 fn stale<T: Task>(directory: &Path, written: &[(PathBuf, Vec<u8>)]) -> Vec<PathBuf> {
     let names = T::Report::figure_names();
     let files = names.iter().flat_map(|name| figure_files(name)).map(|name| directory.join(name));
-    Err(Failure::Arguments(format!(
-        "--figures must name a directory without other files of the names of figures, but {} is not \
-         marked as drawn by schlupf",
-        path.display()
-    )))
     let is_written = |path: &PathBuf| written.iter().any(|(written, _)| written == path);
     files.filter(|path| !is_written(path) && is_ours(path)).collect()
 }
@@ -206,9 +218,8 @@ fn files<T: Task>(
         files.push((path.clone(), table.into_bytes()));
     }
     for own in task.own_files() {
-        if let Some(bytes) = report.own_file(own.format) {
-            files.push((own.path.to_owned(), bytes));
-        }
+        let Some(bytes) = report.own_file(own.format) else { return Err(own.missing()) };
+        files.push((own.path.to_owned(), bytes));
     }
     if let Some(directory) = &outputs.figures {
         progress.stage("drawing figures");
