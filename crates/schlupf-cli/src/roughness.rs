@@ -304,6 +304,7 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         }
     });
     let parts = parts.collect::<Result<Vec<_>, Failure>>()?;
+    refuse_repeated(arguments, &parts)?;
     let is_named = |field: &str| parts.iter().any(|part| part.field.ends_with(field));
     if !["longest_wavelength", "shortest_wavelength"].into_iter().all(is_named) {
         return Err(Failure::Arguments(format!(
@@ -314,7 +315,28 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
     Ok(parts)
 }
 
-/// The micro model; that of the case is taken over where it is the same.
+/// Refuses a key of --synthetic that is given twice, or by an option, too.
+fn refuse_repeated(arguments: &Roughness, parts: &[GivenByOption]) -> Result<(), Failure> {
+    for (k, part) in parts.iter().enumerate() {
+        if let Some(first) = parts[..k].iter().find(|first| first.field == part.field) {
+            return Err(Failure::Arguments(format!(
+                "--synthetic must give a key once, but has {:?} and {:?}",
+                first.text, part.text
+            )));
+        }
+        let mut given = GIVEN.iter().filter(|given| given.path() == part.field);
+        let twice = given.find_map(|given| Some((given.option?, (given.value)(arguments)?)));
+        if let Some((option, value)) = twice {
+            return Err(Failure::Arguments(format!(
+                "--synthetic must not give what {option} gives, but has {:?} and {option} is {value:?}",
+                part.text
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// The micro model.
 fn solve(
     request: &RoughnessRequest,
     rough: &RoughSurface,
@@ -363,8 +385,11 @@ impl Pressed {
     fn report(self, arguments: &Roughness, case_title: &str) -> RoughnessReport {
         let Self { request, rough, result, spots } = self;
         let title = match (&request.key().source.origin, &arguments.synthetic) {
-            (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
-            (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
+            (SurfaceOrigin::SelfAffine(_), Some(text)) => {
+                let seed = arguments.seed.iter().map(|seed| format!(",seed={seed}"));
+                format!("self-affine surface, {text}{}", seed.collect::<String>())
+            }
+            (SurfaceOrigin::SelfAffine(_), None) => format!("{case_title}, self-affine surface"),
             (SurfaceOrigin::Files { files, .. }, _) => {
                 let names: Vec<String> =
                     files.iter().map(|file| file.path().display().to_string()).collect();

@@ -171,6 +171,15 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--hardness 0.5 GPa: --hardness must be above the largest"],
     ),
     (&[QUICK, "--form", "plane"], &["--form"]),
+    (&[QUICK, "--second", "xx.csv"], &["and --second is \"xx.csv\" (--second xx.csv)"]),
+    (
+        &[QUICK, "--seed", "2"],
+        &["--synthetic must not give what --seed gives, but has \"seed=1\" and --seed is \"2\""],
+    ),
+    (
+        &["--synthetic", "rms_height=1 um,longest=1 mm,longest_wavelength=2 mm,shortest=20 um"],
+        &["must give a key once, but has \"longest=1 mm\" and \"longest_wavelength=2 mm\""],
+    ),
     (
         &["line.csv", "--cutoff", "1 m"],
         &["--cutoff 1 m: --cutoff must be between 2e-6 and 9.9e-5 m"],
