@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use schlupf::bulk_temperature::Cooling;
 use schlupf::history::History;
+use schlupf::material::Material;
 use schlupf::message::Message;
+use schlupf::normal::NormalContact;
 use schlupf::rolling::MarchingSolver;
 use schlupf::state::State;
 use schlupf::{Method, Options, Problem, Solver, Transient, Watch};
@@ -76,7 +78,7 @@ impl CaseFile {
     }
 
     /// The same; a micro model that was solved for a like case is taken over.
-    fn pose_like(
+    pub(crate) fn pose_like(
         &self,
         solved: Option<&Arc<MicroContact>>,
         watch: Watch,
@@ -84,30 +86,68 @@ impl CaseFile {
         let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
         let caveats = law_stiffness.caveats().into_iter();
         let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
-        let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
-        let idle = self.settings.idle();
         Ok(Case {
-            title: self.settings.text("title")?,
+            title: self.title()?,
             problem,
             history: self.parts.history.clone(),
             method: read::method(&self.settings)?,
             elasticity: self.settings.chosen("elasticity.model")?,
             driver: read::driver(&self.settings)?,
-            options: read::options(&self.settings)?,
+            options: self.options()?,
             cooling: read::cooling(&self.settings)?,
             law_stiffness,
-            notices: nothing.into_iter().chain(idle).map(Message::from).chain(caveats).collect(),
+            notices: self.notices().into_iter().chain(caveats).collect(),
             file: self.clone(),
         })
+    }
+
+    /// Title for the summary and the figures.
+    pub fn title(&self) -> Result<String, CaseError> {
+        self.settings.text("title")
+    }
+
+    /// How accurately to solve.
+    pub fn options(&self) -> Result<Options, CaseError> {
+        read::options(&self.settings)
+    }
+
+    /// What was given without effect, each with its place.
+    pub fn notices(&self) -> Vec<Message> {
+        let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
+        nothing.into_iter().chain(self.settings.idle()).map(Message::from).collect()
+    }
+
+    /// Materials of wheel and rail.
+    pub fn materials(&self) -> [Material; 2] {
+        self.parts.materials()
+    }
+
+    /// The normal contact, of a history that with the largest load; nothing else is solved.
+    pub fn normal_contact(&self, watch: Watch) -> Result<NormalContact, CaseErrors> {
+        Ok(self.parts.normal_contact(&self.settings, watch)?)
+    }
+
+    /// An error of the core, at the place of the field that it names.
+    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+        self.settings.explain(error)
+    }
+
+    /// Files that the case names, each with the field that does, whether that has an effect or not.
+    pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
+        fields::all()
+            .filter(|field| matches!(field.kind, fields::Kind::Path))
+            .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
+            .map(|(field, file)| (field, self.files.locate(file)))
+            .collect()
     }
 }
 
 impl Case {
-    /// The same case with other fields, each `section.field=value`, that an option of the command line
-    /// gives. They need to fit together only when all are in place.
+    /// The same case with other fields, each `section.field=value`, that an option, say of the command
+    /// line, gives. They need to fit together only when all are in place.
     pub fn with(
         &self,
-        option: &'static str,
+        option: impl Into<Arc<str>>,
         assignments: &[String],
         watch: Watch,
     ) -> Result<Self, CaseErrors> {
@@ -127,10 +167,10 @@ impl Case {
     /// What is to be solved, from a state if there is one.
     ///
     /// ```
-    /// use schlupf_case::{CaseFile, Folder, Rolling};
+    /// use schlupf_case::{CaseFile, Folder, Overrides, Rolling};
     ///
     /// let text = CaseFile::default_text();
-    /// let file = CaseFile::from_str(&text, "template", Folder::new(""), &[])?;
+    /// let file = CaseFile::from_str(&text, "template", Folder::new(""), Overrides::NONE)?;
     /// let case = file.pose(&schlupf::unwatched)?;
     /// assert!(matches!(case.rolling(None), Ok(Rolling::Steady(_))));
     /// # Ok::<(), schlupf_case::CaseErrors>(())
@@ -194,7 +234,7 @@ impl Case {
 
     /// An error of the core, at the place of the field that it names.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
-        self.file.settings.explain(error)
+        self.file.explain(error)
     }
 
     /// What cools the wheel in the long run.
@@ -213,11 +253,7 @@ impl Case {
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.
     pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
-        fields::all()
-            .filter(|field| matches!(field.kind, fields::Kind::Path))
-            .filter_map(|field| Some((field.path, self.file.settings.given_text(field.path)?)))
-            .map(|(field, file)| (field, self.file.files.locate(file)))
-            .collect()
+        self.file.files()
     }
 
     /// The text of the case with other values of some fields (in SI units, or dimensionless) and all

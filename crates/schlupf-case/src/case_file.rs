@@ -17,6 +17,20 @@ use crate::template::template;
 /// Largest case file that is read, in bytes.
 pub const LARGEST_CASE: u64 = 4 << 20;
 
+/// What stands in place of fields of a case file.
+#[derive(Debug, Clone, Copy)]
+pub struct Overrides<'a> {
+    /// What messages call them, such as `--set`.
+    pub option: &'a str,
+    /// Each is `section.field=value`; an empty value takes the field out.
+    pub assignments: &'a [String],
+}
+
+impl Overrides<'_> {
+    /// No field is overridden.
+    pub const NONE: Self = Self { option: "override", assignments: &[] };
+}
+
 /// A case file that was read and checked. Nothing is solved before [`Self::pose`].
 #[derive(Debug, Clone)]
 pub struct CaseFile {
@@ -34,15 +48,15 @@ impl CaseFile {
         template()
     }
 
-    /// Reads the text of a case. `name` is for messages, `files` finds the files that the case names, and
-    /// each override is `section.field=value`.
+    /// Reads the text of a case. `name` is for messages, `files` finds the files that the case names.
     ///
     /// ```
-    /// use schlupf_case::{CaseFile, Folder};
+    /// use schlupf_case::{CaseFile, Folder, Overrides};
     ///
     /// let text = "[kinematics]\nspeed = \"72 km/h\"";
-    /// let set = ["normal.load=100 kN".to_owned()];
-    /// let file = CaseFile::from_str(text, "a case", Folder::new(""), &set)?;
+    /// let assignments = &["normal.load=100 kN".to_owned()];
+    /// let set = Overrides { option: "set", assignments };
+    /// let file = CaseFile::from_str(text, "a case", Folder::new(""), set)?;
     /// let case = file.pose(&schlupf::unwatched)?;
     /// assert!((case.problem.kinematics.speed - 20.0).abs() < 1e-12);
     /// # Ok::<(), schlupf_case::CaseErrors>(())
@@ -51,18 +65,19 @@ impl CaseFile {
         text: &str,
         name: &str,
         files: Arc<dyn Files>,
-        overrides: &[String],
+        overrides: Overrides<'_>,
     ) -> Result<Self, CaseErrors> {
         let source = Arc::new(Source { name: name.to_owned(), text: text.to_owned() });
         let (mut entries, mut errors) = document::parse(&source)?;
-        for text in overrides {
-            errors.extend(document::apply(&mut entries, "--set", text).err());
+        let option = overrides.option.into();
+        for text in overrides.assignments {
+            errors.extend(document::apply(&mut entries, &option, text).err());
         }
         Self::from_entries(entries, errors, source, files)
     }
 
     /// Reads a case file; relative paths start in its folder.
-    pub fn from_path(path: &Path, overrides: &[String]) -> Result<Self, CaseErrors> {
+    pub fn from_path(path: &Path, overrides: Overrides<'_>) -> Result<Self, CaseErrors> {
         let file = File::open(path);
         let name = path.display().to_string();
         Self::from_reader(file, &name, Folder::of(path), overrides)
@@ -73,7 +88,7 @@ impl CaseFile {
         reader: io::Result<R>,
         name: &str,
         files: Arc<dyn Files>,
-        overrides: &[String],
+        overrides: Overrides<'_>,
     ) -> Result<Self, CaseErrors> {
         let bytes = reader.and_then(|reader| read_up_to(LARGEST_CASE, reader));
         let bytes =
@@ -87,11 +102,16 @@ impl CaseFile {
         Self::from_str(&text, name, files, overrides)
     }
 
-    /// The same with other fields, each `section.field=value`, that an option of the command line gives.
-    pub fn with(&self, option: &'static str, assignments: &[String]) -> Result<Self, CaseErrors> {
+    /// The same with other fields, each `section.field=value`, that an option, say of the command line, gives.
+    pub fn with(
+        &self,
+        option: impl Into<Arc<str>>,
+        assignments: &[String],
+    ) -> Result<Self, CaseErrors> {
+        let option = option.into();
         let mut entries = self.entries.clone();
         for assignment in assignments {
-            document::apply(&mut entries, option, assignment)?;
+            document::apply(&mut entries, &option, assignment)?;
         }
         let (source, files) = (Arc::clone(&self.source), Arc::clone(&self.files));
         Self::from_entries(entries, Vec::new(), source, files)

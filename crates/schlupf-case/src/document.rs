@@ -86,10 +86,10 @@ pub struct Entry {
 pub enum Origin {
     /// In the case file.
     File(Arc<Source>),
-    /// By an option of the command line.
+    /// By what overrides it, such as an option of the command line.
     Override {
-        /// The option, such as `--set`.
-        option: &'static str,
+        /// What that is called, such as `--set`.
+        option: Arc<str>,
         /// The text after it.
         text: String,
     },
@@ -100,7 +100,9 @@ impl Origin {
     pub fn place(&self, span: &Range<usize>) -> Place {
         match self {
             Self::File(source) => Place::Text { source: Arc::clone(source), span: span.clone() },
-            Self::Override { option, text } => Place::Override { option, text: text.clone() },
+            Self::Override { option, text } => {
+                Place::Override { option: Arc::clone(option), text: text.clone() }
+            }
         }
     }
 }
@@ -198,14 +200,14 @@ fn convert(value: &DeValue<'_>) -> Content {
 
 /// Puts an override `path=value`, given by an option, in place of what the file says. An empty value
 /// takes the field out.
-pub fn apply(entries: &mut Vec<Entry>, option: &'static str, text: &str) -> Result<(), CaseError> {
-    let place = Place::Override { option, text: text.to_owned() };
+pub fn apply(entries: &mut Vec<Entry>, option: &Arc<str>, text: &str) -> Result<(), CaseError> {
+    let place = Place::Override { option: Arc::clone(option), text: text.to_owned() };
     let Some((path, value)) = text.split_once('=') else {
         let message =
             format!("an override must be of the form section.field=value, but is {text:?}");
         return Err(CaseError::new("", message, place));
     };
-    let origin = Origin::Override { option, text: text.to_owned() };
+    let origin = Origin::Override { option: Arc::clone(option), text: text.to_owned() };
     assign(entries, origin, path.trim(), value.trim());
     Ok(())
 }
@@ -275,8 +277,8 @@ mod tests {
     #[test]
     fn overrides_replace_and_remove() {
         let mut entries = entries("[kinematics]\nspeed = \"30 m/s\"\ncreepage_x = 0.1");
-        apply(&mut entries, "--set", "kinematics.speed=60 km/h").unwrap();
-        apply(&mut entries, "--set", "kinematics.creepage_x=").unwrap();
+        apply(&mut entries, &"--set".into(), "kinematics.speed=60 km/h").unwrap();
+        apply(&mut entries, &"--set".into(), "kinematics.creepage_x=").unwrap();
         assert_eq!(entries.len(), 1);
         assert_eq!(entries[0].value.content, Content::Text("60 km/h".to_owned()));
     }

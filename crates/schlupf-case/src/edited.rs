@@ -165,10 +165,11 @@ pub fn absolute(path: &Path) -> PathBuf {
 mod tests {
     use schlupf::unwatched;
 
-    use crate::{Case, CaseFile, Folder};
+    use crate::{Case, CaseFile, Folder, Overrides};
     use std::path::Path;
 
     fn read(text: &str, folder: &Path, overrides: &[String]) -> Case {
+        let overrides = Overrides { option: "set", assignments: overrides };
         let file = CaseFile::from_str(text, "case.toml", Folder::new(folder), overrides).unwrap();
         file.pose(&unwatched).unwrap()
     }

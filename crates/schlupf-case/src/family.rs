@@ -1,13 +1,16 @@
 //! Several cases that differ in one field.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use schlupf::Watch;
+use schlupf::{Watch, parallel};
 
 use crate::case::Case;
+use crate::case_file::CaseFile;
 use crate::document;
 use crate::error::{CaseError, CaseErrors};
 use crate::fields;
+use crate::notice::Notice;
 use crate::place::Place;
 
 /// A field and the values that it takes, one after the other.
@@ -18,13 +21,16 @@ pub struct Family {
     /// Its values as text, without quotes.
     pub values: Vec<String>,
     shapes_contact: bool,
-    option: &'static str,
+    is_path: bool,
+    option: Arc<str>,
 }
 
 impl Family {
-    /// Reads `section.field=value,value,…`. A comma within quotes or brackets does not separate values.
-    pub fn parse(option: &'static str, text: &str) -> Result<Self, CaseError> {
-        let place = || Place::Override { option, text: text.to_owned() };
+    /// Reads `section.field=value,value,…`, as `option` gives it. A comma within quotes or brackets does
+    /// not separate values.
+    pub fn parse(option: impl Into<Arc<str>>, text: &str) -> Result<Self, CaseError> {
+        let option = option.into();
+        let place = || Place::Override { option: Arc::clone(&option), text: text.to_owned() };
         let Some((path, values)) = text.split_once('=') else {
             let message = format!(
                 "{option} must be of the form section.field=value,value,…, but is {text:?}"
@@ -49,40 +55,106 @@ impl Family {
         if let Some((_, value)) = values.iter().enumerate().find(is_repeated) {
             return refused(format!("the values of {path} must differ, but {value:?} is repeated"));
         }
-        Ok(Self { field: field.path, values, shapes_contact: field.shapes_contact, option })
+        let is_path = matches!(field.kind, fields::Kind::Path);
+        let shapes_contact = field.shapes_contact;
+        Ok(Self { field: field.path, values, shapes_contact, is_path, option })
+    }
+
+    /// Files that its values name for a case.
+    pub fn files(&self, case: &CaseFile) -> Vec<PathBuf> {
+        let named = self.values.iter().filter(|_| self.is_path);
+        named.map(|file| case.files.locate(file)).collect()
     }
 
     /// The case with each of the values, or what is wrong with any of them.
     ///
     /// ```
     /// use schlupf::unwatched;
-    /// use schlupf_case::{CaseFile, Family, Folder};
+    /// use schlupf_case::{CaseFile, Family, Folder, Overrides};
     ///
-    /// let case = CaseFile::from_str("", "a case", Folder::new(""), &[])?.pose(&unwatched)?;
+    /// let case = CaseFile::from_str("", "a case", Folder::new(""), Overrides::NONE)?.pose(&unwatched)?;
     /// let speeds = Family::parse("--over", "kinematics.speed=10 m/s,20 m/s")?;
     /// let speeds = speeds.members(&case, &unwatched)?;
     /// assert_eq!(speeds[1].problem.kinematics.speed, 20.0);
     /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     pub fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Case>, CaseErrors> {
-        let mut members = Vec::new();
-        let mut errors = Vec::new();
-        for value in &self.values {
-            match case.with(self.option, &[format!("{}={value}", self.field)], watch) {
-                Ok(mut member) => {
-                    if !self.shapes_contact {
-                        // The same, and so a solver can tell.
-                        member.problem.normal = Arc::clone(&case.problem.normal);
-                        member.problem.elasticity = Arc::clone(&case.problem.elasticity);
-                    }
-                    members.push(member);
-                }
-                Err(wrong) => errors.extend(wrong.iter().cloned()),
+        let files = self.case_files(&case.file)?;
+        let posed = parallel::map(files, |file| {
+            let mut member = file.pose_like(case.micro_contact(), watch)?;
+            if !self.shapes_contact {
+                // The same, and so a solver can tell.
+                member.problem.normal = Arc::clone(&case.problem.normal);
+                member.problem.elasticity = Arc::clone(&case.problem.elasticity);
+            }
+            Ok(member)
+        });
+        all_or_errors(posed)
+    }
+
+    /// The case file with each of the values.
+    fn case_files(&self, case: &CaseFile) -> Result<Vec<CaseFile>, CaseErrors> {
+        let with = |value: &String| case.with(Arc::clone(&self.option), &[self.assignment(value)]);
+        let files = all_or_errors(self.values.iter().map(with).collect())?;
+        self.check_effect(&files)?;
+        for (k, (file, value)) in files.iter().zip(&self.values).enumerate() {
+            let mut earlier = files[..k].iter().zip(&self.values);
+            let same =
+                earlier.find(|(earlier, _)| earlier.settings.agrees(&file.settings, self.field));
+            if let Some((_, same)) = same {
+                let reason = format!(
+                    "the values of {} must differ, but {same:?} and {value:?} are equal",
+                    self.field
+                );
+                return Err(self.refused(value, reason).into());
             }
         }
-        CaseErrors::check(errors)?;
-        Ok(members)
+        Ok(files)
     }
+
+    /// Refuses a field that none of the cases uses.
+    fn check_effect(&self, files: &[CaseFile]) -> Result<(), CaseErrors> {
+        let idle = |file: &CaseFile| {
+            let mut idle = file.settings.idle().into_iter();
+            idle.find_map(|notice| match notice {
+                Notice::NoEffect { field, because, .. } if field == self.field => Some(because),
+                _ => None,
+            })
+        };
+        let reasons: Vec<String> = files.iter().map_while(idle).collect();
+        match (reasons.first(), self.values.first()) {
+            (Some(because), Some(value)) if reasons.len() == files.len() => {
+                let field = self.field;
+                let reason =
+                    format!("{field} must have an effect to be varied, but has none {because}");
+                Err(self.refused(value, reason).into())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn assignment(&self, value: &str) -> String {
+        format!("{}={value}", self.field)
+    }
+
+    fn refused(&self, value: &str, reason: String) -> CaseError {
+        let (option, text) = (Arc::clone(&self.option), self.assignment(value));
+        CaseError::new(self.field, reason, Place::Override { option, text })
+    }
+}
+
+/// All results, or all errors.
+fn all_or_errors<R>(results: Vec<Result<R, CaseErrors>>) -> Result<Vec<R>, CaseErrors> {
+    let mut found = Vec::new();
+    let mut errors = Vec::new();
+    for result in results {
+        match result {
+            Ok(result) => found.push(result),
+            Err(wrong) => errors.extend(wrong.iter().cloned()),
+        }
+    }
+    CaseErrors::check(errors)?;
+    Ok(found)
 }
 
 /// The parts of a text between its commas; `None` where quotes or brackets are not closed.
@@ -116,7 +188,7 @@ mod tests {
     use schlupf::unwatched;
 
     use super::*;
-    use crate::case_file::CaseFile;
+    use crate::case_file::{CaseFile, Overrides};
     use crate::files::Folder;
 
     fn values(text: &str) -> Vec<String> {
@@ -149,7 +221,7 @@ mod tests {
 
     #[test]
     fn every_member_is_read_as_a_case_and_every_error_is_reported() {
-        let case = CaseFile::from_str("", "case.toml", Folder::new(""), &[]).unwrap();
+        let case = CaseFile::from_str("", "case.toml", Folder::new(""), Overrides::NONE).unwrap();
         let case = case.pose(&unwatched).unwrap();
         let of = |text| Family::parse("--over", text).unwrap().members(&case, &unwatched);
         let members = of("normal.load=60 kN,80 kN").unwrap();
@@ -165,5 +237,22 @@ mod tests {
         );
         assert!(errors.contains("--over normal.load=-1 kN: "), "{errors}");
         assert_eq!(errors.lines().count(), 2);
+    }
+
+    /// Curves that would be the same are none of a family.
+    #[test]
+    fn values_without_effect_or_equal_ones_are_refused() {
+        let case = CaseFile::from_str("", "case.toml", Folder::new(""), Overrides::NONE).unwrap();
+        let case = case.pose(&unwatched).unwrap();
+        let refused = |text| {
+            let family = Family::parse(String::from("over"), text).unwrap();
+            family.members(&case, &unwatched).unwrap_err().to_string()
+        };
+        let equal = refused("normal.load=80 kN,60 kN,80000 N");
+        assert!(equal.contains("but \"80 kN\" and \"80000 N\" are equal"), "{equal}");
+        let idle = refused("normal.semi_axis_x=5 mm,6 mm");
+        let expected = "over normal.semi_axis_x=5 mm: normal.semi_axis_x must have an effect to be \
+                        varied, but has none with normal.model = \"hertz\"";
+        assert!(idle.starts_with(expected), "{idle}");
     }
 }

@@ -17,8 +17,8 @@ pub fn field(parameter: Parameter) -> &'static str {
 
 /// The parameters that an option lists, such as
 /// `friction.coefficient,friction.temperature_at_zero_friction`.
-pub fn parameters(option: &'static str, text: &str) -> Result<Vec<Parameter>, CaseError> {
-    let place = || Place::Override { option, text: text.to_owned() };
+pub fn parameters(option: &str, text: &str) -> Result<Vec<Parameter>, CaseError> {
+    let place = || Place::Override { option: option.into(), text: text.to_owned() };
     let mut parameters = Vec::new();
     for name in text.split(',').map(str::trim) {
         let Some(parameter) = Parameter::all().find(|parameter| field(*parameter) == name) else {
@@ -44,7 +44,7 @@ pub fn parameters(option: &'static str, text: &str) -> Result<Vec<Parameter>, Ca
 /// The measured points of a CSV file that `option` names. What it has no column for is that of
 /// `kinematics` and of the case's load.
 pub fn read_data(
-    option: &'static str,
+    option: &str,
     file: &InputFile,
     kinematics: &Kinematics,
 ) -> Result<Vec<DataPoint>, CaseError> {

@@ -48,10 +48,10 @@ pub enum Place {
         /// Name of the file.
         name: String,
     },
-    /// In an option of the command line.
+    /// In what overrides the file, such as an option of the command line.
     Override {
         /// The option, such as `--set`.
-        option: &'static str,
+        option: Arc<str>,
         /// The text after it.
         text: String,
     },

@@ -10,22 +10,22 @@ use crate::setting::{Refusal, Setting};
 use crate::units::Measure;
 
 /// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the end.
-pub fn range(option: &'static str, path: &str, text: &str) -> Result<[f64; 2], CaseError> {
+pub fn range(option: &str, path: &str, text: &str) -> Result<[f64; 2], CaseError> {
     let Some(field) = fields::find(path) else {
-        let place = Place::Override { option, text: text.to_owned() };
+        let place = Place::Override { option: option.into(), text: text.to_owned() };
         return Err(CaseError::new(path, format!("unknown field `{path}`"), place));
     };
     range_of(option, field, text)
 }
 
 /// The ends of a range of lengths (in m) that increases from zero or above.
-pub fn depths(option: &'static str, text: &str) -> Result<[f64; 2], CaseError> {
+pub fn depths(option: &str, text: &str) -> Result<[f64; 2], CaseError> {
     let field = length_field(Requirement::Between(0.0, LONGEST));
     let [start, end] = range_of(option, &field, text)?;
     if start < end {
         return Ok([start, end]);
     }
-    let place = Place::Override { option, text: text.to_owned() };
+    let place = Place::Override { option: option.into(), text: text.to_owned() };
     let message = format!(
         "the end of the range must be larger than its start, but is {} m after {} m",
         fields::readable(end),
@@ -35,18 +35,18 @@ pub fn depths(option: &'static str, text: &str) -> Result<[f64; 2], CaseError> {
 }
 
 /// A length (in m) of any sign that an option gives for something.
-pub fn position(option: &'static str, what: &str, text: &str) -> Result<f64, CaseError> {
+pub fn position(option: &str, what: &str, text: &str) -> Result<f64, CaseError> {
     single(option, what, text, &length_field(Requirement::Magnitude(LONGEST)))
 }
 
 /// A length (in m) that is not negative, which an option gives for something.
-pub fn length(option: &'static str, what: &str, text: &str) -> Result<f64, CaseError> {
+pub fn length(option: &str, what: &str, text: &str) -> Result<f64, CaseError> {
     single(option, what, text, &length_field(Requirement::Between(0.0, LONGEST)))
 }
 
 /// Pressures (in Pa): a range START..END, of which six even steps are taken, or a list `P1,P2,…`. One
 /// without unit has that of the last.
-pub fn pressures(option: &'static str, text: &str) -> Result<Vec<f64>, CaseError> {
+pub fn pressures(option: &str, text: &str) -> Result<Vec<f64>, CaseError> {
     const STEPS: u32 = 5;
     let field = alone("pressure", &Measure::PRESSURE, Requirement::Between(1.0, 1e14));
     if text.contains("..") {
@@ -76,16 +76,16 @@ const fn length_field(requirement: Requirement) -> Field {
     alone("length", &Measure::LENGTH, requirement)
 }
 
-fn single(option: &'static str, what: &str, text: &str, field: &Field) -> Result<f64, CaseError> {
+fn single(option: &str, what: &str, text: &str, field: &Field) -> Result<f64, CaseError> {
     number(field, text).map_err(|refusal| {
-        let place = Place::Override { option, text: text.to_owned() };
+        let place = Place::Override { option: option.into(), text: text.to_owned() };
         CaseError::new("", refusal.message(what), place).help(refusal.help)
     })
 }
 
-fn range_of(option: &'static str, field: &Field, text: &str) -> Result<[f64; 2], CaseError> {
+fn range_of(option: &str, field: &Field, text: &str) -> Result<[f64; 2], CaseError> {
     let path = field.path;
-    let place = Place::Override { option, text: text.to_owned() };
+    let place = Place::Override { option: option.into(), text: text.to_owned() };
     let unit = field.kind.unit();
     let example = if unit.is_empty() { "0..0.05".to_owned() } else { format!("\"0..2 {unit}\"") };
     let form =
@@ -116,7 +116,7 @@ fn range_of(option: &'static str, field: &Field, text: &str) -> Result<[f64; 2],
 }
 
 /// The angle (in rad) that an option gives for a direction.
-pub fn direction(option: &'static str, text: &str) -> Result<f64, CaseError> {
+pub fn direction(option: &str, text: &str) -> Result<f64, CaseError> {
     let field = alone("direction", &Measure::ANGLE, Requirement::Magnitude(TAU));
     single(option, "the direction", text, &field)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use schlupf::Watch;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
 
-use crate::case::Case;
+use crate::case_file::CaseFile;
 use crate::document::{self, Entry, Origin};
 use crate::error::{CaseError, CaseErrors};
 use crate::files::Files;
@@ -19,7 +19,7 @@ use crate::surface::RoughSurface;
 #[derive(Debug, Clone)]
 pub struct GivenByOption {
     /// The option, such as `--unit`.
-    pub option: &'static str,
+    pub option: Arc<str>,
     /// What stands after it.
     pub text: String,
     /// Dotted path of the field.
@@ -37,7 +37,7 @@ pub struct RoughnessRequest {
 
 const ROUGHNESS: &str = "contact_law.roughness.";
 
-impl Case {
+impl CaseFile {
     /// The rough contact of the bodies of this case with what options give: with `files`, which finds theirs,
     /// in place of its own roughness, else in addition to it; `names` are what errors call the fields.
     /// `None` where there is no surface.
@@ -48,15 +48,16 @@ impl Case {
         names: FieldNames,
         watch: Watch,
     ) -> Result<Option<RoughnessRequest>, CaseErrors> {
-        let mut entries = self.file.entries.clone();
+        let mut entries = self.entries.clone();
         // Whatever method the case is solved by, and whatever its k_c is.
         entries.retain(|entry| !is_replaced(entry, files.is_some()));
         for given in options {
-            let origin = Origin::Override { option: given.option, text: given.text.clone() };
+            let origin =
+                Origin::Override { option: Arc::clone(&given.option), text: given.text.clone() };
             document::assign(&mut entries, origin, &given.field, &given.value);
         }
-        let files = files.unwrap_or_else(|| Arc::clone(&self.file.files));
-        let (settings, errors) = Settings::read(&entries, &self.file.source.name, names, files);
+        let files = files.unwrap_or_else(|| Arc::clone(&self.files));
+        let (settings, errors) = Settings::read(&entries, &self.source.name, names, files);
         CaseErrors::check(errors)?;
         let request = read::micro_case(&settings, watch)?;
         Ok(request.map(|request| RoughnessRequest { request, settings }))

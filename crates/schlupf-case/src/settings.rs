@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use schlupf::Quantity;
 
-use crate::document::{Entry, Origin, Value};
+use crate::document::{Content, Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
 use crate::fields::{self, ALTERNATIVES, Choose, Default, Field, NOT_PER_CENT, SECTIONS, UsedWith};
 use crate::files::{Files, InputFile};
@@ -209,6 +209,18 @@ impl Settings {
         }
     }
 
+    /// Whether a field has the same value in other settings, to the digits that conversion leaves.
+    pub fn agrees(&self, other: &Self, path: &str) -> bool {
+        const ROUNDING: f64 = 1e-12;
+        match (self.setting(path), other.setting(path)) {
+            (Ok(Setting::Number(one)), Ok(Setting::Number(other))) => {
+                one == other || (one - other).abs() <= ROUNDING * one.abs().max(other.abs())
+            }
+            (Ok(one), Ok(other)) => one == other,
+            _ => false,
+        }
+    }
+
     /// Where a field was given.
     pub fn place(&self, path: &str) -> Place {
         self.given.get(path).map_or(Place::Default, |given| given.place.clone())
@@ -386,16 +398,37 @@ impl Settings {
         let message = format!(
             "{later_name} must not be given together with {earlier_name}: {reason}, but {later_name} is \
              {} and {earlier_name} is {} ({})",
-            self.shown(later),
-            self.shown(earlier),
+            self.given_as(later),
+            self.given_as(earlier),
             self.place(earlier)
         );
-        let remove = if overridden(later) && !overridden(earlier) {
-            format!("remove {earlier} from the file, or with --set {earlier}=")
-        } else {
-            "remove one of them".to_owned()
+        let remove = match self.place(later) {
+            Place::Override { option, text } if !overridden(earlier) => {
+                // Not every option can take a field out.
+                let is_assignment =
+                    text.split_once('=').is_some_and(|(path, _)| path.trim() == later);
+                let or = format!(", or with {option} {earlier}=");
+                format!(
+                    "remove {earlier} from the file{}",
+                    if is_assignment { or.as_str() } else { "" }
+                )
+            }
+            _ => "remove one of them".to_owned(),
         };
         self.error(later, message).help(remove)
+    }
+
+    /// A field's value as the user gave it: what stands after its own option, else as in the case file.
+    fn given_as(&self, path: &str) -> String {
+        let given = self.given.get(path).map(|given| (&given.origin, &given.value.content));
+        match given {
+            Some((Origin::Override { option, text }, Content::Text(_)))
+                if self.names.option(path) == Some(&**option) =>
+            {
+                format!("{text:?}")
+            }
+            _ => self.shown(path),
+        }
     }
 }
 

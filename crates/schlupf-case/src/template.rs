@@ -63,10 +63,11 @@ fn is_active(field: &Field) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Case, CaseFile, Folder};
+    use crate::{Case, CaseFile, Folder, Overrides};
 
     fn read(text: &str) -> Result<Case, crate::CaseErrors> {
-        CaseFile::from_str(text, "case.toml", Folder::new(""), &[])?.pose(&schlupf::unwatched)
+        CaseFile::from_str(text, "case.toml", Folder::new(""), Overrides::NONE)?
+            .pose(&schlupf::unwatched)
     }
 
     #[test]

@@ -3,6 +3,10 @@
 
 mod support;
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use schlupf_case::{CaseFile, Folder, Overrides};
 use support::{assert_errors, read};
 
 #[test]
@@ -88,6 +92,35 @@ fn wrong_types_are_named() {
         ),
         ("[history]\ncreepage_x = [0, \"1\"]", "history.creepage_x", &["case.toml:2:18"]),
     ]);
+}
+
+/// An .npy file holds no positions; the model would do without spacings for another file.
+#[test]
+fn spacings_are_missing_for_an_npy_file() {
+    let files = BTreeMap::from([("p.npy".to_owned(), b"\x93NUMPY".to_vec())]);
+    let text = "[normal]\nmodel = \"tabulated\"\nfile = \"p.npy\"\nspacing_x = \"1 mm\"\n";
+    let errors =
+        CaseFile::from_str(text, "case.toml", Arc::new(files), Overrides::NONE).unwrap_err();
+    let message = errors.first.to_string();
+    let expected = "case.toml:3:8: normal.spacing_y is missing, which normal.file needs";
+    assert!(message.starts_with(expected), "{message}");
+}
+
+/// Whoever embeds the reader names what overrides the file.
+#[test]
+fn overrides_have_the_name_that_the_caller_gives() {
+    let text = "[kinematics]\nangular_velocity = \"60 rad/s\"\nwheel_radius = \"0.5 m\"\n";
+    let assignments = ["kinematics.creepage_x=0.1".to_owned()];
+    let option = String::from("keyword");
+    let overrides = Overrides { option: &option, assignments: &assignments };
+    let file = CaseFile::from_str(text, "case.toml", Folder::new(""), overrides);
+    let message = file.unwrap_err().first.to_string();
+    for part in [
+        "keyword kinematics.creepage_x=0.1: kinematics.creepage_x must not be given together",
+        "from the file, or with keyword kinematics.",
+    ] {
+        assert!(message.contains(part), "{part:?} is not in {message}");
+    }
 }
 
 #[test]

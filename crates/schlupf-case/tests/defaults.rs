@@ -2,11 +2,11 @@
 
 use schlupf::unwatched;
 use schlupf::{Options, Problem};
-use schlupf_case::{CaseFile, Folder};
+use schlupf_case::{CaseFile, Folder, Overrides};
 
 #[test]
 fn an_empty_case_is_the_default_problem() {
-    let case = CaseFile::from_str("", "empty.toml", Folder::new(""), &[]).unwrap();
+    let case = CaseFile::from_str("", "empty.toml", Folder::new(""), Overrides::NONE).unwrap();
     let case = case.pose(&unwatched).unwrap();
     let problem = Problem::builder().build().unwrap();
     assert_eq!(format!("{:#?}", case.problem), format!("{problem:#?}"));

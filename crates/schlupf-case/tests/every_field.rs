@@ -3,7 +3,7 @@
 //! the table of fields itself.
 
 use schlupf_case::fields::{self, Field, Kind, Requirement};
-use schlupf_case::{CaseFile, Folder};
+use schlupf_case::{CaseFile, Folder, Overrides};
 
 /// A case with one field, and the line it stands in.
 fn case(field: &Field, value: &str) -> (String, usize) {
@@ -16,7 +16,9 @@ fn case(field: &Field, value: &str) -> (String, usize) {
 
 fn assert_refused(field: &Field, value: &str) {
     let (text, line) = case(field, value);
-    let Err(errors) = CaseFile::from_str(&text, "case.toml", Folder::new("/nowhere"), &[]) else {
+    let Err(errors) =
+        CaseFile::from_str(&text, "case.toml", Folder::new("/nowhere"), Overrides::NONE)
+    else {
         panic!("{text:?} was accepted")
     };
     let message = errors.first.to_string();
@@ -113,7 +115,8 @@ fn what_a_choice_needs_is_missed_at_its_line() {
     {
         let text = format!("[{section}]\nmodel = \"{choice}\"");
         let errors =
-            CaseFile::from_str(&text, "case.toml", Folder::new("/nowhere"), &[]).unwrap_err();
+            CaseFile::from_str(&text, "case.toml", Folder::new("/nowhere"), Overrides::NONE)
+                .unwrap_err();
         let message = errors.to_string();
         assert!(message.contains(&format!("case.toml:2:9: {field} is missing")), "{message}");
     }

@@ -11,7 +11,7 @@ use schlupf::heat::partition::Partition;
 use schlupf::interface::friction::FrictionState;
 use schlupf::material::Material;
 use schlupf::unwatched;
-use schlupf_case::{Case, CaseFile, Folder, Place};
+use schlupf_case::{Case, CaseFile, Folder, Overrides, Place};
 
 fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
@@ -19,8 +19,13 @@ fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
 
 fn read(text: &str, overrides: &[&str]) -> Case {
     let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-    match CaseFile::from_str(text, "case.toml", Folder::new(""), &overrides)
-        .and_then(|file| file.pose(&unwatched))
+    match CaseFile::from_str(
+        text,
+        "case.toml",
+        Folder::new(""),
+        Overrides { option: "--set", assignments: &overrides },
+    )
+    .and_then(|file| file.pose(&unwatched))
     {
         Ok(case) => case,
         Err(errors) => panic!("{errors}"),
@@ -159,7 +164,7 @@ fn a_history_is_read_from_arrays_and_files_alike() {
     let path = folder.path().join("case.toml");
     fs::write(&path, "[history]\nfile = \"h.csv\"").unwrap();
     assert_eq!(
-        CaseFile::from_path(&path, &[]).unwrap().pose(&unwatched).unwrap().history,
+        CaseFile::from_path(&path, Overrides::NONE).unwrap().pose(&unwatched).unwrap().history,
         expected
     );
     assert_eq!(expected.unwrap().load, Some(vec![80e3, 60e3]));
@@ -218,10 +223,11 @@ fn pressure_tables_come_as_csv_and_npy() {
     fs::write(folder.path().join("p.npy"), npy).unwrap();
     let load = |text: &str| {
         let text = format!("[normal]\nmodel = \"tabulated\"\n{text}");
-        let case = CaseFile::from_str(&text, "case.toml", Folder::new(folder.path()), &[])
-            .unwrap()
-            .pose(&unwatched)
-            .unwrap();
+        let case =
+            CaseFile::from_str(&text, "case.toml", Folder::new(folder.path()), Overrides::NONE)
+                .unwrap()
+                .pose(&unwatched)
+                .unwrap();
         case.problem.normal.normal_contact(None).unwrap().summary.load
     };
     let csv = load("file = \"p.csv\"");
@@ -276,7 +282,7 @@ fn friction_over_y_comes_from_a_file_too() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("f.csv"), "y [mm],factor\n-5,0.5\n0,1\n").unwrap();
     let text = "[friction]\nmodel = \"constant\"\nvariation_file = \"f.csv\"";
-    let case = CaseFile::from_str(text, "case.toml", Folder::new(folder.path()), &[])
+    let case = CaseFile::from_str(text, "case.toml", Folder::new(folder.path()), Overrides::NONE)
         .unwrap()
         .pose(&unwatched)
         .unwrap();

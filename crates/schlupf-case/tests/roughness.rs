@@ -6,7 +6,7 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use schlupf::unwatched;
-use schlupf_case::{Case, CaseFile, Folder, LawStiffness, StiffnessOrigin};
+use schlupf_case::{Case, CaseFile, Folder, LawStiffness, Overrides, StiffnessOrigin};
 use support::{Row, assert_errors, read};
 
 fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
@@ -26,9 +26,14 @@ fn stiffness(text: &str) -> LawStiffness {
 fn with_samples(text: &str, overrides: &[&str]) -> Result<Case, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/surfaces");
     let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-    CaseFile::from_str(text, "case.toml", Folder::new(folder), &overrides)
-        .and_then(|file| file.pose(&unwatched))
-        .map_err(|error| error.to_string())
+    CaseFile::from_str(
+        text,
+        "case.toml",
+        Folder::new(folder),
+        Overrides { option: "--set", assignments: &overrides },
+    )
+    .and_then(|file| file.pose(&unwatched))
+    .map_err(|error| error.to_string())
 }
 
 /// A surface of 128² cells that the tests solve quickly.

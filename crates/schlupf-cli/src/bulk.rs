@@ -3,12 +3,11 @@
 use clap::Args;
 use schlupf::bulk_temperature::{self, Cooling};
 use schlupf::{Error, Watch};
-use schlupf_case::{Case, CaseErrors};
+use schlupf_case::{Case, CaseErrors, CaseFile};
 use schlupf_output::bulk_temperature::BulkReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
-use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task, messages};
 
@@ -41,15 +40,12 @@ impl Task for Bulk {
         &self.outputs
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
+        let case = file.pose(watch)?;
         case.require_steady("the bulk temperature is that").map_err(CaseErrors::from)?;
         let cooling = case.require_cooling().map_err(CaseErrors::from)?;
         bulk_temperature::check(&case.problem, &cooling).map_err(|error| explain(&case, &error))?;
         Ok(Plan { case, cooling })
-    }
-
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        Input::of_case(&self.case, &plan.case)
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<BulkReport>, Failure> {

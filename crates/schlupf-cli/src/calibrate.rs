@@ -13,11 +13,11 @@ use schlupf::elasticity::calibrated_layer::{
 };
 use schlupf::elasticity::elastic_layer::LayerStiffness;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::history::History;
+use schlupf::material::Material;
 use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
-use schlupf_case::{Case, CaseErrors, Displacements, InputFile, read_displacements};
+use schlupf_case::{CaseErrors, CaseFile, Displacements, InputFile, read_displacements};
 use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -59,9 +59,10 @@ fn number_of_cells(text: &str) -> Result<usize, String> {
     count.ok_or_else(|| format!("must be a whole number between {least} and {largest}"))
 }
 
-/// A case with the displacements to fit to.
+/// A patch with the displacements to fit to.
 pub struct Plan {
-    case: Case,
+    case: CaseFile,
+    patch: Patch,
     displacements: Vec<Displacements>,
 }
 
@@ -77,14 +78,16 @@ impl Task for Calibrate {
         &self.outputs
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
+    fn plan(&self, case: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let read = |path: &PathBuf| read_displacements(DISPLACEMENTS, &InputFile::at(path));
         let displacements = self.displacements.iter().map(read).collect::<Result<Vec<_>, _>>();
-        Ok(Plan { case, displacements: displacements.map_err(CaseErrors::from)? })
+        let displacements = displacements.map_err(CaseErrors::from)?;
+        let patch = Patch::of(&case, watch)?;
+        Ok(Plan { case, patch, displacements })
     }
 
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        let mut inputs = Input::of_case(&self.case, &plan.case);
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, file);
         inputs.extend(self.displacements.iter().map(|path| Input {
             what: DISPLACEMENTS.to_owned(),
             path: path.clone(),
@@ -95,9 +98,8 @@ impl Task for Calibrate {
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CalibrationReport>, Failure> {
         progress.stage("calibrating");
-        let Plan { case, displacements } = plan;
-        let report = Patch::of(&case)
-            .and_then(|patch| patch.report(self, &displacements, &case, &progress.watch()));
+        let Plan { case, patch, displacements } = plan;
+        let report = patch.report(self, &displacements, &progress.watch());
         let names: Vec<&str> = displacements.iter().map(|file| file.name.as_str()).collect();
         let report = report.map_err(|error| {
             let sources = matches!(error, Error::UnlikeALayer { .. })
@@ -109,39 +111,51 @@ impl Task for Calibrate {
 }
 
 /// What the stiffnesses are for.
-struct Patch {
+pub struct Patch {
+    title: String,
     normal: NormalContact,
+    /// Of wheel and rail.
+    materials: [Material; 2],
     bodies: HalfSpace,
     axis_ratio: f64,
     /// √(ab), in m.
     size: f64,
+    max_iterations: usize,
+    /// Whatever there is to know about the case.
+    notices: Vec<Message>,
 }
 
 impl Patch {
     /// That of the case; of a history that with the largest load.
-    fn of(case: &Case) -> Result<Self, Error> {
-        let problem = &case.problem;
-        let load = case.history.as_ref().and_then(History::largest_load);
-        let normal = problem.normal.normal_contact(load)?;
-        let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
+    fn of(case: &CaseFile, watch: Watch) -> Result<Self, CaseErrors> {
+        let normal = case.normal_contact(watch)?;
+        let materials = case.materials();
+        let bodies = HalfSpace::new(&materials[0], &materials[1]);
+        let bodies = bodies.map_err(|error| case.explain(&error))?;
         let [a, b] = [normal.summary.semi_axis_x, normal.summary.semi_axis_y];
-        Ok(Self { normal, bodies, axis_ratio: a / b, size: (a * b).sqrt() })
+        Ok(Self {
+            title: case.title()?,
+            normal,
+            materials,
+            bodies,
+            axis_ratio: a / b,
+            size: (a * b).sqrt(),
+            max_iterations: case.options()?.max_iterations,
+            notices: case.notices(),
+        })
     }
 
     fn report(
         &self,
         arguments: &Calibrate,
         displacements: &[Displacements],
-        case: &Case,
         watch: Watch,
     ) -> Result<CalibrationReport, Error> {
-        let options = CalibrationOptions {
-            cells: arguments.cells,
-            max_iterations: case.options.max_iterations,
-        };
+        let options =
+            CalibrationOptions { cells: arguments.cells, max_iterations: self.max_iterations };
         let ratios = (self.axis_ratio, self.bodies.poisson_ratio());
-        let [wheel, rail] = [&case.problem.wheel, &case.problem.rail].map(|body| &body.material);
-        let mut warnings = self.warnings(case, &CalibratedLayer::new(wheel, rail, None)?);
+        let [wheel, rail] = &self.materials;
+        let mut warnings = self.warnings(&CalibratedLayer::new(wheel, rail, None)?);
         let needs_no_table = arguments.anew || !displacements.is_empty();
         let tabulated = match tabulated_stiffness(ratios.0, ratios.1) {
             Ok(stiffness) => Some(stiffness),
@@ -173,7 +187,7 @@ impl Patch {
             }
         }
         Ok(CalibrationReport {
-            title: case.title.clone(),
+            title: self.title.clone(),
             normal: self.normal.summary,
             shear_modulus: self.bodies.shear_modulus(),
             poisson_ratio: ratios.1,
@@ -186,13 +200,13 @@ impl Patch {
         })
     }
 
-    fn warnings(&self, case: &Case, layer: &CalibratedLayer) -> Vec<Message> {
+    fn warnings(&self, layer: &CalibratedLayer) -> Vec<Message> {
         let of_parts = layer.caveat_of_parts(self.normal.summary.parts);
         let is_table = matches!(self.normal.pressure, Pressure::Tabulated(..));
         let of_shape = (is_table && of_parts.is_none()).then_some(Warning::TakenForAnEllipse {});
         let warnings: Vec<Warning> =
             of_parts.into_iter().chain(of_shape).chain(self.bodies.caveat()).collect();
-        case.notices.iter().cloned().chain(messages(&warnings)).collect()
+        self.notices.iter().cloned().chain(messages(&warnings)).collect()
     }
 
     fn layer(

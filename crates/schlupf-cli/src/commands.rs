@@ -5,7 +5,9 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::ExitCode;
 
-use schlupf_case::{Case, CaseFile, Effective, Folder, Place, schema as case_schema, template};
+use schlupf_case::{
+    Case, CaseFile, Effective, Folder, Overrides, Place, schema as case_schema, template,
+};
 
 use crate::arguments::{CaseArguments, InitArguments, STANDARD_STREAM};
 use crate::failure::Failure;
@@ -13,9 +15,9 @@ use crate::outputs::{self, Output};
 use crate::progress::Progress;
 use crate::{contact_law, report, stdout};
 
-/// Reads the case that was named, or the default one.
-pub fn read_case(arguments: &CaseArguments, progress: &Progress) -> Result<Case, Failure> {
-    let overrides = &arguments.overrides;
+/// Reads the case that was named, or the default one; nothing is solved yet.
+pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
+    let overrides = Overrides { option: "--set", assignments: &arguments.overrides };
     let file = if let Some(path) = &arguments.case {
         if path == Path::new(STANDARD_STREAM) {
             let input = Ok(std::io::stdin().lock());
@@ -27,15 +29,14 @@ pub fn read_case(arguments: &CaseArguments, progress: &Progress) -> Result<Case,
         let text = CaseFile::default_text();
         CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
     };
-    // Contact of profiles and of a rough surface may take a while.
-    progress.stage("posing the problem");
-    Ok(file?.pose(&progress.watch())?)
+    Ok(file?)
 }
 
 /// `schlupf check`: reads a case and says what it would solve.
 pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
     let progress = Progress::start();
-    let case = read_case(arguments, &progress)?;
+    progress.stage("posing the problem");
+    let case = read_case(arguments)?.pose(&progress.watch())?;
     drop(progress);
     let normal = case
         .problem
@@ -91,7 +92,7 @@ pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
         stdout::write(&text)?;
         return Ok(ExitCode::SUCCESS);
     }
-    outputs::check(&[Output { option: "FILE", path: path.to_owned() }], &[], None)?;
+    outputs::check(&[Output { option: "FILE", path: path.to_owned() }], None)?;
     if arguments.force {
         outputs::write(&[(path.clone(), text.into_bytes())], None)?;
     } else {

@@ -8,13 +8,12 @@ use schlupf::normal::Pressure;
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
-use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, Place};
+use schlupf_case::{Case, CaseErrors, CaseFile, Effective, ElasticityModel, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
 use crate::notice::Notice;
-use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task, messages};
 
@@ -48,13 +47,10 @@ impl Task for Compare {
         &self.outputs
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Case, Failure> {
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Case, Failure> {
+        let case = file.pose(watch)?;
         case.require_steady("a comparison is").map_err(CaseErrors::from)?;
         Ok(case)
-    }
-
-    fn inputs(&self, case: &Case) -> Vec<Input> {
-        Input::of_case(&self.case, case)
     }
 
     fn find(&self, case: Case, progress: &Progress) -> Result<Found<Comparison>, Failure> {
@@ -71,12 +67,13 @@ impl Task for Compare {
 /// What the first one says if none has an answer.
 fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, Failure> {
     let full = case.with(COMPARE, &["solver.method=full".to_owned()], watch)?;
-    let solved = parallel::map(CANDIDATES.iter().collect(), |candidate| {
+    let candidates = candidates(full.elasticity);
+    let solved = parallel::map(candidates.iter().collect(), |candidate: &Candidate| {
         candidate.case(&full, watch).and_then(|case| Solved::new(case, watch))
     });
     let mut entries = Vec::new();
     let mut first_errors: Option<CaseErrors> = None;
-    for (solved, candidate) in solved.into_iter().zip(CANDIDATES) {
+    for (solved, candidate) in solved.into_iter().zip(candidates) {
         let answer = solved.and_then(|solved| solved.answer(watch)).map_err(|errors| {
             let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
             let reason = messages.join("; ");
@@ -112,7 +109,14 @@ const fn fast(name: &'static str, method: &'static str) -> Candidate {
     Candidate { name, method, elasticity: None }
 }
 
-/// All methods.
+/// All methods, and the model of the case where it is of none of them: next to its like.
+fn candidates(own: ElasticityModel) -> Vec<Candidate> {
+    let is_rigid = own == ElasticityModel::Rigid;
+    let own = is_rigid.then_some(full("full, rigid bodies", ElasticityModel::Rigid));
+    own.into_iter().chain(CANDIDATES).collect()
+}
+
+/// The methods that every case is solved by.
 const CANDIDATES: [Candidate; 8] = [
     full("full, half-space", ElasticityModel::HalfSpace),
     full("full, elastic layer", ElasticityModel::ElasticLayer),

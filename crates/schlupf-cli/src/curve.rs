@@ -5,7 +5,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use clap::{ArgGroup, Args, ValueEnum};
 use schlupf::creep_curve::{self, CreepCurve, Creepages, MAX_POINTS, Sampling, Spacing};
 use schlupf::{Watch, parallel};
-use schlupf_case::{Case, CaseErrors, Family, FieldNames, direction, quantity_field, range};
+use schlupf_case::{
+    Case, CaseErrors, CaseFile, Family, FieldNames, direction, quantity_field, range,
+};
 use schlupf_output::creep_curve as output;
 use schlupf_output::creep_curve::CurveFamily;
 
@@ -100,19 +102,25 @@ impl Task for Curve {
         &self.outputs
     }
 
-    fn plan(&self, case: Case, watch: Watch) -> Result<Plan, Failure> {
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let varied = Varied::read(self)?;
         let family = self.over.as_deref().map(|text| Family::parse(OVER, text)).transpose();
         let family = family.map_err(CaseErrors::from)?;
         let sampling = self.sampling();
+        let case = file.pose(watch)?;
         let members = members(&case, &varied, family.as_ref(), watch)?;
         members.iter().try_for_each(|member| member.check(&sampling, &varied))?;
         Ok(Plan { title: case.title, family, sampling, members })
     }
 
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        let of_member = |member: &Member| Input::of_case(&self.case, &member.case);
-        plan.members.iter().flat_map(of_member).collect()
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, file);
+        // What is wrong with the option is told with the plan.
+        let family = self.over.as_deref().and_then(|text| Family::parse(OVER, text).ok());
+        let files = family.map(|family| family.files(file)).unwrap_or_default();
+        let input = |path| Input { what: OVER.to_owned(), path, except: None };
+        inputs.extend(files.into_iter().map(input));
+        inputs
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CurveFamily>, Failure> {

@@ -11,7 +11,9 @@ use schlupf::message::Message;
 use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
-use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, Folder, InputFile};
+use schlupf_case::{
+    Case, CaseError, CaseErrors, CaseFile, FieldNames, Folder, InputFile, Overrides, Place,
+};
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -91,21 +93,29 @@ impl Task for Fit {
         case.into_iter().collect()
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let parameters = parameters(FIT, &self.parameters).map_err(CaseErrors::from)?;
+        let case = file.pose(watch)?;
         let data = read_data(DATA, &InputFile::at(&self.data), &case.problem.kinematics);
         let data = data.map_err(CaseErrors::from)?;
-        let explain = |error: Error| self.explain(&case, &error);
+        let load = case.problem.normal.normal_contact(None);
+        let load =
+            load.map_err(|error| case.explain(&error)).map_err(CaseErrors::from)?.summary.load;
+        let doubt = other_loads(&data, load);
+        let explain = |error: Error| self.explain(&case, &error, doubt.as_ref());
         case.require_steady("a creep curve is").map_err(CaseErrors::from)?;
         let model = Model::new(&case, &parameters, self.gamma).map_err(explain)?;
         let Some(mut model) = model else { return Err(no_model(case.method)) };
         identification::check(model.creep_forces(), &data).map_err(explain)?;
-        let load = case.problem.normal.normal_contact(None).map_err(explain)?.summary.load;
+        if let Some(path) = &self.write_case {
+            // Whether it can be written there at all.
+            case.edited(&[], folder(path)).map_err(CaseErrors::from)?;
+        }
         Ok(Plan { case, parameters, data, model, load })
     }
 
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        let mut inputs = Input::of_case(&self.case, &plan.case);
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, file);
         inputs.push(Input { what: DATA.to_owned(), path: self.data.clone(), except: None });
         inputs
     }
@@ -113,7 +123,8 @@ impl Task for Fit {
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<FitReport>, Failure> {
         let Plan { case, parameters, data, mut model, load } = plan;
         progress.stage("fitting");
-        let explain = |error: Error| self.explain(&case, &error);
+        let doubt = other_loads(&data, load);
+        let explain = |error: Error| self.explain(&case, &error, doubt.as_ref());
         let steps = self.max_steps as usize;
         let fit = identification::fit(model.creep_forces(), &data, steps, &progress.watch());
         let fit = fit.map_err(explain)?;
@@ -126,7 +137,7 @@ impl Task for Fit {
         let is_fitted = parameters.contains(&Parameter::Roughness);
         let roughness = stiffness.filter(|_| is_fitted);
         let notices = case.notices.iter().cloned();
-        let warnings = messages(&fit.warnings).chain(notices).chain(other_loads(&data, load));
+        let warnings = messages(&fit.warnings).chain(notices).chain(doubt.iter().cloned());
         let report = FitReport {
             data: self.data.display().to_string(),
             load,
@@ -139,14 +150,15 @@ impl Task for Fit {
             fit,
             title: case.title,
         };
-        // What was found is written, whether a case can have it or not.
+        // What was found is printed, whether a case can have it or not.
         Ok(Found { report, failure: fitted.err() })
     }
 }
 
 impl Fit {
-    /// An error of the core: of the data and what they are to determine, or of the case.
-    fn explain(&self, case: &Case, error: &Error) -> Failure {
+    /// An error of the core: of the data and what they are to determine, or of the case; with what is
+    /// doubtful about the loads.
+    fn explain(&self, case: &Case, error: &Error, doubt: Option<&Message>) -> Failure {
         let quantity = error.quantity();
         let mut fitted = parameters(FIT, &self.parameters).into_iter().flatten();
         let is_fitted = fitted.any(|parameter| parameter.quantity() == quantity);
@@ -155,8 +167,10 @@ impl Fit {
             Quantity::ForceRatio | Quantity::StandardDeviation | Quantity::SlopeFactor
         );
         if is_fitted || is_of_data {
-            let (data, error) = (self.data.display(), error.text(&FieldNames::CASE));
-            Failure::Arguments(format!("{FIT} {} {DATA} {data}: {error}", self.parameters))
+            let text = format!("{} {DATA} {}", self.parameters, self.data.display());
+            let place = Place::Override { option: FIT.into(), text };
+            let error = CaseError::new("", error.text(&FieldNames::CASE), place);
+            Failure::Case(error.help(doubt.map(|doubt| doubt.text.clone())).into())
         } else {
             Failure::Case(case.explain(error).into())
         }
@@ -225,6 +239,11 @@ fn no_model(method: Method) -> Failure {
     ))
 }
 
+/// Where a file lies.
+fn folder(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
 /// The text of the case with the values found.
 fn fitted_case(
     case: &Case,
@@ -232,7 +251,7 @@ fn fitted_case(
     contact_stiffness: Option<f64>,
     path: &Path,
 ) -> Result<String, Failure> {
-    let folder = path.parent().unwrap_or(Path::new(""));
+    let folder = folder(path);
     let stiffness = field(Parameter::ContactStiffness);
     let mut values = Vec::new();
     for estimate in &fit.estimates {
@@ -252,6 +271,6 @@ fn fitted_case(
     }
     let text = case.edited(&values, folder).map_err(CaseErrors::from)?;
     // What is written can be read again.
-    CaseFile::from_str(&text, &path.display().to_string(), Folder::new(folder), &[])?;
+    CaseFile::from_str(&text, &path.display().to_string(), Folder::new(folder), Overrides::NONE)?;
     Ok(text)
 }

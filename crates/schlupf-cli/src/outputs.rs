@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use schlupf_case::Case;
+use schlupf_case::CaseFile;
 use tempfile::NamedTempFile;
 
 use crate::arguments::CaseArguments;
@@ -43,30 +43,19 @@ pub struct Directory<'a> {
 }
 
 /// Checks output paths before the work: they are no `-`, their directories exist, they are no
-/// directories, no two are the same file, and none is an input.
-pub fn check(
-    outputs: &[Output],
-    inputs: &[Input],
-    directory: Option<&Directory>,
-) -> Result<(), Failure> {
-    let mut files = outputs.to_vec();
-    if let Some(Directory { option, path, names }) = directory {
-        refuse_stdout(option, path)?;
+/// directories, and no two are the same file.
+pub fn check(outputs: &[Output], directory: Option<&Directory>) -> Result<(), Failure> {
+    if let Some(Directory { option, path, .. }) = directory {
+        refuse_stdout(option, "directory", path)?;
         check_directory(path)?;
-        // In a directory that is still to be made nothing is in the way.
-        let names = names.iter().filter(|_| path.is_dir());
-        files.extend(names.map(|name| Output { option, path: path.join(name) }));
     }
     let mut taken: Vec<Output> = Vec::new();
-    for Output { option, path } in &files {
-        refuse_stdout(option, path)?;
+    for Output { option, path } in &all_files(outputs, directory) {
+        refuse_stdout(option, "file", path)?;
         if path.is_dir() {
             return Err(Failure::file(path, io::Error::from(ErrorKind::IsADirectory)));
         }
         let location = location(path)?;
-        if let Some(input) = inputs.iter().find(|input| input.is_at(&location, option)) {
-            return Err(shared(option, path, &input.what));
-        }
         if let Some(other) = taken.iter().find(|other| other.path == location) {
             return Err(shared(option, path, other.option));
         }
@@ -84,6 +73,32 @@ pub fn check(
     }
 }
 
+/// Refuses outputs that would write over an input.
+pub fn refuse_inputs(
+    outputs: &[Output],
+    directory: Option<&Directory>,
+    inputs: &[Input],
+) -> Result<(), Failure> {
+    for Output { option, path } in &all_files(outputs, directory) {
+        let location = location(path)?;
+        if let Some(input) = inputs.iter().find(|input| input.is_at(&location, option)) {
+            return Err(shared(option, path, &input.what));
+        }
+    }
+    Ok(())
+}
+
+/// The files, with those of the directory.
+fn all_files(outputs: &[Output], directory: Option<&Directory>) -> Vec<Output> {
+    let mut files = outputs.to_vec();
+    if let Some(Directory { option, path, names }) = directory {
+        // In a directory that is still to be made nothing is in the way.
+        let names = names.iter().filter(|_| path.is_dir());
+        files.extend(names.map(|name| Output { option, path: path.join(name) }));
+    }
+    files
+}
+
 fn shared(option: &str, path: &Path, other: &str) -> Failure {
     let path = path.display();
     Failure::Arguments(format!(
@@ -91,20 +106,20 @@ fn shared(option: &str, path: &Path, other: &str) -> Failure {
     ))
 }
 
-fn refuse_stdout(option: &str, path: &Path) -> Result<(), Failure> {
+fn refuse_stdout(option: &str, what: &str, path: &Path) -> Result<(), Failure> {
     if path != Path::new("-") {
         return Ok(());
     }
     let message = format!(
-        "{option} must name a file, but is `-`: only --json writes to standard output \
-         (a file of that name is `./-`)"
+        "{option} must name a {what}, but is `-`: only --json writes to standard output \
+         (a {what} of that name is `./-`)"
     );
     Err(Failure::Arguments(message))
 }
 
 impl Input {
     /// The case file and what it names: files that nothing may overwrite.
-    pub fn of_case(arguments: &CaseArguments, case: &Case) -> Vec<Self> {
+    pub fn of_case(arguments: &CaseArguments, case: &CaseFile) -> Vec<Self> {
         let input = |what: &str, path: &Path| Self {
             what: what.to_owned(),
             path: path.to_owned(),

@@ -14,7 +14,7 @@ use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{
-    Case, CaseErrors, FieldNames, Files, GivenByOption, RoughnessRequest, caveats, pressures,
+    CaseErrors, CaseFile, FieldNames, Files, GivenByOption, RoughnessRequest, caveats, pressures,
 };
 use schlupf_output::roughness::{RoughnessReport, Spots};
 
@@ -94,7 +94,8 @@ pub struct Roughness {
 
 /// A surface to press, and on what.
 pub struct Plan {
-    case: Case,
+    /// Title of the case.
+    title: String,
     request: RoughnessRequest,
 }
 
@@ -118,12 +119,13 @@ impl Task for Roughness {
         [heights, pressures, gaps].into_iter().flatten().collect()
     }
 
-    fn plan(&self, case: Case, watch: Watch) -> Result<Plan, Failure> {
-        Ok(Plan { request: request(self, &case, watch)?, case })
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
+        let title = file.title().map_err(CaseErrors::from)?;
+        Ok(Plan { title, request: request(self, &file, watch)? })
     }
 
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        let mut inputs = Input::of_case(&Task::case(self), &plan.case);
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        let mut inputs = Input::of_case(&Task::case(self), file);
         for (what, path) in [("the surface", &self.surface), (SECOND, &self.second)] {
             let input =
                 |path: &PathBuf| Input { what: what.to_owned(), path: path.clone(), except: None };
@@ -133,21 +135,25 @@ impl Task for Roughness {
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<RoughnessReport>, Failure> {
-        let Plan { case, request } = plan;
+        let Plan { title, request } = plan;
         progress.stage("reading the surface");
         let rough = request.load().map_err(CaseErrors::from)?;
         let explain = |error: Error| Failure::Case(request.explain(&error).into());
-        let result = solve(&case, &request, &rough, progress).map_err(explain)?;
+        let result = solve(&request, &rough, progress).map_err(explain)?;
         let is_wanted = [&self.outputs.figures, &self.pressures, &self.gaps];
         let is_wanted = is_wanted.into_iter().any(Option::is_some);
         let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
         let spots = spots.map_err(explain)?;
-        Ok(Pressed { request, rough, result, spots }.report(self, &case).into())
+        Ok(Pressed { request, rough, result, spots }.report(self, &title).into())
     }
 }
 
 /// What the options and the case ask for.
-fn request(arguments: &Roughness, case: &Case, watch: Watch) -> Result<RoughnessRequest, Failure> {
+fn request(
+    arguments: &Roughness,
+    case: &CaseFile,
+    watch: Watch,
+) -> Result<RoughnessRequest, Failure> {
     let fields = fields(arguments)?;
     let is_own = arguments.surface.is_none() && arguments.synthetic.is_none();
     let files = (!is_own).then(|| -> Arc<dyn Files> { Arc::new(files(arguments)) });
@@ -249,13 +255,13 @@ fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         if let (Some(option), Some(value)) = (given.option, (given.value)(arguments)) {
             let text = files.get(option).map(|path| path.display().to_string());
             let text = text.unwrap_or_else(|| value.trim_matches('"').to_owned());
-            fields.push(GivenByOption { option, text, field: given.path(), value });
+            fields.push(GivenByOption { option: option.into(), text, field: given.path(), value });
         }
     }
     if let Some(friction) = &arguments.friction {
         let (option, field) = ("--friction", "friction.coefficient".to_owned());
         fields.push(GivenByOption {
-            option,
+            option: option.into(),
             text: friction.clone(),
             field,
             value: friction.clone(),
@@ -268,7 +274,7 @@ fn fields(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         values.sort_by(f64::total_cmp);
         let array: Vec<String> = values.iter().map(|value| format!("\"{value:e} Pa\"")).collect();
         let (field, value) = (format!("{SECTION}pressures"), format!("[{}]", array.join(",")));
-        fields.push(GivenByOption { option: "--pressure", text, field, value });
+        fields.push(GivenByOption { option: "--pressure".into(), text, field, value });
     }
     Ok(fields)
 }
@@ -286,7 +292,7 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         let given = GIVEN.iter().find(|given| given.key.is_some_and(|own| is_meant(own, given)));
         match given {
             Some(given) if !value.is_empty() => Ok(GivenByOption {
-                option: "--synthetic",
+                option: "--synthetic".into(),
                 text: part.trim().to_owned(),
                 field: given.path(),
                 value: value.to_owned(),
@@ -298,6 +304,7 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
         }
     });
     let parts = parts.collect::<Result<Vec<_>, Failure>>()?;
+    refuse_repeated(arguments, &parts)?;
     let is_named = |field: &str| parts.iter().any(|part| part.field.ends_with(field));
     if !["longest_wavelength", "shortest_wavelength"].into_iter().all(is_named) {
         return Err(Failure::Arguments(format!(
@@ -308,25 +315,40 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
     Ok(parts)
 }
 
-/// The micro model; that of the case is taken over where it is the same.
+/// Refuses a key of --synthetic that is given twice, or by an option, too.
+fn refuse_repeated(arguments: &Roughness, parts: &[GivenByOption]) -> Result<(), Failure> {
+    for (k, part) in parts.iter().enumerate() {
+        if let Some(first) = parts[..k].iter().find(|first| first.field == part.field) {
+            return Err(Failure::Arguments(format!(
+                "--synthetic must give a key once, but has {:?} and {:?}",
+                first.text, part.text
+            )));
+        }
+        let mut given = GIVEN.iter().filter(|given| given.path() == part.field);
+        let twice = given.find_map(|given| Some((given.option?, (given.value)(arguments)?)));
+        if let Some((option, value)) = twice {
+            return Err(Failure::Arguments(format!(
+                "--synthetic must not give what {option} gives, but has {:?} and {option} is {value:?}",
+                part.text
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// The micro model.
 fn solve(
-    case: &Case,
     request: &RoughnessRequest,
     rough: &RoughSurface,
     progress: &Progress,
 ) -> Result<MicroModelResult, Error> {
     let (key, bodies) = (request.key(), request.bodies());
-    let mean_pressures = request.mean_pressures();
-    if let Some(solved) = case.micro_contact().filter(|solved| solved.serves(key, mean_pressures)) {
-        let normal = solved.result.normal.clone();
-        return MicroModelResult::new(solved.result.statistics, normal, bodies, mean_pressures);
-    }
     let model = MicroModel {
         surface: rough.surface.clone(),
         contact_modulus: key.contact_modulus,
         bodies: *bodies,
         hardness: key.hardness,
-        mean_pressures: mean_pressures.to_vec(),
+        mean_pressures: request.mean_pressures().to_vec(),
     };
     model.solve(&LoadCurveOptions::default(), &progress.watch())
 }
@@ -360,11 +382,14 @@ struct Pressed {
 }
 
 impl Pressed {
-    fn report(self, arguments: &Roughness, case: &Case) -> RoughnessReport {
+    fn report(self, arguments: &Roughness, case_title: &str) -> RoughnessReport {
         let Self { request, rough, result, spots } = self;
         let title = match (&request.key().source.origin, &arguments.synthetic) {
-            (SurfaceOrigin::SelfAffine(_), Some(text)) => format!("self-affine surface, {text}"),
-            (SurfaceOrigin::SelfAffine(_), None) => format!("{}, self-affine surface", case.title),
+            (SurfaceOrigin::SelfAffine(_), Some(text)) => {
+                let seed = arguments.seed.iter().map(|seed| format!(",seed={seed}"));
+                format!("self-affine surface, {text}{}", seed.collect::<String>())
+            }
+            (SurfaceOrigin::SelfAffine(_), None) => format!("{case_title}, self-affine surface"),
             (SurfaceOrigin::Files { files, .. }, _) => {
                 let names: Vec<String> =
                     files.iter().map(|file| file.path().display().to_string()).collect();

@@ -9,7 +9,7 @@ use schlupf::message::{Message, Words};
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, FieldNames, LARGEST_FILE, Rolling, read_up_to};
+use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, LARGEST_FILE, Rolling, read_up_to};
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -67,15 +67,16 @@ impl Task for Solve {
         vtk.into_iter().chain(state).collect()
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
-        self.refuse_state(case.method)?;
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let initial_state = self.initial_state.as_deref().map(read_state).transpose()?;
+        let case = file.pose(watch)?;
+        self.refuse_state(case.method)?;
         let rolling = case.rolling(initial_state).map_err(CaseErrors::from)?;
         Ok(Plan { case, rolling })
     }
 
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        let mut inputs = Input::of_case(&self.case, &plan.case);
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        let mut inputs = Input::of_case(&self.case, file);
         // A state may be carried on in place.
         let state = self.initial_state.iter().map(|path| Input {
             what: INITIAL_STATE.to_owned(),

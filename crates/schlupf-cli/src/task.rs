@@ -1,12 +1,14 @@
-//! What commands that find something have in common: read the case, check the outputs, find, write,
-//! print, warn.
+//! What commands that find something have in common: check the outputs, read the case, plan, find,
+//! write, print, warn.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use schlupf::message::Message;
 use schlupf::{Status, Watch};
-use schlupf_case::Case;
+use schlupf_case::CaseFile;
 use schlupf_output::Report;
 use schlupf_output::figures::MARK;
 
@@ -19,7 +21,7 @@ use crate::{report, stdout};
 
 /// A command that finds something and writes it.
 pub trait Task: Send + Sync {
-    /// What it is going to do, once the case is read and all that can be refused is.
+    /// What it is going to do, once the case is posed and all that can be refused is.
     type Plan;
     /// What it finds.
     type Report: Report;
@@ -35,11 +37,13 @@ pub trait Task: Send + Sync {
         Vec::new()
     }
 
-    /// Checks whatever can be checked before the work.
-    fn plan(&self, case: Case, watch: Watch) -> Result<Self::Plan, Failure>;
-
     /// The files that it reads.
-    fn inputs(&self, plan: &Self::Plan) -> Vec<Input>;
+    fn inputs(&self, file: &CaseFile) -> Vec<Input> {
+        Input::of_case(&self.case(), file)
+    }
+
+    /// Poses what it needs of the case, and checks whatever can be checked before the work.
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Self::Plan, Failure>;
 
     /// Does the work.
     fn find(&self, plan: Self::Plan, progress: &Progress) -> Result<Found<Self::Report>, Failure>;
@@ -64,13 +68,21 @@ impl<'a> OwnFile<'a> {
     ) -> Option<Self> {
         path.map(|path| Self { option, format, path })
     }
+
+    /// The results do not have it.
+    fn missing(&self) -> Failure {
+        let Self { option, format, path } = self;
+        let cause = format!("{option}: the results have no {format}; nothing was written");
+        Failure::file(path, std::io::Error::other(cause))
+    }
 }
 
 /// What a command has found.
 pub struct Found<R> {
     /// The results.
     pub report: R,
-    /// What went wrong besides; the results are written all the same.
+    /// Why not all that was asked for can be written; the results are printed, but no file is written:
+    /// one of an earlier run would look current beside them.
     pub failure: Option<Failure>,
 }
 
@@ -83,18 +95,27 @@ impl<R> From<R> for Found<R> {
 /// Runs a command.
 pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
     let progress = Progress::start();
-    let plan = task.plan(read_case(&task.case(), &progress)?, &progress.watch())?;
-    check_outputs(task, &plan)?;
+    let outputs = Outputs::of(task);
+    outputs.check()?;
+    let file = read_case(&task.case())?;
+    outputs.refuse_inputs(&task.inputs(&file))?;
+    // Contact of profiles and of a rough surface may take a while.
+    progress.stage("posing the problem");
+    let plan = task.plan(file, &progress.watch())?;
     let Found { report, failure } = task.find(plan, &progress)?;
-    let files = files(task, &report, &progress)?;
-    drop(progress);
-    let figures = task.outputs().figures.as_deref();
-    outputs::write(&files, figures)?;
-    if let Some(directory) = figures {
-        outputs::remove(&stale::<T>(directory, &files));
+    if failure.is_none() {
+        let files = files(task, &report, &progress)?;
+        let figures = task.outputs().figures.as_deref();
+        outputs::write(&files, figures)?;
+        if let Some(directory) = figures {
+            outputs::remove(&stale::<T>(directory, &files));
+        }
     }
-    print(task.outputs(), &report)?;
+    drop(progress);
+    // Whether it can be printed or not, what is doubtful is said.
+    let printed = print(task.outputs(), &report);
     report::warn_all(report.warnings(), report.status());
+    printed?;
     match (failure, report.status()) {
         (Some(failure), _) => Err(failure),
         (None, Status::Converged) => Ok(ExitCode::SUCCESS),
@@ -118,51 +139,68 @@ fn figure_files(name: &str) -> [String; 2] {
     [format!("{name}.svg"), format!("{name}.png")]
 }
 
-fn check_outputs<T: Task>(task: &T, plan: &T::Plan) -> Result<(), Failure> {
-    let outputs = task.outputs();
-    let common = [("--json", outputs.json_file()), ("--csv", outputs.csv.as_deref())];
-    let common = common.into_iter().filter_map(|(option, path)| Some((option, path?)));
-    let own = task.own_files().into_iter().map(|file| (file.option, file.path));
-    let output = |(option, path): (&'static str, &Path)| Output { option, path: path.to_owned() };
-    let files: Vec<Output> = common.chain(own).map(output).collect();
-    let names = T::Report::figure_names();
-    let directory = outputs.figures.as_deref().map(|path| Directory {
-        option: "--figures",
-        path,
-        names: names.iter().flat_map(|name| figure_files(name)).collect(),
-    });
-    outputs::check(&files, &task.inputs(plan), directory.as_ref())?;
-    let mut figures = outputs.figures.iter().flat_map(|path| names.iter().map(move |n| (path, n)));
-    figures.try_for_each(|(path, name)| refuse_foreign(path, name))
+/// Where a command is going to write.
+struct Outputs<'a> {
+    files: Vec<Output>,
+    directory: Option<Directory<'a>>,
 }
 
-/// Refuses to write over, or to remove later, a figure that is not ours.
-fn refuse_foreign(directory: &Path, name: &str) -> Result<(), Failure> {
-    let [drawing, picture] = figure_files(name).map(|file| directory.join(file));
-    let is_there = [&drawing, &picture].into_iter().find(|path| path.exists());
-    match is_there {
-        Some(path) if !is_ours(&drawing) => Err(Failure::Arguments(format!(
-            "--figures must name a directory without other files of the names of figures, but {} is not \
-             drawn by schlupf",
-            path.display()
-        ))),
-        _ => Ok(()),
+impl<'a> Outputs<'a> {
+    fn of<T: Task>(task: &'a T) -> Self {
+        let outputs = task.outputs();
+        let common = [("--json", outputs.json_file()), ("--csv", outputs.csv.as_deref())];
+        let common = common.into_iter().filter_map(|(option, path)| Some((option, path?)));
+        let own = task.own_files().into_iter().map(|file| (file.option, file.path));
+        let output =
+            |(option, path): (&'static str, &Path)| Output { option, path: path.to_owned() };
+        let names = T::Report::figure_names();
+        let directory = outputs.figures.as_deref().map(|path| Directory {
+            option: "--figures",
+            path,
+            names: names.iter().flat_map(|name| figure_files(name)).collect(),
+        });
+        Self { files: common.chain(own).map(output).collect(), directory }
+    }
+
+    /// Whatever can be checked without the case.
+    fn check(&self) -> Result<(), Failure> {
+        outputs::check(&self.files, self.directory.as_ref())?;
+        let Some(directory) = &self.directory else { return Ok(()) };
+        directory.names.iter().try_for_each(|name| refuse_foreign(&directory.path.join(name)))
+    }
+
+    fn refuse_inputs(&self, inputs: &[Input]) -> Result<(), Failure> {
+        outputs::refuse_inputs(&self.files, self.directory.as_ref(), inputs)
     }
 }
 
-/// Whether a drawing is one of ours.
-fn is_ours(drawing: &Path) -> bool {
-    let text = std::fs::read_to_string(drawing).unwrap_or_default();
-    text.lines().take(4).any(|line| line.contains(MARK))
+/// Refuses to write over, or to remove later, a figure that is not ours.
+fn refuse_foreign(path: &Path) -> Result<(), Failure> {
+    if !path.exists() || is_ours(path) {
+        return Ok(());
+    }
+    Err(Failure::Arguments(format!(
+        "--figures must name a directory without other files of the names of figures, but {} is not \
+         marked as drawn by schlupf",
+        path.display()
+    )))
+}
+
+/// Whether a drawing or a picture is one of ours: its mark stands near its beginning.
+fn is_ours(figure: &Path) -> bool {
+    const HEAD: u64 = 4096;
+    let words = MARK.trim_start_matches("<desc>").trim_end_matches("</desc>");
+    let mut head = Vec::new();
+    let read = File::open(figure).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    read.is_ok() && head.windows(words.len()).any(|part| part == words.as_bytes())
 }
 
 /// Figures of an earlier run of this command that this one has not drawn.
 fn stale<T: Task>(directory: &Path, written: &[(PathBuf, Vec<u8>)]) -> Vec<PathBuf> {
-    let names = T::Report::figure_names().into_iter();
-    let files = names.map(|name| figure_files(&name).map(|file| directory.join(file)));
+    let names = T::Report::figure_names();
+    let files = names.iter().flat_map(|name| figure_files(name)).map(|name| directory.join(name));
     let is_written = |path: &PathBuf| written.iter().any(|(written, _)| written == path);
-    let old = files.filter(|[drawing, _]| !is_written(drawing) && is_ours(drawing));
-    old.flatten().filter(|path| path.exists()).collect()
+    files.filter(|path| !is_written(path) && is_ours(path)).collect()
 }
 
 /// All files in memory: what cannot be made is known before the first one is written.
@@ -180,9 +218,8 @@ fn files<T: Task>(
         files.push((path.clone(), table.into_bytes()));
     }
     for own in task.own_files() {
-        if let Some(bytes) = report.own_file(own.format) {
-            files.push((own.path.to_owned(), bytes));
-        }
+        let Some(bytes) = report.own_file(own.format) else { return Err(own.missing()) };
+        files.push((own.path.to_owned(), bytes));
     }
     if let Some(directory) = &outputs.figures {
         progress.stage("drawing figures");

@@ -3,13 +3,12 @@
 use clap::Args;
 use schlupf::temperature_field::{Side, TemperatureField};
 use schlupf::{Error, Problem, Solution, Watch};
-use schlupf_case::{Case, CaseError, CaseErrors, depths, length, position};
+use schlupf_case::{Case, CaseError, CaseErrors, CaseFile, depths, length, position};
 use schlupf_output::temperature::{Request, Temperatures};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::curve::number_of_points;
 use crate::failure::Failure;
-use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task, messages};
 
@@ -57,15 +56,12 @@ impl Task for Temperature {
         &self.outputs
     }
 
-    fn plan(&self, case: Case, _watch: Watch) -> Result<Plan, Failure> {
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let wanted = Wanted::read(self)?;
         let what = "temperatures below the surface and in the wake are those";
+        let case = file.pose(watch)?;
         case.require_steady(what).map_err(CaseErrors::from)?;
         Ok(Plan { case, wanted })
-    }
-
-    fn inputs(&self, plan: &Plan) -> Vec<Input> {
-        Input::of_case(&self.case, &plan.case)
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<Temperatures>, Failure> {

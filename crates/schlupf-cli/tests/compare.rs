@@ -43,6 +43,21 @@ fn all_methods_are_compared() {
     assert!(bench.path("pictures/comparison.png").exists());
 }
 
+/// Rigid bodies are none of the models that every case is solved with.
+#[test]
+fn the_model_of_the_case_has_a_row() {
+    let bench = Bench::new();
+    bench.write("case.toml", SMALL);
+    let files = ["--csv", "c.csv", "--figures", "f"];
+    let rigid = ["compare", "case.toml", "--set", "elasticity.model=rigid"];
+    let run = bench.run(&[&rigid, &files[..]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("full, rigid bodies"), "{}", run.stdout);
+    let table = bench.read("c.csv");
+    assert_eq!(table.lines().filter(|line| line.starts_with("full,")).count(), 4, "{table}");
+    assert!(table.contains("\nfull,rigid,"), "{table}");
+}
+
 /// The case's own stiffnesses count in its own model only.
 #[test]
 fn stiffnesses_stay_with_their_model() {

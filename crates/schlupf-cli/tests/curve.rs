@@ -145,6 +145,18 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--creepage-y", "0..0.9", "--over", "kinematics.creepage_x=0,0.5"],
         &["--creepage-y 0..0.9", "does not at kinematics.creepage_y = 0.866025"],
     ),
+    (
+        &["--creepage-x", "0..0.1", "--set", "heat.model=none", "--over", "heat.partition=0.3,0.5"],
+        &["--over heat.partition=0.3: heat.partition must have an effect", "none with heat.model"],
+    ),
+    (
+        &["--creepage-x", "0..0.1", "--over", "normal.load=80 kN,80000 N"],
+        &["the values of normal.load must differ, but \"80 kN\" and \"80000 N\" are equal"],
+    ),
+    (
+        &["--creepage-x", "0..0.1", "--csv", "p.csv", "--over", "normal.file=p.csv,q.csv"],
+        &["--csv must name a file of its own, but p.csv is that of --over"],
+    ),
     (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is that of the case file"]),
     (&["--creepage-x", "0..0.1", "--csv", "-"], &["--csv must name a file"]),
 ];
@@ -193,9 +205,11 @@ fn the_file_system_is_asked_before_the_work() {
 #[test]
 fn a_field_without_effect_is_among_the_warnings() {
     let bench = bench();
-    let none = ["--set", "heat.model=none", "--over", "heat.partition=0.3,0.5"];
+    let set = ["--set", "heat.model=none", "--set", "heat.partition=0.3"];
+    let none = [&set[..], &["--over", "kinematics.speed=10 m/s,20 m/s"]].concat();
     let result = document(&bench, &[&["--creepage-x", "0..0.01"], &none[..]].concat());
     let warning = result["warnings"][0]["text"].as_str().unwrap();
-    let expected = "heat.partition = 0.3: --over heat.partition=0.3: heat.partition has no effect";
+    let expected =
+        "kinematics.speed = 10 m/s: --set heat.partition=0.3: heat.partition has no effect";
     assert!(warning.starts_with(expected), "{warning}");
 }

@@ -39,10 +39,68 @@ fn files_of_others_are_neither_overwritten_nor_removed() {
         bench.write(&format!("f/{name}"), "mine");
         let run = bench.run(&["solve", "case.toml", "--json", "s.json", "--figures", "f"]);
         assert_eq!(run.code, Some(2), "{}", run.stderr);
-        assert!(run.stderr.contains(name) && run.stderr.contains("not drawn by schlupf"));
+        assert!(run.stderr.contains(name) && run.stderr.contains("not marked as drawn by schlupf"));
         assert_eq!(bench.read(&format!("f/{name}")), "mine");
         assert_eq!(bench.list(), ["case.toml", "f"]);
     }
+}
+
+/// Each drawing and each picture has its own mark.
+#[test]
+fn a_figure_is_judged_by_itself() {
+    let bench = bench();
+    let draw = || bench.run(&["solve", "case.toml", "--quiet", "--figures", "f"]);
+    assert_eq!(draw().code, Some(0));
+    std::fs::remove_file(bench.path("f/cut_y0.svg")).unwrap();
+    let again = draw();
+    assert_eq!(again.code, Some(0), "{}", again.stderr);
+    assert!(bench.path("f/cut_y0.svg").exists());
+    bench.write("f/cut_y0.png", "mine");
+    let refused = draw();
+    assert_eq!(refused.code, Some(2));
+    assert!(refused.stderr.contains("cut_y0.png is not marked"), "{}", refused.stderr);
+    assert_eq!(bench.read("f/cut_y0.png"), "mine");
+}
+
+/// Whatever does not need the case is checked before it is read.
+#[test]
+fn outputs_are_checked_before_the_case() {
+    let bench = bench();
+    let rows = [
+        ("--json", "missing/s.json", 1, "missing/s.json: its directory missing"),
+        ("--csv", "-", 2, "--csv must name a file, but is `-`"),
+        ("--figures", "-", 2, "--figures must name a directory, but is `-`"),
+    ];
+    for (option, path, code, part) in rows {
+        let run = bench.run(&["solve", "none.toml", option, path]);
+        assert_eq!(run.code, Some(code), "{option} {path}: {}", run.stderr);
+        assert!(run.stderr.contains(part), "{part:?} is not in\n{}", run.stderr);
+    }
+}
+
+/// Goal: outputs are compared with the files of a case before its micro model, which would fail.
+#[test]
+fn files_of_the_case_are_refused_before_it_is_posed() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[contact_law]\nroughness = \"line.csv\"\n");
+    let run = bench.run(&["solve", "case.toml", "--csv", "line.csv"]);
+    assert_eq!(run.code, Some(2));
+    let expected = "that of contact_law.roughness.file, too";
+    assert!(run.stderr.contains(expected), "{}", run.stderr);
+}
+
+/// A full disk behind standard output does not hide what is doubtful.
+#[cfg(target_os = "linux")]
+#[test]
+fn warnings_are_told_where_the_summary_cannot_be() {
+    let bench = bench();
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let slow =
+        ["solve", "case.toml", "--set", "wheel.radius_x=1 mm", "--set", "rail.radius_y=1 mm"];
+    let output = bench.command(&slow).stdout(full).output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    assert!(stderr.contains("warning: ") && stderr.contains("standard output"), "{stderr}");
 }
 
 #[test]

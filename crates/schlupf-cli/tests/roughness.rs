@@ -108,6 +108,20 @@ fn bodies_and_friction_come_from_the_case() {
     assert!(plastic(&soft) > 0.01 && plastic(&plain) == 0.0);
 }
 
+/// A surface of its own needs neither the surface of the case nor its micro model.
+#[test]
+fn the_surface_of_the_case_is_not_read_for_another() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[contact_law]\nroughness = \"gone.csv\"\n");
+    let pressure = ["--pressure", "0.4,0.8 GPa", "--case", "case.toml"];
+    let document = document(&bench, &[&[QUICK], &pressure[..]].concat());
+    assert!(number(&document["contact_law"]["stiffness"]) > 0.0);
+    let own = run(&bench, &["--case", "case.toml"]);
+    assert!(own.stderr.contains("gone.csv"), "{}", own.stderr);
+    let calibrated = bench.run(&["calibrate", "case.toml", "--cells", "10"]);
+    assert_eq!(calibrated.code, Some(0), "{}", calibrated.stderr);
+}
+
 /// A profile becomes a surface of its roughness; two surfaces are added.
 #[test]
 fn profiles_and_pairs_are_taken() {
@@ -157,6 +171,15 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--hardness 0.5 GPa: --hardness must be above the largest"],
     ),
     (&[QUICK, "--form", "plane"], &["--form"]),
+    (&[QUICK, "--second", "xx.csv"], &["and --second is \"xx.csv\" (--second xx.csv)"]),
+    (
+        &[QUICK, "--seed", "2"],
+        &["--synthetic must not give what --seed gives, but has \"seed=1\" and --seed is \"2\""],
+    ),
+    (
+        &["--synthetic", "rms_height=1 um,longest=1 mm,longest_wavelength=2 mm,shortest=20 um"],
+        &["must give a key once, but has \"longest=1 mm\" and \"longest_wavelength=2 mm\""],
+    ),
     (
         &["line.csv", "--cutoff", "1 m"],
         &["--cutoff 1 m: --cutoff must be between 2e-6 and 9.9e-5 m"],

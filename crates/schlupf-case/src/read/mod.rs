@@ -15,6 +15,8 @@ mod roughness;
 use std::sync::Arc;
 
 use schlupf::history::History;
+use schlupf::material::Material;
+use schlupf::normal::NormalContact;
 use schlupf::{Error, Options, Problem, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
@@ -66,6 +68,25 @@ impl Parts {
         Ok(Self { draft, deformation, stiffness, history })
     }
 
+    /// Those of wheel and rail.
+    pub fn materials(&self) -> [Material; 2] {
+        [&self.draft.wheel, &self.draft.rail].map(|body| body.material)
+    }
+
+    /// The normal contact, of a history that with the largest load.
+    pub fn normal_contact(
+        &self,
+        settings: &Settings,
+        watch: Watch,
+    ) -> Result<NormalContact, CaseError> {
+        let load = self.history.as_ref().and_then(History::largest_load);
+        let contact = || {
+            self.draft.normal.prepare(load, watch)?;
+            self.draft.normal.normal_contact(load)
+        };
+        contact().map_err(|error| settings.explain(&error))
+    }
+
     /// The problem, and where its k_c comes from: solves the normal contact and the micro model where the case has
     /// such. `solved` is a micro model of a like case.
     pub fn pose(
@@ -99,7 +120,9 @@ pub fn micro_case(settings: &Settings, watch: Watch) -> Result<Option<MicroCase>
     let materials = [&wheel.material, &rail.material];
     let normal = normal::source(settings, materials[0], materials[1])?;
     let Some(request) = roughness::request(settings, materials)? else { return Ok(None) };
-    normal.prepare(None, watch).map_err(|error| settings.explain(&error))?;
+    if !request.has_pressures() {
+        normal.prepare(None, watch).map_err(|error| settings.explain(&error))?;
+    }
     request.on(settings, &*normal).map(Some)
 }
 

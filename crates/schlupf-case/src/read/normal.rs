@@ -108,7 +108,11 @@ impl File {
         let ending = Path::new(&name).extension();
         let is_npy = ending.is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
         if is_npy {
-            let spacings = Some([settings.number(SPACINGS[0])?, settings.number(SPACINGS[1])?]);
+            let spacing = |path| {
+                let given = settings.optional_number(path)?;
+                given.ok_or_else(|| settings.missing_beside(path, FILE))
+            };
+            let spacings = Some([spacing(SPACINGS[0])?, spacing(SPACINGS[1])?]);
             return Ok(Self { name, bytes, spacings });
         }
         if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(path)) {

@@ -132,6 +132,11 @@ pub fn request(
 }
 
 impl MicroRequest {
+    /// Whether the mean pressures are given, and the patch does not count.
+    pub fn has_pressures(&self) -> bool {
+        self.mean_pressures.is_some()
+    }
+
     /// All that is needed, the pressures being those of the patch where none are given.
     pub fn on(
         &self,

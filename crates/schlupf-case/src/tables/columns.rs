@@ -40,7 +40,7 @@ pub struct Columns {
     digits: Vec<f64>,
     /// Which of the columns that were asked for the file has.
     present: Vec<bool>,
-    field: &'static str,
+    field: String,
 }
 
 /// A column that the file has: which one of those asked for, and how its numbers become SI.
@@ -54,7 +54,7 @@ impl Columns {
     pub fn read(
         name: String,
         bytes: Vec<u8>,
-        field: &'static str,
+        field: &str,
         wanted: &[Column],
     ) -> Result<Self, CaseError> {
         let mut columns = Self::empty(name, bytes, field, wanted)?;
@@ -67,7 +67,7 @@ impl Columns {
     pub fn read_bare(
         name: String,
         bytes: Vec<u8>,
-        field: &'static str,
+        field: &str,
         wanted: &[Column],
         convert: Conversion,
     ) -> Result<Self, CaseError> {
@@ -92,7 +92,7 @@ impl Columns {
     fn empty(
         name: String,
         bytes: Vec<u8>,
-        field: &'static str,
+        field: &str,
         wanted: &[Column],
     ) -> Result<Self, CaseError> {
         let text = String::from_utf8(bytes).map_err(|_| {
@@ -106,6 +106,7 @@ impl Columns {
         let present = vec![false; wanted.len()];
         let names = wanted.iter().map(|column| column.name).collect();
         let lines = Vec::new();
+        let field = field.to_owned();
         Ok(Self { source, header_line: 1, lines, values, names, digits, present, field })
     }
 
@@ -122,12 +123,12 @@ impl Columns {
 
     /// An error at a line of the file.
     pub fn error(&self, line: usize, message: impl Into<String>) -> CaseError {
-        CaseError::new(self.field, message, Place::line(&self.source, line))
+        CaseError::new(&self.field, message, Place::line(&self.source, line))
     }
 
     /// The field or option that names the file.
-    pub fn field(&self) -> &'static str {
-        self.field
+    pub fn field(&self) -> &str {
+        &self.field
     }
 
     fn fill(&mut self, wanted: &[Column]) -> Result<(), CaseError> {
@@ -173,6 +174,9 @@ impl Columns {
     }
 
     fn header(&self, cells: &[&str], wanted: &[Column]) -> Result<Vec<Assigned>, CaseError> {
+        if let Some(cell) = cells.iter().find(|cell| cell.contains([';', '\t'])) {
+            return Err(self.other_separator(cell, wanted));
+        }
         let mut assigned: Vec<Assigned> = Vec::new();
         for cell in cells {
             let (name, unit) = split_header(cell);
@@ -198,15 +202,21 @@ impl Columns {
         Ok(assigned)
     }
 
+    fn other_separator(&self, cell: &str, wanted: &[Column]) -> CaseError {
+        let separator = if cell.contains(';') { "semicolons" } else { "tabs" };
+        let message = format!(
+            "columns must be separated by commas, as in `{}`, but are by {separator}",
+            expected_header(wanted)
+        );
+        let help = "numbers have a decimal point, not a comma".to_owned();
+        self.error(self.header_line, message).help(help)
+    }
+
     fn unknown_column(&self, cell: &str, name: &str, wanted: &[Column]) -> CaseError {
         let expected = expected_header(wanted);
         let message = format!("the header must be such as `{expected}`, but has a column `{cell}`");
         let meant = closest(name, wanted.iter().map(|column| column.name));
-        let help = if cell.contains([';', '\t']) {
-            Some("separate the columns by commas".to_owned())
-        } else {
-            meant.map(|meant| format!("did you mean `{meant}`?"))
-        };
+        let help = meant.map(|meant| format!("did you mean `{meant}`?"));
         self.error(self.header_line, message).help(help)
     }
 
@@ -333,6 +343,20 @@ mod tests {
             let columns = read(&text).unwrap();
             assert_eq!((columns.header_line, &columns.lines[..]), (4, &[7, 8][..]), "{text:?}");
             assert_eq!(columns.values, [[1.0, 3.0], [2.0, 4.0]]);
+        }
+    }
+
+    /// As spreadsheets write where the decimal sign is a comma.
+    #[test]
+    fn semicolons_and_tabs_are_told() {
+        for (text, separator) in
+            [("time [s];factor\n0,5;1\n", "semicolons"), ("time [s]\tfactor\n", "tabs")]
+        {
+            let expected = format!(
+                "f.csv:1:1: columns must be separated by commas, as in `time [s],factor`, but are by {separator}"
+            );
+            let message = read(text).unwrap_err();
+            assert!(message.starts_with(&expected), "{message}");
         }
     }
 

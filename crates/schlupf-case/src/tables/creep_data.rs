@@ -55,7 +55,7 @@ const STANDARD_DEVIATION: usize = 8;
 
 /// Points of a CSV file that `option` names. What has no column is that of `kinematics`.
 pub fn from_csv(
-    option: &'static str,
+    option: &str,
     name: String,
     bytes: Vec<u8>,
     kinematics: &Kinematics,

@@ -33,18 +33,14 @@ pub struct Displacements {
 
 /// Reads a CSV file that `option` of the command line names: columns x, y and, for one or both components, traction on
 /// the wheel and displacement of the wheel relative to the rail. A component without traction is left out.
-pub fn read(option: &'static str, file: &InputFile) -> Result<Displacements, CaseError> {
+pub fn read(option: &str, file: &InputFile) -> Result<Displacements, CaseError> {
     let name = file.path().display().to_string();
     let what = format!("the file of {option}");
     let bytes = file.read().map_err(|error| CaseError::unreadable(option, &what, &name, &error))?;
     from_csv(name, bytes, option)
 }
 
-fn from_csv(
-    name: String,
-    bytes: Vec<u8>,
-    option: &'static str,
-) -> Result<Displacements, CaseError> {
+fn from_csv(name: String, bytes: Vec<u8>, option: &str) -> Result<Displacements, CaseError> {
     let columns = Columns::read(name.clone(), bytes, option, &COLUMNS)?;
     let [xs, ys, components @ ..] = &columns.values[..] else {
         return Err(columns.error(columns.header_line, "columns x and y are needed"));

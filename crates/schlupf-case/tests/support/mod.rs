@@ -3,11 +3,17 @@
 #![allow(dead_code, reason = "each test file uses its part of it")]
 
 use schlupf::unwatched;
-use schlupf_case::{Case, CaseErrors, CaseFile, Folder};
+use schlupf_case::{Case, CaseErrors, CaseFile, Folder, Overrides};
 
 pub fn read(text: &str, overrides: &[&str]) -> Result<Case, CaseErrors> {
     let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-    CaseFile::from_str(text, "case.toml", Folder::new("/nowhere"), &overrides)?.pose(&unwatched)
+    CaseFile::from_str(
+        text,
+        "case.toml",
+        Folder::new("/nowhere"),
+        Overrides { option: "--set", assignments: &overrides },
+    )?
+    .pose(&unwatched)
 }
 
 /// A case text, the field that the error names, and parts of its text.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-use super::FigureError;
+use super::{FigureError, MARK};
 
 /// Pixels per user unit, for print.
 const SCALE: f32 = 2.0;
@@ -36,6 +36,9 @@ fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
+    // The words that mark the drawing, too.
+    let words = MARK.trim_start_matches("<desc>").trim_end_matches("</desc>");
+    encoder.add_text_chunk("Comment".to_owned(), words.to_owned())?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&opaque)?;
     writer.finish()?;
