@@ -371,7 +371,7 @@ fn a_long_legend_stays_above_the_curves() {
     for member in &mut family.members {
         let curve = &mut member.curve;
         curve.points.iter_mut().for_each(|point| point.force.x *= 1.4);
-        let maximum = Maximum { is_saturated: true, ..curve.maxima[0].clone() };
+        let maximum = Maximum { is_saturated: true, ..curve.maxima[0] };
         curve.maxima.push(maximum);
         curve.points[3].status = Status::NotConverged;
     }
@@ -397,8 +397,7 @@ fn the_mark_of_saturation_lies_on_its_curve() {
         point.force.x = -LOAD * point.abscissa;
     }
     let force = Resultant::new(-0.9 * LOAD, 0.0, 0.0);
-    curve.maxima[0] =
-        Maximum { abscissa: 0.0251, is_saturated: true, force, ..curve.maxima[0].clone() };
+    curve.maxima[0] = Maximum { abscissa: 0.0251, is_saturated: true, force, ..curve.maxima[0] };
     curve.initial_slope = None;
     let svg = drawing(&family);
     let document = roxmltree::Document::parse(&svg).unwrap();
