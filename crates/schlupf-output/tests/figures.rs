@@ -260,3 +260,28 @@ fn single_cells_that_stick_leave_no_border() {
     let text = text_of(&map_of_traction(&solution));
     assert!(text.contains("contact") && !text.contains("stick"), "{text}");
 }
+
+/// On a slender patch several arrows side by side leave most of it visible.
+#[test]
+fn arrows_fit_a_slender_patch() {
+    let recipe = Recipe { semi_axes: [1e-3, 10e-3], cells: 24, direction: 0.5, stick: 0.0 };
+    let svg = map_of_traction(&solution(recipe));
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let is_arrows = |node: &roxmltree::Node| {
+        node.has_tag_name("path") && node.attribute("fill") == Some("#000000")
+    };
+    let arrows = document.descendants().find(is_arrows).unwrap().attribute("d").unwrap();
+    let points = |arrow: &str| -> Vec<f64> {
+        let points = arrow.trim_end_matches('z').split('L');
+        points.map(|point| point.split(' ').next().unwrap().parse().unwrap()).collect()
+    };
+    let widths = arrows.split('M').skip(1).map(|arrow| {
+        let x = points(arrow);
+        let end = |pick: fn(f64, f64) -> f64| x.iter().copied().reduce(pick).unwrap();
+        end(f64::max) - end(f64::min)
+    });
+    let widths: Vec<f64> = widths.collect();
+    let ellipse = document.descendants().find(|node| node.has_tag_name("ellipse")).unwrap();
+    let half: f64 = ellipse.attribute("rx").unwrap().parse().unwrap();
+    assert!(widths.len() > 40 && widths.iter().all(|width| *width < 0.5 * half), "{widths:?}");
+}

@@ -154,7 +154,8 @@ impl<'a> Padded<'a> {
         let corner = move |i: usize, j: usize| {
             self.value(i, j).map(|value| (self.position(i, j), value - level))
         };
-        let places = (1..self.rows).flat_map(|j| (1..self.columns).map(move |i| [i, j]));
+        let columns = self.columns;
+        let places = (1..self.rows).flat_map(move |j| (1..columns).map(move |i| [i, j]));
         places.filter_map(move |[i, j]| {
             Some([corner(i - 1, j - 1)?, corner(i, j - 1)?, corner(i, j)?, corner(i - 1, j)?])
         })

@@ -227,9 +227,13 @@ fn polygons_path(frame: &Frame, polygons: &[Vec<[f64; 2]>]) -> String {
     polygons.iter().map(path).collect()
 }
 
-/// Arrows on a lattice about the centre, the longest almost as long as their spacing.
+/// Arrows on a lattice about the centre, the longest almost as long as their spacing, which is
+/// smaller where the patch is slender.
 fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arrows) {
-    const SPACING: f64 = 36.0;
+    const SPACINGS: [f64; 2] = [14.0, 36.0];
+    const ACROSS: f64 = 5.0;
+    let narrow = frame.size[0].min(frame.size[1]);
+    let spacing = (narrow / ACROSS).clamp(SPACINGS[0], SPACINGS[1]);
     let largest = arrows.x.iter().zip(&arrows.y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     if !(largest.is_finite() && largest > 0.0) {
         return;
@@ -237,8 +241,8 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
     let [a, b] = patch.semi_axes();
     let [x, y] = [&arrows.x, &arrows.y].map(|v| Sampler::new(patch, v, arrows.vanish_at_rim));
     let steps = |axis: usize| {
-        let half = (0.5 * frame.size[axis] / SPACING) as i32;
-        let step = SPACING / frame.scale()[axis] * MILLIMETRE;
+        let half = (0.5 * frame.size[axis] / spacing) as i32;
+        let step = spacing / frame.scale()[axis] * MILLIMETRE;
         let middle = 0.5 * (ranges(patch)[axis][0] + ranges(patch)[axis][1]);
         (-half..=half).map(move |index| middle + f64::from(index) * step)
     };
@@ -249,12 +253,12 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
         if !patch.contains(place) || vector[0].hypot(vector[1]) < 0.08 {
             continue;
         }
-        let half = [0, 1].map(|i| 0.45 * SPACING * vector[i] / frame.scale()[i] * MILLIMETRE);
+        let half = [0, 1].map(|i| 0.45 * spacing * vector[i] / frame.scale()[i] * MILLIMETRE);
         let [tail, tip] = [-1.0, 1.0].map(|sign| {
             let end = end_inside(patch, place, half.map(|part| sign * part));
             frame.at(end.map(|coordinate| coordinate / MILLIMETRE))
         });
-        path += &marks::arrow(tail, tip, 9.0);
+        path += &marks::arrow(tail, tip, 0.25 * spacing);
     }
     drawing.path(&path, ARROW);
 }
