@@ -285,3 +285,19 @@ fn arrows_fit_a_slender_patch() {
     let half: f64 = ellipse.attribute("rx").unwrap().parse().unwrap();
     assert!(widths.len() > 40 && widths.iter().all(|width| *width < 0.5 * half), "{widths:?}");
 }
+
+/// Titles are any text: what the font lacks is a box in the PNG, not a gap, and itself in the SVG.
+#[test]
+fn characters_that_the_font_lacks_are_boxes() {
+    let figure = |title: &str| {
+        let drawings = drawings(title, &solution(RECIPE)).unwrap();
+        render(drawings.into_iter().take(1).collect()).unwrap().remove(0)
+    };
+    let [lacking, boxes, spaces] =
+        ["wheel \u{8f6e}\u{8f68}", "wheel \u{25a1}\u{25a1}", "wheel   "].map(figure);
+    assert!(text_of(&lacking.svg).contains('\u{8f6e}'));
+    assert!(lacking.png == boxes.png && lacking.png != spaces.png);
+    // Letters and signs of other languages than English and of mathematics are in the font.
+    let [known, boxes] = ["ẞỹȘ≠∈ℝ", "□□□□□□"].map(figure);
+    assert!(known.png != boxes.png);
+}
