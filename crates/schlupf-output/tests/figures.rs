@@ -301,3 +301,42 @@ fn characters_that_the_font_lacks_are_boxes() {
     let [known, boxes] = ["ẞỹȘ≠∈ℝ", "□□□□□□"].map(figure);
     assert!(known.png != boxes.png);
 }
+
+/// The rim of a patch that is no ellipse follows the covered parts of its cells: here it is one in
+/// truth, and the rim is nowhere more than a quarter of a cell from it.
+#[test]
+fn the_rim_of_any_patch_is_smooth() {
+    let mut solution = solution(Recipe { cells: 24, ..RECIPE });
+    let [a, b] = RECIPE.semi_axes;
+    solution.fields.pressure.fill(5e8);
+    let svg = map_of_traction(&solution);
+    assert!(!svg.contains("<ellipse"));
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let is_rim = |node: &roxmltree::Node| {
+        node.has_tag_name("path") && node.attribute("stroke-width") == Some("1.3")
+    };
+    let rims = document.descendants().filter(is_rim);
+    let rim = rims.filter_map(|node| node.attribute("stroke").and(node.attribute("d")));
+    let rim = rim.max_by_key(|path| path.len()).unwrap();
+    let points: Vec<[f64; 2]> = rim
+        .split(['M', 'L'])
+        .filter(|point| !point.is_empty())
+        .map(|point| {
+            let mut numbers = point.split(' ').map(|number| number.parse::<f64>().unwrap());
+            [numbers.next().unwrap(), numbers.next().unwrap()]
+        })
+        .collect();
+    let ends = |axis: usize| {
+        let values = || points.iter().map(|point| point[axis]);
+        [values().fold(f64::MAX, f64::min), values().fold(f64::MIN, f64::max)]
+    };
+    let [x, y] = [ends(0), ends(1)];
+    let half = |[low, high]: [f64; 2]| 0.5 * (high - low);
+    assert!((half(y) / half(x) - b / a).abs() < 0.05 * b / a);
+    for point in &points {
+        let u = (point[0] - 0.5 * (x[0] + x[1])) / half(x);
+        let v = (point[1] - 0.5 * (y[0] + y[1])) / half(y);
+        let cells = 12.0 * (u.hypot(v) - 1.0);
+        assert!(cells.abs() < 0.25, "{cells} at {u}, {v}");
+    }
+}

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::color::{ColorScale, paint};
-use super::contour::{Segment, outline, stick_border, sticking};
+use super::contour::{Segment, inside, outline, stick_border, sticking};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample};
 use super::patch::Patch;
@@ -136,10 +136,10 @@ fn cells_by_level(
 ) -> BTreeMap<usize, String> {
     let fields = patch.fields();
     let level = |column: usize, row: usize| {
-        let cell = patch.cell(column, row)?;
+        let cell = patch.cell(column, row).or_else(|| neighbour(patch, column, row))?;
         let value = quantity.values[cell];
         // The patch is clipped at its rim, so its cells show the mean over the part that remains.
-        let partial = patch.elliptic && quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
+        let partial = quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
         Some(scale.level(if partial { value / fields.covered[cell] } else { value }))
     };
     let mut paths: BTreeMap<usize, String> = BTreeMap::new();
@@ -158,6 +158,15 @@ fn cells_by_level(
         }
     }
     paths
+}
+
+/// A contact cell beside a place without one: the smooth rim may pass through its corner.
+fn neighbour(patch: &Patch, column: usize, row: usize) -> Option<usize> {
+    let before = |index: usize| index.checked_sub(1);
+    (before(column).and_then(|column| patch.cell(column, row)))
+        .or_else(|| patch.cell(column + 1, row))
+        .or_else(|| patch.cell(column, before(row)?))
+        .or_else(|| patch.cell(column, row + 1))
 }
 
 fn draw_cells(
@@ -182,20 +191,13 @@ fn draw_cells(
     drawing.end_group();
 }
 
-/// Clips to the patch: its ellipse, or its cells.
+/// Clips to the patch: its ellipse, or what its cells cover.
 fn begin_patch_clip(drawing: &mut Drawing, patch: &Patch, frame: &Frame) {
     if patch.elliptic {
         drawing.begin_clip(&ellipse(patch, frame, ""));
         return;
     }
-    let grid = &patch.fields().grid;
-    let mut path = String::new();
-    for &[i, j] in &patch.fields().cell {
-        let corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
-            .map(|[i, j]| frame.at([grid.edge_x(i) / MILLIMETRE, grid.edge_y(j) / MILLIMETRE]));
-        path += &open_path(&corners);
-        path.push('z');
-    }
+    let path = polygons_path(frame, &inside(patch));
     drawing.begin_clip(&format!(r#"<path d="{path}"/>"#));
 }
 
