@@ -29,12 +29,8 @@ pub(super) fn draw(family: &CurveFamily) -> Option<String> {
     let mut corner = [LEFT, top];
     let count = panels.len();
     for (k, panel) in panels.into_iter().enumerate() {
-        let frame = Frame {
-            corner,
-            size: [width, panel.panel.height],
-            x: picture.x,
-            y: panel.range(),
-        };
+        let frame =
+            Frame { corner, size: [width, panel.panel.height], x: picture.x, y: panel.range() };
         corner[1] += panel.panel.height + GAP;
         panel.draw(&mut drawing, &frame);
         if k + 1 == count {
@@ -87,13 +83,7 @@ impl<'a> Picture<'a> {
         let abscissa = family.abscissa()?;
         let [from, to] = family.members.first()?.curve.path.range();
         let x = [from.min(to), from.max(to)];
-        let mut picture = Self {
-            family,
-            abscissa,
-            x,
-            colors: colors(family),
-            components: vec![],
-        };
+        let mut picture = Self { family, abscissa, x, colors: colors(family), components: vec![] };
         let [main, other] = components(abscissa);
         let largest = |component: &Component| picture.largest(|point| component.of(&point.force));
         let [of_main, of_other] = [largest(&main), largest(&other)];

@@ -223,9 +223,8 @@ fn segments_path(frame: &Frame, segments: &[Segment]) -> String {
 
 fn polygons_path(frame: &Frame, polygons: &[Vec<[f64; 2]>]) -> String {
     let place = |point: &[f64; 2]| frame.at([point[0] / MILLIMETRE, point[1] / MILLIMETRE]);
-    let path = |polygon: &Vec<[f64; 2]>| {
-        open_path(&polygon.iter().map(place).collect::<Vec<_>>()) + "z"
-    };
+    let path =
+        |polygon: &Vec<[f64; 2]>| open_path(&polygon.iter().map(place).collect::<Vec<_>>()) + "z";
     polygons.iter().map(path).collect()
 }
 

@@ -36,7 +36,7 @@ impl<'a> Sampler<'a> {
             Self::Strips(strips) => strips.value(position),
             Self::Cells(patch, values, outside) => {
                 between_cells(patch, (values, *outside), position)
-            },
+            }
         }
     }
 }
@@ -136,11 +136,7 @@ fn mix(lower: [f64; 2], upper: [f64; 2], at: f64) -> f64 {
     lower[1] + share * (upper[1] - lower[1])
 }
 
-fn between_cells(
-    patch: &Patch,
-    (values, outside): (&[f64], f64),
-    position: [f64; 2],
-) -> f64 {
+fn between_cells(patch: &Patch, (values, outside): (&[f64], f64), position: [f64; 2]) -> f64 {
     let grid = &patch.fields().grid;
     let [a, b] = patch.semi_axes();
     let u = (position[0] * a - grid.origin_x) / grid.spacing_x - 0.5;
