@@ -260,3 +260,83 @@ fn single_cells_that_stick_leave_no_border() {
     let text = text_of(&map_of_traction(&solution));
     assert!(text.contains("contact") && !text.contains("stick"), "{text}");
 }
+
+/// On a slender patch several arrows side by side leave most of it visible.
+#[test]
+fn arrows_fit_a_slender_patch() {
+    let recipe = Recipe { semi_axes: [1e-3, 10e-3], cells: 24, direction: 0.5, stick: 0.0 };
+    let svg = map_of_traction(&solution(recipe));
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let is_arrows = |node: &roxmltree::Node| {
+        node.has_tag_name("path") && node.attribute("fill") == Some("#000000")
+    };
+    let arrows = document.descendants().find(is_arrows).unwrap().attribute("d").unwrap();
+    let points = |arrow: &str| -> Vec<f64> {
+        let points = arrow.trim_end_matches('z').split('L');
+        points.map(|point| point.split(' ').next().unwrap().parse().unwrap()).collect()
+    };
+    let widths = arrows.split('M').skip(1).map(|arrow| {
+        let x = points(arrow);
+        let end = |pick: fn(f64, f64) -> f64| x.iter().copied().reduce(pick).unwrap();
+        end(f64::max) - end(f64::min)
+    });
+    let widths: Vec<f64> = widths.collect();
+    let ellipse = document.descendants().find(|node| node.has_tag_name("ellipse")).unwrap();
+    let half: f64 = ellipse.attribute("rx").unwrap().parse().unwrap();
+    assert!(widths.len() > 40 && widths.iter().all(|width| *width < 0.5 * half), "{widths:?}");
+}
+
+/// Titles are any text: what the font lacks is a box in the PNG, not a gap, and itself in the SVG.
+#[test]
+fn characters_that_the_font_lacks_are_boxes() {
+    let figure = |title: &str| {
+        let drawings = drawings(title, &solution(RECIPE)).unwrap();
+        render(drawings.into_iter().take(1).collect()).unwrap().remove(0)
+    };
+    let [lacking, boxes, spaces] =
+        ["wheel \u{8f6e}\u{8f68}", "wheel \u{25a1}\u{25a1}", "wheel   "].map(figure);
+    assert!(text_of(&lacking.svg).contains('\u{8f6e}'));
+    assert!(lacking.png == boxes.png && lacking.png != spaces.png);
+    // Letters and signs of other languages than English and of mathematics are in the font.
+    let [known, boxes] = ["ẞỹȘ≠∈ℝ", "□□□□□□"].map(figure);
+    assert!(known.png != boxes.png);
+}
+
+/// The rim of a patch that is no ellipse follows the covered parts of its cells: here it is one in
+/// truth, and the rim is nowhere more than a quarter of a cell from it.
+#[test]
+fn the_rim_of_any_patch_is_smooth() {
+    let mut solution = solution(Recipe { cells: 24, ..RECIPE });
+    let [a, b] = RECIPE.semi_axes;
+    solution.fields.pressure.fill(5e8);
+    let svg = map_of_traction(&solution);
+    assert!(!svg.contains("<ellipse"));
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let is_rim = |node: &roxmltree::Node| {
+        node.has_tag_name("path") && node.attribute("stroke-width") == Some("1.3")
+    };
+    let rims = document.descendants().filter(is_rim);
+    let rim = rims.filter_map(|node| node.attribute("stroke").and(node.attribute("d")));
+    let rim = rim.max_by_key(|path| path.len()).unwrap();
+    let points: Vec<[f64; 2]> = rim
+        .split(['M', 'L'])
+        .filter(|point| !point.is_empty())
+        .map(|point| {
+            let mut numbers = point.split(' ').map(|number| number.parse::<f64>().unwrap());
+            [numbers.next().unwrap(), numbers.next().unwrap()]
+        })
+        .collect();
+    let ends = |axis: usize| {
+        let values = || points.iter().map(|point| point[axis]);
+        [values().fold(f64::MAX, f64::min), values().fold(f64::MIN, f64::max)]
+    };
+    let [x, y] = [ends(0), ends(1)];
+    let half = |[low, high]: [f64; 2]| 0.5 * (high - low);
+    assert!((half(y) / half(x) - b / a).abs() < 0.05 * b / a);
+    for point in &points {
+        let u = (point[0] - 0.5 * (x[0] + x[1])) / half(x);
+        let v = (point[1] - 0.5 * (y[0] + y[1])) / half(y);
+        let cells = 12.0 * (u.hypot(v) - 1.0);
+        assert!(cells.abs() < 0.25, "{cells} at {u}, {v}");
+    }
+}

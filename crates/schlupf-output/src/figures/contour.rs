@@ -71,24 +71,19 @@ fn used_friction(patch: &Patch) -> Vec<f64> {
         .collect()
 }
 
-/// The edges between contact cells and others.
+/// The rim of a patch that is no ellipse: where half of a cell would be covered.
 pub(crate) fn outline(patch: &Patch) -> Vec<Segment> {
-    let grid = &patch.fields().grid;
-    let mut segments = Vec::new();
-    for &[i, j] in &patch.fields().cell {
-        let [x0, x1] = [grid.edge_x(i), grid.edge_x(i + 1)];
-        let [y0, y1] = [grid.edge_y(j), grid.edge_y(j + 1)];
-        let before = |index: usize| index.checked_sub(1);
-        let sides = [
-            (before(i).and_then(|i| patch.cell(i, j)), [[x0, y0], [x0, y1]]),
-            (patch.cell(i + 1, j), [[x1, y0], [x1, y1]]),
-            (before(j).and_then(|j| patch.cell(i, j)), [[x0, y0], [x1, y0]]),
-            (patch.cell(i, j + 1), [[x0, y1], [x1, y1]]),
-        ];
-        segments.extend(sides.into_iter().filter(|(cell, _)| cell.is_none()).map(|(_, side)| side));
-    }
-    segments
+    Padded::openness(patch).squares(HALF).flat_map(crossings).collect()
 }
+
+/// The inside of the same rim, as polygons.
+pub(crate) fn inside(patch: &Patch) -> Vec<Vec<[f64; 2]>> {
+    let field = Padded::openness(patch);
+    field.squares(HALF).map(below).filter(|polygon| polygon.len() > 2).collect()
+}
+
+/// Level of the rim: what is less open than this is inside.
+const HALF: f64 = 0.5;
 
 /// The contour of a field between the cell centres, extended over the rim of the patch.
 fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Segment> {
@@ -154,10 +149,31 @@ impl<'a> Padded<'a> {
         let corner = move |i: usize, j: usize| {
             self.value(i, j).map(|value| (self.position(i, j), value - level))
         };
-        let places = (1..self.rows).flat_map(|j| (1..self.columns).map(move |i| [i, j]));
+        let columns = self.columns;
+        let places = (1..self.rows).flat_map(move |j| (1..columns).map(move |i| [i, j]));
         places.filter_map(move |[i, j]| {
             Some([corner(i - 1, j - 1)?, corner(i, j - 1)?, corner(i, j)?, corner(i - 1, j)?])
         })
+    }
+
+    /// The open fraction of the cells, one outside the contact. It is relative to the best covered
+    /// cell around each, so that a part of the patch that covers no cell by half is not lost.
+    fn openness(patch: &Patch<'a>) -> Self {
+        let fields = patch.fields();
+        let (columns, rows) = (fields.grid.columns + 2, fields.grid.rows + 2);
+        let covered = |i: usize, j: usize| {
+            let cell = patch.cell(i.checked_sub(1)?, j.checked_sub(1)?)?;
+            Some(fields.covered[cell])
+        };
+        let most_around = |i: usize, j: usize| {
+            let places = (j..j + 3).flat_map(|j| (i..i + 3).map(move |i| (i, j)));
+            let covered = places.filter_map(|(i, j)| covered(i.checked_sub(1)?, j.checked_sub(1)?));
+            covered.fold(0.0, f64::max)
+        };
+        let places = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+        let open = |(i, j)| 1.0 - covered(i, j).map_or(0.0, |part| part / most_around(i, j));
+        let values = places.map(|place| Some(open(place))).collect();
+        Self { grid: &fields.grid, columns, rows, values }
     }
 
     fn value(&self, i: usize, j: usize) -> Option<f64> {

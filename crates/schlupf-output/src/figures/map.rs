@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::color::{ColorScale, paint};
-use super::contour::{Segment, outline, stick_border, sticking};
+use super::contour::{Segment, inside, outline, stick_border, sticking};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample};
 use super::patch::Patch;
@@ -136,10 +136,10 @@ fn cells_by_level(
 ) -> BTreeMap<usize, String> {
     let fields = patch.fields();
     let level = |column: usize, row: usize| {
-        let cell = patch.cell(column, row)?;
+        let cell = patch.cell(column, row).or_else(|| neighbour(patch, column, row))?;
         let value = quantity.values[cell];
         // The patch is clipped at its rim, so its cells show the mean over the part that remains.
-        let partial = patch.elliptic && quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
+        let partial = quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
         Some(scale.level(if partial { value / fields.covered[cell] } else { value }))
     };
     let mut paths: BTreeMap<usize, String> = BTreeMap::new();
@@ -158,6 +158,15 @@ fn cells_by_level(
         }
     }
     paths
+}
+
+/// A contact cell beside a place without one: the smooth rim may pass through its corner.
+fn neighbour(patch: &Patch, column: usize, row: usize) -> Option<usize> {
+    let before = |index: usize| index.checked_sub(1);
+    (before(column).and_then(|column| patch.cell(column, row)))
+        .or_else(|| patch.cell(column + 1, row))
+        .or_else(|| patch.cell(column, before(row)?))
+        .or_else(|| patch.cell(column, row + 1))
 }
 
 fn draw_cells(
@@ -182,20 +191,13 @@ fn draw_cells(
     drawing.end_group();
 }
 
-/// Clips to the patch: its ellipse, or its cells.
+/// Clips to the patch: its ellipse, or what its cells cover.
 fn begin_patch_clip(drawing: &mut Drawing, patch: &Patch, frame: &Frame) {
     if patch.elliptic {
         drawing.begin_clip(&ellipse(patch, frame, ""));
         return;
     }
-    let grid = &patch.fields().grid;
-    let mut path = String::new();
-    for &[i, j] in &patch.fields().cell {
-        let corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
-            .map(|[i, j]| frame.at([grid.edge_x(i) / MILLIMETRE, grid.edge_y(j) / MILLIMETRE]));
-        path += &open_path(&corners);
-        path.push('z');
-    }
+    let path = polygons_path(frame, &inside(patch));
     drawing.begin_clip(&format!(r#"<path d="{path}"/>"#));
 }
 
@@ -226,9 +228,13 @@ fn polygons_path(frame: &Frame, polygons: &[Vec<[f64; 2]>]) -> String {
     polygons.iter().map(path).collect()
 }
 
-/// Arrows on a lattice about the centre, the longest almost as long as their spacing.
+/// Arrows on a lattice about the centre, the longest almost as long as their spacing, which is
+/// smaller where the patch is slender.
 fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arrows) {
-    const SPACING: f64 = 36.0;
+    const SPACINGS: [f64; 2] = [14.0, 36.0];
+    const ACROSS: f64 = 5.0;
+    let narrow = frame.size[0].min(frame.size[1]);
+    let spacing = (narrow / ACROSS).clamp(SPACINGS[0], SPACINGS[1]);
     let largest = arrows.x.iter().zip(&arrows.y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     if !(largest.is_finite() && largest > 0.0) {
         return;
@@ -236,8 +242,8 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
     let [a, b] = patch.semi_axes();
     let [x, y] = [&arrows.x, &arrows.y].map(|v| Sampler::new(patch, v, arrows.vanish_at_rim));
     let steps = |axis: usize| {
-        let half = (0.5 * frame.size[axis] / SPACING) as i32;
-        let step = SPACING / frame.scale()[axis] * MILLIMETRE;
+        let half = (0.5 * frame.size[axis] / spacing) as i32;
+        let step = spacing / frame.scale()[axis] * MILLIMETRE;
         let middle = 0.5 * (ranges(patch)[axis][0] + ranges(patch)[axis][1]);
         (-half..=half).map(move |index| middle + f64::from(index) * step)
     };
@@ -248,12 +254,12 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
         if !patch.contains(place) || vector[0].hypot(vector[1]) < 0.08 {
             continue;
         }
-        let half = [0, 1].map(|i| 0.45 * SPACING * vector[i] / frame.scale()[i] * MILLIMETRE);
+        let half = [0, 1].map(|i| 0.45 * spacing * vector[i] / frame.scale()[i] * MILLIMETRE);
         let [tail, tip] = [-1.0, 1.0].map(|sign| {
             let end = end_inside(patch, place, half.map(|part| sign * part));
             frame.at(end.map(|coordinate| coordinate / MILLIMETRE))
         });
-        path += &marks::arrow(tail, tip, 9.0);
+        path += &marks::arrow(tail, tip, 0.25 * spacing);
     }
     drawing.path(&path, ARROW);
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-use super::{FigureError, MARK};
+use super::{FigureError, MARK, font};
 
 /// Pixels per user unit, for print.
 const SCALE: f32 = 2.0;
@@ -18,7 +18,7 @@ pub(crate) fn png(svg: &str, fonts: &Arc<Database>) -> Result<Vec<u8>, FigureErr
         font_family: "DejaVu Sans".to_owned(),
         ..Options::default()
     };
-    let tree = Tree::from_str(svg, &options).map_err(render_error)?;
+    let tree = Tree::from_str(&font::with_boxes(svg), &options).map_err(render_error)?;
     let size = tree.size();
     let [width, height] = [size.width(), size.height()].map(|side| (side * SCALE).ceil() as u32);
     let mut pixels = Pixmap::new(width, height).ok_or_else(|| render_error("no size"))?;
