@@ -66,7 +66,8 @@ impl Family {
         named.map(|file| case.files.locate(file)).collect()
     }
 
-    /// The case with each of the values, or what is wrong with any of them.
+    /// The case with each of the values, or what is wrong with any of them; where all are right, the first
+    /// that cannot be posed.
     ///
     /// ```
     /// use schlupf::unwatched;
@@ -80,7 +81,7 @@ impl Family {
     /// ```
     pub fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Case>, CaseErrors> {
         let files = self.case_files(&case.file)?;
-        let posed = parallel::map(files, |file| {
+        parallel::try_map(files, |file| {
             let mut member = file.pose_like(case.micro_contact(), watch)?;
             if !self.shapes_contact {
                 // The same, and so a solver can tell.
@@ -88,8 +89,7 @@ impl Family {
                 member.problem.elasticity = Arc::clone(&case.problem.elasticity);
             }
             Ok(member)
-        });
-        all_or_errors(posed)
+        })
     }
 
     /// The case file with each of the values.
