@@ -63,7 +63,7 @@ const TIME_STYLES: [&str; 2] = [
 /// Style of the line between them.
 const TIME_LINE: &str = r##"stroke="#a0a0a0" stroke-width="1.6""##;
 const TIME_NOTE: &str =
-    "time: hollow from nothing, with set-up (the number); full the forces once more, set-up there";
+    "time: hollow circles with set-up (the number), full circles for the forces alone";
 
 /// Values below this fraction of μ0 N (or of μ0 N √(ab)) are invisible.
 const INVISIBLE: f64 = 1e-6;

@@ -45,7 +45,7 @@ pub(super) fn text(comparison: &Comparison) -> String {
         row(&mut text, entry.name, COLUMNS.iter().map(|(_, value)| shown(value(answer))), remark);
     }
     text.push_str(
-        "time: from nothing, with set-up; again: forces once more, set-up there; –: not given\n",
+        "time: with set-up; again: the forces alone, with the set-up done; –: not given\n",
     );
     text
 }
