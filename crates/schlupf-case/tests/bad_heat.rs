@@ -135,7 +135,7 @@ fn impossible_cooling_is_named() {
         (
             "[cooling]\nfilm_coefficient = \"40 W/(m K)\"",
             "cooling.film_coefficient",
-            &["a heat transfer coefficient", "`W/(m K)` is kg m s^-3 K^-1"],
+            &["a heat transfer coefficient", "`W/(m K)` is the unit of a thermal conductivity"],
         ),
         (
             "[cooling]\nfilm_coefficient = \"40 W/(m^2 K)\"\narea = \"-1 m^2\"",

@@ -444,7 +444,7 @@ fn impossible_friction_over_slip_speed_is_named() {
         (
             "[friction]\nmodel = \"polach\"\nlimit_ratio = 0.4\ndecay = \"0.6 m/s\"",
             "friction.decay",
-            &["an inverse speed", "`m/s` is m s^-1"],
+            &["an inverse speed", "`m/s` is the unit of a speed"],
         ),
     ]);
 }

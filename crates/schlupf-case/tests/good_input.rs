@@ -95,8 +95,9 @@ fn semi_axes_come_with_load_or_peak_pressure() {
     let load = 2.0 / 3.0 * std::f64::consts::PI * 6e-3 * 5e-3 * 1e9;
     let summary = peak.problem.normal.normal_contact(None).unwrap().summary;
     assert_relative_eq!(summary.load, load, max_relative = 1e-13);
-    let summary = read(text, &[]).problem.normal.normal_contact(None).unwrap().summary;
-    assert_relative_eq!(summary.load, 80e3, max_relative = 1e-13);
+    let loaded = read(text, &["normal.load=90 kN"]);
+    let summary = loaded.problem.normal.normal_contact(None).unwrap().summary;
+    assert_relative_eq!(summary.load, 90e3, max_relative = 1e-13);
 }
 
 #[test]

@@ -289,7 +289,7 @@ const BAD_FILES: &[(&str, &[&str])] = &[
     ),
     (
         "file = \"wave.npy\"\nunit = \"s\"\nspacing = \"1 um\"",
-        &["case.toml:3:", "`s` is s in base"],
+        &["case.toml:3:", "`s` is the unit of a time"],
     ),
     ("file = \"make.py\"", &["must be a .csv, .npy, .x3p or .xyz file"]),
     (

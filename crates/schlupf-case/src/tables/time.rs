@@ -102,7 +102,7 @@ mod tests {
             ("time [s],load [kN]\n0,80\n1,0\n", "h.csv:3:1: load must be between"),
             ("time [s],creepage_x [mm]\n0,80\n1,0\n", "must be dimensionless"),
             ("time [s],creepage_y\n0,0\n1,2\n", "h.csv:3:1: creepage_y must be above -1"),
-            ("time;creepage_x\n0;1\n", "separate the columns by commas"),
+            ("time;creepage_x\n0;1\n", "columns must be separated by commas"),
         ];
         for (text, expected) in cases {
             let message = read(text).unwrap_err();
