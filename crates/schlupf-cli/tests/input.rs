@@ -107,13 +107,17 @@ fn a_profile_of_heights_alone_has_its_spacing_beside_it() {
     let placed = with(|k, height| format!("{},{height}\n", 2 * k));
     bench.write("bare.csv", &format!("height [um]\n{bare}"));
     bench.write("placed.csv", &format!("x [um],height [um]\n{placed}"));
-    let json = |surface: &str, more: &[&str]| {
-        let run = bench.run(&[&["roughness", surface, "--json", "-"][..], more].concat());
-        assert!(run.code == Some(0), "{surface}: {}", run.stderr);
-        let mut document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
-        document["surface"].take()
+    let surface = |name: &str, more: &[&str]| {
+        let run = bench.run(&[&["roughness", name, "--json", "-"][..], more].concat());
+        assert!(run.code == Some(0), "{name}: {}", run.stderr);
+        let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        ["root_mean_square_height", "root_mean_square_gradient", "spacing_x"]
+            .map(|key| document["surface"][key].as_f64().unwrap())
     };
-    assert_eq!(json("bare.csv", &["--spacing", "2 um"]), json("placed.csv", &[]));
+    let (bare, placed) = (surface("bare.csv", &["--spacing", "2 um"]), surface("placed.csv", &[]));
+    for (one, other) in bare.into_iter().zip(placed) {
+        assert!((one / other - 1.0).abs() < 1e-12, "{one} {other}");
+    }
     let run = bench.run(&["roughness", "bare.csv"]);
     assert_eq!(run.code, Some(2));
     assert!(run.stderr.contains("--spacing must be given"), "{}", run.stderr);
