@@ -290,8 +290,8 @@ fn arrows_fit_a_slender_patch() {
 #[test]
 fn characters_that_the_font_lacks_are_boxes() {
     let figure = |title: &str| {
-        let drawings = drawings(title, &solution(RECIPE)).unwrap();
-        render(drawings.into_iter().take(1).collect()).unwrap().remove(0)
+        let history = drawings(title, &solution(RECIPE)).unwrap().pop();
+        render(history.into_iter().collect()).unwrap().remove(0)
     };
     let [lacking, boxes, spaces] =
         ["wheel \u{8f6e}\u{8f68}", "wheel \u{25a1}\u{25a1}", "wheel   "].map(figure);
