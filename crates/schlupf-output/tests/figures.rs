@@ -261,7 +261,7 @@ fn single_cells_that_stick_leave_no_border() {
     assert!(text.contains("contact") && !text.contains("stick"), "{text}");
 }
 
-/// On a slender patch several arrows side by side leave most of it visible.
+/// On a slender patch three arrows fit side by side.
 #[test]
 fn arrows_fit_a_slender_patch() {
     let recipe = Recipe { semi_axes: [1e-3, 10e-3], cells: 24, direction: 0.5, stick: 0.0 };
@@ -283,7 +283,7 @@ fn arrows_fit_a_slender_patch() {
     let widths: Vec<f64> = widths.collect();
     let ellipse = document.descendants().find(|node| node.has_tag_name("ellipse")).unwrap();
     let half: f64 = ellipse.attribute("rx").unwrap().parse().unwrap();
-    assert!(widths.len() > 40 && widths.iter().all(|width| *width < 0.5 * half), "{widths:?}");
+    assert!(widths.len() > 40 && widths.iter().all(|width| *width < 0.7 * half), "{widths:?}");
 }
 
 /// Titles are any text: what the font lacks is a box in the PNG, not a gap, and itself in the SVG.

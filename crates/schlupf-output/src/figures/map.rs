@@ -231,8 +231,8 @@ fn polygons_path(frame: &Frame, polygons: &[Vec<[f64; 2]>]) -> String {
 /// Arrows on a lattice about the centre, the longest almost as long as their spacing, which is
 /// smaller where the patch is slender.
 fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arrows) {
-    const SPACINGS: [f64; 2] = [14.0, 36.0];
-    const ACROSS: f64 = 5.0;
+    const SPACINGS: [f64; 2] = [20.0, 36.0];
+    const ACROSS: f64 = 3.4;
     let narrow = frame.size[0].min(frame.size[1]);
     let spacing = (narrow / ACROSS).clamp(SPACINGS[0], SPACINGS[1]);
     let largest = arrows.x.iter().zip(&arrows.y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
