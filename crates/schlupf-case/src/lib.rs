@@ -31,7 +31,7 @@ mod template;
 pub mod units;
 
 pub use case::{Case, Effective, Rolling};
-pub use case_file::{CaseFile, Overrides};
+pub use case_file::{CaseFile, LARGEST_CASE, Overrides};
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
 pub use fields::choice::{Driver, ElasticityModel};
