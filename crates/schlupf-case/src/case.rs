@@ -71,8 +71,8 @@ pub struct Effective {
 }
 
 impl CaseFile {
-    /// The case with its problem: solves the normal contact of profiles and the micro model of a roughness, where
-    /// it has such. `watch` sees how far that is and may stop it.
+    /// The case with its problem: solves the normal contact of profiles and the micro model of a
+    /// roughness, where it has such. `watch` sees how far that is and may stop it.
     pub fn pose(&self, watch: Watch) -> Result<Case, CaseErrors> {
         self.pose_like(None, watch)
     }
@@ -143,8 +143,8 @@ impl CaseFile {
 }
 
 impl Case {
-    /// The same case with other fields, each `section.field=value`, that an option, say of the command
-    /// line, gives. They need to fit together only when all are in place.
+    /// The same case with other fields, each `section.field=value`, that an option, say of the
+    /// command line, gives. They need to fit together only when all are in place.
     pub fn with(
         &self,
         option: impl Into<Arc<str>>,
@@ -256,8 +256,9 @@ impl Case {
         self.file.files()
     }
 
-    /// The text of the case with other values of some fields (in SI units, or dimensionless) and all
-    /// overrides in it, comments and layout kept. Paths are those from `folder`, where the text is to be.
+    /// The text of the case with other values of some fields (in SI units, or dimensionless) and
+    /// all overrides in it, comments and layout kept. Paths are those from `folder`, where the text
+    /// is to be.
     pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
         let file = &self.file;
         let own = file.files.locate("");

@@ -48,7 +48,8 @@ impl CaseFile {
         template()
     }
 
-    /// Reads the text of a case. `name` is for messages, `files` finds the files that the case names.
+    /// Reads the text of a case. `name` is for messages, `files` finds the files that the case
+    /// names.
     ///
     /// ```
     /// use schlupf_case::{CaseFile, Folder, Overrides};
@@ -102,7 +103,8 @@ impl CaseFile {
         Self::from_str(&text, name, files, overrides)
     }
 
-    /// The same with other fields, each `section.field=value`, that an option, say of the command line, gives.
+    /// The same with other fields, each `section.field=value`, that an option, say of the command
+    /// line, gives.
     pub fn with(
         &self,
         option: impl Into<Arc<str>>,

@@ -107,7 +107,8 @@ impl Origin {
     }
 }
 
-/// All fields that a text gives, in its order, and what stands there that is neither field nor section.
+/// All fields that a text gives, in its order, and what stands there that is neither field nor
+/// section.
 pub fn parse(source: &Arc<Source>) -> Result<(Vec<Entry>, Vec<CaseError>), CaseError> {
     let table = DeTable::parse(&source.text).map_err(|error| {
         let span = error.span().unwrap_or(0..0);
@@ -198,8 +199,8 @@ fn convert(value: &DeValue<'_>) -> Content {
     }
 }
 
-/// Puts an override `path=value`, given by an option, in place of what the file says. An empty value
-/// takes the field out.
+/// Puts an override `path=value`, given by an option, in place of what the file says. An empty
+/// value takes the field out.
 pub fn apply(entries: &mut Vec<Entry>, option: &Arc<str>, text: &str) -> Result<(), CaseError> {
     let place = Place::Override { option: Arc::clone(option), text: text.to_owned() };
     let Some((path, value)) = text.split_once('=') else {

@@ -27,8 +27,8 @@ impl Edited {
         Ok(Self { document, name })
     }
 
-    /// Makes the text give these entries and no others. `folder` is where relative paths start, if the
-    /// text goes to another folder.
+    /// Makes the text give these entries and no others. `folder` is where relative paths start, if
+    /// the text goes to another folder.
     pub fn take_over(
         &mut self,
         entries: &[Entry],

@@ -26,8 +26,8 @@ pub struct Family {
 }
 
 impl Family {
-    /// Reads `section.field=value,value,…`, as `option` gives it. A comma within quotes or brackets does
-    /// not separate values.
+    /// Reads `section.field=value,value,…`, as `option` gives it. A comma within quotes or brackets
+    /// does not separate values.
     pub fn parse(option: impl Into<Arc<str>>, text: &str) -> Result<Self, CaseError> {
         let option = option.into();
         let place = || Place::Override { option: Arc::clone(&option), text: text.to_owned() };
@@ -66,8 +66,8 @@ impl Family {
         named.map(|file| case.files.locate(file)).collect()
     }
 
-    /// The case with each of the values, or what is wrong with any of them; where all are right, the first
-    /// that cannot be posed.
+    /// The case with each of the values, or what is wrong with any of them; where all are right,
+    /// the first that cannot be posed.
     ///
     /// ```
     /// use schlupf::unwatched;

@@ -61,12 +61,13 @@ pub struct MicroKey {
     pub largest_pressure: f64,
 }
 
-/// Notices where the exponential misses more than this part of μp (root mean square), or k_c changes by
-/// more than this part of itself; dimensionless.
+/// Notices where the exponential misses more than this part of μp (root mean square), or k_c
+/// changes by more than this part of itself; dimensionless.
 const NOTICEABLE_ERROR: f64 = 0.05;
 const NOTICEABLE_SPREAD: f64 = 0.2;
 
-/// Fewer cells in contact than these do not show the shape of the spots: at the largest and at the smallest pressure.
+/// Fewer cells in contact than these do not show the shape of the spots: at the largest and at the
+/// smallest pressure.
 const FEWEST_CELLS: f64 = 200.0;
 const FEWEST_CELLS_AT_LEAST: f64 = 30.0;
 
@@ -97,7 +98,8 @@ impl LawStiffness {
 }
 
 impl MicroContact {
-    /// Whether its normal contact serves another request, too: the same, and solved far enough down.
+    /// Whether its normal contact serves another request, too: the same, and solved far enough
+    /// down.
     pub fn serves(&self, key: &MicroKey, mean_pressures: &[f64]) -> bool {
         self.key == *key && self.result.covers(mean_pressures)
     }
@@ -120,7 +122,8 @@ fn yielding(result: &MicroModelResult, key: &MicroKey) -> Option<Notice> {
     is_beyond.then_some(Notice::YieldingSpots { in_spots: mean, mean_pressure })
 }
 
-/// Where Eq. (8) with one k_c is not what a micro model of so many cells finds, or that is doubtful.
+/// Where Eq. (8) with one k_c is not what a micro model of so many cells finds, or that is
+/// doubtful.
 pub fn caveats(result: &MicroModelResult, cells: usize, key: &MicroKey) -> Vec<Notice> {
     let mut caveats = Vec::from_iter(yielding(result, key));
     let stiffness = &result.stiffness;

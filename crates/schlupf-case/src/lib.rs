@@ -1,8 +1,8 @@
 //! Case files: TOML with units as text, from text to a [`schlupf::Problem`].
 //!
-//! One table of fields ([`fields::SECTIONS`]) says which fields there are, what each must be and what
-//! it is by default. Reading, the check for unknown fields, the JSON schema and the commented case
-//! file of `schlupf init` all follow from it.
+//! One table of fields ([`fields::SECTIONS`]) says which fields there are, what each must be and
+//! what it is by default. Reading, the check for unknown fields, the JSON schema and the commented
+//! case file of `schlupf init` all follow from it.
 
 #![forbid(unsafe_code)]
 

@@ -9,7 +9,8 @@ use crate::place::Place;
 use crate::setting::{Refusal, Setting};
 use crate::units::Measure;
 
-/// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the end.
+/// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the
+/// end.
 pub fn range(option: &str, path: &str, text: &str) -> Result<[f64; 2], CaseError> {
     let Some(field) = fields::find(path) else {
         let place = Place::Override { option: option.into(), text: text.to_owned() };
@@ -44,8 +45,8 @@ pub fn length(option: &str, what: &str, text: &str) -> Result<f64, CaseError> {
     single(option, what, text, &length_field(Requirement::Between(0.0, LONGEST)))
 }
 
-/// Pressures (in Pa): a range START..END, of which six even steps are taken, or a list `P1,P2,…`. One
-/// without unit has that of the last.
+/// Pressures (in Pa): a range START..END, of which six even steps are taken, or a list `P1,P2,…`.
+/// One without unit has that of the last.
 pub fn pressures(option: &str, text: &str) -> Result<Vec<f64>, CaseError> {
     const STEPS: u32 = 5;
     let field = alone("pressure", &Measure::PRESSURE, Requirement::Between(1.0, 1e14));

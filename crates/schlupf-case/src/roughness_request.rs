@@ -38,9 +38,9 @@ pub struct RoughnessRequest {
 const ROUGHNESS: &str = "contact_law.roughness.";
 
 impl CaseFile {
-    /// The rough contact of the bodies of this case with what options give: with `files`, which finds theirs,
-    /// in place of its own roughness, else in addition to it; `names` are what errors call the fields.
-    /// `None` where there is no surface.
+    /// The rough contact of the bodies of this case with what options give: with `files`, which
+    /// finds theirs, in place of its own roughness, else in addition to it; `names` are what errors
+    /// call the fields. `None` where there is no surface.
     pub fn rough_contact(
         &self,
         options: &[GivenByOption],

@@ -36,8 +36,8 @@ struct Given {
 }
 
 impl Settings {
-    /// Reads every entry; whatever cannot stand there is an error. What is missing is missing in the
-    /// case file called `name`; `names` are what messages call the fields.
+    /// Reads every entry; whatever cannot stand there is an error. What is missing is missing in
+    /// the case file called `name`; `names` are what messages call the fields.
     pub fn read(
         entries: &[Entry],
         name: &str,
@@ -245,8 +245,8 @@ impl Settings {
         CaseError::new(path, message, self.place(path))
     }
 
-    /// An error of the core, at the place of the field that it names; where that has its default, at
-    /// that of a field that goes with it or that the error speaks of.
+    /// An error of the core, at the place of the field that it names; where that has its default,
+    /// at that of a field that goes with it or that the error speaks of.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
         if matches!(error, schlupf::Error::Stopped {}) {
             let stopped = CaseError::new("", error.to_string(), self.file.clone());
@@ -268,7 +268,8 @@ impl Settings {
         CaseError { cause, ..error }
     }
 
-    /// Advice where a given creepage is too large to be a part of one; the numbers of a history's file are not here.
+    /// Advice where a given creepage is too large to be a part of one; the numbers of a history's
+    /// file are not here.
     fn per_cent(&self, path: &str, quantity: Quantity) -> Option<String> {
         let largest = match &self.given.get(path)?.setting {
             Setting::Number(number) => *number,
@@ -418,7 +419,8 @@ impl Settings {
         self.error(later, message).help(remove)
     }
 
-    /// A field's value as the user gave it: what stands after its own option, else as in the case file.
+    /// A field's value as the user gave it: what stands after its own option, else as in the case
+    /// file.
     fn given_as(&self, path: &str) -> String {
         let given = self.given.get(path).map(|given| (&given.origin, &given.value.content));
         match given {

@@ -13,8 +13,8 @@ const HEAD: &str = "\
 /// Where the comments of a section begin, in characters.
 const COMMENT_COLUMN: usize = 46;
 
-/// A case file with all fields and their meaning: the default case. Fields that only some models use,
-/// or that replace others, are comments.
+/// A case file with all fields and their meaning: the default case. Fields that only some models
+/// use, or that replace others, are comments.
 pub fn template() -> String {
     let sections: Vec<String> = SECTIONS.iter().map(section).collect();
     format!("{HEAD}{}", sections.join("\n"))
@@ -48,8 +48,8 @@ fn line(field: &Field) -> String {
     format!("{:COMMENT_COLUMN$}# {doc}", format!("{comment}{assignment}"))
 }
 
-/// Whether the default case spells the field out: it has a fixed default, and the default models use
-/// it.
+/// Whether the default case spells the field out: it has a fixed default, and the default models
+/// use it.
 fn is_active(field: &Field) -> bool {
     let is_default = |(model, names): UsedWith| {
         let default = find(model).and_then(|model| model.default.text());
@@ -78,8 +78,8 @@ mod tests {
         assert_eq!(case.problem.kinematics.speed, 30.0);
     }
 
-    /// Every line that is a comment may be made a field: it may contradict or need others, but it is
-    /// neither unknown nor of a wrong kind.
+    /// Every line that is a comment may be made a field: it may contradict or need others, but it
+    /// is neither unknown nor of a wrong kind.
     #[test]
     fn every_commented_field_can_be_switched_on() {
         let text = template();

@@ -1,5 +1,5 @@
-//! Friction, temperatures, partition and cooling that are impossible: each error names the field, what it must be,
-//! what it is and where it stands.
+//! Friction, temperatures, partition and cooling that are impossible: each error names the field,
+//! what it must be, what it is and where it stands.
 
 mod support;
 
@@ -9,8 +9,8 @@ fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
 }
 
-/// No law becomes negative without a floor: each constant that could make it so is refused at its line. A floor of
-/// zero is the paper's, and legal.
+/// No law becomes negative without a floor: each constant that could make it so is refused at its
+/// line. A floor of zero is the paper's, and legal.
 #[test]
 fn laws_that_could_become_negative_are_refused() {
     for (law, field, value, bounds) in [

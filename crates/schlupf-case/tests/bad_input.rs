@@ -1,5 +1,5 @@
-//! Everything that can be wrong with a case file: each error names the field, what it must be, what it
-//! is and where it stands.
+//! Everything that can be wrong with a case file: each error names the field, what it must be, what
+//! it is and where it stands.
 
 mod support;
 

@@ -1,6 +1,6 @@
-//! Every field of the table with everything that cannot stand in it: each error names the field and its
-//! line. Goal: no field forgets a check. Set-up: one case for each field and each bad value, made from
-//! the table of fields itself.
+//! Every field of the table with everything that cannot stand in it: each error names the field and
+//! its line. Goal: no field forgets a check. Set-up: one case for each field and each bad value,
+//! made from the table of fields itself.
 
 use schlupf_case::fields::{self, Field, Kind, Requirement};
 use schlupf_case::{CaseFile, Folder, Overrides};

@@ -129,7 +129,8 @@ fn couplings_across_rolling_may_be_their_own() {
     assert_eq!(format!("{elasticity:?}"), format!("{expected:?}"));
 }
 
-/// Without stiffnesses a Winkler bedding has Kalker's, for the patch of the case, of a history for the largest one.
+/// Without stiffnesses a Winkler bedding has Kalker's, for the patch of the case, of a history for
+/// the largest one.
 #[test]
 fn kalker_1982_a_bedding_without_stiffnesses() {
     let steel = Material::STEEL;
@@ -237,7 +238,8 @@ fn pressure_tables_come_as_csv_and_npy() {
     assert_relative_eq!(load("file = \"p.csv\"\nload = \"1 kN\""), 1e3, max_relative = 1e-12);
 }
 
-/// μ of a `[friction]` section at a temperature over the reference, a slip speed and y, in SI units.
+/// μ of a `[friction]` section at a temperature over the reference, a slip speed and y, in SI
+/// units.
 fn friction(section: &str, [temperature, slip_speed, y]: [f64; 3]) -> f64 {
     let case = read(&format!("[friction]\n{section}"), &[]);
     assert_eq!(texts(&case.notices), [""; 0], "{section}");

@@ -1,4 +1,5 @@
-//! `[contact_law.roughness]`: k_c from heights, a spectrum or files, and what is wrong with bad ones.
+//! `[contact_law.roughness]`: k_c from heights, a spectrum or files, and what is wrong with bad
+//! ones.
 
 mod support;
 
@@ -71,8 +72,8 @@ fn an_override_may_name_a_roughness_or_take_it_out() {
     assert!(matches!(roughness.origin, StiffnessOrigin::ClosedForm { .. }));
 }
 
-/// Two different bodies: the ratio of tangential to normal compliance of a circular spot is
-/// c = ½ Σ (2 − ν)/G / Σ (1 − ν)/G (Johnson 1985, Eq. 7.42 over Eq. 3.36), and k_c = 1/(μ c γ h_rms).
+/// Two different bodies: the ratio of tangential to normal compliance of a circular spot is c = ½ Σ
+/// (2 − ν)/G / Σ (1 − ν)/G (Johnson 1985, Eq. 7.42 over Eq. 3.36), and k_c = 1/(μ c γ h_rms).
 #[test]
 fn johnson_1985_two_different_bodies() {
     let case = stiffness(
@@ -85,9 +86,8 @@ fn johnson_1985_two_different_bodies() {
     assert_relative_eq!(case.stiffness, 1.0 / (0.4 * ratio * 0.45e-6), max_relative = 1e-12);
 }
 
-/// Goal: the micro model answers with a k_c near the closed form of its own h_rms, and says how well
-/// Eq. (8) fits.
-/// Source: γ = 0.35 to 0.55 (Persson 2007, Lorenz and Persson 2009).
+/// Goal: the micro model answers with a k_c near the closed form of its own h_rms, and says how
+/// well Eq. (8) fits. Source: γ = 0.35 to 0.55 (Persson 2007, Lorenz and Persson 2009).
 #[test]
 fn a_spectrum_goes_through_the_micro_model() {
     let case = read(SPECTRUM, &[]).unwrap();

@@ -1,5 +1,5 @@
-//! Files of surfaces, made by `surfaces/make.py` with NumPy and zipfile after ISO 25178-72 (none comes from
-//! an instrument), and what is wrong with bad ones.
+//! Files of surfaces, made by `surfaces/make.py` with NumPy and zipfile after ISO 25178-72 (none
+//! comes from an instrument), and what is wrong with bad ones.
 
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
@@ -108,8 +108,9 @@ fn a_profile_is_read_from_x3p_and_csv() {
     assert!(message.contains("1 of 100 are missing, the first in row 0, column 40"), "{message}");
 }
 
-/// Goal: what a file leaves out of its lattice is a hole: a column, single points, all but every third.
-/// Positions have few digits: 0.35 µm printed as mm with four decimals, so that gaps are 0.3 or 0.4 µm.
+/// Goal: what a file leaves out of its lattice is a hole: a column, single points, all but every
+/// third. Positions have few digits: 0.35 µm printed as mm with four decimals, so that gaps are 0.3
+/// or 0.4 µm.
 #[test]
 fn points_lie_on_the_nearest_lattice() {
     type Kept<'a> = &'a dyn Fn(usize, usize) -> bool;
@@ -148,7 +149,8 @@ fn points_lie_on_the_nearest_lattice() {
     }
 }
 
-/// A line along y, an array of one dimension or of one column, and a column of an X3P file are profiles.
+/// A line along y, an array of one dimension or of one column, and a column of an X3P file are
+/// profiles.
 #[test]
 fn a_line_in_any_direction_is_a_profile() {
     let height = |i: usize| (i as f64 * 0.3).sin();

@@ -10,7 +10,8 @@ pub struct CaseArguments {
     /// Case file (TOML), `-` for standard input; by default a steel wheel braking on a steel rail
     #[arg(value_hint = ValueHint::FilePath)]
     pub case: Option<PathBuf>,
-    /// Set a field in place of the file, such as normal.load="60 kN"; an empty value removes the field
+    /// Set a field in place of the file, such as normal.load="60 kN"; an empty value removes the
+    /// field
     #[arg(long = "set", value_name = "SECTION.FIELD=VALUE")]
     pub overrides: Vec<String>,
 }

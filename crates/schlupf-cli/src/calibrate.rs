@@ -38,8 +38,8 @@ pub struct Calibrate {
     /// Calibrate against the half-space anew, beside the table
     #[arg(long, conflicts_with = "displacements")]
     pub anew: bool,
-    /// Fit to displacements of a finite-element model (CSV with columns x, y, traction_x, displacement_x, …); may be
-    /// given several times
+    /// Fit to displacements of a finite-element model (CSV with columns x, y, traction_x,
+    /// displacement_x, …); may be given several times
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub displacements: Vec<PathBuf>,
     /// Cells across the patch on which layer and half-space are compared

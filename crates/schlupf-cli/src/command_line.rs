@@ -54,7 +54,8 @@ pub enum Command {
     /// Compute creep curves: forces over creepage
     #[command(after_help = EXIT_CODES)]
     Curve(Box<Curve>),
-    /// From rough surfaces to the contact stiffness k_c: statistics, contact area, tangential curves
+    /// From rough surfaces to the contact stiffness k_c: statistics, contact area, tangential
+    /// curves
     #[command(after_help = EXIT_CODES)]
     Roughness(Box<Roughness>),
     /// Compare all methods on a case: forces, temperature, time
@@ -66,7 +67,8 @@ pub enum Command {
     /// Long-term bulk temperature of the wheel, from its heat balance, in place of the case's
     #[command(after_help = EXIT_CODES)]
     Bulk(Box<Bulk>),
-    /// Stiffnesses of the elastic layer: from the table, calibrated anew, or fitted to displacements
+    /// Stiffnesses of the elastic layer: from the table, calibrated anew, or fitted to
+    /// displacements
     #[command(after_help = EXIT_CODES)]
     Calibrate(Box<Calibrate>),
     /// Find constants of friction and contact law from measured creep forces

@@ -143,7 +143,8 @@ impl Candidate {
     }
 }
 
-/// Whether the traction is bounded by a paraboloid by default, which a pressure that is not Hertz's does not have.
+/// Whether the traction is bounded by a paraboloid by default, which a pressure that is not Hertz's
+/// does not have.
 fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
     let is_default =
         |field: &Effective| field.path == BOUND && matches!(field.place, Place::Default);
@@ -153,8 +154,9 @@ fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
     Ok(!is_elliptic && case.effective().iter().any(is_default))
 }
 
-/// The case with another model of elasticity, without the stiffnesses of its own: the layer with its
-/// default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c = 1/L.
+/// The case with another model of elasticity, without the stiffnesses of its own: the layer with
+/// its default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c
+/// = 1/L.
 fn with_elasticity(case: &Case, model: ElasticityModel, watch: Watch) -> Result<Case, CaseErrors> {
     let without = STIFFNESSES.iter().chain(&[MARGIN]).map(|field| format!("{field}="));
     let assignments: Vec<String> =

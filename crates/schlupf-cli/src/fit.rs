@@ -35,17 +35,17 @@ pub struct Fit {
     /// Which case; its values are those to start from.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Measured points (CSV): creepage_x, creepage_y or spin [1/m], force_ratio (-Fx/N over creepage_x,
-    /// -Fy/N over creepage_y) or force_ratio_x, force_ratio_y, and where they differ from the case speed
-    /// [m/s], load [kN]; standard_deviation where known
+    /// Measured points (CSV): creepage_x, creepage_y or spin [1/m], force_ratio (-Fx/N over
+    /// creepage_x, -Fy/N over creepage_y) or force_ratio_x, force_ratio_y, and where they differ
+    /// from the case speed [m/s], load [kN]; standard_deviation where known
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub data: PathBuf,
-    /// What to find, such as friction.coefficient,contact_law.stiffness; contact_law.roughness is the
-    /// r.m.s. height of both surfaces together, in place of the stiffness
+    /// What to find, such as friction.coefficient,contact_law.stiffness; contact_law.roughness is
+    /// the r.m.s. height of both surfaces together, in place of the stiffness
     #[arg(long = "fit", value_name = "SECTION.FIELD,…")]
     pub parameters: String,
-    /// γ, for contact_law.roughness: the rough surfaces approach by γ times that height when the pressure
-    /// grows e-fold
+    /// γ, for contact_law.roughness: the rough surfaces approach by γ times that height when the
+    /// pressure grows e-fold
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_GAMMA, value_parser = gamma)]
     pub gamma: f64,
     /// Most steps of the fit
@@ -156,8 +156,8 @@ impl Task for Fit {
 }
 
 impl Fit {
-    /// An error of the core: of the data and what they are to determine, or of the case; with what is
-    /// doubtful about the loads.
+    /// An error of the core: of the data and what they are to determine, or of the case; with what
+    /// is doubtful about the loads.
     fn explain(&self, case: &Case, error: &Error, doubt: Option<&Message>) -> Failure {
         let quantity = error.quantity();
         let mut fitted = parameters(FIT, &self.parameters).into_iter().flatten();

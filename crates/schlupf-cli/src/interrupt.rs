@@ -21,8 +21,8 @@ pub struct Unfinished {
 static UNFINISHED: Mutex<Unfinished> =
     Mutex::new(Unfinished { files: Vec::new(), directories: Vec::new(), is_written: false });
 
-/// What is unfinished now. While this is held, no interruption takes place: files that are put in their
-/// places are all there, or none is.
+/// What is unfinished now. While this is held, no interruption takes place: files that are put in
+/// their places are all there, or none is.
 pub fn unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -188,8 +188,8 @@ fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// Writes all files: first to temporary ones beside them, then renames those. `directory` is created
-/// before if it is missing. On failure, what this run has created is removed again.
+/// Writes all files: first to temporary ones beside them, then renames those. `directory` is
+/// created before if it is missing. On failure, what this run has created is removed again.
 pub fn write(files: &[(PathBuf, Vec<u8>)], directory: Option<&Path>) -> Result<(), Failure> {
     let mut created = Created::default();
     let result = created.write(files, directory);

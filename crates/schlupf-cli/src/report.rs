@@ -39,7 +39,8 @@ pub fn warn(message: &Message) {
     let _ = writeln!(stderr(), "warning: {what}{}", message.text);
 }
 
-/// With colours and lines on a terminal, else in plain characters and without line breaks of its own.
+/// With colours and lines on a terminal, else in plain characters and without line breaks of its
+/// own.
 fn render(report: &Report) -> String {
     let handler = if stderr().is_terminal() {
         GraphicalReportHandler::new()

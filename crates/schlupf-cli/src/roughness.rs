@@ -27,21 +27,22 @@ use crate::task::{Found, OwnFile, Task};
 /// Which surface to press on which bodies, and where to write the results.
 #[derive(Debug, Args)]
 pub struct Roughness {
-    /// Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz); without it and without
-    /// --synthetic that of the case
+    /// Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz); without it and
+    /// without --synthetic that of the case
     #[arg(value_hint = ValueHint::FilePath, conflicts_with = "synthetic")]
     pub surface: Option<PathBuf>,
     /// Surface of the other body, on the same lattice: their heights are added
     #[arg(long, value_name = "SURFACE", value_hint = ValueHint::FilePath, requires = "surface")]
     pub second: Option<PathBuf>,
-    /// Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",shortest="5 um",seed=1;
-    /// also rms_slope and roll_off
+    /// Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",shortest="5
+    /// um",seed=1; also rms_slope and roll_off
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub synthetic: Option<String>,
     /// What is taken off a measured surface [default: plane]
     #[arg(long, value_name = "plane|cylinder|sphere|none", requires = "surface")]
     pub form: Option<String>,
-    /// Take longer waves than this off a measured surface, such as "0.8 mm" (λc of the Gaussian filter, ISO 16610)
+    /// Take longer waves than this off a measured surface, such as "0.8 mm" (λc of the Gaussian
+    /// filter, ISO 16610)
     #[arg(long, value_name = "LENGTH", requires = "surface")]
     pub cutoff: Option<String>,
     /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um
@@ -62,8 +63,8 @@ pub struct Roughness {
     /// Seed of the surface made from a profile
     #[arg(long, value_name = "N", requires = "surface")]
     pub seed: Option<String>,
-    /// Mean pressures: a range, of which six are taken, or a list [default: 0.2..1.2 GPa; those of the
-    /// patch with --case]
+    /// Mean pressures: a range, of which six are taken, or a list [default: 0.2..1.2 GPa; those of
+    /// the patch with --case]
     #[arg(long, allow_hyphen_values = true, value_name = "START..END|P,P,…")]
     pub pressure: Option<String>,
     /// Coefficient of friction [default: that of the case]

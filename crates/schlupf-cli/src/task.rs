@@ -81,8 +81,8 @@ impl<'a> OwnFile<'a> {
 pub struct Found<R> {
     /// The results.
     pub report: R,
-    /// Why not all that was asked for can be written; the results are printed, but no file is written:
-    /// one of an earlier run would look current beside them.
+    /// Why not all that was asked for can be written; the results are printed, but no file is
+    /// written: one of an earlier run would look current beside them.
     pub failure: Option<Failure>,
 }
 

@@ -1,4 +1,5 @@
-//! `schlupf calibrate` from the outside: stiffnesses, snippet, displacements, errors and exit codes.
+//! `schlupf calibrate` from the outside: stiffnesses, snippet, displacements, errors and exit
+//! codes.
 
 mod support;
 
@@ -42,7 +43,8 @@ fn snippet(stdout: &str) -> &str {
     &stdout[start..=start + length]
 }
 
-/// The table's stiffnesses, pasted into the case, give the forces of the calibrated layer, to the digits of the snippet.
+/// The table's stiffnesses, pasted into the case, give the forces of the calibrated layer, to the
+/// digits of the snippet.
 #[test]
 fn the_snippet_is_the_calibrated_layer() {
     let bench = bench();
@@ -69,7 +71,8 @@ fn the_snippet_is_the_calibrated_layer() {
     }
 }
 
-/// A calibration of its own is near the table, and nearer to the half-space than springs without coupling.
+/// A calibration of its own is near the table, and nearer to the half-space than springs without
+/// coupling.
 #[test]
 fn a_calibration_anew_stands_beside_the_table() {
     let bench = bench();
@@ -123,7 +126,8 @@ fn what_did_not_converge_is_marked() {
 const FIRST: [f64; 3] = [9e12, 4e7, 1.5e7];
 const SECOND: [f64; 3] = [6e12, 2e7, 3e7];
 
-/// Displacement u = u0 exp(−x²/p² − y²/q²) (p, q in m), and the traction c u − g_x u_xx − g_y u_yy that makes it.
+/// Displacement u = u0 exp(−x²/p² − y²/q²) (p, q in m), and the traction c u − g_x u_xx − g_y u_yy
+/// that makes it.
 fn bell([x, y]: [f64; 2], [p, q]: [f64; 2], [c, along, across]: [f64; 3]) -> [f64; 2] {
     let u = 1e-5 * (-(x / p).powi(2) - (y / q).powi(2)).exp();
     let curvature = |x: f64, p: f64| (4.0 * x * x / p.powi(4) - 2.0 / (p * p)) * u;
@@ -147,8 +151,8 @@ fn table() -> String {
     text
 }
 
-/// Displacements that solve c u − g_x u_xx − g_y u_yy = t in closed form give back c and g, in x and y of
-/// their own, to what springs 0.4 mm long leave open.
+/// Displacements that solve c u − g_x u_xx − g_y u_yy = t in closed form give back c and g, in x
+/// and y of their own, to what springs 0.4 mm long leave open.
 #[test]
 fn displacements_in_closed_form_give_back_the_stiffnesses() {
     let bench = bench();
@@ -169,7 +173,8 @@ fn displacements_in_closed_form_give_back_the_stiffnesses() {
     assert_eq!(bench.run(&["solve", "pasted.toml", "--quiet"]).code, Some(0));
 }
 
-/// Displacements of two steel half-spaces under μp on a circle of 5 mm, from Cerruti's solution cell by cell.
+/// Displacements of two steel half-spaces under μp on a circle of 5 mm, from Cerruti's solution
+/// cell by cell.
 fn half_space_table() -> String {
     let bodies = HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap();
     let spacing = 0.5e-3;
@@ -189,8 +194,8 @@ fn half_space_table() -> String {
     text
 }
 
-/// The half-space as if it came from finite elements: the layer's displacements are within 4 % of its, and in
-/// rolling the forces of the fitted layer within 2 % of μN.
+/// The half-space as if it came from finite elements: the layer's displacements are within 4 % of
+/// its, and in rolling the forces of the fitted layer within 2 % of μN.
 #[test]
 fn kalker_1990_displacements_of_the_half_space() {
     let bench = Bench::new();

@@ -33,8 +33,9 @@ cells_y = 20
 
 const BOTH: &str = "friction.coefficient,contact_law.stiffness";
 
-/// Creepages and F/N of rigid bodies with bristles, μ = 0.3 and k_c = 5e5/m: a point has slid ξ (x_e − x) since
-/// it entered, so F = μ ∫ pₙ (1 − e^(−k_c ξ (x_e − x))) dA; integrated with SciPy over the Hertz pressure.
+/// Creepages and F/N of rigid bodies with bristles, μ = 0.3 and k_c = 5e5/m: a point has slid ξ
+/// (x_e − x) since it entered, so F = μ ∫ pₙ (1 − e^(−k_c ξ (x_e − x))) dA; integrated with SciPy
+/// over the Hertz pressure.
 const POINTS: [[f64; 2]; 9] = [
     [2e-5, 0.0154],
     [5e-5, 0.0366],
@@ -109,7 +110,8 @@ fn json_on_standard_output_stands_alone() {
     assert_eq!(result["roughness"]["gamma"], 0.45);
 }
 
-/// The gallery's made-up measurement as docs/identification.md fits it, and Polach's method on the same points.
+/// The gallery's made-up measurement as docs/identification.md fits it, and Polach's method on the
+/// same points.
 #[test]
 fn the_gallery_has_points_to_fit() {
     let bench = Bench::new();
@@ -193,8 +195,8 @@ fn a_load_far_from_that_of_the_case_is_told() {
     assert!(bench.read("r.json").contains("are the units right?"));
 }
 
-/// Polach's curve with k_A = k_S = 0.3, fitted with k_A held at 0.15: k_S above k_A is no case. What was found is
-/// printed, and no file written: one of an earlier run would look current.
+/// Polach's curve with k_A = k_S = 0.3, fitted with k_A held at 0.15: k_S above k_A is no case.
+/// What was found is printed, and no file written: one of an earlier run would look current.
 #[test]
 fn a_case_that_cannot_be_is_told_with_the_results() {
     let bench = bench();
@@ -222,8 +224,8 @@ fn a_case_that_cannot_be_is_told_with_the_results() {
     assert_eq!(bench.list(), ["case.toml", "data.csv"]);
 }
 
-/// Paths of a case are text: from another folder, a file in one that is not UTF-8 cannot be named. This is known before
-/// the fit, which would fail for want of steps.
+/// Paths of a case are text: from another folder, a file in one that is not UTF-8 cannot be named.
+/// This is known before the fit, which would fail for want of steps.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_case_that_cannot_be_written_is_refused_before_the_fit() {
@@ -244,8 +246,8 @@ fn a_case_that_cannot_be_written_is_refused_before_the_fit() {
     assert!(!bench.path("r.json").exists());
 }
 
-/// Where k_c follows from a roughness and μ0 is fitted, the case that is written has the k_c of the fit: solved, it has
-/// the fitted forces.
+/// Where k_c follows from a roughness and μ0 is fitted, the case that is written has the k_c of the
+/// fit: solved, it has the fitted forces.
 #[test]
 fn the_case_that_is_written_is_that_of_the_fit() {
     let bench = bench();

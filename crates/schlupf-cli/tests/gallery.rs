@@ -147,9 +147,9 @@ fn middle_row(case: &Path) -> impl Fn(&str) -> Vec<f64> + use<> {
     }
 }
 
-/// Neuhaus and Sextro 2014, Figures 5 and 7: behind the leading edge the force rises linearly, from a
-/// step that the coupling makes; the sliding zone follows the pressure; the friction power is zero
-/// in the sticking zone and largest towards the trailing edge.
+/// Neuhaus and Sextro 2014, Figures 5 and 7: behind the leading edge the force rises linearly, from
+/// a step that the coupling makes; the sliding zone follows the pressure; the friction power is
+/// zero in the sticking zone and largest towards the trailing edge.
 #[test]
 fn neuhaus_sextro_2014_stick_rises_linearly_from_a_step() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
@@ -189,8 +189,9 @@ fn coupling_stiffens_the_patch() {
     assert!(force("layer_coupled.toml") < 1.3 * force("winkler_uncoupled.toml"));
 }
 
-/// Polach 2005, in shape: adhesion that falls with the temperature gives creep curves with a maximum and a falling
-/// branch; at higher speeds the maximum comes earlier and is lower, and the branch lies lower and falls more.
+/// Polach 2005, in shape: adhesion that falls with the temperature gives creep curves with a
+/// maximum and a falling branch; at higher speeds the maximum comes earlier and is lower, and the
+/// branch lies lower and falls more.
 #[test]
 fn polach_2005_falling_adhesion_in_shape() {
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/falling_adhesion.toml");
@@ -242,8 +243,8 @@ fn the_comparison_can_fail() {
 /// Ten times the tolerance of the gallery's cases.
 const TEN_TOLERANCES: f64 = 1e-5;
 
-/// The steady driver and marching give the same results: they solve the same discrete equations. The
-/// forces over μ0 N agree to ten times the solver's tolerance.
+/// The steady driver and marching give the same results: they solve the same discrete equations.
+/// The forces over μ0 N agree to ten times the solver's tolerance.
 #[test]
 fn marching_ends_where_the_steady_driver_does() {
     let mut found = Vec::new();

@@ -1,4 +1,5 @@
-//! Heat from a case file to the result: rail chill, sliding, the heat of each body, and `schlupf bulk`.
+//! Heat from a case file to the result: rail chill, sliding, the heat of each body, and `schlupf
+//! bulk`.
 
 mod support;
 
@@ -30,8 +31,8 @@ fn number(value: &Value, path: &str) -> f64 {
     value.pointer(path).unwrap().as_f64().unwrap()
 }
 
-/// Ertz and Knothe 2002: a wheel of 150 °C on a rail of 0 °C has 75.0 °C in the contact; sliding with 1 m/s at 30 m/s
-/// adds its 150.3 K to that in both bodies.
+/// Ertz and Knothe 2002: a wheel of 150 °C on a rail of 0 °C has 75.0 °C in the contact; sliding
+/// with 1 m/s at 30 m/s adds its 150.3 K to that in both bodies.
 #[test]
 fn ertz_knothe_2002_rail_chill_and_sliding_add_up() {
     let rolling = solve(&case(0.0, [150.0, 0.0]));

@@ -1,4 +1,5 @@
-//! `schlupf roughness` and `[contact_law.roughness]` from the outside: outputs, errors and exit codes.
+//! `schlupf roughness` and `[contact_law.roughness]` from the outside: outputs, errors and exit
+//! codes.
 
 mod support;
 
@@ -56,7 +57,8 @@ fn every_output_is_written() {
     assert!(header.starts_with("mean_pressure,displacement,traction,"), "{header}");
 }
 
-/// Goal: k_c of a self-affine surface, from a measurement of it, and from the case: three ways to one number.
+/// Goal: k_c of a self-affine surface, from a measurement of it, and from the case: three ways to
+/// one number.
 #[test]
 fn a_surface_written_and_read_gives_the_same_stiffness() {
     let bench = Bench::new();

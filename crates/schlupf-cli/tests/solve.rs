@@ -295,8 +295,8 @@ fn a_closed_pipe_is_no_failure() {
     assert!(child.wait().unwrap().success());
 }
 
-/// Cattaneo (1938) and Mindlin (1949) through the command: steel spheres with a = 6 mm and p0 = 1 GPa, μ = 0.3,
-/// shifted by 0.015 mm. CONTACT has Fx = −0.6530 μN.
+/// Cattaneo (1938) and Mindlin (1949) through the command: steel spheres with a = 6 mm and p0 = 1
+/// GPa, μ = 0.3, shifted by 0.015 mm. CONTACT has Fx = −0.6530 μN.
 #[test]
 fn a_case_may_be_a_shift_at_rest() {
     let bench = Bench::new();

@@ -51,8 +51,9 @@ fn every_output_is_written() {
     assert_eq!(document["rows"].as_array().unwrap().len(), 3);
 }
 
-/// Without options the profile is below the hottest point and begins with its surface temperatures, to the error of
-/// the grid; it ends at the bulk temperatures, and so does the row ahead of the contact.
+/// Without options the profile is below the hottest point and begins with its surface temperatures,
+/// to the error of the grid; it ends at the bulk temperatures, and so does the row ahead of the
+/// contact.
 #[test]
 fn the_hottest_point_is_the_one_of_the_result() {
     let bench = bench();
@@ -71,10 +72,12 @@ fn the_hottest_point_is_the_one_of_the_result() {
     }
 }
 
-/// Where nothing is hotter than the rest the profile is in the middle row: without a heat model, and without sliding.
+/// Where nothing is hotter than the rest the profile is in the middle row: without a heat model,
+/// and without sliding.
 #[test]
 fn a_contact_of_one_temperature_has_a_profile_too() {
-    // The wheel's surface passes at (1 − ξ) v0; both meet at the mean weighted by the roots of speed.
+    // The wheel's surface passes at (1 − ξ) v0; both meet at the mean weighted by the roots of
+    // speed.
     let met = |creepage: f64| 100.0 * (1.0 - creepage).sqrt() / (1.0 + (1.0 - creepage).sqrt());
     for (set, creepage) in [("heat.model=none", 0.02), ("kinematics.creepage_x=0", 0.0)] {
         let document = document(&bench(), &["--set", set]);

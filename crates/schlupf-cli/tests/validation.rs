@@ -15,8 +15,8 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every `file::test` of docs/validation.md is a test function in a file of that name, and every line of its tables
-/// that compares something has one.
+/// Every `file::test` of docs/validation.md is a test function in a file of that name, and every
+/// line of its tables that compares something has one.
 #[test]
 fn every_line_of_the_report_has_a_test() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

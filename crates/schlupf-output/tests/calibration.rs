@@ -42,7 +42,8 @@ fn report(sides: SideBySide) -> CalibrationReport {
     }
 }
 
-/// Forces on the rail are −F, as in all other figures; the Winkler bedding is not the fitted one of the table.
+/// Forces on the rail are −F, as in all other figures; the Winkler bedding is not the fitted one of
+/// the table.
 #[test]
 fn the_figure_names_signs_and_beds() {
     let (longitudinal, spin) = (course(), course());

@@ -178,7 +178,8 @@ fn two_components() -> FitReport {
     report
 }
 
-/// A panel for each component and one of residuals, marks of their own, the legend with both and the speeds.
+/// A panel for each component and one of residuals, marks of their own, the legend with both and
+/// the speeds.
 #[test]
 fn two_components_have_panels_and_marks_of_their_own() {
     let svg = drawing(&two_components());
@@ -200,7 +201,8 @@ fn two_components_have_panels_and_marks_of_their_own() {
     }
 }
 
-/// Where every point has a speed of its own there are crosses for the fit, and colours for the speed.
+/// Where every point has a speed of its own there are crosses for the fit, and colours for the
+/// speed.
 #[test]
 fn many_conditions_are_coloured_by_their_speed() {
     let mut report = report(Status::Converged);

@@ -15,7 +15,8 @@ const GRIDS: [usize; 3] = [256, 512, 1024];
 /// Mean pressures over the contact modulus, with gradients of 0.1: contact of some 4, 20 and 40 %.
 const PRESSURES: [f64; 3] = [0.002, 0.01, 0.02];
 
-/// Each program measures in its own way; with these both give pressures to some 10⁻⁶ of the largest.
+/// Each program measures in its own way; with these both give pressures to some 10⁻⁶ of the
+/// largest.
 const TOLERANCE: f64 = 1e-6;
 const TAMAAS_TOLERANCE: f64 = 1e-6;
 

@@ -1,4 +1,5 @@
-//! Forces for a multibody code: Polach's method, set up once, then a tenth of a microsecond a motion.
+//! Forces for a multibody code: Polach's method, set up once, then a tenth of a microsecond a
+//! motion.
 
 use schlupf::method::{AreaReduction, FastMethod};
 use schlupf::simplified::FastContact;

@@ -1,5 +1,5 @@
-//! Friction from a creep curve: the one that CONTACT computes for a locomotive with
-//! μ = 0.33 (1 − T/2084 K); its temperatures are some 11 % too high on the grid in use (Vollebregt 2022).
+//! Friction from a creep curve: the one that CONTACT computes for a locomotive with μ = 0.33 (1 −
+//! T/2084 K); its temperatures are some 11 % too high on the grid in use (Vollebregt 2022).
 
 use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf::identification::{

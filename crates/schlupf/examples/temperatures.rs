@@ -1,4 +1,5 @@
-//! Temperatures below the contact and behind it, and how warm the wheel gets when it brakes for long.
+//! Temperatures below the contact and behind it, and how warm the wheel gets when it brakes for
+//! long.
 
 use schlupf::bulk_temperature::{Cooling, bulk_temperature};
 use schlupf::rolling::steady::SteadySolver;

@@ -5,7 +5,8 @@ use std::borrow::Cow;
 
 use crate::quantity::Quantity;
 
-/// What a face calls quantities: paths in a case file, options of a command, keywords of a function.
+/// What a face calls quantities: paths in a case file, options of a command, keywords of a
+/// function.
 pub trait Words: Send + Sync {
     /// Its word for a quantity.
     fn word(&self, quantity: Quantity) -> Cow<'static, str>;
@@ -78,9 +79,9 @@ impl Message {
     }
 }
 
-/// Declares an enum of messages: for each kind its code, its values, the quantity that it is about and
-/// its sentence in given [`Words`]. The code of a kind that holds another message is that of the other:
-/// `"code" [field]`. Messages may be about another [`Subject`] than quantities.
+/// Declares an enum of messages: for each kind its code, its values, the quantity that it is about
+/// and its sentence in given [`Words`]. The code of a kind that holds another message is that of
+/// the other: `"code" [field]`. Messages may be about another [`Subject`] than quantities.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! messages {

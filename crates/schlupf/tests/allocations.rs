@@ -32,8 +32,8 @@ fn count() {
     COUNT.with(|count| count.set(count.get() + 1));
 }
 
-// SAFETY: whatever is asked for goes to the system's allocator unchanged. The counter has neither an
-// initialiser nor a destructor that could allocate.
+// SAFETY: whatever is asked for goes to the system's allocator unchanged. The counter has neither
+// an initialiser nor a destructor that could allocate.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count();

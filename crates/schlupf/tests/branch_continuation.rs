@@ -125,8 +125,8 @@ impl Equations {
         (residual, jacobian)
     }
 
-    /// Newton's method at a creepage, in shorter steps where the equations have kinks; nothing where it
-    /// does not find a state near by.
+    /// Newton's method at a creepage, in shorter steps where the equations have kinks; nothing
+    /// where it does not find a state near by.
     fn correct(&self, mut state: State) -> Option<(State, Vec<f64>)> {
         let scale = COLD * self.pressure.iter().copied().fold(0.0, f64::max);
         let start = state.traction.clone();
@@ -244,16 +244,17 @@ fn on_branch(problem: &Problem, across: usize, branch: Branch) -> Solution {
     solution
 }
 
-/// Goal: where there are two states, both that are found solve the equations as they are put together here,
-/// and a continuation of these leads to them, within 10⁻⁶ of μ0 N.
-/// Set-up: a = 6, b = 5 mm, p0 = 1 GPa on the layer; μ from 0.4 to 0.05 at 8 mm/s, 15 m/s; 6 and 8 cells
-/// across. With both grids the branch from high slip turns back below the creepage asked for (at 0.870 and
-/// 0.964 ‰). That from low slip has small turns on the way, which jumps of less than 2 % of μ0 p0 pass over;
-/// on 8 cells that does not lead to the end, so it is followed on 6.
-/// Source: dense matrices, followed in small steps of the creepage by tangent and Newton's method (Jacobian by
-/// hand, Gauss's elimination), from no creepage upwards and from 5 % downwards; no part of the solver's own way
-/// to a state is used. There may be more states than two: on 6 cells the continuation from high slip leads to a
-/// third one, 0.1341, where the solver in its ten steps comes to 0.1357.
+/// Goal: where there are two states, both that are found solve the equations as they are put
+/// together here, and a continuation of these leads to them, within 10⁻⁶ of μ0 N. Set-up: a = 6, b
+/// = 5 mm, p0 = 1 GPa on the layer; μ from 0.4 to 0.05 at 8 mm/s, 15 m/s; 6 and 8 cells across.
+/// With both grids the branch from high slip turns back below the creepage asked for (at 0.870 and
+/// 0.964 ‰). That from low slip has small turns on the way, which jumps of less than 2 % of μ0 p0
+/// pass over; on 8 cells that does not lead to the end, so it is followed on 6. Source: dense
+/// matrices, followed in small steps of the creepage by tangent and Newton's method (Jacobian by
+/// hand, Gauss's elimination), from no creepage upwards and from 5 % downwards; no part of the
+/// solver's own way to a state is used. There may be more states than two: on 6 cells the
+/// continuation from high slip leads to a third one, 0.1341, where the solver in its ten steps
+/// comes to 0.1357.
 #[test]
 fn both_states_are_those_of_a_continuation() {
     let (stiffness, half_speed) = (1e7, 0.004);
@@ -294,8 +295,8 @@ fn both_states_are_those_of_a_continuation() {
     }
 }
 
-/// Goal: where each branch leads to the motion there is one state, that of the continuation from both sides.
-/// Set-up and source as above, with friction that falls over five times the slip.
+/// Goal: where each branch leads to the motion there is one state, that of the continuation from
+/// both sides. Set-up and source as above, with friction that falls over five times the slip.
 #[test]
 fn one_state_is_that_of_a_continuation_from_both_sides() {
     let (across, stiffness, half_speed) = (10, 1e7, 0.02);

@@ -31,9 +31,9 @@ fn on_branch(problem: &Problem, branch: Branch) -> Solution {
     solution
 }
 
-/// Friction that is gone at 8 mm/s, where the wheel slips by 10 mm/s: some cells can stick as well as
-/// slide. The result says which state it is and that there is another one, which is what the other
-/// branch gives.
+/// Friction that is gone at 8 mm/s, where the wheel slips by 10 mm/s: some cells can stick as well
+/// as slide. The result says which state it is and that there is another one, which is what the
+/// other branch gives.
 #[test]
 fn the_branch_is_said() {
     let several = falling(0.0007, 0.004);
@@ -58,8 +58,8 @@ fn the_branch_is_said() {
     }
 }
 
-/// Steep friction is seen wherever in the patch it is: here as a hundredth of it with a factor of a hundred
-/// over y, which is one only where there are no cells.
+/// Steep friction is seen wherever in the patch it is: here as a hundredth of it with a factor of a
+/// hundred over y, which is one only where there are no cells.
 #[test]
 fn a_factor_over_y_hides_no_branch() {
     let several = falling(0.0007, 0.004);

@@ -69,8 +69,8 @@ fn ertz_knothe_2002_cooled_by_the_rail_alone() {
     assert_relative_eq!(warmed.temperature, expected, max_relative = 2e-3);
 }
 
-/// By hand, with both ways out: ½ P = h A (T_w − T_air) + ½ G (T_w − T_r), G = 2 β √(v/π) ∫ √L dy as above, at the
-/// friction power P of the result.
+/// By hand, with both ways out: ½ P = h A (T_w − T_air) + ½ G (T_w − T_r), G = 2 β √(v/π) ∫ √L dy
+/// as above, at the friction power P of the result.
 #[test]
 fn a_balance_by_hand() {
     let mut slow = braking(0.01);

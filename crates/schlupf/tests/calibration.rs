@@ -29,8 +29,8 @@ fn assert_near(deviation: &Deviation, what: &str) {
     assert!(deviation.force_with_spin < 0.04, "{what}: {deviation:?}");
 }
 
-/// Between the entries of the table, over a/b from 0.2 to 5 and for several ν: forces within 2 % of μN of the
-/// half-space, and within 4 % where spin takes part.
+/// Between the entries of the table, over a/b from 0.2 to 5 and for several ν: forces within 2 % of
+/// μN of the half-space, and within 4 % where spin takes part.
 #[test]
 fn tabulated_stiffnesses_are_near_the_half_space() {
     let options = CalibrationOptions { cells: 16, ..CalibrationOptions::default() };
@@ -44,8 +44,8 @@ fn tabulated_stiffnesses_are_near_the_half_space() {
     }
 }
 
-/// A calibration finds what the table says, and its tractions are about twice as close to the half-space's as
-/// those of a bed of springs without coupling that is fitted to the same forces.
+/// A calibration finds what the table says, and its tractions are about twice as close to the
+/// half-space's as those of a bed of springs without coupling that is fitted to the same forces.
 #[test]
 fn coupling_halves_the_distance_of_the_tractions() {
     let options = CalibrationOptions { cells: 14, ..CalibrationOptions::default() };
@@ -60,9 +60,9 @@ fn coupling_halves_the_distance_of_the_tractions() {
     }
 }
 
-/// The same over all axes ratios and several ν, finer. Tractions twice as close is the goal, held here to a fifth for ν up to
-/// 0.28, that of steel. For ν = 0.4 it is missed (0.61 at a/b = 0.2, with spin); there they are printed, and only forces
-/// are held.
+/// The same over all axes ratios and several ν, finer. Tractions twice as close is the goal, held
+/// here to a fifth for ν up to 0.28, that of steel. For ν = 0.4 it is missed (0.61 at a/b = 0.2,
+/// with spin); there they are printed, and only forces are held.
 #[test]
 #[ignore = "minutes: cargo xtask long"]
 fn calibrations_over_all_axes_ratios() {
@@ -94,7 +94,8 @@ fn percent(deviation: Deviation) -> String {
     parts.map(|part| format!("{:.1}", 100.0 * part)).join(", ")
 }
 
-/// Writes the table anew with `SCHLUPF_PIN=1`, else compares it with a computation at three of its entries.
+/// Writes the table anew with `SCHLUPF_PIN=1`, else compares it with a computation at three of its
+/// entries.
 #[test]
 #[ignore = "minutes: cargo xtask long"]
 fn the_table_is_that_of_the_computation() {
@@ -139,8 +140,8 @@ fn entry(found: &Calibration) -> String {
     text + "],\n"
 }
 
-/// The case's layer is that of its patch: forces near those of the half-space, and of two bodies scaled alike the
-/// same.
+/// The case's layer is that of its patch: forces near those of the half-space, and of two bodies
+/// scaled alike the same.
 #[test]
 fn the_calibrated_layer_knows_the_patch() {
     let base = problem(rolling(0.002, 0.001, 0.0));
@@ -156,9 +157,9 @@ fn the_calibrated_layer_knows_the_patch() {
     assert_relative_eq!(here.x, same.x, max_relative = 1e-9);
 }
 
-/// Kalker (1982): without sliding, a bed with c = 3 C G/(8a) has the forces of the linear theory. Coefficients as
-/// printed in Kalker 1990, Table E.3, for ν = 0.25 and a/b = 0.5, 1, 2; tolerance that of the print and of cells
-/// that the edge cuts.
+/// Kalker (1982): without sliding, a bed with c = 3 C G/(8a) has the forces of the linear theory.
+/// Coefficients as printed in Kalker 1990, Table E.3, for ν = 0.25 and a/b = 0.5, 1, 2; tolerance
+/// that of the print and of cells that the edge cuts.
 #[test]
 fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
     let material = Material { poisson_ratio: 0.25, ..Material::STEEL };
@@ -182,8 +183,9 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
     }
 }
 
-/// Half-space, layer, bed and FASTSIM side by side: on the way of the longitudinal creepage the layer is within 2 % of
-/// μN of the half-space at every point, and under spin within 4 %; all slide at the end, and all tractions obey friction.
+/// Half-space, layer, bed and FASTSIM side by side: on the way of the longitudinal creepage the
+/// layer is within 2 % of μN of the half-space at every point, and under spin within 4 %; all slide
+/// at the end, and all tractions obey friction.
 #[test]
 fn side_by_side_the_layer_is_near_the_half_space() {
     let stiffness = tabulated_stiffness(1.0, 0.28).unwrap();
@@ -217,8 +219,9 @@ fn ratios_outside_the_table_are_refused() {
     assert!(message.contains("poisson_ratio"), "{message}");
 }
 
-/// Displacements u = u0 exp(−r²/w²) and the tractions c u − g ∇²u that a layer needs for them: whatever the decay
-/// length, the width and the extent, the stiffnesses come back, the nearer the finer the grid.
+/// Displacements u = u0 exp(−r²/w²) and the tractions c u − g ∇²u that a layer needs for them:
+/// whatever the decay length, the width and the extent, the stiffnesses come back, the nearer the
+/// finer the grid.
 #[test]
 fn displacements_of_a_known_layer_give_back_its_stiffnesses() {
     let bedding = 1.4e13;

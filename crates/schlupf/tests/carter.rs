@@ -1,7 +1,7 @@
 //! Rolling in plane strain, against Carter, and on a slender ellipse, against strips of Carter.
 //!
-//! Plane strain is an elasticity of its own here, written against the public traits: one row of cells,
-//! each as wide as the contact, with the logarithmic influence of a strip load.
+//! Plane strain is an elasticity of its own here, written against the public traits: one row of
+//! cells, each as wide as the contact, with the logarithmic influence of a strip load.
 
 mod common;
 
@@ -53,9 +53,9 @@ impl PlaneStrain {
         reach: 10.0 * CYLINDERS.half_length,
     };
 
-    /// A_xx, A_yy and A_xy (in m/Pa) of cells of a length (in m) on the middle of one `columns` apart:
-    /// A_xx = −(2 (1 − ν)/(πG)) ∫ ln(|x − x'|/L) dx' (Johnson 1985, §2.3), and across, in pure shear,
-    /// A_yy = −(2/(πG)) ∫ ln(|x − x'|/L) dx'.
+    /// A_xx, A_yy and A_xy (in m/Pa) of cells of a length (in m) on the middle of one `columns`
+    /// apart: A_xx = −(2 (1 − ν)/(πG)) ∫ ln(|x − x'|/L) dx' (Johnson 1985, §2.3), and across, in
+    /// pure shear, A_yy = −(2/(πG)) ∫ ln(|x − x'|/L) dx'.
     fn influence(&self, length: f64, columns: isize) -> [f64; 3] {
         let primitive = |x: f64| x * ((x.abs() / self.reach).ln() - 1.0);
         let x = columns as f64 * length;
@@ -85,8 +85,8 @@ fn cylinders() -> Tabulated {
     Tabulated::new(PressureTable::new(&x, &[-a, a], line.repeat(2)).unwrap(), None).unwrap()
 }
 
-/// Steady rolling under a longitudinal creepage, with the contact law's k_c (in 1/m) and cells along
-/// and across.
+/// Steady rolling under a longitudinal creepage, with the contact law's k_c (in 1/m) and cells
+/// along and across.
 fn solve(
     (normal, elasticity): (Arc<dyn PressureSource>, Arc<dyn Elasticity>),
     creepage: f64,
@@ -119,8 +119,8 @@ fn error(share: f64, stiffness: f64, cells: usize) -> f64 {
     roll(share, stiffness, cells).normalised.x / exact - 1.0
 }
 
-/// Carter 1926: the force within 1 %, also of a small force itself, for nearly rigid bristles on any
-/// sensible grid.
+/// Carter 1926: the force within 1 %, also of a small force itself, for nearly rigid bristles on
+/// any sensible grid.
 #[test]
 fn carter_1926_creep_curve() {
     for (stiffness, cells) in [(1e8, 100), (1e9, 50), (1e9, 100), (1e10, 200)] {
@@ -130,9 +130,9 @@ fn carter_1926_creep_curve() {
     }
 }
 
-/// Carter 1926 is the limit: with nearly rigid bristles twice the cells halve the error, and ten times
-/// the stiffness leaves less than 0.3 of what the bristles yield (not a tenth: next to the leading edge,
-/// where the pressure vanishes, no bristle is stiff).
+/// Carter 1926 is the limit: with nearly rigid bristles twice the cells halve the error, and ten
+/// times the stiffness leaves less than 0.3 of what the bristles yield (not a tenth: next to the
+/// leading edge, where the pressure vanishes, no bristle is stiff).
 #[test]
 fn carter_1926_is_the_limit_of_cells_and_stiffness() {
     for share in [0.1, 0.5, 0.75] {
@@ -146,8 +146,8 @@ fn carter_1926_is_the_limit_of_cells_and_stiffness() {
     }
 }
 
-/// Carter 1926: the traction within 1 % (relative L2), and a sticking zone at the leading edge of the
-/// length 2c to a cell: the one in which it ends counts as either.
+/// Carter 1926: the traction within 1 % (relative L2), and a sticking zone at the leading edge of
+/// the length 2c to a cell: the one in which it ends counts as either.
 #[test]
 fn carter_1926_traction() {
     for share in [0.1, 0.253, 0.5, 0.777, 0.9] {
@@ -172,8 +172,8 @@ fn carter_1926_traction() {
     }
 }
 
-/// Haines and Ollerton 1963: on a half-space an ellipse of a/b = 0.1 rolls as strips of Carter would,
-/// within 1.5 % of μN for any ν, under every creepage.
+/// Haines and Ollerton 1963: on a half-space an ellipse of a/b = 0.1 rolls as strips of Carter
+/// would, within 1.5 % of μN for any ν, under every creepage.
 #[test]
 fn haines_ollerton_1963_creep_curve() {
     for poisson_ratio in [0.0, 0.28, 0.5] {

@@ -74,9 +74,9 @@ fn refused(problem: &Problem, path: &Path) -> Error {
     trace(&mut solver, problem, path, &Sampling::default(), &|_| panic!("solved")).unwrap_err()
 }
 
-/// The closed form of FASTSIM's limit: with κ = cξa/(μp0) forces, slope 4/π dκ/dξ, and saturation where
-/// F = (1 − 10⁻³) μN. Forces keep within 0.3 % of μN of it on 24 cells; the error of the slope, at which
-/// all that counts are the edges, falls with the cell's size.
+/// The closed form of FASTSIM's limit: with κ = cξa/(μp0) forces, slope 4/π dκ/dξ, and saturation
+/// where F = (1 − 10⁻³) μN. Forces keep within 0.3 % of μN of it on 24 cells; the error of the
+/// slope, at which all that counts are the edges, falls with the cell's size.
 #[test]
 fn winkler_strips_have_their_closed_form() {
     let kappa_per_creepage = BEDDING * 6e-3 / (0.4 * 1e9);

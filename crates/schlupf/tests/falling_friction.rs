@@ -1,5 +1,5 @@
-//! Solutions with friction that falls with the slip speed, with the temperature too, or varies across
-//! the patch.
+//! Solutions with friction that falls with the slip speed, with the temperature too, or varies
+//! across the patch.
 
 mod common;
 
@@ -49,8 +49,8 @@ fn warm(law: Law, creepage: f64) -> Problem {
     warm
 }
 
-/// Rigid bodies slide at v0 ξ everywhere, so μ is that of this speed, by hand: with half speeds of 0.3 m/s
-/// and 0.6 m/s, 0.6 m/s leaves 1/4 and 1/2 of the terms.
+/// Rigid bodies slide at v0 ξ everywhere, so μ is that of this speed, by hand: with half speeds of
+/// 0.3 m/s and 0.6 m/s, 0.6 m/s leaves 1/4 and 1/2 of the terms.
 #[test]
 fn sliding_rigid_bodies_have_the_friction_of_their_slip_speed() {
     let second = Some(SecondTerm { coefficient: 0.08, half_speed: 0.6 });
@@ -62,8 +62,8 @@ fn sliding_rigid_bodies_have_the_friction_of_their_slip_speed() {
     assert_relative_eq!(solution.traction_coefficient, 0.2 + 0.03 + 0.04, max_relative = 1e-9);
 }
 
-/// Hertz pressure has ∫ y² p dA = N b²/5, so a factor 1 + y/2b leaves the force μN and gives a moment of
-/// μ N b/10.
+/// Hertz pressure has ∫ y² p dA = N b²/5, so a factor 1 + y/2b leaves the force μN and gives a
+/// moment of μ N b/10.
 #[test]
 fn hertz_1882_moment_of_friction_that_varies_across() {
     let b = 5e-3;
@@ -99,8 +99,8 @@ fn the_steady_state_is_the_end_of_marching() {
     }
 }
 
-/// Derivatives of the forces by the load, with which the patch grows over the table, and by μ0 against
-/// central differences of whole solutions.
+/// Derivatives of the forces by the load, with which the patch grows over the table, and by μ0
+/// against central differences of whole solutions.
 #[test]
 fn derivatives_are_those_of_central_differences() {
     let hertz = |load: f64| {

@@ -73,8 +73,8 @@ fn in_one_direction(speeds: &[f64]) -> Vec<DataPoint> {
     data
 }
 
-/// ξ and η in one direction are one curve over the total creepage for each component and speed, though each point
-/// has an η of its own.
+/// ξ and η in one direction are one curve over the total creepage for each component and speed,
+/// though each point has an η of its own.
 #[test]
 fn creepages_in_one_direction_are_a_curve_over_the_total_one() {
     let mut data = in_one_direction(&[10.0, 30.0]);
@@ -92,7 +92,8 @@ fn creepages_in_one_direction_are_a_curve_over_the_total_one() {
             assert_relative_eq!(there.force_ratio.unwrap(), point.force_ratio, epsilon = 1e-3);
         }
     }
-    // Five points and the four of the data, of which the first and the last are the ends of the five.
+    // Five points and the four of the data, of which the first and the last are the ends of the
+    // five.
     let each: Vec<usize> = curves.series.iter().map(|series| series.curve.len()).collect();
     assert_eq!(each, [7; 4]);
     assert_eq!(model.solved, each.iter().sum::<usize>());

@@ -1,8 +1,8 @@
 //! The flash temperature of a full slide on elastic bodies, and what CONTACT prints for it.
 //!
-//! Set-up (Ertz and Knothe 2002; example of the User guide for CONTACT, "Temperature calculation"): half-space
-//! with G = 82 GPa, ν = 0.28, a = 5.88 mm, b = 10.54 mm, N = 100 kN, 30 m/s, μ = 0.3, half of the heat to each
-//! body, ξ = −1/30.
+//! Set-up (Ertz and Knothe 2002; example of the User guide for CONTACT, "Temperature calculation"):
+//! half-space with G = 82 GPa, ν = 0.28, a = 5.88 mm, b = 10.54 mm, N = 100 kN, 30 m/s, μ = 0.3,
+//! half of the heat to each body, ξ = −1/30.
 
 mod common;
 
@@ -36,8 +36,9 @@ fn full_slide(stiffness: f64, cells_x: usize, cells_y: usize) -> Solution {
     solution
 }
 
-/// Ertz and Knothe 2002: with the elastic slip of the half-space T_max = 152.7 ± 0.3 K, 2.4 K more than
-/// that of rigid bodies; in Coulomb's limit k_c does not count, and finer cells come closer to one value.
+/// Ertz and Knothe 2002: with the elastic slip of the half-space T_max = 152.7 ± 0.3 K, 2.4 K more
+/// than that of rigid bodies; in Coulomb's limit k_c does not count, and finer cells come closer to
+/// one value.
 #[test]
 fn ertz_knothe_2002_full_slide_on_the_half_space() {
     let rise = |stiffness, along| full_slide(stiffness, along, 61).temperature.unwrap().max_rise;
@@ -51,8 +52,9 @@ fn ertz_knothe_2002_full_slide_on_the_half_space() {
     assert!((rise(1e8, 118) - rise(1e10, 118)).abs() < 1e-4);
 }
 
-/// Largest rise along the middle row, in K, from the friction powers of a solution, q constant within each
-/// cell and each cell's weight 2(√(x + Δx/2) − √(x − Δx/2)); the own half cell, 2√(Δx/2), is counted `own` times.
+/// Largest rise along the middle row, in K, from the friction powers of a solution, q constant
+/// within each cell and each cell's weight 2(√(x + Δx/2) − √(x − Δx/2)); the own half cell,
+/// 2√(Δx/2), is counted `own` times.
 fn largest_in_the_middle_row(solution: &Solution, own: f64) -> f64 {
     let fields = &solution.fields;
     let in_row = |k: &usize| fields.y[*k].abs() < 1e-9 && fields.covered[*k] > 0.0;
@@ -71,9 +73,10 @@ fn largest_in_the_middle_row(solution: &Solution, own: f64) -> f64 {
     (0..row.len()).map(rise).fold(0.0, f64::max)
 }
 
-/// Vollebregt, CONTACT: prints 166.8 K on the cells of its example, 0.2 × 0.5 mm, and 159.7 K on eight times
-/// as many, 0.05 × 0.25 mm, because the cell itself is counted twice in the integral over the way. That error
-/// falls with √Δx only: cells of 0.025 mm would give 157.7 K. Counted once, all have 152.7 K.
+/// Vollebregt, CONTACT: prints 166.8 K on the cells of its example, 0.2 × 0.5 mm, and 159.7 K on
+/// eight times as many, 0.05 × 0.25 mm, because the cell itself is counted twice in the integral
+/// over the way. That error falls with √Δx only: cells of 0.025 mm would give 157.7 K. Counted
+/// once, all have 152.7 K.
 #[test]
 fn vollebregt_contact_counts_the_own_cell_twice() {
     for (along, across, printed) in [(59, 43, 166.8), (235, 85, 159.7), (470, 85, 157.7)] {

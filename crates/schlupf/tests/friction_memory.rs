@@ -53,9 +53,9 @@ fn hot(creepage: f64) -> Problem {
     hot
 }
 
-/// Rice and Ruina 1983: at a constant slip speed μ relaxes exponentially over the distance slid, which is ξ
-/// times the distance from the leading edge: μ = μ_s + (μ0 − μ_s) e^(−ξ (x_e − x)/d_c). In every cell, and
-/// so in the force, with μ_s = 0.2 + 0.2/4 by hand.
+/// Rice and Ruina 1983: at a constant slip speed μ relaxes exponentially over the distance slid,
+/// which is ξ times the distance from the leading edge: μ = μ_s + (μ0 − μ_s) e^(−ξ (x_e − x)/d_c).
+/// In every cell, and so in the force, with μ_s = 0.2 + 0.2/4 by hand.
 #[test]
 fn rice_ruina_1983_constant_slip_speed() {
     let distance = 4e-5;

@@ -94,8 +94,9 @@ fn compare(across: usize, step: usize, allowed: [f64; 2], uncertain: f64) {
     assert!(failed.is_empty(), "{} too far off: {failed:#?}", failed.len());
 }
 
-/// Vollebregt 2022 (CONTACT, extrapolated over grids): forces and moment of all 178 cases at 40 cells
-/// across, within 0.6 % for pure longitudinal or lateral creepage and 1 % with spin or combined.
+/// Vollebregt 2022 (CONTACT, extrapolated over grids): forces and moment of all 178 cases at 40
+/// cells across, within 0.6 % for pure longitudinal or lateral creepage and 1 % with spin or
+/// combined.
 #[test]
 fn vollebregt_2022_creep_forces_at_40_cells() {
     compare(40, 1, [0.006, 0.01], 0.0);
@@ -107,8 +108,8 @@ fn vollebregt_2022_creep_forces_at_80_cells() {
     compare(80, 7, [0.003, 0.005], 0.0);
 }
 
-/// The same, all cases. On one, k_c = 1e8/m itself moves the converged force by 0.36 % of μN from that of
-/// Coulomb's law, of which the reference leaves 0.13 % open.
+/// The same, all cases. On one, k_c = 1e8/m itself moves the converged force by 0.36 % of μN from
+/// that of Coulomb's law, of which the reference leaves 0.13 % open.
 #[test]
 #[ignore = "takes a minute"]
 fn vollebregt_2022_all_creep_forces_at_80_cells() {

@@ -55,8 +55,8 @@ fn knothe_liebelt_1995_flash_temperature() {
     }
 }
 
-/// The same all along the middle row, whole cells, to 0.3 % of the largest rise at 40 cells; and at the trailing edge,
-/// where 0.862 of it is left, to 0.2 %.
+/// The same all along the middle row, whole cells, to 0.3 % of the largest rise at 40 cells; and at
+/// the trailing edge, where 0.862 of it is left, to 0.2 %.
 #[test]
 fn knothe_liebelt_1995_along_the_row() {
     let options = Options { cells_x: 40, cells_y: 41, ..Options::default() };

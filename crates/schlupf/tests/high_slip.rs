@@ -20,8 +20,8 @@ use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
-/// Uniform slip of 1 m/s at 30 m/s of rigid bodies, a = 5.88 mm, b = 10.54 mm, N = 100 kN; temperatures
-/// count from 0 degC.
+/// Uniform slip of 1 m/s at 30 m/s of rigid bodies, a = 5.88 mm, b = 10.54 mm, N = 100 kN;
+/// temperatures count from 0 degC.
 fn uniform_slip(law: Arc<dyn FrictionLaw>, reference: f64) -> Problem {
     let mut slide = problem(rolling(1.0 / 30.0, 0.0, 0.0));
     slide.normal = Arc::new(Ellipse::from_load(5.88e-3, 10.54e-3, 100e3).unwrap());
@@ -100,8 +100,8 @@ fn locomotive(law: Arc<dyn FrictionLaw>) -> Problem {
     wheel
 }
 
-/// Vollebregt 2022, Eurosprinter: creep forces with constant, falling and rising friction within 1.5 % of
-/// N. (Its temperatures, and so its changes of friction, are some 10 % too large.)
+/// Vollebregt 2022, Eurosprinter: creep forces with constant, falling and rising friction within
+/// 1.5 % of N. (Its temperatures, and so its changes of friction, are some 10 % too large.)
 #[test]
 fn vollebregt_2022_eurosprinter() {
     for (friction, points) in curves() {

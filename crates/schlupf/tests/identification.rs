@@ -73,8 +73,8 @@ fn computed(problem: &Problem, creepages: &[f64]) -> Vec<DataPoint> {
     creepages.iter().map(at).collect()
 }
 
-/// Normally distributed numbers that are the same in every run: splitmix64 (Steele 2014), and Box and
-/// Muller 1958.
+/// Normally distributed numbers that are the same in every run: splitmix64 (Steele 2014), and Box
+/// and Muller 1958.
 struct Noise(u64);
 
 impl Noise {
@@ -126,9 +126,9 @@ fn known_constants_come_back_from_a_computed_curve() {
     assert!(found.iterations <= 12, "{}", found.iterations);
 }
 
-/// Of errors (value less truth) over their standard errors: the part within 95 % intervals, and the root mean square.
-/// With eight degrees of freedom and more the latter is between 1 and 1.2 where intervals are neither too narrow nor too
-/// wide.
+/// Of errors (value less truth) over their standard errors: the part within 95 % intervals, and the
+/// root mean square. With eight degrees of freedom and more the latter is between 1 and 1.2 where
+/// intervals are neither too narrow nor too wide.
 #[derive(Debug, Default, Clone, Copy)]
 struct Coverage {
     held: f64,
@@ -260,8 +260,8 @@ fn polach_2005_method_comes_back() {
     assert!(found.iterations <= 20, "{}", found.iterations);
 }
 
-/// Fifty trials with a scatter of 0.005, k_A held at 1 as Polach has it for dry rails: the truth is within the 95 %
-/// interval of each constant in nine of ten.
+/// Fifty trials with a scatter of 0.005, k_A held at 1 as Polach has it for dry rails: the truth is
+/// within the 95 % interval of each constant in nine of ten.
 #[test]
 fn polach_2005_method_lies_within_its_intervals_in_fifty_trials() {
     let parameters = [COLD, RATIO, DECAY, Parameter::AreaSlip];
@@ -283,8 +283,8 @@ fn polach_2005_method_lies_within_its_intervals_in_fifty_trials() {
     }
 }
 
-/// A constant that is at its bound ends there in about every second trial, and the fit says so; the others keep their
-/// intervals. A = 0: friction vanishes at high slip.
+/// A constant that is at its bound ends there in about every second trial, and the fit says so; the
+/// others keep their intervals. A = 0: friction vanishes at high slip.
 #[test]
 fn a_constant_may_end_at_its_bound() {
     let truth = [0.55, 0.0, 0.60];
@@ -311,8 +311,8 @@ fn a_constant_may_end_at_its_bound() {
     assert!(coverage.iter().all(|coverage| coverage.part() >= 0.9), "{coverage:?}");
 }
 
-/// Parameters at their bounds are given: the others have the intervals of a fit without them, and none is refused for
-/// what the data say of those at the bound. Forces of k_A = k_S = 1, steeper by a tenth.
+/// Parameters at their bounds are given: the others have the intervals of a fit without them.
+/// Forces of k_A = k_S = 1, steeper by a tenth.
 #[test]
 fn held_parameters_do_not_widen_the_others() {
     let mut exact = polach_model([0.4, 1.0, 0.6, 1.0, 1.0], &[COLD]);
@@ -345,7 +345,7 @@ fn many_points_end_as_few_do() {
     }
 }
 
-/// Standard deviations that are much too small: it ends all the same, and the intervals are those of the residuals.
+/// Standard deviations that are much too small: the intervals are those of the residuals.
 #[test]
 fn deviations_that_are_too_small_do_not_make_intervals_small() {
     let noisy = with_noise(&polach_data(), 5e-3, 5);
@@ -552,7 +552,8 @@ fn systematic_residuals_are_told() {
     assert!(found.r_squared.unwrap() < 0.5, "{}", found.r_squared.unwrap());
 }
 
-/// Vollebregt 2022, the Eurosprinter's curves of CONTACT with μ = 0.33 − 0.19 T/ΔT, which is T_E = 0.33 ΔT/0.19.
+/// Vollebregt 2022, the Eurosprinter's curves of CONTACT with μ = 0.33 − 0.19 T/ΔT, which is T_E =
+/// 0.33 ΔT/0.19.
 fn contact_curve(name: &str) -> Vec<DataPoint> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/eurosprinter.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
@@ -570,9 +571,9 @@ fn contact_curve(name: &str) -> Vec<DataPoint> {
     records.map(point).collect()
 }
 
-/// Goal: T_E and μ0 of the curves of another program. CONTACT counts the heat of the own cell twice: its
-/// temperatures are some 11 % too high on this grid (see the file), so its friction falls as with a T_E that is
-/// smaller by as much.
+/// Goal: T_E and μ0 of the curves of another program. CONTACT counts the heat of the own cell
+/// twice: its temperatures are some 11 % too high on this grid (see the file), so its friction
+/// falls as with a T_E that is smaller by as much.
 #[test]
 fn vollebregt_2022_constants_of_contact() {
     for (name, vanishes) in

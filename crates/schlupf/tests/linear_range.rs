@@ -1,4 +1,5 @@
-//! Creepages so small that the contact sticks: forces are proportional to them, however small they are.
+//! Creepages so small that the contact sticks: forces are proportional to them, however small they
+//! are.
 
 mod common;
 
@@ -58,9 +59,9 @@ fn relative_difference(one: [f64; 3], other: [f64; 3]) -> f64 {
     length([0, 1, 2].map(|c| one[c] - other[c])) / length(other)
 }
 
-/// The forces per creepage are the same from 1e-15 to as far as what slides leaves them (k_c |Δs| far below
-/// 1e-6), and those of the exact derivative at rest, on any bodies, with either law, with spin and with heat.
-/// Each solution takes a few Newton steps, not one more for a smaller creepage.
+/// The forces per creepage are the same from 1e-15 to as far as what slides leaves them (k_c |Δs|
+/// far below 1e-6), and those of the exact derivative at rest, on any bodies, with either law, with
+/// spin and with heat. Each solution takes a few Newton steps, not one more for a smaller creepage.
 #[test]
 fn forces_are_proportional_down_to_the_smallest_creepage() {
     let bodies: [Arc<dyn Elasticity>; 3] =
@@ -111,8 +112,8 @@ fn check_proportional(make: impl Fn(f64) -> Problem) {
     }
 }
 
-/// Beyond that the difference to the slope grows with the creepage: it is that of the law, not of the solver.
-/// Per decade it is tenfold, to 5 %, where that is above the tolerance.
+/// Beyond that the difference to the slope grows with the creepage: it is that of the law, not of
+/// the solver. Per decade it is tenfold, to 5 %, where that is above the tolerance.
 #[test]
 fn the_difference_to_the_slope_grows_with_the_creepage() {
     for elasticity in [layer(), half_space()] {
@@ -129,7 +130,8 @@ fn the_difference_to_the_slope_grows_with_the_creepage() {
     }
 }
 
-/// Marching to the steady state is no different: a march is not at its end because its traction is small.
+/// Marching to the steady state is no different: a march is not at its end because its traction is
+/// small.
 #[test]
 fn marching_at_the_smallest_creepage() {
     for elasticity in [layer(), half_space()] {
@@ -163,8 +165,8 @@ fn a_shift_of_next_to_nothing() {
     }
 }
 
-/// Between rigid bodies everything is an explicit recursion: from the softest bristles to Coulomb's friction, with
-/// heat and without, it is found in a few Newton steps and products.
+/// Between rigid bodies everything is an explicit recursion: from the softest bristles to Coulomb's
+/// friction, with heat and without, it is found in a few Newton steps and products.
 #[test]
 fn rigid_bodies_are_found_at_once() {
     for stiffness in [1.0, 1e6, 3e8, 1e10, 1e13] {

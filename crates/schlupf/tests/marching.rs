@@ -189,8 +189,8 @@ fn stiff_contact_laws_converge() {
     }
 }
 
-/// At very high slip friction and temperature of a cell hang on each other so strongly that they must
-/// be found together: the march ends where the steady driver does, and is as cold.
+/// At very high slip friction and temperature of a cell hang on each other so strongly that they
+/// must be found together: the march ends where the steady driver does, and is as cold.
 #[test]
 fn very_high_slip_marches_to_the_steady_state() {
     let mut sliding = problem(rolling(0.5, 0.0, 0.0));

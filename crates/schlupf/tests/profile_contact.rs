@@ -1,4 +1,5 @@
-//! Normal contact from the shape of both bodies, against closed forms: Hertz, Steuermann, Boussinesq.
+//! Normal contact from the shape of both bodies, against closed forms: Hertz, Steuermann,
+//! Boussinesq.
 
 mod common;
 
@@ -59,10 +60,10 @@ fn assert_hertzian(found: &NormalSummary, exact: &NormalSummary) {
     assert_eq!(found.parts, 1);
 }
 
-/// Goal: a parabolic distance gives Hertz's contact, sizes to 0.3 %, pressure and approach to 0.02 %.
-/// Set-up: relative radii from round to slender patches and lines across, two loads; the distance on a lattice or
-/// across alone, off the middle, where a patch is not in the middle of the points.
-/// Source: Hertz 1882 through Carlson's integrals.
+/// Goal: a parabolic distance gives Hertz's contact, sizes to 0.3 %, pressure and approach to 0.02
+/// %. Set-up: relative radii from round to slender patches and lines across, two loads; the
+/// distance on a lattice or across alone, off the middle, where a patch is not in the middle of the
+/// points. Source: Hertz 1882 through Carlson's integrals.
 #[test]
 fn hertz_1882_from_the_distance() {
     for radii in [[0.46, 0.3], [0.46, 0.08], [0.46, 2.0], [0.46, 0.013]] {
@@ -92,8 +93,8 @@ fn steady(normal: Arc<dyn PressureSource>, creepages: [f64; 3]) -> Solution {
     schlupf::rolling::steady::solve(&problem, &cells(40), &unwatched).unwrap()
 }
 
-/// Goal: creep forces of that contact are those of Hertz's to 0.5 %.
-/// Set-up: half-space, 40 cells each way; longitudinal, lateral, spin, all together, from both kinds of distance.
+/// Goal: creep forces of that contact are those of Hertz's to 0.5 %. Set-up: half-space, 40 cells
+/// each way; longitudinal, lateral, spin, all together, from both kinds of distance.
 #[test]
 fn hertz_1882_creep_forces_from_the_distance() {
     let (radii, load) = ([0.46, 0.3], 80e3);
@@ -138,8 +139,8 @@ fn steuermann_1939_fourth_order() {
     assert_relative_eq!(found.approach.unwrap(), approach, max_relative = 2e-3);
 }
 
-/// Loads of two Hertzian contacts that share one, the second being `lower` (in m) farther apart, and their common
-/// approach: each sinks by its own approach and by N/(πE* d) under the other.
+/// Loads of two Hertzian contacts that share one, the second being `lower` (in m) farther apart,
+/// and their common approach: each sinks by its own approach and by N/(πE* d) under the other.
 fn shared(load: f64, [first, second]: [[f64; 2]; 2], lower: f64, apart: f64) -> ([f64; 2], f64) {
     let sinks = |radii: [f64; 2], own: f64, other: f64| {
         summary(&hertz(radii, own)).approach.unwrap() + other / (PI * MODULUS * apart)
@@ -157,10 +158,9 @@ fn shared(load: f64, [first, second]: [[f64; 2]; 2], lower: f64, apart: f64) -> 
     ([low, load - low], sinks(first, low, load - low))
 }
 
-/// Goal: two patches, their loads, places and forces.
-/// Set-up: arcs across of 80 mm and 40 mm relative radius 40 mm apart, the second 10 µm lower; a Winkler bedding, which
-/// does not couple them.
-/// Source: Hertz 1882 for each, Boussinesq 1885 for what one does to the other.
+/// Goal: two patches, their loads, places and forces. Set-up: arcs across of 80 mm and 40 mm
+/// relative radius 40 mm apart, the second 10 µm lower; a Winkler bedding, which does not couple
+/// them. Source: Hertz 1882 for each, Boussinesq 1885 for what one does to the other.
 #[test]
 fn boussinesq_1885_two_patches_share_the_load() {
     let (load, lower, apart) = (60e3, 10e-6, 40e-3);
@@ -228,7 +228,8 @@ fn doubtful_profiles_are_told() {
     assert!(hard.contains("check load and radii and their units"), "{hard}");
 }
 
-/// Goal: a small patch beside a large one is found although a coarse look sees one cell of it, or nothing.
+/// Goal: a small patch beside a large one is found although a coarse look sees one cell of it, or
+/// nothing.
 #[test]
 fn a_small_second_patch_is_found() {
     let (load, apart) = (60e3, 60e-3);

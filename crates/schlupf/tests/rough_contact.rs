@@ -108,11 +108,10 @@ fn johnson_greenwood_higginson_1985_full_contact() {
     assert_relative_eq!(open, 3.0 / TAU * 0.1, max_relative = 0.15);
 }
 
-/// Goal: contact area and largest pressure of a two-dimensional wave under a light load: every crest is in contact like
-/// a sphere by itself.
-/// Set-up: 1024² cells, h = Δ (1 − cos cos) with two crests of radius λ²/(4π²Δ) a period, 0.02 % of the closing pressure;
-/// spots of some 21 cells radius.
-/// Source: Johnson, Greenwood and Higginson 1985, Eq. 13; Hertz 1882.
+/// Goal: contact area and largest pressure of a two-dimensional wave under a light load: every
+/// crest is in contact like a sphere by itself. Set-up: 1024² cells, h = Δ (1 − cos cos) with two
+/// crests of radius λ²/(4π²Δ) a period, 0.02 % of the closing pressure; spots of some 21 cells
+/// radius. Source: Johnson, Greenwood and Higginson 1985, Eq. 13; Hertz 1882.
 #[test]
 fn johnson_greenwood_higginson_1985_light_load() {
     let (amplitude, wavelength) = (1e-7, 1e-4);
@@ -144,11 +143,11 @@ fn rough(cells: usize, seed: u64) -> HeightMap {
     spectrum.surface(Lattice::square(cells, 1e-3), seed).unwrap()
 }
 
-/// Goal: κ = (A/A₀) E* h'_rms/p̄ of randomly rough surfaces, from 4 to 10 % of contact.
-/// Set-up: Hurst exponent 0.8, wavelengths from an eighth of the side (longer ones make pieces of
-/// their own of a surface) to 8 cells, 512² cells, five seeds, three loads.
-/// Source: Hyun et al. 2004 and Persson et al. 2005: κ from 2.2 to 2.5 without correction of the area;
-/// Yastrebov, Anciaux and Molinari 2015, 2017: 2.1 to 2.35 with it.
+/// Goal: κ = (A/A₀) E* h'_rms/p̄ of randomly rough surfaces, from 4 to 10 % of contact. Set-up:
+/// Hurst exponent 0.8, wavelengths from an eighth of the side (longer ones make pieces of their own
+/// of a surface) to 8 cells, 512² cells, five seeds, three loads. Source: Hyun et al. 2004 and
+/// Persson et al. 2005: κ from 2.2 to 2.5 without correction of the area; Yastrebov, Anciaux and
+/// Molinari 2015, 2017: 2.1 to 2.35 with it.
 #[test]
 fn yastrebov_2015_area_of_rough_surfaces() {
     let pressures = [0.018, 0.03, 0.042];
@@ -222,8 +221,8 @@ fn bowden_tabor_1939_soft_material() {
     }
 }
 
-/// Goal: nothing keeps the iteration from converging: loads that change by orders of magnitude up and
-/// down, from a single summit to almost closed or all but yielding, any boundary, any surface.
+/// Goal: nothing keeps the iteration from converging: loads that change by orders of magnitude up
+/// and down, from a single summit to almost closed or all but yielding, any boundary, any surface.
 #[test]
 fn every_contact_converges() {
     let mut most = 0;

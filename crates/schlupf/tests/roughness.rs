@@ -86,12 +86,11 @@ fn solve(model: &MicroModel) -> MicroModelResult {
     result
 }
 
-/// Goal: the load grows exponentially with the approach, p ∝ exp(d/(γ h_rms)), γ from 0.35 to 0.55; so
-/// k_c is near the closed form with this γ, hardly depends on the pressure, and the exponential (8) is
-/// near the curve.
-/// Set-up: self-affine surfaces, three seeds, contact from 1 to 20 %; friction curves at 0.2 to 1 GPa.
-/// Source: Persson 2007, PRL 99, 125502; Lorenz and Persson 2009 (measured); Akarapu, Sharp and Robbins
-/// 2011, PRL 106, 204301 (computed): γ from 0.4 to 0.5.
+/// Goal: the load grows exponentially with the approach, p ∝ exp(d/(γ h_rms)), γ from 0.35 to 0.55;
+/// so k_c is near the closed form with this γ, hardly depends on the pressure, and the exponential
+/// (8) is near the curve. Set-up: self-affine surfaces, three seeds, contact from 1 to 20 %;
+/// friction curves at 0.2 to 1 GPa. Source: Persson 2007, PRL 99, 125502; Lorenz and Persson 2009
+/// (measured); Akarapu, Sharp and Robbins 2011, PRL 106, 204301 (computed): γ from 0.4 to 0.5.
 #[test]
 fn persson_2007_exponential_load_and_the_stiffness_from_it() {
     for seed in 1..=3 {
@@ -138,8 +137,8 @@ fn stiffness_on_a_finer_grid() {
     assert_relative_eq!(coarse, fine, max_relative = 0.02);
 }
 
-/// Stiffness (in Pa/m) against a small further approach of spots that hold together: that of a flat punch of their
-/// area.
+/// Stiffness (in Pa/m) against a small further approach of spots that hold together: that of a flat
+/// punch of their area.
 fn bonded_stiffness(pressure: &[f64], lattice: Lattice) -> f64 {
     let heights = pressure.iter().map(|p| if *p > 0.0 { 0.0 } else { 1e-3 }).collect();
     let punch = HeightMap::new(lattice, heights).unwrap();
@@ -149,11 +148,11 @@ fn bonded_stiffness(pressure: &[f64], lattice: Lattice) -> f64 {
     1e6 / solution.approach
 }
 
-/// Goal: while all sticks, a contact answers along the surface as to a small change of its normal load, over c: also
-/// where spots have yielded, because they are elastic on the way back. Yielding makes it stiffer, not softer.
-/// Set-up: 128² cells at 1 GPa, elastic and with hardnesses; slope of the curve against a flat punch that has the area of the
-/// spots, an independent solution.
-/// Source: Barber 2003 (normal and tangential stiffness), Mindlin 1949 (c).
+/// Goal: while all sticks, a contact answers along the surface as to a small change of its normal
+/// load, over c: also where spots have yielded, because they are elastic on the way back. Yielding
+/// makes it stiffer, not softer. Set-up: 128² cells at 1 GPa, elastic and with hardnesses; slope of
+/// the curve against a flat punch that has the area of the spots, an independent solution. Source:
+/// Barber 2003 (normal and tangential stiffness), Mindlin 1949 (c).
 #[test]
 fn barber_2003_yielded_spots_unload_elastically() {
     let mut last = 0.0;
@@ -182,8 +181,8 @@ fn barber_2003_yielded_spots_unload_elastically() {
     }
 }
 
-/// Goal: a mean pressure outside of the normal curve, a flat surface, one that is all in contact, and no pressure at all are
-/// refused.
+/// Goal: a mean pressure outside of the normal curve, a flat surface, one that is all in contact,
+/// and no pressure at all are refused.
 #[test]
 fn bad_input_of_the_micro_model_is_refused() {
     let elastic = model(128, 1);

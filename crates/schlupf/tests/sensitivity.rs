@@ -66,8 +66,8 @@ fn on_cells(problem: &Problem, cells: usize, tolerance: f64) -> Solution {
 /// The problem with one parameter set.
 type Setter<'a> = &'a dyn Fn(&Problem, f64) -> Problem;
 
-/// (F(θ + h) − F(θ − h))/2h with h a small part of `scale`, so that what the tolerance leaves open counts
-/// little.
+/// (F(θ + h) − F(θ − h))/2h with h a small part of `scale`, so that what the tolerance leaves open
+/// counts little.
 fn difference(base: &Problem, with: Setter, [value, scale]: [f64; 2], tolerance: f64) -> [f64; 3] {
     let h = 2e6 * tolerance * scale;
     let [plus, minus] =
@@ -107,8 +107,8 @@ fn check_at(name: &str, base: &Problem, friction: Setter, (stiffness, k_c): (Set
     }
 }
 
-/// Asserts that two derivatives of forces and moment, times the scale of the parameter, differ by less than
-/// 2e-6 of μN.
+/// Asserts that two derivatives of forces and moment, times the scale of the parameter, differ by
+/// less than 2e-6 of μN.
 fn assert_alike(name: &str, exact: &Resultant, approximate: [f64; 3], scale: f64) {
     let (lever, limit) = (5e-3, 0.4 * LOAD);
     let pairs = [exact.x, exact.y, exact.moment_z.unwrap() / lever].into_iter();
@@ -163,9 +163,9 @@ fn on_the_layer_and_the_half_space() {
     check("Winkler", &uncoupled, &constant, &incremental);
 }
 
-/// Where the interpolation at the leading edge is between cubic and linear, it depends on the stiffness
-/// of the bristles, and so do the forces.
-/// Stiffnesses that are calibrated change with the patch, and so with the load.
+/// Where the interpolation at the leading edge is between cubic and linear, it depends on the
+/// stiffness of the bristles, and so do the forces. Stiffnesses that are calibrated change with the
+/// patch, and so with the load.
 #[test]
 fn on_calibrated_springs() {
     let steel = Material::STEEL;

@@ -71,9 +71,9 @@ fn stick_radius(solution: &Solution) -> f64 {
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
 
-/// Cattaneo 1938, Mindlin 1949, where they are exact, ν = 0: the force within 0.1 %, the stick radius
-/// within 1 % from the area of the cells below 0.95 μp and within 0.2 % from their traction, no traction
-/// across.
+/// Cattaneo 1938, Mindlin 1949, where they are exact, ν = 0: the force within 0.1 %, the stick
+/// radius within 1 % from the area of the cells below 0.95 μp and within 0.2 % from their traction,
+/// no traction across.
 #[test]
 fn cattaneo_1938_mindlin_1949() {
     let (spheres, exact) = (spheres(0.0), exact(0.0));
@@ -94,7 +94,8 @@ fn cattaneo_1938_mindlin_1949() {
     }
 }
 
-/// The bodies stick where the elastic displacement undoes the shift; without rolling there is no power.
+/// The bodies stick where the elastic displacement undoes the shift; without rolling there is no
+/// power.
 #[test]
 fn cattaneo_1938_displacement_and_power() {
     let by = 0.5 * exact(0.0).full_sliding_shift();
@@ -113,7 +114,8 @@ fn cattaneo_1938_displacement_and_power() {
     assert!(slips.copied().all(|slip| slip == 0.0));
 }
 
-/// Mindlin 1949 for steel, where the small traction across is neglected: within 0.5 %, in any direction.
+/// Mindlin 1949 for steel, where the small traction across is neglected: within 0.5 %, in any
+/// direction.
 #[test]
 fn mindlin_1949_any_direction() {
     let (spheres, exact) = (spheres(0.28), exact(0.28));
@@ -179,7 +181,8 @@ fn rolling_goes_on_from_a_shift() {
     assert_relative_eq!(rolled.normalised.y, steady.y, epsilon = 1e-4);
 }
 
-/// Friction is that of the temperature with which the bodies meet: rolling and creepages play no part.
+/// Friction is that of the temperature with which the bodies meet: rolling and creepages play no
+/// part.
 #[test]
 fn friction_of_bodies_that_meet_warm() {
     let mut warm = spheres(0.0);

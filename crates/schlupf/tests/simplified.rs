@@ -88,8 +88,8 @@ fn motions() -> [Kinematics; 4] {
     ]
 }
 
-/// Kalker 1982 and the half-space, η = −6.25·10⁻⁴, φ = +0.625/m: Fy/μN = −0.646 with the parabolic bound, −0.596
-/// with the elliptic one, −0.624 on the half-space with Coulomb's law.
+/// Kalker 1982 and the half-space, η = −6.25·10⁻⁴, φ = +0.625/m: Fy/μN = −0.646 with the parabolic
+/// bound, −0.596 with the elliptic one, −0.624 on the half-space with Coulomb's law.
 #[test]
 fn kalker_1982_lateral_creepage_against_spin() {
     let mut case = slender(motions()[0]);
@@ -200,7 +200,8 @@ fn kalker_1982_three_flexibilities_and_those_of_contact() {
     assert_relative_eq!(y, -0.117, epsilon = 3e-3);
 }
 
-/// The error falls with at least the power 1.7 of the cell's size, and is below 0.4 % of μN at 20 cells.
+/// The error falls with at least the power 1.7 of the cell's size, and is below 0.4 % of μN at 20
+/// cells.
 #[test]
 fn fastsim_converges_with_second_order() {
     for method in [parabolic(), elliptic()] {
@@ -223,8 +224,8 @@ fn fastsim_converges_with_second_order() {
     }
 }
 
-/// Slopes of small creepages: those of the linear theory on any grid, times (k_A + k_S)/2 and k0 where the method
-/// reduces them.
+/// Slopes of small creepages: those of the linear theory on any grid, times (k_A + k_S)/2 and k0
+/// where the method reduces them.
 #[test]
 fn kalker_1967_small_creepages() {
     let reduced = SlopeReduction { initial: 0.6, ..SlopeReduction::DRY };
@@ -291,8 +292,9 @@ fn forces_are_odd_and_mirrored() {
     }
 }
 
-/// Pure longitudinal creepage with the parabolic bound: in a strip of half length h the traction
-/// w (h − x) meets the bound 2μN/(πab a²) (h² − x²) at x = w π a³ b/(2 μN) − h. Integrated over the strips by hand.
+/// Pure longitudinal creepage with the parabolic bound: in a strip of half length h the traction w
+/// (h − x) meets the bound 2μN/(πab a²) (h² − x²) at x = w π a³ b/(2 μN) − h. Integrated over the
+/// strips by hand.
 #[test]
 fn kalker_1982_longitudinal_creepage_by_integrals() {
     for creepage in [2e-4, 1e-3, 3e-3, 6e-3] {
@@ -314,9 +316,9 @@ fn kalker_1982_longitudinal_creepage_by_integrals() {
     }
 }
 
-/// With one flexibility FASTSIM is a Winkler bedding of the stiffness 1/L with Coulomb's law: the full solver's, a
-/// different algorithm, with constant friction to 0.1 % of μ0 N, and with friction that falls steeply with the slip speed, which sees
-/// the slip of springing back there, to 1.5 %.
+/// With one flexibility FASTSIM is a Winkler bedding of the stiffness 1/L with Coulomb's law: the
+/// full solver's, a different algorithm, with constant friction to 0.1 % of μ0 N, and with friction
+/// that falls steeply with the slip speed, which sees the slip of springing back there, to 1.5 %.
 #[test]
 fn one_flexibility_is_a_winkler_bedding() {
     let method = FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
@@ -354,8 +356,8 @@ fn one_flexibility_is_a_winkler_bedding() {
     }
 }
 
-/// Polach 2005: μ0 = 0.55, A = 0.40, B = 0.60 s/m, k_A = 1, k_S = 0.4 on the Eurosprinter's ellipse (N = 106.7 kN) at 10 m/s:
-/// the largest F/N is 0.453, near ξ = 3 %.
+/// Polach 2005: μ0 = 0.55, A = 0.40, B = 0.60 s/m, k_A = 1, k_S = 0.4 on the Eurosprinter's ellipse
+/// (N = 106.7 kN) at 10 m/s: the largest F/N is 0.453, near ξ = 3 %.
 #[test]
 fn polach_2005_locomotive_maximum() {
     let mut wheel = problem(rolling(0.0, 0.0, 0.0));
@@ -374,8 +376,8 @@ fn polach_2005_locomotive_maximum() {
     assert_relative_eq!(creepage, 0.03, epsilon = 0.002);
 }
 
-/// With α = 1 and k0 = 1 modified FASTSIM is FASTSIM; with the defaults its longitudinal forces are Polach's
-/// with k_A = 1 and k_S = 0.4 within 4 % of μN, and 2 % on the mean.
+/// With α = 1 and k0 = 1 modified FASTSIM is FASTSIM; with the defaults its longitudinal forces are
+/// Polach's with k_A = 1 and k_S = 0.4 within 4 % of μN, and 2 % on the mean.
 #[test]
 fn modified_fastsim_between_fastsim_and_polach() {
     let none = SlopeReduction { initial: 1.0, limit_ratio: 1.0, decay: 3.0 };
@@ -396,9 +398,10 @@ fn modified_fastsim_between_fastsim_and_polach() {
     assert!((squares / 30.0_f64).sqrt() < 0.02, "{squares}");
 }
 
-/// Vollebregt, steady sliding of 1 m/s at 30 m/s of rigid bodies with friction 0.3 − 0.18 T/400 K: T_max = 126.84 K, Fx = 0.8796 μ0 N;
-/// with 0.30 → 0.12 between 100 and 130 degC T_max = 117.34 degC, Fx = 0.901 μ0 N (see `high_slip.rs`). The bristles of
-/// FASTSIM give way a little at the leading edge.
+/// Vollebregt, steady sliding of 1 m/s at 30 m/s of rigid bodies with friction 0.3 − 0.18 T/400 K:
+/// T_max = 126.84 K, Fx = 0.8796 μ0 N; with 0.30 → 0.12 between 100 and 130 degC T_max = 117.34
+/// degC, Fx = 0.901 μ0 N (see `high_slip.rs`). The bristles of FASTSIM give way a little at the
+/// leading edge.
 #[test]
 fn fastsim_with_heat_under_uniform_slip() {
     let falling = TemperatureLinear::new(0.3, 0.3 * 400.0 / 0.18, 0.12).unwrap();
@@ -431,8 +434,8 @@ fn fastsim_with_heat_under_uniform_slip() {
     }
 }
 
-/// The full half-space with heat at 3 to 10 % slip, nearly Coulomb: forces within 1 % of μ0 N and temperatures within
-/// 3 % of those of FASTSIM with one flexibility and the elliptic bound.
+/// The full half-space with heat at 3 to 10 % slip, nearly Coulomb: forces within 1 % of μ0 N and
+/// temperatures within 3 % of those of FASTSIM with one flexibility and the elliptic bound.
 #[test]
 fn fastsim_with_heat_against_the_half_space() {
     let mut case = problem(rolling(0.0, 0.0, 0.0));
@@ -480,7 +483,8 @@ fn a_contact_follows_its_load() {
     }
 }
 
-/// A table of Hertz's pressure has the forces of the ellipse within 1 % of μN, and a warning; the paraboloid has none.
+/// A table of Hertz's pressure has the forces of the ellipse within 1 % of μN, and a warning; the
+/// paraboloid has none.
 #[test]
 fn a_table_bounds_the_traction() {
     let axis = |half: f64| -> Vec<f64> {

@@ -1,5 +1,5 @@
-//! Contacts that Newton's method found late or not at all: bristles almost as stiff as Coulomb's friction, very high
-//! slip. Found by random search; the work is what is asserted.
+//! Contacts that Newton's method found late or not at all: bristles almost as stiff as Coulomb's
+//! friction, very high slip. Found by random search; the work is what is asserted.
 
 mod common;
 
@@ -50,10 +50,10 @@ fn total(stiffness: f64) -> Arc<dyn ContactLaw> {
     Arc::new(TotalDisplacement::new(stiffness).unwrap())
 }
 
-/// A wheel that spins up to ten thousand times too fast. Friction has all but vanished where the material has
-/// entered; the interpolated solution of a coarser grid is too hot everywhere, and the state of rigid bodies is a better
-/// first guess. It is the solution, nearly, so no Newton step is left; heat moves friction from one step to the next
-/// only where the bodies yield.
+/// A wheel that spins up to ten thousand times too fast. Friction has all but vanished where the
+/// material has entered; the interpolated solution of a coarser grid is too hot everywhere, and the
+/// state of rigid bodies is a better first guess. It is the solution, nearly, so no Newton step is
+/// left; heat moves friction from one step to the next only where the bodies yield.
 #[test]
 fn any_creepage_is_found_at_once() {
     for elasticity in [layer(), half_space()] {
@@ -71,7 +71,8 @@ fn any_creepage_is_found_at_once() {
     }
 }
 
-/// Friction that follows its law over a sliding distance, k_c from 2e10/m to 8e11/m: each marched for seconds.
+/// Friction that follows its law over a sliding distance, k_c from 2e10/m to 8e11/m: each marched
+/// for seconds.
 #[test]
 fn stiff_bristles_with_friction_memory() {
     let at = |speed, x, y| Kinematics { speed, creepage_x: x, creepage_y: y, spin: 0.0 };
@@ -124,8 +125,8 @@ fn stiff_bristles() {
     }
 }
 
-/// Where Newton's method fails although friction does not fall with the slip speed, that is what is said, not that
-/// there may be several steady states.
+/// Where Newton's method fails although friction does not fall with the slip speed, that is what is
+/// said, not that there may be several steady states.
 #[test]
 fn a_failure_is_not_several_states() {
     let hot = heated(problem(rolling(0.004, 0.002, 0.3)), 0.4);

@@ -10,10 +10,10 @@ use schlupf::surface::Lattice;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::unwatched;
 
-/// Goal: pressures of rough surfaces within 1 % of those of Tamaas.
-/// Set-up: two self-affine surfaces of 256² cells, three loads each, contact of 2 to 40 %; both solve the
-/// same discrete equations, so that only their tolerances part them.
-/// Source: Tamaas 2.9.0, where a Python has it (`.ci/run` installs it).
+/// Goal: pressures of rough surfaces within 1 % of those of Tamaas. Set-up: two self-affine
+/// surfaces of 256² cells, three loads each, contact of 2 to 40 %; both solve the same discrete
+/// equations, so that only their tolerances part them. Source: Tamaas 2.9.0, where a Python has it
+/// (`.ci/run` installs it).
 #[test]
 fn frerot_2020_same_pressures() {
     let Some(python) = program::python() else {

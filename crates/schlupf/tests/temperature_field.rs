@@ -84,8 +84,8 @@ fn heat_is_conserved() {
     assert!(at(Side::Rail, 0.0) > at(Side::Rail, 20e-6));
 }
 
-/// Heat that both bodies carry away from the contact every second, in W: what is stored below the wake, times
-/// the speed of the material and the width of its strip.
+/// Heat that both bodies carry away from the contact every second, in W: what is stored below the
+/// wake, times the speed of the material and the width of its strip.
 fn carried_away(problem: &Problem, solution: &Solution, field: &TemperatureField) -> [f64; 2] {
     const LAYER: f64 = 4e-6;
     const LAYERS: u32 = 300;
@@ -106,8 +106,9 @@ fn carried_away(problem: &Problem, solution: &Solution, field: &TemperatureField
     })
 }
 
-/// Energy: the heat that wheel and rail carry away is the friction power, each body its part; and where they
-/// meet with different temperatures, what one loses the other gains (Ertz and Knothe 2002).
+/// Energy: the heat that wheel and rail carry away is the friction power, each body its part; and
+/// where they meet with different temperatures, what one loses the other gains (Ertz and Knothe
+/// 2002).
 #[test]
 fn wheel_and_rail_carry_away_the_friction_power() {
     for (partition, bulk) in [

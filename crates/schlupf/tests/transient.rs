@@ -1,5 +1,5 @@
-//! Transient rolling: against CONTACT, closed forms and independent computations; loads that change fast;
-//! powers and stored energy of every step.
+//! Transient rolling: against CONTACT, closed forms and independent computations; loads that change
+//! fast; powers and stored energy of every step.
 
 mod common;
 
@@ -91,8 +91,8 @@ fn largest_difference(solution: &Solution, reference: &[[f64; 2]]) -> f64 {
     off.fold(0.0, f64::max)
 }
 
-/// From rest (T1) and under a load that swings by 30 % over 36 mm (T4), forces are those of CONTACT on 80
-/// cells within 0.006 of μN, its own grid error. T1 takes 59 products a step.
+/// From rest (T1) and under a load that swings by 30 % over 36 mm (T4), forces are those of CONTACT
+/// on 80 cells within 0.006 of μN, its own grid error. T1 takes 59 products a step.
 #[test]
 fn vollebregt_contact_transients() {
     let rest = run(constant(23.7e-3), 40);
@@ -104,8 +104,8 @@ fn vollebregt_contact_transients() {
     assert!(off < 6e-3, "T4: {off}");
 }
 
-/// While the force builds up from rest, it converges at an order of at least 1.2; the differences of grids
-/// twice as fine, at each mm.
+/// While the force builds up from rest, it converges at an order of at least 1.2; the differences
+/// of grids twice as fine, at each mm.
 #[test]
 fn transients_converge() {
     let [coarse, middle, fine] = [20, 40, 80].map(|across| run(constant(12e-3), across));
@@ -130,9 +130,9 @@ fn transients_on_forty_cells_are_those_on_four_times_as_many() {
     }
 }
 
-/// The Winkler bedding c = 2e13 N/m³ under a load that swings by 70 % over 12 mm, so that edges move about
-/// as fast as the wheel rolls. Every point of the material on its own carries q ← min(q + cξ ds, μp) in the
-/// contact; summed over 1600 × 200 points in an independent computation.
+/// The Winkler bedding c = 2e13 N/m³ under a load that swings by 70 % over 12 mm, so that edges
+/// move about as fast as the wheel rolls. Every point of the material on its own carries q ← min(q
+/// + cξ ds, μp) in the contact; summed over 1600 × 200 points in an independent computation.
 #[test]
 fn winkler_bedding_under_a_load_that_changes_fast() {
     let exact = [0.38131, 0.50067, 0.24630, 0.40144, 0.62465, 0.53773, 0.24630, 0.40144];
@@ -149,8 +149,9 @@ fn winkler_bedding_under_a_load_that_changes_fast() {
     assert!(coarse < 0.015 && fine < 0.6 * coarse, "{coarse} {fine}");
 }
 
-/// The same load on the half-space: the error falls with the grid, and the force goes on smoothly as cells
-/// come and go: its second differences fall as the steps do, and so stay bounded over the time step.
+/// The same load on the half-space: the error falls with the grid, and the force goes on smoothly
+/// as cells come and go: its second differences fall as the steps do, and so stay bounded over the
+/// time step.
 #[test]
 fn half_space_under_a_load_that_changes_fast() {
     let [coarse, middle, fine] =
@@ -170,9 +171,9 @@ fn half_space_under_a_load_that_changes_fast() {
     assert!(second < 0.2 * first, "{first} {second}");
 }
 
-/// Root mean square of the differences of the force on these grids, each against the next, at each quarter mm
-/// under a load that grows from 24 to 136 kN within 3 mm from rest: the edge runs as fast as the wheel rolls, and
-/// new rows come into contact in every step.
+/// Root mean square of the differences of the force on these grids, each against the next, at each
+/// quarter mm under a load that grows from 24 to 136 kN within 3 mm from rest: the edge runs as
+/// fast as the wheel rolls, and new rows come into contact in every step.
 fn differences_under_a_steep_ramp(grids: [usize; 3]) -> [f64; 2] {
     let ramp = || History {
         time: vec![0.0, 3e-3, 4e-3],
@@ -203,9 +204,10 @@ fn half_space_under_a_load_that_rises_at_rolling_speed_on_fine_grids() {
     assert!(first < 6e-4 && second < 0.6 * first, "{first} {second}");
 }
 
-/// In every step creep power = friction power + change of stored energy over its duration, within 1e-4 of
-/// the creep power of full sliding: with spin, heat, creepages and speed that change; on the half-space
-/// and on the layer. The load is constant, or changes: what departs from the patch counts.
+/// In every step creep power = friction power + change of stored energy over its duration, within
+/// 1e-4 of the creep power of full sliding: with spin, heat, creepages and speed that change; on
+/// the half-space and on the layer. The load is constant, or changes: what departs from the patch
+/// counts.
 #[test]
 fn powers_of_every_step_balance() {
     for elasticity in [half_space(), layer()] {
@@ -246,8 +248,8 @@ fn powers_of_every_step_balance() {
     }
 }
 
-/// The stored energy of a shift is the work ½ Q u of a force and a displacement, at small shifts: Mindlin's
-/// (1949) Q = u/L, within the 3 % of the force that bristles and grid take.
+/// The stored energy of a shift is the work ½ Q u of a force and a displacement, at small shifts:
+/// Mindlin's (1949) Q = u/L, within the 3 % of the force that bristles and grid take.
 #[test]
 fn mindlin_1949_stored_energy() {
     let by = 2e-7;
@@ -286,8 +288,9 @@ fn what_belongs_to_an_instant_belongs_together() {
     assert_relative_eq!(rolled, first.distance, max_relative = 1e-4);
 }
 
-/// Cattaneo (1938) and Mindlin (1949), then rolling: after a shift of 0.015 mm CONTACT has Fx = −0.6530 μN;
-/// the force goes over into that of rolling without a jump and ends in the steady state.
+/// Cattaneo (1938) and Mindlin (1949), then rolling: after a shift of 0.015 mm CONTACT has Fx =
+/// −0.6530 μN; the force goes over into that of rolling without a jump and ends in the steady
+/// state.
 #[test]
 fn a_history_starts_with_a_shift() {
     let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
@@ -305,8 +308,8 @@ fn rolling_not_at_all() -> Kinematics {
     Kinematics { speed: 0.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
 }
 
-/// A patch that shrinks faster than the wheel rolls and grows again converges at every step and carries
-/// no more than friction allows.
+/// A patch that shrinks faster than the wheel rolls and grows again converges at every step and
+/// carries no more than friction allows.
 #[test]
 fn edges_faster_than_the_wheel() {
     let history = History {
@@ -325,8 +328,9 @@ fn edges_faster_than_the_wheel() {
     }
 }
 
-/// What docs/calibration.md says of the layer: calibrated in steady rolling, it builds up its force much faster
-/// from rest than the half-space, and both end at the same. The numbers there are this program's.
+/// What docs/calibration.md says of the layer: calibrated in steady rolling, it builds up its force
+/// much faster from rest than the half-space, and both end at the same. The numbers there are this
+/// program's.
 #[test]
 fn the_calibrated_layer_is_ahead_of_the_half_space() {
     let mut rolls = problem(Kinematics { speed: 1.0, ..rolling(0.002, 0.0, 0.0) });

@@ -1,7 +1,9 @@
-//! Marching carries the heat that each element has received: what is switched on heats from then on.
+//! Marching carries the heat that each element has received: what is switched on heats from then
+//! on.
 //!
-//! Set-up: rigid bodies, uniform slip, Coulomb friction; the creepage jumps from zero to 1/30 (or back) while the
-//! wheel rolls. All elements then slide with 1 m/s from that instant on, and each carries its own transient.
+//! Set-up: rigid bodies, uniform slip, Coulomb friction; the creepage jumps from zero to 1/30 (or
+//! back) while the wheel rolls. All elements then slide with 1 m/s from that instant on, and each
+//! carries its own transient.
 
 mod common;
 
@@ -28,7 +30,8 @@ const FRICTION: f64 = 0.3;
 /// A sliding of 1 m/s.
 const CREEPAGE: f64 = 1.0 / 30.0;
 
-/// Rigid bodies that begin, or cease, to slide with 1 m/s at an instant (in s), some time before the end.
+/// Rigid bodies that begin, or cease, to slide with 1 m/s at an instant (in s), some time before
+/// the end.
 fn switched(
     normal: Arc<dyn PressureSource>,
     [from, to]: [f64; 2],
@@ -69,9 +72,9 @@ fn uniform_pressure() -> (Arc<dyn PressureSource>, f64, f64) {
     (normal, to - from, (to - from) / ALONG as f64 / SPEED)
 }
 
-/// The solution a number of time steps after the creepage has changed, and how long ago (in s) that was. An
-/// element passes its cell from half a step before an instant until half a step after it, and heats up with the
-/// slip of the instant: so the change counts from the middle of its step on.
+/// The solution a number of time steps after the creepage has changed, and how long ago (in s) that
+/// was. An element passes its cell from half a step before an instant until half a step after it,
+/// and heats up with the slip of the instant: so the change counts from the middle of its step on.
 fn after_switching(
     (normal, step): (&Arc<dyn PressureSource>, f64),
     creepage: [f64; 2],
@@ -84,9 +87,10 @@ fn after_switching(
     (follow(&problem, &cells(along)), (f64::from(steps) - 0.5) * step)
 }
 
-/// Carslaw and Jaeger 1959, §2.9 (7): a constant source q switched on at t = 0 heats a surface to 2q√(t/π)/β.
-/// Under uniform pressure every element that was in contact then has the same temperature wherever it is; those
-/// that have come since are as hot as in steady sliding, q having acted from the leading edge on.
+/// Carslaw and Jaeger 1959, §2.9 (7): a constant source q switched on at t = 0 heats a surface to
+/// 2q√(t/π)/β. Under uniform pressure every element that was in contact then has the same
+/// temperature wherever it is; those that have come since are as hot as in steady sliding, q having
+/// acted from the leading edge on.
 #[test]
 fn carslaw_jaeger_1959_constant_source_switched_on() {
     let (normal, length, step) = uniform_pressure();
@@ -109,8 +113,8 @@ fn carslaw_jaeger_1959_constant_source_switched_on() {
     }
 }
 
-/// The same source switched off: what had slid for a time t₁ cools as 2q(√(t₁ + t) − √t)/(β√π); what comes later
-/// stays cold.
+/// The same source switched off: what had slid for a time t₁ cools as 2q(√(t₁ + t) − √t)/(β√π);
+/// what comes later stays cold.
 #[test]
 fn carslaw_jaeger_1959_constant_source_switched_off() {
     let (normal, length, step) = uniform_pressure();
@@ -127,9 +131,10 @@ fn carslaw_jaeger_1959_constant_source_switched_off() {
     }
 }
 
-/// Knothe and Liebelt 1995, transient: under Hertz's pressure an element at x has received μ p₀ w √(1 − x'²/a²) on
-/// its way from x' = min(x_e, x + v t) on, t since the switch. Duhamel's integral over that way, by a midpoint rule
-/// in √(x' − x), to 0.5 % of the largest rise in the whole cells of a grid of 40, and half of that on 80.
+/// Knothe and Liebelt 1995, transient: under Hertz's pressure an element at x has received μ p₀ w
+/// √(1 − x'²/a²) on its way from x' = min(x_e, x + v t) on, t since the switch. Duhamel's integral
+/// over that way, by a midpoint rule in √(x' − x), to 0.5 % of the largest rise in the whole cells
+/// of a grid of 40, and half of that on 80.
 #[test]
 fn knothe_liebelt_1995_transient_under_hertz() {
     const NODES: u32 = 20_000;

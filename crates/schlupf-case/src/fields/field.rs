@@ -45,7 +45,8 @@ pub struct Field {
     pub doc: &'static str,
 }
 
-/// A choice that a field belongs to: the path of the choice and the names that the field is used with.
+/// A choice that a field belongs to: the path of the choice and the names that the field is used
+/// with.
 pub type UsedWith = (&'static str, &'static [&'static str]);
 
 /// What may stand in a field.

@@ -1,8 +1,8 @@
 //! The table.
 
-/// A section: its heading, the quantity that all of it gives if it gives one, what it is about, and its
-/// fields. Each of these has its name, the quantities that it gives, its kind, requirement, default and
-/// meaning, and what else there is to say of it.
+/// A section: its heading, the quantity that all of it gives if it gives one, what it is about, and
+/// its fields. Each of these has its name, the quantities that it gives, its kind, requirement,
+/// default and meaning, and what else there is to say of it.
 macro_rules! section {
     (
         $section:ident $heading:literal $([$of:ident])? $about:literal;
@@ -81,8 +81,8 @@ pub const SECTIONS: &[Section] = &[
     HISTORY,
 ];
 
-/// Bounds that no rolling contact comes near, and within which no product or quotient leaves the range
-/// of double precision. Each in the SI unit of its fields, temperatures in degC.
+/// Bounds that no rolling contact comes near, and within which no product or quotient leaves the
+/// range of double precision. Each in the SI unit of its fields, temperatures in degC.
 const MODULUS: Requirement = Between(1e3, 1e14);
 const THERMAL: Requirement = Between(1e-6, 1e9);
 const TEMPERATURE: Requirement = Between(-273.15, 1e5);

@@ -51,7 +51,8 @@ impl Deformation {
         }
     }
 
-    /// The model; `normal` and the loads of `history` tell the patch for which springs are calibrated.
+    /// The model; `normal` and the loads of `history` tell the patch for which springs are
+    /// calibrated.
     pub fn model(
         &self,
         normal: &dyn PressureSource,

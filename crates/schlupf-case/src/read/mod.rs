@@ -32,7 +32,8 @@ pub use roughness::{MicroCase, explain as explain_roughness, load as load_roughn
 /// What a case says of its problem: all that is known without solving anything.
 #[derive(Debug, Clone)]
 pub struct Parts {
-    /// The problem, with a contact law and an elasticity that stand for those that are still to be found.
+    /// The problem, with a contact law and an elasticity that stand for those that are still to be
+    /// found.
     draft: Problem,
     deformation: Deformation,
     stiffness: OfRoughness,
@@ -87,8 +88,8 @@ impl Parts {
         contact().map_err(|error| settings.explain(&error))
     }
 
-    /// The problem, and where its k_c comes from: solves the normal contact and the micro model where the case has
-    /// such. `solved` is a micro model of a like case.
+    /// The problem, and where its k_c comes from: solves the normal contact and the micro model
+    /// where the case has such. `solved` is a micro model of a like case.
     pub fn pose(
         &self,
         settings: &Settings,

@@ -165,8 +165,8 @@ impl MicroRequest {
     }
 }
 
-/// Friction, and the combined Poisson's ratio: with it the ratio of tangential to normal compliance is
-/// that of two different bodies, too.
+/// Friction, and the combined Poisson's ratio: with it the ratio of tangential to normal compliance
+/// is that of two different bodies, too.
 fn bodies(settings: &Settings, materials: [&Material; 2]) -> Result<SimilarBodies, CaseError> {
     let combined = HalfSpace::new(materials[0], materials[1]);
     let combined = combined.map_err(|error| settings.explain(&error))?;
@@ -337,8 +337,8 @@ fn check_hardness(
     Err(settings.error(HARDNESS, message))
 }
 
-/// An error of a surface, in terms of the case. One in a line of the file stays there; all others are at
-/// the field that names it.
+/// An error of a surface, in terms of the case. One in a line of the file stays there; all others
+/// are at the field that names it.
 fn placed(settings: &Settings, error: CaseError) -> CaseError {
     let place = match error.place {
         Place::Text { .. } => error.place,

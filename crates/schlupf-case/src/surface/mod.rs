@@ -209,8 +209,8 @@ fn finish(
     Ok(MeasuredSurface { data: SurfaceData::Map(map), filled })
 }
 
-/// Heights (in m) beyond this are none of a rough surface, but in a wrong unit or sentinels for missing
-/// values.
+/// Heights (in m) beyond this are none of a rough surface, but in a wrong unit or sentinels for
+/// missing values.
 const HIGHEST: f64 = 1.0;
 
 const ADVICE_ON_HEIGHTS: &str =

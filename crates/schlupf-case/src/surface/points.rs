@@ -14,8 +14,8 @@ const fn length(name: &'static str, required: bool, holes: bool) -> Column {
     Column { name, measure: Some(&Measure::LENGTH), required, holes }
 }
 
-/// Without y, or all along x or all along y, it is a profile; with heights alone, one whose spacing is
-/// given beside it.
+/// Without y, or all along x or all along y, it is a profile; with heights alone, one whose spacing
+/// is given beside it.
 const COLUMNS: [Column; 3] =
     [length("x", false, false), length("y", false, false), length("height", true, true)];
 
@@ -75,8 +75,8 @@ fn from_columns(columns: &Columns, how: Reading) -> Result<MeasuredSurface, Case
     finish(name, lattice, map, how)
 }
 
-/// Spacings along x and y (in m); the same where they differ by no more than the last digits of the positions
-/// leave open. The longer side knows it better.
+/// Spacings along x and y (in m); the same where they differ by no more than the last digits of the
+/// positions leave open. The longer side knows it better.
 fn spacings([x, y]: [&Axis; 2], digits: [f64; 2]) -> [f64; 2] {
     let lengths = [x, y].map(|axis| axis.spacing * axis.count as f64);
     let open = digits[0] / lengths[0] + digits[1] / lengths[1];

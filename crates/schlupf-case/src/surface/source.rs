@@ -34,8 +34,8 @@ struct TakenOff {
 pub struct SurfaceSource {
     /// Files or a spectrum.
     pub origin: SurfaceOrigin,
-    /// Cells along x: the surface is resampled, or made with so many. As measured, or suitable, where
-    /// left out.
+    /// Cells along x: the surface is resampled, or made with so many. As measured, or suitable,
+    /// where left out.
     pub cells: Option<usize>,
     /// Of the random phases, where there are some.
     pub seed: u64,
@@ -46,8 +46,8 @@ pub struct SurfaceSource {
 pub enum SurfaceOrigin {
     /// A self-affine surface.
     SelfAffine(SelfAffine),
-    /// The surfaces of one or both bodies; their heights are added. A profile becomes a surface alike in
-    /// all directions.
+    /// The surfaces of one or both bodies; their heights are added. A profile becomes a surface
+    /// alike in all directions.
     Files {
         /// Where they are.
         files: Vec<InputFile>,
@@ -71,15 +71,16 @@ pub struct RoughSurface {
     pub notices: Vec<Notice>,
 }
 
-/// The micro model takes slopes for small: root mean square gradients from which that is doubtful, and from
-/// which something else is wrong; dimensionless.
+/// The micro model takes slopes for small: root mean square gradients from which that is doubtful,
+/// and from which something else is wrong; dimensionless.
 const DOUBTFUL_GRADIENT: f64 = 0.5;
 const LARGEST_GRADIENT: f64 = 2.0;
 
 /// From this part of filled points on a surface is doubtful, dimensionless.
 const DOUBTFUL_FILLING: f64 = 0.05;
 
-/// Waves that fit into a piece, at least, and the part of the variance that longer ones may have; dimensionless.
+/// Waves that fit into a piece, at least, and the part of the variance that longer ones may have;
+/// dimensionless.
 const WAVES_ACROSS: f64 = 5.0;
 const MOST_IN_LONG_WAVES: f64 = 0.5;
 
@@ -256,7 +257,8 @@ impl SurfaceSource {
         Ok(SurfaceData::Map(map))
     }
 
-    /// A surface with the spectrum of a profile, on the lattice of the other surface if that is a map.
+    /// A surface with the spectrum of a profile, on the lattice of the other surface if that is a
+    /// map.
     fn extended(
         &self,
         profile: &Profile,

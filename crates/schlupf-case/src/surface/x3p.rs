@@ -1,9 +1,10 @@
-//! X3P, the exchange format of surface metrology (ISO 25178-72:2017; before, ISO 5436-2): a zip archive
-//! with `main.xml` and, mostly, the heights as a binary file. All lengths are in m.
+//! X3P, the exchange format of surface metrology (ISO 25178-72:2017; before, ISO 5436-2): a zip
+//! archive with `main.xml` and, mostly, the heights as a binary file. All lengths are in m.
 //!
-//! Read are surfaces (`SUR`) and profiles (`PRF`) on a regular lattice, of any type of number, binary or
-//! as text, with invalid points as NaN, as empty text or in a file of bits. Not read are point clouds
-//! (`PCL`) and several layers or profiles in a file. Checksums are those of the archive.
+//! Read are surfaces (`SUR`) and profiles (`PRF`) on a regular lattice, of any type of number,
+//! binary or as text, with invalid points as NaN, as empty text or in a file of bits. Not read are
+//! point clouds (`PCL`) and several layers or profiles in a file. Checksums are those of the
+//! archive.
 
 use std::borrow::Cow;
 use std::io::{Cursor, Read};

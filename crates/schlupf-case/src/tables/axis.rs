@@ -5,8 +5,8 @@ use schlupf::grid::Axis;
 use super::columns::Columns;
 use crate::error::CaseError;
 
-/// Positions may differ from the lattice by this part of a spacing, or by half of their last digit if that
-/// is more, but never by more than this part.
+/// Positions may differ from the lattice by this part of a spacing, or by half of their last digit
+/// if that is more, but never by more than this part.
 const ROUNDING: f64 = 0.01;
 const LARGEST_ROUNDING: f64 = 0.25;
 

@@ -62,8 +62,8 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Reads a file without a header, its columns in the order of `wanted`, apart by spaces or tabs; what
-    /// more there is belongs to the last column. All are multiplied to SI alike.
+    /// Reads a file without a header, its columns in the order of `wanted`, apart by spaces or
+    /// tabs; what more there is belongs to the last column. All are multiplied to SI alike.
     pub fn read_bare(
         name: String,
         bytes: Vec<u8>,
@@ -115,7 +115,8 @@ impl Columns {
         self.present[index]
     }
 
-    /// What the last digit of a column stands for, in SI units: its numbers may be off by half of it.
+    /// What the last digit of a column stands for, in SI units: its numbers may be off by half of
+    /// it.
     pub fn digit(&self, name: &str) -> f64 {
         let column = self.names.iter().position(|column| *column == name);
         column.map_or(0.0, |column| self.digits[column])

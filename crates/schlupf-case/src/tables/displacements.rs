@@ -31,8 +31,9 @@ pub struct Displacements {
     pub samples: [Option<Sample>; 2],
 }
 
-/// Reads a CSV file that `option` of the command line names: columns x, y and, for one or both components, traction on
-/// the wheel and displacement of the wheel relative to the rail. A component without traction is left out.
+/// Reads a CSV file that `option` of the command line names: columns x, y and, for one or both
+/// components, traction on the wheel and displacement of the wheel relative to the rail. A
+/// component without traction is left out.
 pub fn read(option: &str, file: &InputFile) -> Result<Displacements, CaseError> {
     let name = file.path().display().to_string();
     let what = format!("the file of {option}");

@@ -14,8 +14,9 @@ const COLUMNS: [Column; 3] = [
     Column { name: "distance", measure: Some(&Measure::LENGTH), required: true, holes: false },
 ];
 
-/// The distance from a CSV file: with columns x, y and distance on a lattice, its rows in any order; with y and
-/// distance alone across at x = 0, where `rolling_radius` gives the relative radius (in m) along rolling.
+/// The distance from a CSV file: with columns x, y and distance on a lattice, its rows in any
+/// order; with y and distance alone across at x = 0, where `rolling_radius` gives the relative
+/// radius (in m) along rolling.
 pub fn from_csv(
     name: String,
     bytes: Vec<u8>,

@@ -26,7 +26,8 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The lattice of positions (in m), each given once; `advice` says what to give where there is nothing.
+    /// The lattice of positions (in m), each given once; `advice` says what to give where there is
+    /// nothing.
     pub fn of(xs: &[f64], ys: &[f64], columns: &Columns, advice: &str) -> Result<Self, CaseError> {
         let (x, y) = (axis("x", xs, columns)?, axis("y", ys, columns)?);
         let along_x = Along { name: "x", axis: &x, positions: xs };
@@ -59,8 +60,9 @@ pub struct Along<'a> {
     pub positions: &'a [f64],
 }
 
-/// Where on the lattice of two columns each row of a file lies, and in which line of the file each place of the lattice is given, zero if nowhere. The lattice has at
-/// most `sparse` times as many points as the file.
+/// Where on the lattice of two columns each row of a file lies, and in which line of the file each
+/// place of the lattice is given, zero if nowhere. The lattice has at most `sparse` times as many
+/// points as the file.
 pub fn places(
     along_x: &Along,
     along_y: &Along,
@@ -107,7 +109,8 @@ pub struct Table {
     pub values: Vec<f64>,
 }
 
-/// From the columns x, y (both in m) and a value, the rows in any order; `advice` is what to do about a hole.
+/// From the columns x, y (both in m) and a value, the rows in any order; `advice` is what to do
+/// about a hole.
 pub fn from_columns(
     columns: &Columns,
     [xs, ys, values]: [&[f64]; 3],

@@ -67,7 +67,8 @@ impl CurveFamily {
 
     fn all_warnings(&self) -> Vec<Message> {
         let Some((first, others)) = self.members.split_first() else { return Vec::new() };
-        // Points that did not converge are those of one curve, even where as many are those of another.
+        // Points that did not converge are those of one curve, even where as many are those of
+        // another.
         let is_of_one = |message: &Message| !others.is_empty() && message.is_of_convergence();
         let is_common = |message: &&Message| {
             !is_of_one(message) && others.iter().all(|member| member.warnings.contains(message))

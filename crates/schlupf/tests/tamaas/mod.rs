@@ -36,7 +36,8 @@ pub fn python() -> Option<PathBuf> {
     found
 }
 
-/// Solves periodic contact of a square surface with a plane. Mean pressures over the contact modulus.
+/// Solves periodic contact of a square surface with a plane. Mean pressures over the contact
+/// modulus.
 pub fn solve(
     python: &Path,
     surface: &HeightMap,

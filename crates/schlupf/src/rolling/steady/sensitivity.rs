@@ -149,8 +149,8 @@ impl<'a> Derivatives<'a> {
             .unwrap_or_else(perpendicular)
     }
 
-    /// Direct changes when the motion changes by `motion`, and ln(v0/(ωR)) by `contact_time_ratio`, where the
-    /// contact temperature changes by `warmer` (in K).
+    /// Direct changes when the motion changes by `motion`, and ln(v0/(ωR)) by `contact_time_ratio`,
+    /// where the contact temperature changes by `warmer` (in K).
     fn by_motion(&self, motion: &Kinematics, contact_time_ratio: f64, warmer: &[f64]) -> Direct {
         let Level { contact, friction, .. } = &self.levels[0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());

@@ -17,8 +17,8 @@ pub(super) struct Passage {
 }
 
 impl Passage {
-    /// A path with the tractions on the rail (in Pa) at both ends. If these differ by the increment of
-    /// the traction in adhesion, nothing slips.
+    /// A path with the tractions on the rail (in Pa) at both ends. If these differ by the increment
+    /// of the traction in adhesion, nothing slips.
     pub fn new(
         flexibility: &Flexibility,
         motion: &Kinematics,
