@@ -79,19 +79,26 @@ impl CaseFile {
 
     /// Reads a case file; relative paths start in its folder.
     pub fn from_path(path: &Path, overrides: Overrides<'_>) -> Result<Self, CaseErrors> {
-        let file = File::open(path);
-        let name = path.display().to_string();
-        Self::from_reader(file, &name, Folder::of(path), overrides)
+        let bytes = File::open(path).and_then(|file| read_up_to(LARGEST_CASE, file));
+        Self::from_bytes(bytes, &path.display().to_string(), Folder::of(path), overrides)
     }
 
     /// The same from whatever can be read, such as standard input, up to [`LARGEST_CASE`].
-    pub fn from_reader<R: Read>(
-        reader: io::Result<R>,
+    pub fn from_reader(
+        reader: impl Read,
         name: &str,
         files: Arc<dyn Files>,
         overrides: Overrides<'_>,
     ) -> Result<Self, CaseErrors> {
-        let bytes = reader.and_then(|reader| read_up_to(LARGEST_CASE, reader));
+        Self::from_bytes(read_up_to(LARGEST_CASE, reader), name, files, overrides)
+    }
+
+    fn from_bytes(
+        bytes: io::Result<Vec<u8>>,
+        name: &str,
+        files: Arc<dyn Files>,
+        overrides: Overrides<'_>,
+    ) -> Result<Self, CaseErrors> {
         let bytes =
             bytes.map_err(|error| CaseError::unreadable("", "the case file", name, &error))?;
         let text = String::from_utf8(bytes).map_err(|error| {

@@ -20,7 +20,7 @@ pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
     let overrides = Overrides { option: "--set", assignments: &arguments.overrides };
     let file = if let Some(path) = &arguments.case {
         if path == Path::new(STANDARD_STREAM) {
-            let input = Ok(std::io::stdin().lock());
+            let input = std::io::stdin().lock();
             CaseFile::from_reader(input, "standard input", Folder::new(""), overrides)
         } else {
             CaseFile::from_path(path, overrides)

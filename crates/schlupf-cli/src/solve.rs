@@ -32,6 +32,9 @@ pub struct Solve {
     /// Write the fields for `ParaView` (VTK)
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub vtk: Option<PathBuf>,
+    /// Write the history as CSV, one row for each time step
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub history: Option<PathBuf>,
     /// Start from the state that --final-state has written
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub initial_state: Option<PathBuf>,
@@ -64,7 +67,8 @@ impl Task for Solve {
     fn own_files(&self) -> Vec<OwnFile<'_>> {
         let vtk = OwnFile::given("--vtk", SolutionReport::VTK, self.vtk.as_ref());
         let state = OwnFile::given(FINAL_STATE, SolutionReport::STATE, self.final_state.as_ref());
-        vtk.into_iter().chain(state).collect()
+        let history = OwnFile::given("--history", SolutionReport::HISTORY, self.history.as_ref());
+        vtk.into_iter().chain(history).chain(state).collect()
     }
 
     fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {

@@ -189,10 +189,9 @@ fn refuse_foreign(path: &Path) -> Result<(), Failure> {
 /// Whether a drawing or a picture is one of ours: its mark stands near its beginning.
 fn is_ours(figure: &Path) -> bool {
     const HEAD: u64 = 4096;
-    let words = MARK.trim_start_matches("<desc>").trim_end_matches("</desc>");
     let mut head = Vec::new();
     let read = File::open(figure).and_then(|file| file.take(HEAD).read_to_end(&mut head));
-    read.is_ok() && head.windows(words.len()).any(|part| part == words.as_bytes())
+    read.is_ok() && head.windows(MARK.len()).any(|part| part == MARK.as_bytes())
 }
 
 /// Figures of an earlier run of this command that this one has not drawn.

@@ -310,7 +310,8 @@ fn a_case_may_be_a_shift_at_rest() {
          coefficient = 0.3\n[grid]\ncells_x = 40\ncells_y = 40\n\
          [history]\nshift_x = \"0.015 mm\"\n",
     );
-    let run = bench.run(&["solve", "shift.toml", "--quiet", "--json", "-", "--figures", "f"]);
+    let outputs = ["--quiet", "--json", "-", "--figures", "f", "--history", "h.csv"];
+    let run = bench.run(&[&["solve", "shift.toml"][..], &outputs].concat());
     assert_eq!(run.code, Some(0), "{}", run.stderr);
     let result: Value = serde_json::from_str(&run.stdout).unwrap();
     let force = result["normalised"]["x"].as_f64().unwrap();
@@ -318,6 +319,14 @@ fn a_case_may_be_a_shift_at_rest() {
     assert_eq!(result["kinematics"]["creepage_x"], 0.0);
     assert_eq!(result["power"]["friction"], 0.0);
     assert!(result["history"]["stored_energy"][0].as_f64().unwrap() > 0.0);
+    let table = bench.read("h.csv");
+    let lines: Vec<&str> = table.lines().collect();
+    let names: Vec<&str> = lines[1].split(',').collect();
+    let mut keys: Vec<&str> =
+        result["history"].as_object().unwrap().keys().map(String::as_str).collect();
+    keys.sort_unstable_by_key(|key| names.iter().position(|name| name == key));
+    assert_eq!(keys, names);
+    assert_eq!(lines.len() - 2, result["history"]["time"].as_array().unwrap().len());
     let fast = bench.run(&["solve", "shift.toml", "--set", "solver.method=polach"]);
     assert_eq!(fast.code, Some(2), "{}", fast.stderr);
     assert!(fast.stderr.contains("history"), "{}", fast.stderr);

@@ -26,7 +26,7 @@ const ADDED_KEYS: &str = "normal.origin_x normal.origin_y normal.parts power.ret
     temperature.peclet_wheel temperature.peclet_rail history.time history.speed history.creepage_x \
     history.creepage_y history.spin history.load history.force_x history.force_y \
     history.moment_z history.max_rise history.distance history.friction_power history.creep_power \
-    history.stored_energy reference reference.point reference.patch reference.patch.creepage_x \
+    history.stored_energy history.residual history.newton_iterations reference reference.point reference.patch reference.patch.creepage_x \
     reference.patch.creepage_y reference.patch.spin reference.patch.moment_z reference.file";
 
 fn paths(value: &serde_json::Value, prefix: &str, found: &mut BTreeSet<String>) {

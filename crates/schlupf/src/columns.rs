@@ -201,6 +201,8 @@ impl Record for [Instant] {
             CreepPower => |steps, k| steps[k].creep_power,
             StoredEnergy => |steps, k| steps[k].stored_energy,
             MaxRise => |steps, k| steps[k].max_rise,
+            Residual => |steps, k| steps[k].residual,
+            NewtonIterations => |steps, k| steps[k].newton_iterations,
         }
     }
 }

@@ -36,9 +36,7 @@ fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
-    // The words that mark the drawing, too.
-    let words = MARK.trim_start_matches("<desc>").trim_end_matches("</desc>");
-    encoder.add_text_chunk("Comment".to_owned(), words.to_owned())?;
+    encoder.add_text_chunk("Comment".to_owned(), MARK.to_owned())?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&opaque)?;
     writer.finish()?;

@@ -21,7 +21,7 @@ pub(crate) struct Drawing {
 }
 
 /// Mark near the beginning of our drawings, by which they are recognised.
-pub const MARK: &str = "<desc>drawn by schlupf</desc>";
+pub const MARK: &str = "drawn by schlupf";
 
 impl Drawing {
     /// An empty drawing.
@@ -99,7 +99,7 @@ impl Drawing {
         format!(
             r##"<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="{width:.0}" height="{height:.0}" viewBox="0 0 {width:.0} {height:.0}" font-family="{family}" fill="{INK}">
-{MARK}
+<desc>{MARK}</desc>
 <style>{faces}</style>
 <rect width="100%" height="100%" fill="#ffffff"/>
 {body}</svg>

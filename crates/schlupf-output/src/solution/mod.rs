@@ -27,6 +27,8 @@ pub struct SolutionReport {
 impl SolutionReport {
     /// Format of the fields for `ParaView`.
     pub const VTK: &str = "vtk";
+    /// Format of the history, a table with a row for each time step.
+    pub const HISTORY: &str = "history";
     /// Format of the final state.
     pub const STATE: &str = "state";
 }
@@ -68,6 +70,10 @@ impl Report for SolutionReport {
     fn own_file(&self, format: &str) -> Option<Vec<u8>> {
         match format {
             Self::VTK => Some(vtk::structured_points(&self.title, &self.solution)),
+            Self::HISTORY => {
+                let note = "forces on the wheel";
+                Some(table::csv(self.solution.history.as_slice(), note).into_bytes())
+            }
             Self::STATE => serde_json::to_vec(&self.solution.state).ok(),
             _ => None,
         }
