@@ -10,8 +10,7 @@ pub struct CaseArguments {
     /// Case file (TOML), `-` for standard input; by default a steel wheel braking on a steel rail
     #[arg(value_hint = ValueHint::FilePath)]
     pub case: Option<PathBuf>,
-    /// Set a field in place of the file, such as normal.load="60 kN"; an empty value removes the
-    /// field
+    /// Override a field, such as normal.load="60 kN"; an empty value removes the field
     #[arg(long = "set", value_name = "SECTION.FIELD=VALUE")]
     pub overrides: Vec<String>,
 }
@@ -22,7 +21,7 @@ pub const STANDARD_STREAM: &str = "-";
 /// Where to write the results.
 #[derive(Debug, Args)]
 pub struct OutputArguments {
-    /// Write the results as JSON; `-` is standard output, then without the summary
+    /// Write the results as JSON; `-` is standard output, in place of the summary
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub json: Option<PathBuf>,
     /// Write the table of the results as CSV, one row for each cell, point or method
@@ -51,10 +50,10 @@ impl OutputArguments {
 /// Where to write a case file.
 #[derive(Debug, Args)]
 pub struct InitArguments {
-    /// Where to; `-` is standard output
+    /// File to write; `-` is standard output
     #[arg(default_value = "case.toml", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Overwrite the file if there is one
+    /// Overwrite an existing file
     #[arg(long)]
     pub force: bool,
 }

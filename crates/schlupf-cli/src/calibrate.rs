@@ -35,7 +35,7 @@ pub struct Calibrate {
     /// Which case; its patch and its bodies count.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Calibrate against the half-space anew, beside the table
+    /// Recalibrate against the half-space, beside the table
     #[arg(long, conflicts_with = "displacements")]
     pub anew: bool,
     /// Fit to displacements of a finite-element model (CSV with columns x, y, traction_x,

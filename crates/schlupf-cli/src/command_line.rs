@@ -20,10 +20,10 @@ use crate::temperature::Temperature;
 const EXIT_CODES: &str = "\
 Exit codes:
   0  converged
-  1  the file system failed
+  1  I/O error
   2  bad input
-  3  not converged: the results are written and marked; if the normal contact was not found, there are none
-130  interrupted: standard error says whether the files were written";
+  3  not converged; results are written and marked, unless the normal contact was not found
+130  interrupted; standard error reports whether the files were written";
 
 /// Rolling contact of wheel and rail: forces, stress, slip and temperature in the contact patch.
 #[derive(Debug, Parser)]
@@ -32,8 +32,7 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
-    /// Threads for what can be computed at the same time; all cores when left out. Results do not
-    /// depend on it
+    /// Number of threads for independent solutions [default: all cores]
     #[arg(long, global = true, value_name = "N", value_parser = number_of_threads)]
     pub threads: Option<usize>,
 }
@@ -51,30 +50,29 @@ pub enum Command {
     /// Solve a case
     #[command(after_help = EXIT_CODES)]
     Solve(Box<Solve>),
-    /// Compute creep curves: forces over creepage
+    /// Compute creep curves: forces against creepage
     #[command(after_help = EXIT_CODES)]
     Curve(Box<Curve>),
-    /// From rough surfaces to the contact stiffness k_c: statistics, contact area, tangential
-    /// curves
+    /// Compute k_c from rough surfaces, with statistics, contact area and tangential curves
     #[command(after_help = EXIT_CODES)]
     Roughness(Box<Roughness>),
-    /// Compare all methods on a case: forces, temperature, time
+    /// Solve a case by all methods and compare forces, temperatures and times
     #[command(after_help = EXIT_CODES)]
     Compare(Box<Compare>),
-    /// Temperatures of wheel and rail below a point, and along its row with the wake
+    /// Compute temperatures below a point and along its row, including the wake
     #[command(after_help = EXIT_CODES)]
     Temperature(Box<Temperature>),
-    /// Long-term bulk temperature of the wheel, from its heat balance, in place of the case's
+    /// Compute the long-term bulk temperature of the wheel from its heat balance
     #[command(after_help = EXIT_CODES)]
     Bulk(Box<Bulk>),
-    /// Stiffnesses of the elastic layer: from the table, calibrated anew, or fitted to
+    /// Determine the stiffnesses of the elastic layer: tabulated, recalibrated, or fitted to
     /// displacements
     #[command(after_help = EXIT_CODES)]
     Calibrate(Box<Calibrate>),
-    /// Find constants of friction and contact law from measured creep forces
+    /// Fit constants of friction and contact law to measured creep forces
     #[command(after_help = EXIT_CODES)]
     Fit(Box<Fit>),
-    /// Check a case file and say what it would solve
+    /// Validate a case file and show what would be solved
     Check(CaseArguments),
     /// Write a commented case file to start from
     Init(InitArguments),

@@ -31,7 +31,7 @@ pub struct Curve {
     /// Which case.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Vary the longitudinal creepage, such as 0..0.05; several of these options vary all together
+    /// Vary the longitudinal creepage, such as 0..0.05; several such options vary together
     #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
     pub creepage_x: Option<String>,
     /// Vary the lateral creepage
@@ -56,7 +56,7 @@ pub struct Curve {
     #[arg(long, value_name = "N", default_value_t = Sampling::default().points,
           value_parser = number_of_points)]
     pub points: usize,
-    /// How the points are spaced: finer near zero creepage, or evenly
+    /// Spacing of the points
     #[arg(long, value_enum, default_value_t = SpacingArgument::Refined)]
     pub spacing: SpacingArgument,
     /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s"
@@ -76,9 +76,9 @@ pub fn number_of_points(text: &str) -> Result<usize, String> {
 /// How the points of a curve are spaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum SpacingArgument {
-    /// Steps grow from zero creepage outwards
+    /// Finer near zero creepage
     Refined,
-    /// All steps are equal
+    /// Equal steps
     Even,
 }
 

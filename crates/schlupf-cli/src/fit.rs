@@ -48,11 +48,11 @@ pub struct Fit {
     /// pressure grows e-fold
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_GAMMA, value_parser = gamma)]
     pub gamma: f64,
-    /// Most steps of the fit
+    /// Maximum number of steps of the fit
     #[arg(long, value_name = "N", default_value_t = 100,
           value_parser = clap::value_parser!(u32).range(1..))]
     pub max_steps: u32,
-    /// Write the case with the values found, comments and layout kept
+    /// Write the case with the fitted values, keeping comments and layout
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub write_case: Option<PathBuf>,
     /// Where to write the results.

@@ -38,17 +38,17 @@ pub struct Roughness {
     /// um",seed=1; also rms_slope and roll_off
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub synthetic: Option<String>,
-    /// What is taken off a measured surface [default: plane]
+    /// Form to remove from a measured surface [default: plane]
     #[arg(long, value_name = "plane|cylinder|sphere|none", requires = "surface")]
     pub form: Option<String>,
-    /// Take longer waves than this off a measured surface, such as "0.8 mm" (λc of the Gaussian
+    /// Remove waves longer than this from a measured surface, such as "0.8 mm" (λc of the Gaussian
     /// filter, ISO 16610)
     #[arg(long, value_name = "LENGTH", requires = "surface")]
     pub cutoff: Option<String>,
     /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um
     #[arg(long, value_name = "UNIT", requires = "surface")]
     pub unit: Option<String>,
-    /// Distance of the points of an .npy file, such as "1 um"
+    /// Spacing of the points of an .npy file or of heights alone, such as "1 um"
     #[arg(long, value_name = "LENGTH", requires = "surface")]
     pub spacing: Option<String>,
     /// Fill points without a height smoothly
@@ -57,13 +57,13 @@ pub struct Roughness {
     /// Resample a surface whose cells are not square
     #[arg(long, requires = "surface")]
     pub square_cells: bool,
-    /// Cells along x: the surface is resampled, or made with so many
+    /// Cells along x of the resampled or synthetic surface
     #[arg(long, value_name = "N")]
     pub cells: Option<String>,
-    /// Seed of the surface made from a profile
+    /// Seed of a surface generated from a profile
     #[arg(long, value_name = "N", requires = "surface")]
     pub seed: Option<String>,
-    /// Mean pressures: a range, of which six are taken, or a list [default: 0.2..1.2 GPa; those of
+    /// Mean pressures: a range (six pressures) or a list [default: 0.2..1.2 GPa; those of
     /// the patch with --case]
     #[arg(long, allow_hyphen_values = true, value_name = "START..END|P,P,…")]
     pub pressure: Option<String>,
@@ -73,7 +73,7 @@ pub struct Roughness {
     /// Hardness of the softer body, such as "2.5 GPa" [default: elastic bodies]
     #[arg(long, allow_hyphen_values = true, value_name = "PRESSURE")]
     pub hardness: Option<String>,
-    /// Case file of the bodies; steel wheel and rail when none is named
+    /// Case file of the bodies [default: steel wheel and rail]
     #[arg(long, value_name = "CASE", value_hint = ValueHint::FilePath)]
     pub case: Option<PathBuf>,
     /// Set a field of the case, such as wheel.young_modulus="200 GPa"
@@ -85,7 +85,7 @@ pub struct Roughness {
     /// Write the pressures in all cells at the largest mean pressure as .npy in Pa
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub pressures: Option<PathBuf>,
-    /// Write the gaps there as .npy in m; negative is the depth that was flattened
+    /// Write the gaps there as .npy in m; a negative gap is the flattened depth
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub gaps: Option<PathBuf>,
     /// Where to write the results.

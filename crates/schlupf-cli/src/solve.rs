@@ -35,10 +35,10 @@ pub struct Solve {
     /// Write the history as CSV, one row for each time step
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub history: Option<PathBuf>,
-    /// Start from the state that --final-state has written
+    /// Start from a state written by --final-state
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub initial_state: Option<PathBuf>,
-    /// Write the state at the end, to go on from
+    /// Write the final state, from which another run may start
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub final_state: Option<PathBuf>,
     /// Where to write the results.

@@ -18,16 +18,16 @@ pub struct Temperature {
     /// Which case.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Place along rolling, such as "-3 mm"; the hottest one when left out
+    /// Position along rolling, such as "-3 mm" [default: the hottest point]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub x: Option<String>,
-    /// Place across rolling; that of the hottest point when left out
+    /// Position across rolling [default: the hottest point]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub y: Option<String>,
-    /// Depths of the profile, such as "0..2 mm"; as far as heat has come when left out
+    /// Depths of the profile, such as "0..2 mm" [default: as far as heat has penetrated]
     #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
     pub depth: Option<String>,
-    /// Length of the wake; twice the length of the contact when left out
+    /// Length of the wake [default: twice the length of the contact]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub wake: Option<String>,
     /// Number of points of each line
