@@ -21,7 +21,7 @@ pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
 }
 
 /// What to write in place of per cent.
-pub const NOT_PER_CENT: &str = "it is a part of one, not per cent: 1 % is 0.01";
+pub const NOT_PER_CENT: &str = "give a fraction, not a percentage: 1 % is 0.01";
 
 /// Whether a unit or the end of a text stands for per cent.
 pub fn is_per_cent(text: &str) -> bool {
