@@ -37,7 +37,7 @@ fn unknown_names_come_with_a_suggestion() {
 
 #[test]
 fn per_cent_is_no_unit_of_a_creepage() {
-    const ADVICE: &str = "not per cent: 1 % is 0.01";
+    const ADVICE: &str = "not a percentage: 1 % is 0.01";
     assert_errors(&[
         ("[kinematics]\ncreepage_x = 1.539", "kinematics.creepage_x", &["reversed", ADVICE]),
         ("[kinematics]\ncreepage_y = -1.539", "kinematics.creepage_y", &["below 1", ADVICE]),
