@@ -1,4 +1,4 @@
-//! Whatever the reader of results must know about a case.
+//! Notices: what users of results should know about a case.
 
 use schlupf::message::{Message, messages};
 

@@ -218,7 +218,7 @@ impl Solved {
     }
 }
 
-/// Whatever the reader of the numbers must know, but for what the table shows: that a fast method
+/// Warnings, except for what the table shows: that a fast method
 /// gives no fields.
 fn warnings(entries: &[Entry]) -> Vec<Message> {
     let of = |entry: &Entry| match &entry.answer {

@@ -1,4 +1,4 @@
-//! Whatever the reader of results must know about what a command did.
+//! Notices: what users of results should know about what a command did.
 
 use schlupf::Error;
 use schlupf::message::{Message, messages};

@@ -162,7 +162,7 @@ impl<'a> Outputs<'a> {
         Self { files: common.chain(own).map(output).collect(), directory }
     }
 
-    /// Whatever can be checked without the case.
+    /// Checks that do not need the case.
     fn check(&self) -> Result<(), Failure> {
         outputs::check(&self.files, self.directory.as_ref())?;
         let Some(directory) = &self.directory else { return Ok(()) };
