@@ -38,7 +38,7 @@ pub struct Case {
     pub method: Method,
     /// How the bodies deform.
     pub elasticity: ElasticityModel,
-    /// Which way to the solution was asked for.
+    /// Which how the solution is found was asked for.
     pub driver: Option<Driver>,
     /// How accurately.
     pub options: Options,

@@ -69,7 +69,7 @@ choices! {
     /// `elasticity.model`.
     ElasticityModel {
         ElasticLayer "elastic-layer" "a bed of springs, each coupled with its neighbours";
-        HalfSpace "half-space" "Boussinesq and Cerruti: exact for bodies large against the patch";
+        HalfSpace "half-space" "Boussinesq and Cerruti: exact for bodies that are large compared with the patch";
         Winkler "winkler" "a bed of springs without coupling";
         Rigid "rigid" "no deformation: the slip is prescribed";
     }
@@ -83,7 +83,7 @@ choices! {
 
     /// `contact_law.model`.
     ContactLawModel {
-        Incremental "incremental" "right for any path of sliding";
+        Incremental "incremental" "valid for any path of sliding";
         TotalDisplacement "total-displacement"
             "Neuhaus and Sextro 2014, for sliding in one direction";
     }
@@ -129,9 +129,9 @@ choices! {
         Velocity "velocity" "from speeds and effusivities of both bodies";
     }
 
-    /// `solver.driver`: a way to the solution of the full equations.
+    /// `solver.driver`: a how the solution is found of the full equations.
     Driver {
-        Steady "steady" "the steady state at once";
+        Steady "steady" "the steady state directly";
         Marching "marching" "step by step in time: to the steady state, or along a history";
     }
 

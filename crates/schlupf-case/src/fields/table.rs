@@ -110,7 +110,7 @@ const TITLE: Section = Section {
         Kind::Text,
         Finite,
         Text("wheel on rail"),
-        "stands over the summary and the figures",
+        "title of summary and figures",
     )
     .example("steel wheel, 80 kN, braking")],
 };
@@ -196,10 +196,10 @@ section! {
          m, each row along x",
         shaping(), example("pressure.csv"), with("normal.model", FILES);
     "spacing_x" [] quantity(&Measure::LENGTH), SPACING, Nothing,
-        "distance of the columns of an .npy file", shaping(), example("0.5 mm"),
+        "spacing of the columns of an .npy file", shaping(), example("0.5 mm"),
         with("normal.model", FILES);
     "spacing_y" [] quantity(&Measure::LENGTH), SPACING, Nothing,
-        "distance of the rows of an .npy file", shaping(), example("0.5 mm"),
+        "spacing of the rows of an .npy file", shaping(), example("0.5 mm"),
         with("normal.model", FILES);
     "cells" [NormalCells] Kind::Count, Between(16.0, 512.0), Text("128"),
         "cells across the contact each way, on which the pressure of a profile is found", shaping(),

@@ -22,7 +22,7 @@ section! {
         "How traction grows with the sliding of rough surfaces.";
 
     "model" [] Kind::Choice(ContactLawModel::CHOICES), Finite, Text("incremental"),
-        "which sliding counts", with(METHOD, FULL);
+        "measure of sliding", with(METHOD, FULL);
     "stiffness" [ContactStiffness] quantity(&Measure::PER_LENGTH), CONTACT_STIFFNESS,
         Computed("5e6 1/m where there is no roughness"),
         "k_c, rate at which traction approaches the friction limit", example("5e6 1/m"),
@@ -64,16 +64,16 @@ section! {
         "unit of heights in .npy files, of all lengths in .xyz files", example("um"),
         with(METHOD, FULL);
     "spacing" [SpacingX SpacingY] quantity(&Measure::LENGTH), AboveUpTo(0.0, 1.0), Nothing,
-        "distance of the points of an .npy file", example("1 um"), with(METHOD, FULL);
+        "spacing of the points of an .npy file, or of heights alone", example("1 um"), with(METHOD, FULL);
     "form" [Form] Kind::Choice(FormTakenOff::CHOICES), Finite, Computed("\"plane\""),
-        "what is taken off the file's heights", example("cylinder"), with(METHOD, FULL);
+        "form removed from the file's heights", example("cylinder"), with(METHOD, FULL);
     "cutoff_wavelength" [CutoffWavelength] quantity(&Measure::LENGTH), WAVELENGTH, Nothing,
-        "λc: longer waves are taken off the file's heights (Gaussian filter, ISO 16610)",
+        "λc: longer waves are removed from the file's heights (Gaussian filter, ISO 16610)",
         example("0.8 mm"), with(METHOD, FULL);
     "fill_holes" [] Kind::Flag, Finite, Computed("false"),
         "whether points without a height are filled smoothly", example("true"), with(METHOD, FULL);
     "square_cells" [] Kind::Flag, Finite, Computed("false"),
-        "whether cells that are not square are made so", example("true"), with(METHOD, FULL);
+        "whether cells that are not square are resampled", example("true"), with(METHOD, FULL);
     "cells" [Columns Rows] Kind::Count, CELLS,
         Computed("as measured; suitable for a self-affine surface"),
         "cells of the micro model along x", example("512"), with(METHOD, FULL);

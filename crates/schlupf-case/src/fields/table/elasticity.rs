@@ -37,14 +37,14 @@ section! {
         with(MODEL, LAYER);
     "coupling_x_across" [CouplingXAcross] quantity(&Measure::STIFFNESS), COUPLING,
         Same("elasticity.coupling_x"),
-        "the same between neighbours across rolling, if it is another one", shaping(),
+        "the same between neighbours across rolling, if different", shaping(),
         example("3.24e7 N/m"), with(MODEL, LAYER);
     "coupling_y" [CouplingY] quantity(&Measure::STIFFNESS), COUPLING, Same("elasticity.coupling_x"),
         "g, coupling stiffness for displacements along y", shaping(), example("3.24e7 N/m"),
         with(MODEL, LAYER);
     "coupling_y_across" [CouplingYAcross] quantity(&Measure::STIFFNESS), COUPLING,
         Same("elasticity.coupling_y"),
-        "the same between neighbours across rolling, if it is another one", shaping(),
+        "the same between neighbours across rolling, if different", shaping(),
         example("3.24e7 N/m"), with(MODEL, LAYER);
     "spring_x" [SpringX] quantity(&Measure::STIFFNESS), SPRING, Nothing,
         "Δc, spring of one cell along x, in place of the stiffnesses per area", shaping(),

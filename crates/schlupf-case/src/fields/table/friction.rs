@@ -50,7 +50,7 @@ section! {
         Same("rail.bulk_temperature"),
         "T is counted from it", example("20 degC"), with(MODEL, OF_TEMPERATURE);
     "minimum_coefficient" [MinimumCoefficient] Kind::Number, PART, Text("0.0"),
-        "floor of μ, before speed_model and the variation over y act", with(MODEL, LINEAR);
+        "floor of μ, before speed_model and the variation over y apply", with(MODEL, LINEAR);
     "hot_coefficient" [HotCoefficient] Kind::Number, PART, Nothing,
         "μ_hot; above μ0 where friction rises", example("0.2"), with(MODEL, PIECEWISE);
     "temperature_range" [TemperatureRange] quantity(&Measure::TEMPERATURE_DIFFERENCE), DIFFERENCE,
@@ -74,10 +74,10 @@ section! {
         "B, rate of the fall with the slip speed", example("0.60 s/m"), with(SPEED_MODEL, POLACH),
         with(MODEL, POLACH);
     "memory_distance" [MemoryDistance] quantity(&Measure::LENGTH), MEMORY_DISTANCE, Nothing,
-        "d_c, sliding distance over which friction follows its law; at once if left out",
+        "d_c, sliding distance over which friction approaches its law; default: instantly",
         example("20 um");
     "memory_speed" [MemorySpeed] quantity(&Measure::SPEED), MEMORY_SPEED, Nothing,
-        "s0, slip speed below which friction follows as fast as at it; 0 if left out",
+        "s0, smallest slip speed that counts for the memory; default: 0",
         example("1 mm/s");
     "variation_y" [VariationY] Kind::Quantities(&Measure::LENGTH), POSITION, Nothing,
         "positions across the patch, ascending, at which variation_factor is given",

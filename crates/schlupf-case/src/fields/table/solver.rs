@@ -35,20 +35,20 @@ section! {
 
     "driver" [Driver] Kind::Choice(Driver::CHOICES), Finite,
         Computed("\"steady\", and \"marching\" with a history"),
-        "way to the solution", example("steady"), with(METHOD, FULL);
+        "how the solution is found", example("steady"), with(METHOD, FULL);
     "branch" [Branch] Kind::Choice(BranchChoice::CHOICES), Finite, Text("low-slip"),
-        "which steady state where friction falls so fast that there are several",
+        "which steady state, where friction falls so steeply that there are several",
         with(METHOD, FULL);
     "method" [Method] Kind::Choice(MethodChoice::CHOICES), Finite, Text("full"),
         "what is solved: all equations, or a fast method";
     "tolerance" [Tolerance] Kind::Number, Between(1e-13, 0.1), Text("1e-6"),
         "largest relative residual", with(METHOD, FULL);
     "max_iterations" [MaxIterations] Kind::Count, AtLeast(1.0), Text("200"),
-        "most Newton steps for one equilibrium", with(METHOD, FULL);
+        "maximum number of Newton steps per equilibrium", with(METHOD, FULL);
     "max_steps" [MaxSteps] Kind::Count, AtLeast(1.0), Text("2000"),
-        "most time steps on the way to the steady state", with(METHOD, FULL);
+        "maximum number of time steps to the steady state", with(METHOD, FULL);
     "sensitivity" [Sensitivities] Kind::Flag, Finite, Text("true"),
-        "whether to find the derivatives of the forces too, in the steady driver",
+        "whether to compute the derivatives of the forces, with the steady driver",
         with(METHOD, FULL);
     "slip_threshold" [SlipThreshold] Kind::Number, AboveUpTo(0.0, 0.999), Text("0.95"),
         "a cell slides where |t| ≥ this · μ p_n", with(METHOD, CELLS);
@@ -70,7 +70,7 @@ section! {
         "k0, reduction of the slope at vanishing creepage: k = k0 ((1 − α)/(1 + β ε) + α)",
         with(METHOD, MODIFIED);
     "reduction_limit_ratio" [ReductionLimitRatio] Kind::Number, Between(0.0, 1.0), Text("0.025"),
-        "α, part of k0 that is left at large creepages", with(METHOD, MODIFIED);
+        "α, fraction of k0 at large creepages", with(METHOD, MODIFIED);
     "reduction_decay" [ReductionDecay] Kind::Number, Between(0.0, 1e6), Text("0.85"),
         "β, rate at which the slope falls with the creepage", with(METHOD, MODIFIED);
 }
