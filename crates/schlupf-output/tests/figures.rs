@@ -187,6 +187,14 @@ fn histories_are_drawn_over_time_where_the_speed_varies() {
     solution.history[20].kinematics.speed = 20.0;
     let text = history(&solution);
     assert!(text.contains("time (ms)") && text.contains("speed v0 (m/s)"), "{text}");
+    // A history that begins late fills the axis all the same.
+    for instant in &mut solution.history {
+        instant.time = 7.0 + 1e3 * instant.time;
+    }
+    let text = history(&solution);
+    assert!(text.contains("time (s)"), "{text}");
+    let ticks: Vec<f64> = text.lines().filter_map(|word| word.parse().ok()).collect();
+    assert!(ticks.iter().filter(|tick| (7.0..=7.7).contains(*tick)).count() >= 3, "{text}");
 }
 
 /// Straight ahead there are no lateral forces, tractions and slips to be listed.

@@ -13,17 +13,20 @@ pub(crate) fn draw(patch: &Patch) -> String {
     let history = &patch.solution.history;
     let axis = Axis::of(history);
     let places: Vec<f64> = history.iter().map(axis.place).collect();
-    let total = places.last().copied().unwrap_or(0.0);
-    let unit = units::pick(axis.units, total);
+    let start = places.first().copied().filter(|_| axis.has_own_start).unwrap_or(0.0);
+    let end = places.last().copied().unwrap_or(0.0);
+    let unit = units::pick(axis.units, start.abs().max(end.abs()));
     let x: Vec<f64> = places.iter().map(|place| place / unit.size).collect();
     let mut panels = vec![forces(history, &x)];
     panels.extend(load(history, &x));
     panels.extend(speed(history, &x));
     panels.extend(creepages(history, &x));
     panels.extend(temperature(history, &x));
-    let end = if total > 0.0 && total.is_finite() { total / unit.size } else { 1.0 };
+    let range = [start, end].map(|place| place / unit.size);
+    let is_range = range[1] > range[0] && range.iter().all(|end| end.is_finite());
+    let range = if is_range { range } else { [0.0, 1.0] };
     let label = format!("{} ({})", axis.label, unit.symbol);
-    let stack = Stack { x: [0.0, end], label: &label, panels, shaded: Vec::new(), shading: "" };
+    let stack = Stack { x: range, label: &label, panels, shaded: Vec::new(), shading: "" };
     let mut drawing = stack.drawing();
     marks::heading(&mut drawing, patch, axis.title);
     stack.draw(&mut drawing, HEADING + 40.0);
@@ -36,6 +39,8 @@ struct Axis {
     label: &'static str,
     units: &'static [Unit],
     place: fn(&Instant) -> f64,
+    /// Whether it need not begin at zero.
+    has_own_start: bool,
 }
 
 impl Axis {
@@ -48,6 +53,7 @@ impl Axis {
                 label: "time",
                 units: units::TIME,
                 place: |instant| instant.time,
+                has_own_start: true,
             };
         }
         Self {
@@ -55,6 +61,7 @@ impl Axis {
             label: "rolled distance",
             units: units::DISTANCE,
             place: |instant| instant.distance,
+            has_own_start: false,
         }
     }
 }
@@ -91,25 +98,32 @@ fn load(history: &[Instant], x: &[f64]) -> Option<Panel> {
     let largest = history.iter().map(|instant| instant.load).fold(0.0, f64::max);
     let unit = units::pick(units::FORCE, largest);
     let points = points(x, history, |instant| instant.load / unit.size);
-    let label = format!("load $N$ ({})", unit.symbol);
-    let curves = vec![Curve::solid(points, INK, "")];
-    varies(history, |instant| instant.load).then_some(Panel { label, height: 150.0, curves })
+    let is_shown = varies(history, |instant| instant.load);
+    is_shown.then(|| condition(format!("load $N$ ({})", unit.symbol), points))
 }
 
 /// `None` if it is constant, apart from a shift at rest.
 fn speed(history: &[Instant], x: &[f64]) -> Option<Panel> {
-    let at_rest = history.iter().take_while(|instant| instant.kinematics.speed == 0.0).count();
-    let (history, x) = (&history[at_rest..], &x[at_rest..]);
+    let (history, x) = rolling(history, x);
     let points = points(x, history, |instant| instant.kinematics.speed);
-    let curves = vec![Curve::solid(points, INK, "")];
-    let panel = Panel { label: "speed $v$_0 (m/s)".to_owned(), height: 150.0, curves };
-    varies(history, |instant| instant.kinematics.speed).then_some(panel)
+    let is_shown = varies(history, |instant| instant.kinematics.speed);
+    is_shown.then(|| condition("speed $v$_0 (m/s)".to_owned(), points))
+}
+
+/// A panel of what is prescribed.
+fn condition(label: String, points: Vec<[f64; 2]>) -> Panel {
+    Panel { label, height: 150.0, curves: vec![Curve::solid(points, INK, "")] }
+}
+
+/// What comes after a shift at rest.
+fn rolling<'a>(history: &'a [Instant], x: &'a [f64]) -> (&'a [Instant], &'a [f64]) {
+    let at_rest = history.iter().take_while(|instant| instant.kinematics.speed == 0.0).count();
+    (&history[at_rest..], &x[at_rest..])
 }
 
 /// `None` if they are constant. A shift at rest has none.
 fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
-    let at_rest = history.iter().take_while(|instant| instant.kinematics.speed == 0.0).count();
-    let (history, x) = (&history[at_rest..], &x[at_rest..]);
+    let (history, x) = rolling(history, x);
     let first = history.first()?.kinematics;
     let changes = history.iter().any(|instant| {
         instant.kinematics.creepage_x != first.creepage_x
