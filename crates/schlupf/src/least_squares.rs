@@ -1,8 +1,7 @@
 //! Nonlinear least squares (Levenberg 1944, Marquardt 1963): parameters that minimise a sum of
 //! squared residuals, for calibration and identification.
 
-use faer::Mat;
-use faer::linalg::solvers::{DenseSolveCore, Solve};
+use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::error::Error;
 use crate::numerics::vector::dot;
@@ -30,8 +29,8 @@ pub trait Residuals: Send + Sync {
         &mut self,
         parameters: &[f64],
         residuals: &[f64],
-    ) -> Result<Option<Mat<f64>>, Error> {
-        let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
+    ) -> Result<Option<DMatrix<f64>>, Error> {
+        let mut jacobian = DMatrix::zeros(residuals.len(), parameters.len());
         for column in 0..parameters.len() {
             let Some((step, changed)) = self.beside(parameters, column)? else { return Ok(None) };
             for (row, (changed, residual)) in changed.iter().zip(residuals).enumerate() {
@@ -99,7 +98,7 @@ pub struct Minimum {
     /// The residuals there, dimensionless.
     pub residuals: Vec<f64>,
     /// Their derivatives (rows) with respect to the parameters (columns), dimensionless.
-    pub jacobian: Mat<f64>,
+    pub jacobian: DMatrix<f64>,
     /// Whether one of the limits was reached.
     pub converged: bool,
     /// Whether the parameter is held by a bound: the sum of squares would fall beyond it.
@@ -117,20 +116,19 @@ impl Minimum {
     /// (JᵀJ)⁻¹, dimensionless: with residuals of unit variance the covariance of the parameters.
     /// `None` if it is numerically singular: some combination of the parameters changes no
     /// residual.
-    pub fn covariance(&self) -> Option<Mat<f64>> {
+    pub fn covariance(&self) -> Option<DMatrix<f64>> {
         let scale = column_norms(&self.jacobian);
         if scale.iter().any(|norm| *norm == 0.0 || !norm.is_finite()) {
             return None;
         }
         let n = scale.len();
-        let normal = self.jacobian.transpose() * &self.jacobian;
-        let scaled = Mat::from_fn(n, n, |i, j| normal[(i, j)] / (scale[i] * scale[j]));
-        let smallest = scaled.self_adjoint_eigenvalues(faer::Side::Lower).ok()?.first().copied()?;
-        if smallest <= SINGULAR {
+        let normal = self.jacobian.tr_mul(&self.jacobian);
+        let scaled = DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / (scale[i] * scale[j]));
+        if scaled.symmetric_eigenvalues().min() <= SINGULAR {
             return None;
         }
-        let inverse = scaled.llt(faer::Side::Lower).ok()?.inverse();
-        Some(Mat::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j])))
+        let inverse = Cholesky::new(scaled)?.inverse();
+        Some(DMatrix::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j])))
     }
 }
 
@@ -193,7 +191,7 @@ pub fn minimise(
 }
 
 /// Residuals and their derivatives.
-type Evaluated = (Vec<f64>, Mat<f64>);
+type Evaluated = (Vec<f64>, DMatrix<f64>);
 
 /// Residuals with their derivatives; if a limit is given, only if their sum of squares is below it.
 fn evaluate(
@@ -223,8 +221,9 @@ impl Minimum {
     /// The same minimum for some of the parameters, the others being fixed.
     pub fn of(&self, parameters: &[usize]) -> Self {
         let jacobian = &self.jacobian;
-        let columns =
-            Mat::from_fn(jacobian.nrows(), parameters.len(), |i, j| jacobian[(i, parameters[j])]);
+        let columns = DMatrix::from_fn(jacobian.nrows(), parameters.len(), |i, j| {
+            jacobian[(i, parameters[j])]
+        });
         Self {
             parameters: parameters.iter().map(|k| self.parameters[*k]).collect(),
             is_held: parameters.iter().map(|k| self.is_held[*k]).collect(),
@@ -268,25 +267,26 @@ impl Minimum {
         if free.is_empty() {
             return Some(step);
         }
-        let normal = self.jacobian.transpose() * &self.jacobian;
-        let mut normal = Mat::from_fn(free.len(), free.len(), |i, j| normal[(free[i], free[j])]);
+        let normal = self.jacobian.tr_mul(&self.jacobian);
+        let mut normal =
+            DMatrix::from_fn(free.len(), free.len(), |i, j| normal[(free[i], free[j])]);
         let largest = (0..free.len()).map(|i| normal[(i, i)]).fold(0.0, f64::max);
         for i in 0..free.len() {
             // A parameter without any effect does not move.
             normal[(i, i)] += damping * normal[(i, i)].max(f64::EPSILON * largest);
         }
         let descent = self.descent();
-        let right = Mat::from_fn(free.len(), 1, |row, _| descent[free[row]]);
-        let found = normal.llt(faer::Side::Lower).ok()?.solve(&right);
+        let right = DVector::from_iterator(free.len(), free.iter().map(|k| descent[*k]));
+        let found = Cholesky::new(normal)?.solve(&right);
         for (row, k) in free.into_iter().enumerate() {
-            step[k] = found[(row, 0)];
+            step[k] = found[row];
         }
         step.iter().all(|s| s.is_finite()).then_some(step)
     }
 }
 
-pub(crate) fn column_norms(matrix: &Mat<f64>) -> Vec<f64> {
-    matrix.col_iter().map(|column| column.norm_l2()).collect()
+pub(crate) fn column_norms(matrix: &DMatrix<f64>) -> Vec<f64> {
+    matrix.column_iter().map(|column| column.norm()).collect()
 }
 
 #[cfg(test)]

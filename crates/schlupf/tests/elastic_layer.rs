@@ -8,8 +8,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling, solve};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::{Cholesky, DMatrix};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::grid::{Extent, Grid, VectorField};
@@ -178,10 +177,10 @@ impl Lattice {
     }
 
     /// Stiffness matrix C of all elements, row after row, in N/m; Eq. (4).
-    fn stiffness_matrix(&self) -> Mat<f64> {
+    fn stiffness_matrix(&self) -> DMatrix<f64> {
         let count = self.columns * self.rows;
         let [bedding, along, across] = self.springs();
-        let mut matrix = Mat::zeros(count, count);
+        let mut matrix = DMatrix::zeros(count, count);
         let mut connect = |p: usize, q: usize, spring: f64| {
             matrix[(p, p)] += spring;
             matrix[(q, q)] += spring;
@@ -204,15 +203,15 @@ impl Lattice {
 
     /// Reduced stiffness C_red = C_ii − C_io C_oo⁻¹ C_oi of the elements in `contact`, in N/m;
     /// Eq. (7). `None` where C_oo is not positive definite, which a bedding c > 0 rules out.
-    fn reduced_stiffness(&self, contact: &[usize]) -> Option<Mat<f64>> {
+    fn reduced_stiffness(&self, contact: &[usize]) -> Option<DMatrix<f64>> {
         let matrix = self.stiffness_matrix();
         let inside = |k: &usize| contact.contains(k);
         let outside: Vec<usize> = (0..matrix.nrows()).filter(|k| !inside(k)).collect();
         let block = |rows: &[usize], columns: &[usize]| {
-            Mat::from_fn(rows.len(), columns.len(), |i, j| matrix[(rows[i], columns[j])])
+            DMatrix::from_fn(rows.len(), columns.len(), |i, j| matrix[(rows[i], columns[j])])
         };
-        let factor = block(&outside, &outside).llt(Side::Lower).ok()?;
-        let moved_outside = factor.solve(block(&outside, contact));
+        let factor = Cholesky::new(block(&outside, &outside))?;
+        let moved_outside = factor.solve(&block(&outside, contact));
         Some(block(contact, contact) - block(contact, &outside) * moved_outside)
     }
 }
@@ -246,13 +245,13 @@ fn neuhaus_sextro_2014_condensation_is_restriction_of_the_compliance() {
         .map(|(i, j)| (j + around.rows_beyond) * around.columns + i + around.first_column)
         .collect();
     let n = contact.len();
-    let identity = Mat::<f64>::identity(n, n);
+    let identity = DMatrix::identity(n, n);
     let reduced = lattice.reduced_stiffness(&contact).unwrap();
-    let inverse = reduced.llt(Side::Lower).unwrap().solve(&identity);
+    let inverse = Cholesky::new(reduced).unwrap().solve(&identity);
 
     let full = lattice.stiffness_matrix();
-    let unit = Mat::from_fn(full.nrows(), n, |i, j| f64::from(u8::from(i == contact[j])));
-    let solved = full.llt(Side::Lower).unwrap().solve(&unit);
+    let unit = DMatrix::from_fn(full.nrows(), n, |i, j| f64::from(u8::from(i == contact[j])));
+    let solved = Cholesky::new(full.clone()).unwrap().solve(&unit);
     let largest = (0..n).map(|i| inverse[(i, i)]).fold(0.0, f64::max);
     for i in 0..n {
         for j in 0..n {

@@ -1,6 +1,6 @@
 //! Checks whether the data determine the parameters.
 
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 use crate::error::{Error, FitError};
 use crate::interface::friction::constants::FrictionConstant;
@@ -47,7 +47,7 @@ pub(super) fn check_count(
 }
 
 /// (JᵀJ)⁻¹ of a minimum, or the parameters that no force distinguishes.
-pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, Error> {
+pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<DMatrix<f64>, Error> {
     let jacobian = &minimum.jacobian;
     let norms = column_norms(jacobian);
     if let Some(k) = norms.iter().position(|norm| *norm == 0.0 || !norm.is_finite()) {
@@ -58,14 +58,12 @@ pub(super) fn covariance(minimum: &Minimum, values: Values) -> Result<Mat<f64>, 
 }
 
 /// The combination of parameters, of length one, on which the forces depend least.
-fn least_determined(jacobian: &Mat<f64>, norms: &[f64]) -> Vec<f64> {
-    let normal = jacobian.transpose() * jacobian;
+fn least_determined(jacobian: &DMatrix<f64>, norms: &[f64]) -> Vec<f64> {
+    let normal = jacobian.tr_mul(jacobian);
     let n = norms.len();
-    let scaled = Mat::from_fn(n, n, |i, j| normal[(i, j)] / (norms[i] * norms[j]));
-    match scaled.self_adjoint_eigen(Side::Lower) {
-        Ok(eigen) => (0..n).map(|i| eigen.U()[(i, 0)]).collect(),
-        Err(_) => vec![1.0; n],
-    }
+    let scaled = DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / (norms[i] * norms[j]));
+    let eigen = scaled.symmetric_eigen();
+    eigen.eigenvectors.column(eigen.eigenvalues.imin()).iter().copied().collect()
 }
 
 fn inseparable(combination: &[f64], values: Values) -> Error {
@@ -146,7 +144,7 @@ mod tests {
 
     const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
 
-    fn minimum(jacobian: Mat<f64>) -> Minimum {
+    fn minimum(jacobian: DMatrix<f64>) -> Minimum {
         let rows = jacobian.nrows();
         Minimum {
             parameters: vec![0.0; jacobian.ncols()],
@@ -161,11 +159,11 @@ mod tests {
     #[test]
     fn what_is_open_is_named_with_its_reason() {
         let values = [(COLD, 0.4), (Parameter::ContactStiffness, 5e6)];
-        let nothing = Mat::from_fn(3, 2, |i, j| if j == 0 { 0.0 } else { i as f64 });
+        let nothing = DMatrix::from_fn(3, 2, |i, j| if j == 0 { 0.0 } else { i as f64 });
         let message = covariance(&minimum(nothing), &values).unwrap_err().to_string();
         assert!(message.starts_with("friction_coefficient: "), "{message}");
         assert!(message.contains("near 0.4 no measured force depends on it"), "{message}");
-        let alike = Mat::from_fn(3, 2, |i, _| 1.0 + i as f64);
+        let alike = DMatrix::from_fn(3, 2, |i, _| 1.0 + i as f64);
         let message = covariance(&minimum(alike), &values).unwrap_err().to_string();
         let both = "distinguish friction_coefficient and contact_stiffness";
         assert!(message.contains(both), "{message}");

@@ -1,6 +1,6 @@
 //! The fit, its intervals and its warnings.
 
-use faer::Mat;
+use nalgebra::DMatrix;
 
 use crate::error::{Error, FitCause, FitError, FitStop};
 use crate::least_squares::{self, Limits, Minimum, Residuals};
@@ -248,7 +248,7 @@ fn motion(condition: &Condition) -> Vec<(Quantity, f64)> {
 }
 
 /// Correlations from a covariance.
-fn correlation(covariance: &Mat<f64>) -> Vec<Vec<f64>> {
+fn correlation(covariance: &DMatrix<f64>) -> Vec<Vec<f64>> {
     let n = covariance.nrows();
     let root = |k: usize| covariance[(k, k)].sqrt();
     let entry = |i: usize, j: usize| match covariance[(i, j)] {
@@ -261,7 +261,7 @@ fn correlation(covariance: &Mat<f64>) -> Vec<Vec<f64>> {
 
 /// Standard errors (in SI units, or dimensionless) for weighted residuals with this standard
 /// deviation.
-fn standard_errors(unscaled: &Mat<f64>, slopes: &[f64], scatter: f64) -> Vec<f64> {
+fn standard_errors(unscaled: &DMatrix<f64>, slopes: &[f64], scatter: f64) -> Vec<f64> {
     let of = |(k, slope): (usize, &f64)| scatter * slope * unscaled[(k, k)].sqrt();
     slopes.iter().enumerate().map(of).collect()
 }
@@ -296,12 +296,12 @@ impl Found<'_> {
     /// Covariance of the scaled coordinates for residuals of unit variance, after a check that the
     /// data determine the parameters. A parameter held by a bound is fixed for the others; its own
     /// variance is that without the bound, for its one-sided interval.
-    fn determined(&self, slopes: &[f64]) -> Result<Mat<f64>, Error> {
+    fn determined(&self, slopes: &[f64]) -> Result<DMatrix<f64>, Error> {
         let free = self.free();
         let values: Vec<(Parameter, f64)> = free.iter().map(|k| self.parameters[*k]).collect();
         determinacy::check_range(&self.parameters, &self.points())?;
         let (minimum, count) = (self.minimum.of(&free), self.parameters.len());
-        let mut unscaled = Mat::zeros(count, count);
+        let mut unscaled = DMatrix::zeros(count, count);
         if let Some(unbounded) = self.minimum.covariance() {
             for k in (0..count).filter(|k| !free.contains(k)) {
                 unscaled[(k, k)] = unbounded[(k, k)];

@@ -1,6 +1,6 @@
 //! Differences between computed and measured forces, as residuals of a least-squares problem.
 
-use faer::Mat;
+use nalgebra::DMatrix;
 
 use crate::error::Error;
 use crate::least_squares::Residuals;
@@ -57,7 +57,7 @@ pub(super) struct Weighted<'a> {
 struct Evaluation {
     moved: Vec<f64>,
     residuals: Vec<f64>,
-    jacobian: Mat<f64>,
+    jacobian: DMatrix<f64>,
 }
 
 /// Reason why there are no residuals.
@@ -103,7 +103,7 @@ impl<'a> Weighted<'a> {
         let values = self.values(moved);
         self.model.set(&values).map_err(Failure::Refused)?;
         let mut residuals = vec![0.0; self.data.len()];
-        let mut jacobian = Mat::zeros(self.data.len(), values.len());
+        let mut jacobian = DMatrix::zeros(self.data.len(), values.len());
         // Both components of one measurement have the same.
         let mut conditions: Vec<Condition> =
             self.order.iter().map(|row| self.data[*row].condition).collect();
@@ -156,7 +156,11 @@ impl Residuals for Weighted<'_> {
     }
 
     /// Computed together with the residuals.
-    fn jacobian(&mut self, moved: &[f64], _residuals: &[f64]) -> Result<Option<Mat<f64>>, Error> {
+    fn jacobian(
+        &mut self,
+        moved: &[f64],
+        _residuals: &[f64],
+    ) -> Result<Option<DMatrix<f64>>, Error> {
         let is_known = self.residuals(moved)?.is_some();
         Ok(self.last.as_ref().filter(|_| is_known).map(|last| last.jacobian.clone()))
     }

@@ -12,11 +12,10 @@ mod table;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
+use nalgebra::DMatrix;
 
 use crate::elasticity::half_space::HalfSpace;
-use crate::error::{Error, require, require_positive};
+use crate::error::{Error, Place, require, require_positive};
 use crate::material::Material;
 use crate::quantity::Quantity;
 use crate::reference::kalker_linear::CreepCoefficients;
@@ -43,9 +42,18 @@ pub(crate) use interpolated::is_tabulated;
 /// ```
 pub fn creep_coefficients(axis_ratio: f64, poisson_ratio: f64) -> Result<CreepCoefficients, Error> {
     check(axis_ratio, poisson_ratio)?;
+    require(Quantity::AxisRatio, SOLVABLE, axis_ratio)?;
     let [coarse, fine] = GRIDS;
-    let coarse_values = Stick::new(axis_ratio, poisson_ratio, coarse)?.coefficients();
-    let fine_values = Stick::new(axis_ratio, poisson_ratio, fine)?.coefficients();
+    let on = |across| -> Result<[f64; 4], Error> {
+        let values = Stick::new(axis_ratio, poisson_ratio, across)?.coefficients();
+        values.ok_or(Error::Invalid {
+            quantity: Quantity::AxisRatio,
+            requirement: SOLVABLE,
+            value: axis_ratio,
+            place: Place::Only,
+        })
+    };
+    let (coarse_values, fine_values) = (on(coarse)?, on(fine)?);
     let weight = 1.0 / ((fine as f64 / coarse as f64).powf(ORDER) - 1.0);
     let extrapolated = |c: usize| fine_values[c] + weight * (fine_values[c] - coarse_values[c]);
     Ok(CreepCoefficients {
@@ -63,6 +71,9 @@ fn check(axis_ratio: f64, poisson_ratio: f64) -> Result<(), Error> {
 
 /// Cells along and strips across the patch, for the two grids used.
 const GRIDS: [usize; 2] = [24, 32];
+
+/// Axis ratios of which the tractions are computed.
+const SOLVABLE: Requirement = Requirement::Between(1e-6, 1e6);
 
 /// Order of the error in the cell size: between 1.4 and 1.8, as measured on grids of 8 to 48 cells.
 const ORDER: f64 = 1.5;
@@ -117,15 +128,15 @@ impl Stick {
         Ok(Self { bodies, cells })
     }
 
-    /// [C11, C22, C23, C33] on this grid.
-    fn coefficients(&self) -> [f64; 4] {
-        let longitudinal = self.tractions(Parity::Longitudinal, |_, distance| [[distance, 0.0]]);
+    /// [C11, C22, C23, C33] on this grid; `None` if the compliance is singular to machine accuracy.
+    fn coefficients(&self) -> Option<[f64; 4]> {
+        let longitudinal = self.tractions(Parity::Longitudinal, |_, distance| [[distance, 0.0]])?;
         let lateral = self.tractions(Parity::Lateral, |cell, distance| {
             let moment = 0.5 * (cell.entry.powi(2) - cell.middle[0].powi(2));
             [[0.0, distance], [-cell.middle[1] * distance, moment]]
-        });
+        })?;
         // Both halves of the patch contribute equally to what does not vanish.
-        let sum = |traction: &Mat<f64>, column: usize, weights: &dyn Fn(&Cell) -> [f64; 2]| {
+        let sum = |traction: &DMatrix<f64>, column: usize, weights: &dyn Fn(&Cell) -> [f64; 2]| {
             let share = |(k, cell): (usize, &Cell)| {
                 let [x, y] = weights(cell);
                 let force = x * traction[(2 * k, column)] + y * traction[(2 * k + 1, column)];
@@ -134,22 +145,23 @@ impl Stick {
             self.cells.iter().enumerate().map(share).sum::<f64>()
         };
         let moment = |cell: &Cell| [-cell.middle[1], cell.middle[0]];
-        [
+        Some([
             sum(&longitudinal, 0, &|_| [1.0, 0.0]),
             sum(&lateral, 0, &|_| [0.0, 1.0]),
             -sum(&lateral, 0, &moment),
             sum(&lateral, 1, &moment),
-        ]
+        ])
     }
 
-    /// Tractions in full adhesion under the rigid slips of each cell, one column per slip.
+    /// Tractions in full adhesion under the rigid slips of each cell, one column per slip; `None`
+    /// if the compliance is singular to machine accuracy.
     fn tractions<const N: usize>(
         &self,
         parity: Parity,
         rigid_slips: impl Fn(&Cell, f64) -> [[f64; 2]; N],
-    ) -> Mat<f64> {
+    ) -> Option<DMatrix<f64>> {
         let size = 2 * self.cells.len();
-        let mut slips = Mat::zeros(size, N);
+        let mut slips = DMatrix::zeros(size, N);
         for (k, cell) in self.cells.iter().enumerate() {
             for (column, slip) in rigid_slips(cell, cell.entry - cell.middle[0]).iter().enumerate()
             {
@@ -157,13 +169,13 @@ impl Stick {
                 slips[(2 * k + 1, column)] = slip[1];
             }
         }
-        self.compliance(parity).partial_piv_lu().solve(&slips)
+        self.compliance(parity).lu().solve(&slips)
     }
 
     /// A − A_lead.
-    fn compliance(&self, parity: Parity) -> Mat<f64> {
+    fn compliance(&self, parity: Parity) -> DMatrix<f64> {
         let size = 2 * self.cells.len();
-        let mut matrix = Mat::zeros(size, size);
+        let mut matrix = DMatrix::zeros(size, size);
         for (s, source) in self.cells.iter().enumerate() {
             let mut at_entry = [[0.0; 2]; 2];
             let mut entered_y = f64::NAN;
@@ -217,7 +229,7 @@ mod tests {
     /// (Kalker 1990, Table E.3): along and across rolling, two different systems.
     #[test]
     fn kalker_1990_no_lateral_contraction() {
-        let [c11, c22, ..] = Stick::new(1.0, 0.0, 12).unwrap().coefficients();
+        let [c11, c22, ..] = Stick::new(1.0, 0.0, 12).unwrap().coefficients().unwrap();
         assert_relative_eq!(c11, c22, max_relative = 1e-12);
     }
 

@@ -11,7 +11,7 @@
 //! piece, too, where the centre is at infinity. They are found by least squares, starting from the
 //! best paraboloid.
 
-use faer::Mat;
+use nalgebra::DMatrix;
 
 use super::HeightMap;
 use crate::error::{Error, SurfaceError};
@@ -188,9 +188,9 @@ impl Residuals for Fit {
         &mut self,
         parameters: &[f64],
         residuals: &[f64],
-    ) -> Result<Option<Mat<f64>>, Error> {
-        let mut jacobian = Mat::zeros(residuals.len(), parameters.len());
-        for (k, column) in jacobian.col_iter_mut().enumerate() {
+    ) -> Result<Option<DMatrix<f64>>, Error> {
+        let mut jacobian = DMatrix::zeros(residuals.len(), parameters.len());
+        for (k, mut column) in jacobian.column_iter_mut().enumerate() {
             let [above, below] = [DIFFERENCE, -DIFFERENCE].map(|step| {
                 let mut moved = parameters.to_vec();
                 moved[k] += step;

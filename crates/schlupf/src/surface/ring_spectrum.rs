@@ -15,8 +15,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
+use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// A spectrum of an isotropic surface, constant in rings of wave vectors.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,7 +134,7 @@ struct Likelihood {
     /// n.
     independent: Vec<f64>,
     /// K: variance of a wave in a band (row) for C = 1 in a ring (column).
-    shares: Mat<f64>,
+    shares: DMatrix<f64>,
     /// Inverse distances between the rings in ln q.
     closeness: Vec<f64>,
 }
@@ -145,7 +144,7 @@ impl Likelihood {
         let count = line.len();
         let edge = |band: usize| bands[band] as f64 - 0.5;
         let waves = |band: usize| (bands[band + 1] - bands[band]) as f64;
-        let shares = Mat::from_fn(count, count, |band, ring| {
+        let shares = DMatrix::from_fn(count, count, |band, ring| {
             let within = |radius: f64| strip(radius, edge(band + 1)) - strip(radius, edge(band));
             (within(edge(ring + 1)) - within(edge(ring))) / waves(band)
         });
@@ -165,11 +164,12 @@ impl Likelihood {
         for _ in 0..STEPS {
             let (matrix, gradient) = self.scoring(&theta);
             let (trial, trial_cost) = loop {
-                let trial = moved(&theta, &matrix, &gradient, damping);
-                let trial_cost = self.cost(&trial);
-                if trial_cost <= cost {
-                    damping = (0.2 * damping).max(1e-12);
-                    break (trial, trial_cost);
+                if let Some(trial) = moved(&theta, &matrix, &gradient, damping) {
+                    let trial_cost = self.cost(&trial);
+                    if trial_cost <= cost {
+                        damping = (0.2 * damping).max(1e-12);
+                        break (trial, trial_cost);
+                    }
                 }
                 damping *= 5.0;
                 // If no step is downhill any more the rest is rounding error.
@@ -214,10 +214,10 @@ impl Likelihood {
     }
 
     /// Fisher's information with the penalty, and the gradient.
-    fn scoring(&self, theta: &[f64]) -> (Mat<f64>, Vec<f64>) {
+    fn scoring(&self, theta: &[f64]) -> (DMatrix<f64>, Vec<f64>) {
         let count = theta.len();
         let model = self.model(theta);
-        let mut matrix = Mat::zeros(count, count);
+        let mut matrix = DMatrix::zeros(count, count);
         let mut gradient = vec![0.0; count];
         for (band, (variance, line)) in model.iter().zip(&self.line).enumerate() {
             let slope = |ring: usize| self.shares[(band, ring)] * theta[ring].exp() / variance;
@@ -245,16 +245,16 @@ impl Likelihood {
     }
 }
 
-/// θ after a damped step.
-fn moved(theta: &[f64], matrix: &Mat<f64>, gradient: &[f64], damping: f64) -> Vec<f64> {
+/// θ after a damped step; `None` if its matrix is not positive definite.
+fn moved(theta: &[f64], matrix: &DMatrix<f64>, gradient: &[f64], damping: f64) -> Option<Vec<f64>> {
     let count = theta.len();
     let mut damped = matrix.clone();
     for k in 0..count {
         damped[(k, k)] += damping * (matrix[(k, k)] + 1e-12);
     }
-    let right = Mat::from_fn(count, 1, |k, _| -gradient[k]);
-    let step = damped.partial_piv_lu().solve(&right);
-    let largest = (0..count).map(|k| step[(k, 0)].abs()).fold(0.0, f64::max);
+    let right = DVector::from_iterator(count, gradient.iter().map(|slope| -slope));
+    let step = Cholesky::new(damped)?.solve(&right);
+    let largest = step.amax();
     let factor = if largest > LARGEST_CHANGE { LARGEST_CHANGE / largest } else { 1.0 };
-    (0..count).map(|k| theta[k] + factor * step[(k, 0)]).collect()
+    Some(theta.iter().zip(&step).map(|(theta, step)| theta + factor * step).collect())
 }
