@@ -129,7 +129,8 @@ impl Part {
                 variable: Some(("CARGO_TARGET_DIR", "target/oldest")),
             }],
             Self::Long => vec![
-                // The profile of tests is optimised; another one would take longer to build than to run.
+                // The profile of tests is optimised; another one would take longer to build than
+                // to run.
                 Step::cargo("test --workspace -- --ignored"),
                 Step::cargo("publish --workspace --dry-run --allow-dirty"),
             ],

@@ -73,7 +73,8 @@ impl Family {
     /// use schlupf::unwatched;
     /// use schlupf_case::{CaseFile, Family, Folder, Overrides};
     ///
-    /// let case = CaseFile::from_str("", "a case", Folder::new(""), Overrides::NONE)?.pose(&unwatched)?;
+    /// let file = CaseFile::from_str("", "a case", Folder::new(""), Overrides::NONE)?;
+    /// let case = file.pose(&unwatched)?;
     /// let speeds = Family::parse("--over", "kinematics.speed=10 m/s,20 m/s")?;
     /// let speeds = speeds.members(&case, &unwatched)?;
     /// assert_eq!(speeds[1].problem.kinematics.speed, 20.0);

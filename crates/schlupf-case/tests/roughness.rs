@@ -112,11 +112,11 @@ fn a_like_case_takes_the_normal_contact_over() {
         case.with("--over", &["friction.coefficient=0.2".to_owned()], &unwatched).unwrap();
     let ratio = slippery.law_stiffness.stiffness / case.law_stiffness.stiffness;
     assert_relative_eq!(ratio, 2.0, max_relative = 1e-6);
-    let anew = read(SPECTRUM, &["friction.coefficient=0.2"]).unwrap();
-    assert_eq!(slippery.law_stiffness.stiffness, anew.law_stiffness.stiffness);
+    let again = read(SPECTRUM, &["friction.coefficient=0.2"]).unwrap();
+    assert_eq!(slippery.law_stiffness.stiffness, again.law_stiffness.stiffness);
     let heavy = case.with("--over", &["normal.load=200 kN".to_owned()], &unwatched).unwrap();
-    let anew = read(SPECTRUM, &["normal.load=200 kN"]).unwrap();
-    assert_eq!(heavy.law_stiffness.stiffness, anew.law_stiffness.stiffness);
+    let again = read(SPECTRUM, &["normal.load=200 kN"]).unwrap();
+    assert_eq!(heavy.law_stiffness.stiffness, again.law_stiffness.stiffness);
 }
 
 /// The short form names a file; the long one says more about it.

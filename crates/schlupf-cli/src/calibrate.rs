@@ -18,7 +18,7 @@ use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
 use schlupf_case::{CaseErrors, CaseFile, Displacements, InputFile, read_displacements};
-use schlupf_output::calibration::{Anew, CalibrationReport, Fitted, FittedComponent, Layer};
+use schlupf_output::calibration::{CalibrationReport, Direct, Fitted, FittedComponent, Layer};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -35,9 +35,9 @@ pub struct Calibrate {
     /// Which case; its patch and its bodies count.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Recalibrate against the half-space, beside the table
+    /// Calibrate for this very patch instead of interpolating the table, and compare both
     #[arg(long, conflicts_with = "displacements")]
-    pub anew: bool,
+    pub direct: bool,
     /// Fit to displacements of a finite-element model (CSV with columns x, y, traction_x,
     /// displacement_x, …); may be given several times
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
@@ -156,7 +156,7 @@ impl Patch {
         let ratios = (self.axis_ratio, self.bodies.poisson_ratio());
         let [wheel, rail] = &self.materials;
         let mut warnings = self.warnings(&CalibratedLayer::new(wheel, rail, None)?);
-        let needs_no_table = arguments.anew || !displacements.is_empty();
+        let needs_no_table = arguments.direct || !displacements.is_empty();
         let tabulated = match tabulated_stiffness(ratios.0, ratios.1) {
             Ok(stiffness) => Some(stiffness),
             Err(error) if needs_no_table => {
@@ -169,17 +169,17 @@ impl Patch {
             .filter(|_| displacements.is_empty())
             .map(|_| deviation_of_table(ratios.0, ratios.1, &options, watch))
             .transpose()?;
-        let anew = arguments.anew.then(|| calibrate(ratios.0, ratios.1, &options, watch));
-        let anew = anew.transpose()?;
+        let direct = arguments.direct.then(|| calibrate(ratios.0, ratios.1, &options, watch));
+        let direct = direct.transpose()?;
         let fitted = fitted(displacements)?;
         let exact = tabulated.map(|stiffness| self.layer(stiffness, None).stiffness);
         let doubts = fitted.iter().flat_map(|fitted| doubts(fitted, exact));
         warnings.extend(doubts.map(Message::from));
-        let mut converged = anew.is_none_or(|anew| anew.converged)
+        let mut converged = direct.is_none_or(|direct| direct.converged)
             && fitted.iter().flat_map(components).all(|component| component.fit.converged);
         let mut sides = None;
         if arguments.outputs.figures.is_some() && displacements.is_empty() {
-            let stiffness = anew.map(|anew| anew.stiffness).or(tabulated);
+            let stiffness = direct.map(|direct| direct.stiffness).or(tabulated);
             if let Some(stiffness) = stiffness {
                 let found = side_by_side(ratios.0, ratios.1, stiffness, watch)?;
                 converged &= found.is_converged();
@@ -192,7 +192,7 @@ impl Patch {
             shear_modulus: self.bodies.shear_modulus(),
             poisson_ratio: ratios.1,
             tabulated: tabulated.map(|stiffness| self.layer(stiffness, deviation)),
-            anew: anew.map(|anew| self.anew(&anew)),
+            direct: direct.map(|direct| self.direct(&direct)),
             fitted,
             warnings,
             sides,
@@ -219,13 +219,13 @@ impl Patch {
         Layer { stiffness: stiffness.map(absolute), deviation }
     }
 
-    fn anew(&self, found: &Calibration) -> Anew {
+    fn direct(&self, found: &Calibration) -> Direct {
         let bed = found.winkler_bedding.map(|bedding| RelativeStiffness {
             bedding,
             reach_along_x: 0.0,
             reach_along_y: 0.0,
         });
-        Anew {
+        Direct {
             layer: self.layer(found.stiffness, Some(found.layer)),
             uncoupled: self.layer(bed, Some(found.winkler)),
         }

@@ -104,6 +104,8 @@ fn update(bar: &ProgressBar, message: Message) {
 }
 
 fn residual(change: Option<f64>) -> String {
+    // The first one may still be infinite.
+    let change = change.filter(|change| change.is_finite());
     change.map_or_else(String::new, |change| format!(", residual {change:.1e}"))
 }
 

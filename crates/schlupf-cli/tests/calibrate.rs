@@ -56,7 +56,7 @@ fn the_snippet_is_the_calibrated_layer() {
     }
     let document: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
     assert!(number(&document["table"]["deviation"]["force"]) < 0.03);
-    assert!(document["anew"].is_null() && document["fitted"].is_null());
+    assert!(document["direct"].is_null() && document["fitted"].is_null());
     bench.write("pasted.toml", &format!("{CASE}{}", snippet(&run.stdout)));
     let force = |case: &str| -> [f64; 2] {
         let run = bench.run(&["solve", case, "--json", "-"]);
@@ -74,13 +74,13 @@ fn the_snippet_is_the_calibrated_layer() {
 /// A calibration of its own is near the table, and nearer to the half-space than springs without
 /// coupling.
 #[test]
-fn a_calibration_anew_stands_beside_the_table() {
+fn a_direct_calibration_stands_beside_the_table() {
     let bench = bench();
-    let document = document(&bench, &["--anew"]);
-    let [table, anew] = ["table", "anew"].map(|name| number(&document[name]["x"]["bedding"]));
-    assert!((table / anew - 1.0).abs() < 0.1, "{table:e} {anew:e}");
+    let document = document(&bench, &["--direct"]);
+    let [table, direct] = ["table", "direct"].map(|name| number(&document[name]["x"]["bedding"]));
+    assert!((table / direct - 1.0).abs() < 0.1, "{table:e} {direct:e}");
     let field = |name: &str| number(&document[name]["deviation"]["field"]);
-    assert!(field("anew") < 0.7 * field("uncoupled"));
+    assert!(field("direct") < 0.7 * field("uncoupled"));
     assert_eq!(number(&document["uncoupled"]["x"]["coupling"]), 0.0);
 }
 
@@ -114,7 +114,7 @@ fn the_figure_is_drawn() {
 #[test]
 fn what_did_not_converge_is_marked() {
     let bench = bench();
-    let arguments = ["--anew", "--set", "solver.max_iterations=1", "--json", "-"];
+    let arguments = ["--direct", "--set", "solver.max_iterations=1", "--json", "-"];
     let run = run(&bench, &arguments);
     assert_eq!(run.code, Some(3), "{}", run.stderr);
     let document: Value = serde_json::from_str(&run.stdout).unwrap();
@@ -278,7 +278,7 @@ fn bad_input_is_named() {
             "bad.csv:2:1: column `displacement_x` must name its unit",
         ),
         (&["--displacements", "opposite.csv"], 2, "displacement_x must go with traction_x"),
-        (&["--displacements", "bad.csv", "--anew"], 2, "cannot be used with"),
+        (&["--displacements", "bad.csv", "--direct"], 2, "cannot be used with"),
         (&["--displacements", "fe.csv", "--json", "fe.csv"], 2, "must name a file of its own"),
         (&["--cells", "5"], 2, "between 10 and 80"),
         (&["--json", "no/such/file.json"], 1, "no/such"),

@@ -2,7 +2,7 @@
 //!
 //! `cases/NAME.expected.json` is our own output, a regression file: it says that results have not
 //! changed, not that they are right. After a change that is meant, `SCHLUPF_PIN=1 cargo test -p
-//! schlupf-cli --test gallery` writes the files anew.
+//! schlupf-cli --test gallery` rewrites the files.
 
 use std::fs;
 use std::path::{Path, PathBuf};

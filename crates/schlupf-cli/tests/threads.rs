@@ -59,7 +59,7 @@ fn fits_are_the_same_on_any_number_of_threads() {
 
 #[test]
 fn calibrations_are_the_same_on_any_number_of_threads() {
-    is_the_same(&["calibrate", "case.toml", "--anew", "--cells", "10"]);
+    is_the_same(&["calibrate", "case.toml", "--direct", "--cells", "10"]);
 }
 
 #[test]

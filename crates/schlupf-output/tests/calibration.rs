@@ -34,7 +34,7 @@ fn report(sides: SideBySide) -> CalibrationReport {
         shear_modulus: 82e9,
         poisson_ratio: 0.28,
         tabulated: None,
-        anew: None,
+        direct: None,
         fitted: None,
         warnings: Vec::new(),
         sides: Some(sides),

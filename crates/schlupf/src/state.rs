@@ -32,7 +32,8 @@ pub struct Element {
     /// dimensionless.
     pub stretch: [f64; 2],
     /// Temperature rise times effusivity in the cell, in W √s/m².
-    pub rise: f64,
+    #[cfg_attr(feature = "serde", serde(rename = "rise"))]
+    pub scaled_rise: f64,
     /// Slip speed in the cell, in m/s.
     pub slip_speed: f64,
     /// Coefficient of friction on leaving the cell, dimensionless; if friction has a memory.

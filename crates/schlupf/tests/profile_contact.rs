@@ -306,8 +306,8 @@ fn a_fast_contact_follows_the_load_of_a_profile() {
         let mut contact = of(60e3);
         contact.set_load(30e3).unwrap();
         let force = contact.force(&motion).unwrap();
-        let anew = of(30e3).force(&motion).unwrap();
-        assert_relative_eq!(force.x, anew.x, max_relative = 1e-6);
+        let fresh = of(30e3).force(&motion).unwrap();
+        assert_relative_eq!(force.x, fresh.x, max_relative = 1e-6);
     }
 }
 

@@ -475,10 +475,10 @@ fn a_contact_follows_its_load() {
         let force = contact.force(&motions()[2]).unwrap();
         let growth = (60.0_f64 / 82.0).cbrt();
         case.normal = Arc::new(Ellipse::from_load(8e-3 * growth, 4e-3 * growth, 60e3).unwrap());
-        let anew =
+        let fresh =
             FastContact::new(&case, method, &cells(16)).unwrap().force(&motions()[2]).unwrap();
-        assert_relative_eq!(force.x, anew.x, max_relative = 1e-9);
-        assert_relative_eq!(force.y, anew.y, max_relative = 1e-9);
+        assert_relative_eq!(force.x, fresh.x, max_relative = 1e-9);
+        assert_relative_eq!(force.y, fresh.y, max_relative = 1e-9);
         assert!(method == FastMethod::Polach(AreaReduction::DRY) || force.moment_z.unwrap() != 0.0);
     }
 }

@@ -22,8 +22,8 @@ pub(super) fn document(report: &CalibrationReport) -> String {
         },
         bodies: Bodies { shear_modulus: report.shear_modulus, poisson_ratio: report.poisson_ratio },
         table: report.tabulated.map(LayerEntry::new),
-        anew: report.anew.map(|anew| LayerEntry::new(anew.layer)),
-        uncoupled: report.anew.map(|anew| LayerEntry::new(anew.uncoupled)),
+        direct: report.direct.map(|direct| LayerEntry::new(direct.layer)),
+        uncoupled: report.direct.map(|direct| LayerEntry::new(direct.uncoupled)),
         fitted: report.fitted.as_ref().map(|fitted| {
             let [x, y] = fitted.components.each_ref().map(|c| c.as_ref().map(FittedEntry::new));
             FittedEntries { x, y }
@@ -40,7 +40,7 @@ struct Document<'a> {
     normal: Normal,
     bodies: Bodies,
     table: Option<LayerEntry>,
-    anew: Option<LayerEntry>,
+    direct: Option<LayerEntry>,
     uncoupled: Option<LayerEntry>,
     fitted: Option<FittedEntries<'a>>,
     warnings: &'a [Message],

@@ -35,7 +35,7 @@ pub struct CalibrationReport {
     /// From the table; `None` for a patch outside it.
     pub tabulated: Option<Layer>,
     /// Calibrated for this particular patch.
-    pub anew: Option<Anew>,
+    pub direct: Option<Direct>,
     /// Fitted to displacements.
     pub fitted: Option<Fitted>,
     /// Warnings for whoever uses the results.
@@ -57,7 +57,7 @@ pub struct Layer {
 
 /// A calibration for one patch.
 #[derive(Debug, Clone, Copy)]
-pub struct Anew {
+pub struct Direct {
     /// The layer.
     pub layer: Layer,
     /// An uncoupled Winkler bedding, fitted to the same forces.
@@ -113,9 +113,9 @@ impl CalibrationReport {
         };
         let mut origins = Vec::new();
         origins.extend(self.tabulated.iter().map(|tabulated| layer("table", tabulated)));
-        if let Some(anew) = &self.anew {
-            origins.push(layer("anew", &anew.layer));
-            origins.push(layer("uncoupled", &anew.uncoupled));
+        if let Some(direct) = &self.direct {
+            origins.push(layer("direct", &direct.layer));
+            origins.push(layer("uncoupled", &direct.uncoupled));
         }
         if let Some(fitted) = &self.fitted {
             let stiffness = fitted.stiffness();
@@ -126,7 +126,7 @@ impl CalibrationReport {
 
     /// The stiffnesses to use.
     fn best(&self) -> [Option<LayerStiffness>; 2] {
-        let layer = self.anew.map(|anew| anew.layer).or(self.tabulated);
+        let layer = self.direct.map(|direct| direct.layer).or(self.tabulated);
         match (&self.fitted, layer) {
             (Some(fitted), _) => fitted.stiffness(),
             (None, Some(layer)) => layer.stiffness.map(Some),

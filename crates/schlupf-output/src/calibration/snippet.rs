@@ -7,7 +7,7 @@ use super::CalibrationReport;
 /// `[elasticity]` with the stiffnesses to use; missing ones keep their defaults.
 pub(super) fn snippet(report: &CalibrationReport) -> String {
     let mut lines = vec!["[elasticity]".to_owned(), "model = \"elastic-layer\"".to_owned()];
-    if report.anew.is_none() && report.fitted.is_none() {
+    if report.direct.is_none() && report.fitted.is_none() {
         lines.push("# for this patch what calibration = \"half-space\" is for any".to_owned());
     }
     let components = match report.best() {

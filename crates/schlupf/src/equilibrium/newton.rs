@@ -95,7 +95,7 @@ impl Newton {
         system.residual(p, &self.u, &mut self.residual);
         let mut length = norm(&self.residual);
         if length > WORTHLESS * system.scale(p) {
-            self.start_anew(system, p, &mut length, &mut outcome);
+            self.restart(system, p, &mut length, &mut outcome);
         }
         let mut forcing = LARGEST_FORCING;
         let mut best = Best { length, iteration: 0 };
@@ -147,7 +147,7 @@ impl Newton {
     }
 
     /// Restarts from the system's alternative to the initial guess, if that is better.
-    fn start_anew(
+    fn restart(
         &mut self,
         system: &mut impl Equilibrium,
         p: &mut [f64],

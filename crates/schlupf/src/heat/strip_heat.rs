@@ -147,7 +147,7 @@ impl StripHeat {
 
     /// Rise times effusivity of a cell (in W √s/m²) with a flux (in W/m²), where `inherited` is the
     /// upstream contribution in a linear model.
-    pub fn rise(&mut self, k: usize, inherited: f64, flux: f64) -> f64 {
+    pub fn scaled_rise(&mut self, k: usize, inherited: f64, flux: f64) -> f64 {
         let Some(model) = self.model.clone() else { return 0.0 };
         if model.is_linear() {
             return inherited + self.weights[self.rows[k] + k - self.first[k]] * flux;
@@ -163,13 +163,13 @@ impl StripHeat {
     }
 
     /// Rise times effusivity at the trailing edge of a strip, in W √s/m².
-    pub fn exit_rise(&mut self, strip: &Strip) -> f64 {
+    pub fn scaled_exit_rise(&mut self, strip: &Strip) -> f64 {
         let Some(model) = self.model.clone() else { return 0.0 };
         model.rise_times_effusivity(self.record_on_leaving(strip.cells.end - 1))
     }
 
     /// The same with another step (in W/m² and s) on the path from the last cell to the edge.
-    pub fn exit_rise_after(&mut self, strip: &Strip, step: HeatStep) -> f64 {
+    pub fn scaled_exit_rise_after(&mut self, strip: &Strip, step: HeatStep) -> f64 {
         let Some(model) = self.model.clone() else { return 0.0 };
         self.recall_strip(strip.cells.clone(), step);
         model.rise_times_effusivity(&self.record)

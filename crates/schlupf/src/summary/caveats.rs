@@ -40,7 +40,7 @@ pub(crate) fn of_temperatures(
 /// it.
 fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) -> Option<Warning> {
     let [wheel, rail] = now.conduction.bulk_temperatures();
-    let is_any = now.rise.iter().any(|rise| *rise != 0.0) || wheel != rail;
+    let is_any = now.scaled_rise.iter().any(|scaled_rise| *scaled_rise != 0.0) || wheel != rail;
     let is_rolling = now.kinematics.speed > 0.0;
     if now.surfaces.is_some() || !is_any || !is_rolling {
         return None;

@@ -177,12 +177,13 @@ pub(crate) fn temperature(patch: &Patch, now: &Snapshot) -> Temperature {
     };
     let cells = patch.cells.iter().enumerate().map(|(k, cell)| {
         let surfaces = now.surface_temperatures(k);
-        (key(now.rise[k], surfaces), surfaces, cell.x, cell.y)
+        (key(now.scaled_rise[k], surfaces), surfaces, cell.x, cell.y)
     });
-    let exits = now.exit_rise.iter().zip(&patch.strips).enumerate().map(|(k, (rise, strip))| {
-        let surfaces = now.exit_temperatures(k);
-        (key(*rise, surfaces), surfaces, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
-    });
+    let exits =
+        now.scaled_exit_rise.iter().zip(&patch.strips).enumerate().map(|(k, (rise, strip))| {
+            let surfaces = now.exit_temperatures(k);
+            (key(*rise, surfaces), surfaces, patch.exit(strip), patch.cells[strip.cells.end - 1].y)
+        });
     let places: Vec<_> = cells.chain(exits).collect();
     let hottest = |body: usize| {
         places.iter().reduce(|p, q| if q.0[body] > p.0[body] { q } else { p }).copied()

@@ -23,13 +23,13 @@ pub(crate) struct Snapshot {
     /// Coefficient of friction, dimensionless.
     pub friction: Vec<f64>,
     /// Temperature rise times effusivity in each cell, in W √s/m².
-    pub rise: Vec<f64>,
+    pub scaled_rise: Vec<f64>,
     /// Friction power per unit area p·slip in each cell, in W/m².
     pub friction_power: Vec<f64>,
     /// Elastic energy of the tangential tractions, in J.
     pub stored_energy: f64,
     /// Temperature rise times effusivity at the trailing edge of each strip, in W √s/m².
-    pub exit_rise: Vec<f64>,
+    pub scaled_exit_rise: Vec<f64>,
     /// Surface temperatures of both bodies if heat also flows along them: they do not follow from
     /// the rises then.
     pub surfaces: Option<Surfaces>,
@@ -54,10 +54,10 @@ impl Snapshot {
             displacement: vec![0.0; 2 * cells],
             slip: vec![[0.0; 2]; cells],
             friction: vec![0.0; cells],
-            rise: vec![0.0; cells],
+            scaled_rise: vec![0.0; cells],
             friction_power: vec![0.0; cells],
             stored_energy: 0.0,
-            exit_rise: Vec::new(),
+            scaled_exit_rise: Vec::new(),
             surfaces: None,
         }
     }
@@ -69,13 +69,13 @@ impl Snapshot {
 
     /// Surface temperatures of wheel and rail in a cell, in degC.
     pub fn surface_temperatures(&self, k: usize) -> [f64; 2] {
-        let follow = || self.conduction.surface_temperatures(self.rise[k]);
+        let follow = || self.conduction.surface_temperatures(self.scaled_rise[k]);
         self.surfaces.as_ref().map_or_else(follow, |surfaces| surfaces.cells[k])
     }
 
     /// The same at the trailing edge of a strip, in degC.
     pub fn exit_temperatures(&self, strip: usize) -> [f64; 2] {
-        let follow = || self.conduction.surface_temperatures(self.exit_rise[strip]);
+        let follow = || self.conduction.surface_temperatures(self.scaled_exit_rise[strip]);
         self.surfaces.as_ref().map_or_else(follow, |surfaces| surfaces.exits[strip])
     }
 

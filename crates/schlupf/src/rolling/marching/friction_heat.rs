@@ -18,12 +18,12 @@ pub(super) fn set_temperatures(
     heat: &Heat,
     records: &mut [Vec<HeatStep>],
 ) {
-    now.exit_rise.clear();
+    now.scaled_exit_rise.clear();
     for strip in &patch.strips {
         for k in strip.cells.clone() {
             pass_cell(now, heat, k, &Passage::of(patch, strip, k), &mut records[k]);
         }
-        now.exit_rise.push(heat.rise_times_effusivity(&records[strip.cells.end - 1]));
+        now.scaled_exit_rise.push(heat.rise_times_effusivity(&records[strip.cells.end - 1]));
     }
 }
 
@@ -52,9 +52,13 @@ impl FrictionPoint {
         arrived: &Arrival,
     ) -> f64 {
         let [before, _] = passage.ways;
-        let at = |rise: f64| {
-            let input =
-                FrictionInput { y: passage.y, way: before, rise, slip_speed: self.slip_speed };
+        let at = |scaled_rise: f64| {
+            let input = FrictionInput {
+                y: passage.y,
+                way: before,
+                scaled_rise,
+                slip_speed: self.slip_speed,
+            };
             lagging(problem, now, arrived.friction, &input)
         };
         if problem.heat.model.is_none() || problem.friction.law.is_constant() {
@@ -79,7 +83,7 @@ pub(super) struct FrictionInput {
     /// The path length, in m.
     pub way: f64,
     /// Temperature rise times effusivity, in W √s/m².
-    pub rise: f64,
+    pub scaled_rise: f64,
     /// Slip speed, in m/s.
     pub slip_speed: f64,
 }
@@ -90,9 +94,9 @@ pub(super) fn lagging(
     problem: &Problem,
     now: &Snapshot,
     arrived: Option<f64>,
-    &FrictionInput { y, way, rise, slip_speed }: &FrictionInput,
+    &FrictionInput { y, way, scaled_rise, slip_speed }: &FrictionInput,
 ) -> f64 {
-    let law = problem.friction_response(&now.conduction, rise, slip_speed, y).coefficient;
+    let law = problem.friction_response(&now.conduction, scaled_rise, slip_speed, y).coefficient;
     let Some(memory) = problem.friction_memory() else { return law };
     let arrived = arrived.unwrap_or_else(|| problem.entry_friction(&now.conduction, y).coefficient);
     law + (arrived - law) * memory.kept(slip_speed, way / now.over_step.speed).part
@@ -110,6 +114,6 @@ fn pass_cell(
     let flux = heat(now.friction_power[k]) * passage.flux_over_heat;
     let step = |way: f64| HeatStep { flux, duration: way / now.over_step.speed };
     record.insert(0, step(before));
-    now.rise[k] = model.rise_times_effusivity(record);
+    now.scaled_rise[k] = model.rise_times_effusivity(record);
     record[0] = step(before + after);
 }

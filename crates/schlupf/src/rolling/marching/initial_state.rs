@@ -26,7 +26,7 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
         let is_friction = |mu: f64| (0.0..=LARGEST_FRICTION).contains(&mu);
         is_new
             && x.hypot(y) <= 1.0 + 1e-6
-            && element.rise.is_finite()
+            && element.scaled_rise.is_finite()
             && (0.0..f64::INFINITY).contains(&element.slip_speed)
             && element.friction_on_leaving.is_none_or(is_friction)
             && element.heat.iter().all(is_heat)

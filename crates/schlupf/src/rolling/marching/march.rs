@@ -195,7 +195,7 @@ impl<'a> March<'a> {
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
-        march.now.rise = march.elements.iter().map(|e| e.rise).collect();
+        march.now.scaled_rise = march.elements.iter().map(|e| e.scaled_rise).collect();
         march.largest_traction = norm(&march.now.traction);
         march.displace();
         march.past = march.past_in_place();
@@ -233,16 +233,16 @@ impl<'a> March<'a> {
         if !self.work.steps.is_multiple_of(longest) {
             return;
         }
-        let [traction, rise] = &self.passage_start;
+        let [traction, scaled_rise] = &self.passage_start;
         if traction.len() == self.now.traction.len() {
             let scale = measure(norm(&self.now.bound(&self.contact.patch)), self.largest_traction);
-            let warmed = largest_change(rise, &self.now.rise);
+            let warmed = largest_change(scaled_rise, &self.now.scaled_rise);
             let changed = relative_change(traction, &self.now.traction, scale);
             // An oscillation may return to the same values after a passage.
             self.passage_change = changed.max(warmed).max(self.largest_step);
         }
         self.largest_step = 0.0;
-        self.passage_start = [self.now.traction.clone(), self.now.rise.clone()];
+        self.passage_start = [self.now.traction.clone(), self.now.scaled_rise.clone()];
     }
 
     /// Shifts the wheel at rest (in m), with the friction at the temperature of the material.
@@ -251,8 +251,9 @@ impl<'a> March<'a> {
         self.now.conduction = self.problem.conduction(&at_rest);
         let patch = &self.contact.patch;
         for (k, cell) in patch.cells.iter().enumerate() {
-            let rise = self.now.rise[k];
-            let friction = self.problem.friction_response(&self.now.conduction, rise, 0.0, cell.y);
+            let scaled_rise = self.now.scaled_rise[k];
+            let friction =
+                self.problem.friction_response(&self.now.conduction, scaled_rise, 0.0, cell.y);
             self.now.friction[k] = friction.coefficient;
         }
         let bound = self.now.bound(patch);
@@ -322,7 +323,7 @@ impl<'a> March<'a> {
                 let mut rubbing = FrictionPoint::default();
                 if let Some(e) = at[cell.index] {
                     self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
-                    self.now.rise[k] = old.rise[e];
+                    self.now.scaled_rise[k] = old.scaled_rise[e];
                     rubbing = FrictionPoint {
                         friction: old.friction.get(e).copied().unwrap_or(0.0),
                         power: old.friction_power.get(e).copied().unwrap_or(0.0),
@@ -417,14 +418,14 @@ impl<'a> March<'a> {
         let remembered: Vec<_> = arrivals.iter().map(|arrival| arrival.friction).collect();
         let mut records: Vec<_> = arrivals.into_iter().map(|arrival| arrival.heat).collect();
         let patch = &self.contact.patch;
-        let old_rise = self.now.rise.clone();
+        let old_scaled_rise = self.now.scaled_rise.clone();
         set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
         for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
             element.heat = record;
-            element.rise = self.now.rise[k];
+            element.scaled_rise = self.now.scaled_rise[k];
             element.slip_speed = speed_of(self.now.slip[k]);
         }
-        self.change = self.change.max(largest_change(&old_rise, &self.now.rise));
+        self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
         self.remember_friction(&remembered);
     }
 
@@ -440,7 +441,7 @@ impl<'a> March<'a> {
                 let input = FrictionInput {
                     y: patch.cells[k].y,
                     way: ways_through(patch, strip, k).iter().sum(),
-                    rise: element.rise,
+                    scaled_rise: element.scaled_rise,
                     slip_speed: element.slip_speed,
                 };
                 let coefficient = lagging(self.problem, &self.now, arrived[k], &input);

@@ -54,12 +54,14 @@ fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let fastest = if has_state { fastest } else { rigid };
     // Every cell at its y and its temperature, each at another speed: neighbouring cells complement
     // each other.
-    let cells = contact.patch.cells.iter().zip(&friction.rise).enumerate();
-    let fall = cells.map(|(k, (cell, rise))| {
+    let cells = contact.patch.cells.iter().zip(&friction.scaled_rise).enumerate();
+    let fall = cells.map(|(k, (cell, scaled_rise))| {
         let falls = (0..SPEEDS).map(|n| {
             let part = ((k * SPEEDS + n) % SAMPLES + 1) as f64 / SAMPLES as f64;
             let speed = SAMPLED * fastest * part.powi(3);
-            -problem.friction_response(&friction.conduction, *rise, speed, cell.y).by_slip_speed
+            -problem
+                .friction_response(&friction.conduction, *scaled_rise, speed, cell.y)
+                .by_slip_speed
         });
         cell.pressure * falls.fold(0.0, f64::max)
     });

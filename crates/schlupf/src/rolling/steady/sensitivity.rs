@@ -142,8 +142,9 @@ impl<'a> Derivatives<'a> {
     /// constant friction power.
     fn warmer(&self) -> Vec<f64> {
         let Level { contact, friction, .. } = &self.levels[0];
-        let by_slowness = |rise: &f64| friction.conduction.contact_temperature_by_time_ratio(*rise);
-        let perpendicular = || friction.rise.iter().map(by_slowness).collect();
+        let by_slowness =
+            |scaled_rise: &f64| friction.conduction.contact_temperature_by_time_ratio(*scaled_rise);
+        let perpendicular = || friction.scaled_rise.iter().map(by_slowness).collect();
         friction
             .contact_temperature_by(self.problem, &contact.patch, Scaling::Slowness)
             .unwrap_or_else(perpendicular)
@@ -222,10 +223,10 @@ impl<'a> Derivatives<'a> {
                 direct.friction.slip[k][c] *= load_exponent;
             }
             // T β is a flux times the square root of a time.
-            let by_size = warmer.as_ref().map_or(0.5 * friction.rise[k], |warmer| {
+            let by_size = warmer.as_ref().map_or(0.5 * friction.scaled_rise[k], |warmer| {
                 warmer[k] / friction.conduction.contact_factor()
             });
-            direct.friction.rise[k] = load_exponent * by_size;
+            direct.friction.scaled_rise[k] = load_exponent * by_size;
             direct.friction.law[k] = load_exponent * friction.response[k].by_y * cell.y;
             direct.friction.entry[k] = load_exponent * friction.lag.entry[k].by_y * cell.y;
             direct.bound[k] = (1.0 - 2.0 * load_exponent) * strips.bound[k];

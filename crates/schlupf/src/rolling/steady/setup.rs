@@ -276,20 +276,20 @@ impl Setup {
         friction.evaluate(problem, &contact.patch, traction, &change);
         now.slip.copy_from_slice(&friction.slip);
         now.friction_power.copy_from_slice(&friction.power);
-        now.rise.copy_from_slice(&friction.rise);
+        now.scaled_rise.copy_from_slice(&friction.scaled_rise);
         now.friction.copy_from_slice(&friction.lag.coefficient);
         let mut elements = strips.elements(&contact.patch, traction, response);
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = speed_of(friction.slip[k]);
-            element.rise = friction.rise[k];
+            element.scaled_rise = friction.scaled_rise[k];
             element.friction_on_leaving = friction.lag.on_leaving(k);
             if problem.heat.model.is_some() {
                 element.heat = friction.heat.record_on_leaving(k).to_vec();
             }
         }
         let patch = &contact.patch;
-        let exits = patch.strips.iter().map(|strip| friction.heat.exit_rise(strip));
-        now.exit_rise = exits.collect();
+        let exits = patch.strips.iter().map(|strip| friction.heat.scaled_exit_rise(strip));
+        now.scaled_exit_rise = exits.collect();
         now.surfaces = friction.surfaces(patch);
         let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
         let warnings = warnings(problem, options, contact, &now);

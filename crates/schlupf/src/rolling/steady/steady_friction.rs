@@ -45,7 +45,7 @@ pub(super) struct SteadyFriction {
     /// Friction power over area, in W/m².
     pub power: Vec<f64>,
     /// Temperature rise times effusivity, in W √s/m².
-    pub rise: Vec<f64>,
+    pub scaled_rise: Vec<f64>,
     /// Response of the law in each cell.
     pub response: Vec<FrictionResponse>,
     /// The resulting coefficients.
@@ -75,7 +75,7 @@ impl SteadyFriction {
             traction: vec![0.0; 2 * cells],
             slip: vec![[0.0; 2]; cells],
             power: vec![0.0; cells],
-            rise: vec![0.0; cells],
+            scaled_rise: vec![0.0; cells],
             response: vec![FrictionResponse::default(); cells],
             lag: Lag::new(cells),
             conductors: None,
@@ -101,7 +101,7 @@ impl SteadyFriction {
         let durations = ways(patch).map(|[before, after]| [before, before + after]);
         let durations = durations.map(|ways| ways.map(|way| way / speed));
         self.heat.set(problem.heat.model.as_ref(), durations);
-        self.rise.fill(0.0);
+        self.scaled_rise.fill(0.0);
         if self.is_coupled && self.conductors.is_some() {
             self.weigh_upstream();
             self.power.fill(0.0);
@@ -140,10 +140,10 @@ impl SteadyFriction {
     fn conduct(&mut self) {
         let heat = self.released();
         let Some(conduction) = &mut self.conduction_along else { return };
-        conduction.contact_rise(&heat, &mut self.rise);
+        conduction.contact_rise(&heat, &mut self.scaled_rise);
         let (entry, factor) = (self.conduction.entry_temperature, self.conduction.contact_factor());
-        for (rise, unheated) in self.rise.iter_mut().zip(&conduction.unheated) {
-            *rise = (unheated + *rise - entry) / factor;
+        for (scaled_rise, unheated) in self.scaled_rise.iter_mut().zip(&conduction.unheated) {
+            *scaled_rise = (unheated + *scaled_rise - entry) / factor;
         }
     }
 
@@ -189,14 +189,17 @@ impl SteadyFriction {
     /// The arguments of the law in a cell, and for the material that enters at its y.
     pub fn states(&self, problem: &Problem, patch: &Patch, k: usize) -> [FrictionState; 2] {
         let y = patch.cells[k].y;
-        let given = [[self.rise[k], speed_of(self.slip[k])], [0.0; 2]];
-        given.map(|[rise, slip]| problem.friction_state(&self.conduction, rise, slip, y))
+        let given = [[self.scaled_rise[k], speed_of(self.slip[k])], [0.0; 2]];
+        given.map(|[scaled_rise, slip]| {
+            problem.friction_state(&self.conduction, scaled_rise, slip, y)
+        })
     }
 
     fn respond(&mut self, problem: &Problem, patch: &Patch, k: usize) {
         let slip_speed = speed_of(self.slip[k]);
         let y = patch.cells[k].y;
-        let response = problem.friction_response(&self.conduction, self.rise[k], slip_speed, y);
+        let response =
+            problem.friction_response(&self.conduction, self.scaled_rise[k], slip_speed, y);
         let (durations, is_first) = (self.heat.durations(k), k == self.heat.first(k));
         let input = FrictionInput { law: response.coefficient, slip_speed, durations, is_first };
         self.lag.pass(k, &input);
@@ -260,7 +263,7 @@ impl SteadyFriction {
     /// surface.
     fn warm(&mut self, k: usize) {
         let inherited = self.heat.inherited(k);
-        self.rise[k] = self.heat.rise(k, inherited, self.heat.flux[k]);
+        self.scaled_rise[k] = self.heat.scaled_rise(k, inherited, self.heat.flux[k]);
     }
 
     /// ∂μ/∂(rise times effusivity), in m²/(W √s).
@@ -322,8 +325,8 @@ impl SteadyFriction {
             }
             let speed = speed_of(v);
             let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
-            let rise = risen[k] + cause.map_or(0.0, |cause| cause.rise[k]);
-            let law = self.by_rise(k) * rise
+            let scaled_rise = risen[k] + cause.map_or(0.0, |cause| cause.scaled_rise[k]);
+            let law = self.by_rise(k) * scaled_rise
                 + self.response[k].by_slip_speed * faster
                 + cause.map_or(0.0, |cause| cause.law[k]);
             let way = cause.map_or(0.0, |cause| cause.way);
@@ -417,7 +420,7 @@ pub(super) struct FrictionCause {
     /// Of the rigid slip velocity, in m/s.
     pub slip: Vec<[f64; 2]>,
     /// Of the rise times effusivity, in W √s/m².
-    pub rise: Vec<f64>,
+    pub scaled_rise: Vec<f64>,
     /// Of the coefficient of the law at the same slip and rise, dimensionless.
     pub law: Vec<f64>,
     /// Of the coefficient of the entering material, for the first cell of each strip;
@@ -432,7 +435,7 @@ impl FrictionCause {
     pub fn nothing(cells: usize) -> Self {
         Self {
             slip: vec![[0.0; 2]; cells],
-            rise: vec![0.0; cells],
+            scaled_rise: vec![0.0; cells],
             law: vec![0.0; cells],
             entry: vec![0.0; cells],
             way: 0.0,

@@ -19,6 +19,7 @@ impl Carried {
     /// sliding cell to the next the direction turns towards `rigid` according to the solution for
     /// constant `rigid` and bound: tan ψ/2 decreases by the factor e^(−|rigid|/μpₙ), where ψ is the
     /// angle between the two. The error is therefore of second order in the cell size.
+    #[inline]
     pub fn next(&self, rigid: [f64; 2], bound: f64) -> Self {
         let sum = [self.traction[0] + rigid[0], self.traction[1] + rigid[1]];
         let square = sum[0] * sum[0] + sum[1] * sum[1];
@@ -46,6 +47,7 @@ pub(super) fn cut(traction: [f64; 2], bound: f64) -> [f64; 2] {
 }
 
 /// A direction after turning towards a traction increment `pull` (in Pa) under a bound (in Pa).
+#[inline]
 fn turned(direction: [f64; 2], pull: [f64; 2], bound: f64) -> [f64; 2] {
     let length = (pull[0] * pull[0] + pull[1] * pull[1]).sqrt();
     if length == 0.0 {

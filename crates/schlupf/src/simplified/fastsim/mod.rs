@@ -174,9 +174,11 @@ impl Fastsim {
                 };
                 let mu = fixed_point(start, |mu| {
                     let (_, passage) = arrive(mu);
-                    let rise = heat.rise(k, inherited, passage.heat());
+                    let scaled_rise = heat.scaled_rise(k, inherited, passage.heat());
                     let slip_speed = passage.slip[0].hypot(passage.slip[1]);
-                    problem.friction_response(&conduction, rise, slip_speed, cell.y).coefficient
+                    problem
+                        .friction_response(&conduction, scaled_rise, slip_speed, cell.y)
+                        .coefficient
                 });
                 let (next, passage) = arrive(mu);
                 heat.flux[k] = passage.heat();
@@ -236,7 +238,7 @@ impl Fastsim {
             };
             let heat = path_in.heat();
             let inherited = self.heat.inherited(k);
-            now.rise[k] = self.heat.rise(k, inherited, heat);
+            now.scaled_rise[k] = self.heat.scaled_rise(k, inherited, heat);
             self.heat.flux[k] = heat;
             // Half of each path belongs to the cell, and all of a path from or to an edge.
             let shares = [
@@ -252,7 +254,7 @@ impl Fastsim {
         }
         let duration = strip.exit.distance / now.kinematics.speed;
         let way_out = HeatStep { flux: path_in.heat(), duration };
-        now.exit_rise.push(self.heat.exit_rise_after(&strip, way_out));
+        now.scaled_exit_rise.push(self.heat.scaled_exit_rise_after(&strip, way_out));
     }
 
     /// The path into a cell, from the previous cell if there is one.
