@@ -3,7 +3,9 @@
 #![forbid(unsafe_code)]
 
 mod parts;
+mod python;
 mod sources;
+mod step;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -83,7 +85,10 @@ mod tests {
         let names: Vec<_> = parse("ci").unwrap().iter().map(|part| part.name()).collect();
         assert_eq!(
             names,
-            ["fmt", "clippy", "test", "doc", "sources", "examples", "wasm", "package", "oldest"]
+            [
+                "fmt", "clippy", "test", "doc", "sources", "examples", "wasm", "package", "oldest",
+                "python"
+            ]
         );
     }
 

@@ -1,12 +1,11 @@
 //! The tasks, and the composition of `cargo xtask ci`.
 
-use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::sources;
+use crate::step::Step;
+use crate::{python, sources};
 
 /// A part of the checks, or a task that takes too long to be one; each is a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,6 +28,8 @@ pub enum Part {
     Package,
     /// The oldest supported Rust.
     Oldest,
+    /// The Python package.
+    Python,
     /// The tests that take long.
     Long,
     /// The table of work and times.
@@ -37,7 +38,7 @@ pub enum Part {
 
 impl Part {
     /// The parts of the checks, in the order in which they run.
-    pub const CI: [Self; 9] = [
+    pub const CI: [Self; 10] = [
         Self::Fmt,
         Self::Clippy,
         Self::Test,
@@ -47,6 +48,7 @@ impl Part {
         Self::Wasm,
         Self::Package,
         Self::Oldest,
+        Self::Python,
     ];
 
     /// Tasks that run only on request.
@@ -64,6 +66,7 @@ impl Part {
             Self::Wasm => "wasm",
             Self::Package => "package",
             Self::Oldest => "oldest",
+            Self::Python => "python",
             Self::Long => "long",
             Self::Bench => "bench",
         }
@@ -81,12 +84,13 @@ impl Part {
             Self::Wasm => "builds the libraries for wasm32-unknown-unknown",
             Self::Package => "makes the packages that would be published",
             Self::Oldest => "checks the workspace with the oldest Rust of Cargo.toml",
+            Self::Python => "builds, installs and tests the Python package (needs Python 3.10)",
             Self::Long => "what takes long: ignored tests, packages that are built",
             Self::Bench => "prints the table of work and times of docs/performance.md",
         }
     }
 
-    /// The steps of the part, in order; the sources are read here, without cargo.
+    /// The steps of the part, in order; sources and the Python package have their own way.
     fn steps(self, workspace: &Path) -> Result<Vec<Step>, String> {
         Ok(match self {
             Self::Fmt => vec![Step::cargo("fmt --all --check")],
@@ -104,7 +108,7 @@ impl Part {
                 let doc = Step::cargo("doc --workspace --no-deps");
                 vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings")), ..doc }]
             }
-            Self::Sources => Vec::new(),
+            Self::Sources | Self::Python => Vec::new(),
             // The build of the tests includes the examples; building them alone would be another
             // build.
             Self::Examples => {
@@ -142,12 +146,15 @@ impl Part {
         if self == Self::Sources {
             return sources::report(workspace);
         }
+        if self == Self::Python {
+            return python::run(workspace, &workspace.join(target()));
+        }
         self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace))
     }
 }
 
 /// The packages that others build on; the command itself needs an operating system.
-const LIBRARIES: [&str; 3] = ["schlupf", "schlupf-case", "schlupf-output"];
+const LIBRARIES: [&str; 4] = ["schlupf", "schlupf-case", "schlupf-output", "schlupf-tasks"];
 
 /// The `rust-version` of the workspace.
 fn oldest(workspace: &Path) -> Result<String, String> {
@@ -161,48 +168,6 @@ fn oldest(workspace: &Path) -> Result<String, String> {
 /// The target directory of cargo, from the root of the workspace.
 fn target() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
-}
-
-/// A program to be run.
-struct Step {
-    program: PathBuf,
-    /// Separated by blanks.
-    arguments: String,
-    variable: Option<(&'static str, &'static str)>,
-}
-
-impl Step {
-    fn cargo(arguments: &str) -> Self {
-        let program = std::env::var_os("CARGO").map_or_else(|| "cargo".into(), PathBuf::from);
-        Self { program, arguments: arguments.to_owned(), variable: None }
-    }
-
-    /// A program without arguments.
-    fn program(path: PathBuf) -> Self {
-        Self { program: path, arguments: String::new(), variable: None }
-    }
-
-    fn run(&self, workspace: &Path) -> Result<(), String> {
-        eprintln!("  > {self}");
-        let mut command = Command::new(&self.program);
-        command.args(self.arguments.split_whitespace()).current_dir(workspace);
-        command.envs(self.variable);
-        match command.status() {
-            Ok(status) if status.success() => Ok(()),
-            Ok(status) => Err(format!("{self}: {status}")),
-            Err(error) => Err(format!("{self} does not start: {error}")),
-        }
-    }
-}
-
-impl fmt::Display for Step {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some((name, value)) = self.variable {
-            write!(f, "{name}=\"{value}\" ")?;
-        }
-        let program = self.program.file_stem().unwrap_or_default().to_string_lossy();
-        write!(f, "{program} {}", self.arguments)
-    }
 }
 
 /// Runs every part, even after one has failed, so that one run shows everything that needs fixing.

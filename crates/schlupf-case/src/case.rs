@@ -21,6 +21,7 @@ use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
 use crate::notice::Notice;
 use crate::place::Place;
 use crate::read;
+use crate::setting::Setting;
 
 /// What makes a history, each by itself.
 const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
@@ -130,6 +131,44 @@ impl CaseFile {
     /// An error of the core, at the place of the field that it names.
     pub fn explain(&self, error: &schlupf::Error) -> CaseError {
         self.settings.explain(error)
+    }
+
+    /// The value of a field in effect (numbers in SI units, temperatures in degC): the one given or
+    /// the default; `None` if there is neither, or if the default has to be computed.
+    ///
+    /// ```
+    /// use schlupf_case::{CaseFile, Folder, Overrides, Setting};
+    ///
+    /// let text = "kinematics.speed = \"72 km/h\"";
+    /// let file = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
+    /// assert_eq!(file.value("kinematics.speed"), Some(Setting::Number(20.0)));
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
+    pub fn value(&self, path: &str) -> Option<Setting> {
+        self.settings.setting(path).ok()
+    }
+
+    /// Dotted paths of the fields that are given, in the order of the file, overrides last.
+    pub fn given(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|entry| entry.path.as_str())
+    }
+
+    /// The text of the case with other values of some fields (in SI units, or dimensionless) and
+    /// all overrides in it, comments and layout kept. Paths are those from `folder`, where the text
+    /// is to be.
+    pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
+        let own = self.files.locate("");
+        let is_moved = edited::absolute(folder) != edited::absolute(&own);
+        let mut text = edited::Edited::new(&self.source)?;
+        text.take_over(&self.entries, is_moved.then_some(&own))?;
+        for (path, value) in values {
+            if *path == "contact_law.stiffness" {
+                // A case has k_c or the roughness that it follows from.
+                text.remove("contact_law.roughness");
+            }
+            text.set_number(path, *value)?;
+        }
+        Ok(text.finish())
     }
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.
@@ -256,23 +295,9 @@ impl Case {
         self.file.files()
     }
 
-    /// The text of the case with other values of some fields (in SI units, or dimensionless) and
-    /// all overrides in it, comments and layout kept. Paths are those from `folder`, where the text
-    /// is to be.
+    /// The text of the case with other values of some fields: see [`CaseFile::edited`].
     pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
-        let file = &self.file;
-        let own = file.files.locate("");
-        let is_moved = edited::absolute(folder) != edited::absolute(&own);
-        let mut text = edited::Edited::new(&file.source)?;
-        text.take_over(&file.entries, is_moved.then_some(&own))?;
-        for (path, value) in values {
-            if *path == "contact_law.stiffness" {
-                // A case has k_c or the roughness that it follows from.
-                text.remove("contact_law.roughness");
-            }
-            text.set_number(path, *value)?;
-        }
-        Ok(text.finish())
+        self.file.edited(values, folder)
     }
 
     /// All fields in effect, given or by default.

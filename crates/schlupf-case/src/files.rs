@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Largest file of data that is read, in bytes.
-pub const LARGEST_FILE: u64 = 2 << 30;
+pub const LARGEST_FILE: u64 = 1 << 30;
 
 /// Reads up to so many bytes.
 ///

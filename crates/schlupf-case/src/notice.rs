@@ -45,8 +45,8 @@ messages! {
         /// Mean pressure on the surface, in Pa.
         mean_pressure: f64,
     } ROUGHNESS, |subject, words| format!(
-        "the spots carry {:.1} GPa in the mean at {:.0} MPa, more than steel does before it yields \
-         (2.5 to 3 GPa on rails): a hardness belongs to this surface",
+        "the spots carry {:.1} GPa in the mean at {:.0} MPa, above the hardness of steel (2.5 to \
+         3 GPa on rails): give a hardness",
         1e-9 * in_spots,
         1e-6 * mean_pressure
     );

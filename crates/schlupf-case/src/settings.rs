@@ -7,7 +7,9 @@ use schlupf::Quantity;
 
 use crate::document::{Content, Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
-use crate::fields::{self, ALTERNATIVES, Choose, Default, Field, NOT_PER_CENT, SECTIONS, UsedWith};
+use crate::fields::{
+    self, ALTERNATIVES, Alternatives, Choose, Default, Field, NOT_PER_CENT, SECTIONS, UsedWith,
+};
 use crate::files::{Files, InputFile};
 use crate::names::{self, FieldNames, Noting};
 use crate::notice::Notice;
@@ -337,7 +339,17 @@ impl Settings {
             let is_given = |field: &Field| self.given.contains_key(field.path);
             section.fields.iter().all(is_optional) && !section.fields.iter().any(is_given)
         });
-        self.is_used(field) && !is_left_out
+        self.is_used(field) && !is_left_out && !self.is_replaced(field.path)
+    }
+
+    /// Whether a field is only a default, in place of which others are given.
+    fn is_replaced(&self, path: &str) -> bool {
+        let any_given = |fields: &[&str]| self.any_given(fields);
+        !self.is_given(path)
+            && ALTERNATIVES.iter().any(|Alternatives { first, second, .. }| {
+                first.contains(&path) && any_given(second)
+                    || second.contains(&path) && any_given(first)
+            })
     }
 
     /// Whether a choice is made with one of these names, and counts itself.

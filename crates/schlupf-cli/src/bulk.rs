@@ -6,10 +6,12 @@ use schlupf::{Error, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile};
 use schlupf_output::bulk_temperature::BulkReport;
 
+use schlupf_tasks::messages;
+
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::task::{Found, Task, messages};
+use crate::task::{Found, Task};
 
 /// Whose balance to find, and where to write it.
 #[derive(Debug, Args)]

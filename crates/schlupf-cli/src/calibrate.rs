@@ -20,12 +20,14 @@ use schlupf::{Error, Quantity, Status, Warning, Watch};
 use schlupf_case::{CaseErrors, CaseFile, Displacements, InputFile, read_displacements};
 use schlupf_output::calibration::{CalibrationReport, Direct, Fitted, FittedComponent, Layer};
 
+use schlupf_tasks::messages;
+
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
 use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::task::{Found, Task, messages};
+use crate::task::{Found, Task};
 
 const DISPLACEMENTS: &str = "--displacements";
 

@@ -8,12 +8,13 @@ use std::process::ExitCode;
 use schlupf_case::{
     Case, CaseFile, Effective, Folder, Overrides, Place, schema as case_schema, template,
 };
+use schlupf_tasks::contact_law;
 
 use crate::arguments::{CaseArguments, InitArguments, STANDARD_STREAM};
 use crate::failure::Failure;
 use crate::outputs::{self, Output};
 use crate::progress::Progress;
-use crate::{contact_law, report, stdout};
+use crate::{report, stdout};
 
 /// Reads the case that was named, or the default one; nothing is solved yet.
 pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {

@@ -11,11 +11,13 @@ use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, CaseFile, Effective, ElasticityModel, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
 
+use schlupf_tasks::messages;
+
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
 use crate::notice::Notice;
 use crate::progress::Progress;
-use crate::task::{Found, Task, messages};
+use crate::task::{Found, Task};
 
 /// What the fields that a method sets come from, in messages.
 const COMPARE: &str = "compare";

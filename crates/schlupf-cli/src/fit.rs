@@ -16,12 +16,14 @@ use schlupf_case::{
 };
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
+use schlupf_tasks::messages;
+
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
 use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::task::{Found, OwnFile, Task, messages};
+use crate::task::{Found, OwnFile, Task};
 
 const DATA: &str = "--data";
 const FIT: &str = "--fit";

@@ -8,7 +8,6 @@ mod calibrate;
 mod command_line;
 mod commands;
 mod compare;
-mod contact_law;
 mod curve;
 mod failure;
 mod fit;

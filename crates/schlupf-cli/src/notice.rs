@@ -62,7 +62,7 @@ messages! {
         /// Part of them that it misses, dimensionless.
         deviation: f64,
     } CALIBRATION, |subject, words| format!(
-        "the layer misses {:.0} % of displacement_{component}: it is hardly an elastic layer's",
+        "the layer misses {:.0} % of displacement_{component}, which is not that of an elastic layer",
         100.0 * deviation
     );
 
@@ -73,8 +73,8 @@ messages! {
         /// `along` or `across` rolling.
         direction: &'static str,
     } CALIBRATION, |subject, words| format!(
-        "displacement_{component} leaves open how far the coupling reaches {direction} rolling: its \
-         decay length is at the end of the range that is looked at"
+        "displacement_{component} does not determine the coupling {direction} rolling: its decay \
+         length reached its search bound"
     );
 }
 

@@ -102,7 +102,7 @@ fn all_files(outputs: &[Output], directory: Option<&Directory>) -> Vec<Output> {
 fn shared(option: &str, path: &Path, other: &str) -> Failure {
     let path = path.display();
     Failure::Arguments(format!(
-        "{option} must name a file of its own, but {path} is that of {other}, too"
+        "{option} must name a file of its own, but {path} is also that of {other}"
     ))
 }
 

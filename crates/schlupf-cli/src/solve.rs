@@ -6,19 +6,17 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
 use schlupf::message::{Message, Words};
-use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, LARGEST_FILE, Rolling, read_up_to};
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
-use crate::contact_law;
 use crate::failure::Failure;
 use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
-use crate::task::{Found, OwnFile, Task, messages};
+use crate::task::{Found, OwnFile, Task};
 
 const INITIAL_STATE: &str = "--initial-state";
 const FINAL_STATE: &str = "--final-state";
@@ -93,16 +91,10 @@ impl Task for Solve {
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<SolutionReport>, Failure> {
         let Plan { case, rolling } = plan;
-        let solution = match rolling {
-            Rolling::Steady(mut solver) => solver.solve(&case.problem, &progress.watch()),
-            Rolling::Transient(transient) => march(&transient, &case.options, &progress.watch()),
-        };
-        let solution = solution.map_err(|error| self.explain(&case, &error))?;
-        let contact_law = (solution.method == Method::Full).then(|| contact_law::of(&case));
-        let notices = case.notices.iter().cloned();
-        let warnings = notices.chain(messages(&solution.warnings)).chain(self.empty(&solution));
-        let warnings = warnings.collect();
-        Ok(SolutionReport { title: case.title, contact_law, solution, warnings }.into())
+        let report = schlupf_tasks::solve::solve(&case, rolling, &progress.watch());
+        let mut report = report.map_err(|error| self.explain(&case, &error))?;
+        report.warnings.extend(self.empty(&report.solution));
+        Ok(report.into())
     }
 }
 

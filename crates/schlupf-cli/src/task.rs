@@ -6,7 +6,6 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use schlupf::message::Message;
 use schlupf::{Status, Watch};
 use schlupf_case::CaseFile;
 use schlupf_output::Report;
@@ -229,11 +228,4 @@ fn files<T: Task>(
         }
     }
     Ok(files)
-}
-
-/// Warnings of the core in the words of a case file.
-pub fn messages<'a>(
-    warnings: impl IntoIterator<Item = &'a schlupf::Warning>,
-) -> impl Iterator<Item = Message> {
-    warnings.into_iter().map(|warning| warning.message(&schlupf_case::FieldNames::CASE))
 }

@@ -6,11 +6,13 @@ use schlupf::{Error, Problem, Solution, Watch};
 use schlupf_case::{Case, CaseError, CaseErrors, CaseFile, depths, length, position};
 use schlupf_output::temperature::{Request, Temperatures};
 
+use schlupf_tasks::messages;
+
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::curve::number_of_points;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::task::{Found, Task, messages};
+use crate::task::{Found, Task};
 
 /// Where to look at the temperatures, and where to write them.
 #[derive(Debug, Args)]

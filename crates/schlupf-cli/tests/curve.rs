@@ -155,9 +155,9 @@ const BAD: &[(&[&str], &[&str])] = &[
     ),
     (
         &["--creepage-x", "0..0.1", "--csv", "p.csv", "--over", "normal.file=p.csv,q.csv"],
-        &["--csv must name a file of its own, but p.csv is that of --over"],
+        &["--csv must name a file of its own, but p.csv is also that of --over"],
     ),
-    (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is that of the case file"]),
+    (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is also that of the case file"]),
     (&["--creepage-x", "0..0.1", "--csv", "-"], &["--csv must name a file"]),
 ];
 

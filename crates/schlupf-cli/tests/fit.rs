@@ -278,7 +278,7 @@ fn bad_requests_are_refused() {
         (BOTH, &["--gamma", "0"], 2, "between 0.01 and 10"),
         (BOTH, &["--max-steps", "0"], 2, "--max-steps"),
         (BOTH, &["--csv", "data.csv"], 2, "--csv must name a file of its own"),
-        (BOTH, &["--write-case", "case.toml"], 2, "that of the case file, too"),
+        (BOTH, &["--write-case", "case.toml"], 2, "also that of the case file"),
         (BOTH, &["--set", "friction.coefficient=5"], 2, "must start a fit between"),
     ];
     for (parameters, more, code, part) in rows {

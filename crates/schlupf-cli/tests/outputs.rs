@@ -85,7 +85,7 @@ fn files_of_the_case_are_refused_before_it_is_posed() {
     bench.write("case.toml", "[contact_law]\nroughness = \"line.csv\"\n");
     let run = bench.run(&["solve", "case.toml", "--csv", "line.csv"]);
     assert_eq!(run.code, Some(2));
-    let expected = "that of contact_law.roughness.file, too";
+    let expected = "also that of contact_law.roughness.file";
     assert!(run.stderr.contains(expected), "{}", run.stderr);
 }
 

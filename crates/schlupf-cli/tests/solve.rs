@@ -230,7 +230,7 @@ fn inputs_are_not_overwritten() {
     bench.write("off.toml", "[normal]\nmodel = \"tabulated\"\nfile = \"off.csv\"\n");
     let run = bench.run(&["solve", "off.toml", "--csv", "off.csv"]);
     assert_eq!(run.code, Some(2), "{}", run.stderr);
-    assert!(run.stderr.contains("off.csv is that of normal.file"), "{}", run.stderr);
+    assert!(run.stderr.contains("off.csv is also that of normal.file"), "{}", run.stderr);
     assert_eq!(bench.read("off.csv"), TABLE);
 
     bench.write("case.toml", SMALL);

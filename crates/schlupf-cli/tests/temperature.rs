@@ -146,7 +146,7 @@ const BAD: &[(&[&str], &[&str])] = &[
     (&["--wake", "-1 mm"], &["the length of the wake must be between 0 and 1000 m", "\"-1 mm\""]),
     (&["--wake", "nan m"], &["the length of the wake must be between"]),
     (&["--points", "1"], &["'1' for '--points", "between 2 and 10000"]),
-    (&["--csv", "case.toml"], &["is that of the case file"]),
+    (&["--csv", "case.toml"], &["is also that of the case file"]),
 ];
 
 #[test]

@@ -114,6 +114,15 @@ impl Default for Body {
 
 /// Plane-strain modulus of two bodies together, 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, in Pa
 /// (Hertz 1882; Johnson 1985, Eq. 4.20).
+///
+/// ```
+/// use schlupf::material::{Material, contact_modulus};
+///
+/// let steel = Material::STEEL;
+/// let plane_strain = steel.young_modulus / (1.0 - steel.poisson_ratio.powi(2));
+/// assert!((2.0 * contact_modulus(&steel, &steel) / plane_strain - 1.0).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn contact_modulus(first: &Material, second: &Material) -> f64 {
     let compliance = |m: &Material| (1.0 - m.poisson_ratio.powi(2)) / m.young_modulus;
     1.0 / (compliance(first) + compliance(second))

@@ -64,8 +64,8 @@ messages! {
         /// Contact modulus, in Pa.
         modulus: f64,
     } Quantity::PeakPressure, |name, words| format!(
-        "{name}: the largest pressure is {} MPa, {:.1} % of the contact modulus, and metals yield below \
-         2.5 %: check load and radii and their units",
+        "{name}: the largest pressure is {} MPa, {:.0} % of the contact modulus, which is beyond \
+         elasticity with small strains: check load and radii and their units",
         readable(1e-6 * pressure),
         1e2 * pressure / modulus
     );
@@ -272,7 +272,7 @@ messages! {
         part: f64,
     } Quantity::Method, |name, words| format!(
         "{name}: the friction power of FASTSIM, {friction:.4e} W, differs from the creep power, \
-         {creep:.4e} W, by more than {} %; temperatures are as uncertain",
+         {creep:.4e} W, by more than {} %; the temperatures are uncertain by as much",
         100.0 * part
     );
 

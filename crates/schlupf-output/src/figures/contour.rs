@@ -22,7 +22,7 @@ pub(crate) struct Sliding {
 /// sticks, everything slides: single cells at the rim would leave horns.
 pub(crate) fn sliding(patch: &Patch) -> Sliding {
     /// Share of the contact.
-    const NEXT_TO_NOTHING: f64 = 0.01;
+    const NEXT_TO_NOTHING: f64 = 0.03;
     let used = used_friction(patch);
     let sliding = &patch.fields().sliding;
     let of =

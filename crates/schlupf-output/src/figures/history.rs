@@ -44,10 +44,16 @@ struct Axis {
 }
 
 impl Axis {
-    /// Time if the speed varies or a shift at rest precedes the rolling; otherwise the distance,
-    /// with which the contact settles.
+    /// Time if anything varies over it; otherwise the distance, with which the contact settles.
     fn of(history: &[Instant]) -> Self {
-        if varies(history, |instant| instant.kinematics.speed) {
+        let given: [fn(&Instant) -> f64; 5] = [
+            |instant| instant.kinematics.speed,
+            |instant| instant.kinematics.creepage_x,
+            |instant| instant.kinematics.creepage_y,
+            |instant| instant.kinematics.spin,
+            |instant| instant.load,
+        ];
+        if given.into_iter().any(|value| varies(history, value)) {
             return Self {
                 title: "Forces over time",
                 label: "time",

@@ -138,6 +138,16 @@ pub fn calibrate(
 
 /// Computes the deviation of the tabulated stiffnesses from the half-space.
 ///
+/// ```
+/// use schlupf::calibration::{CalibrationOptions, deviation_of_table};
+/// use schlupf::unwatched;
+///
+/// let options = CalibrationOptions { cells: 10, ..CalibrationOptions::default() };
+/// // Forces within 2 % of μN.
+/// assert!(deviation_of_table(1.0, 0.28, &options, &unwatched)?.force < 0.02);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// Ratios outside the table, and [`Error::Stopped`].
 pub fn deviation_of_table(

@@ -215,6 +215,11 @@ impl Convolution {
     /// The convolution with the influence [A_xx, A_yy, A_xy] (in m/Pa) at a distance in columns and
     /// rows.
     pub fn new(grid: &Grid, influence: impl Fn(isize, isize) -> [f64; 3]) -> Self {
+        Self::of(grid, &influence)
+    }
+
+    /// The same; what is generic is compiled again in every crate that uses it.
+    fn of(grid: &Grid, influence: &dyn Fn(isize, isize) -> [f64; 3]) -> Self {
         let size = [smooth_from(2 * grid.columns - 1), smooth_from(2 * grid.rows - 1)];
         let mut planner = FftPlanner::new();
         let along = [planner.plan_fft_forward(size[0]), planner.plan_fft_inverse(size[0])];
@@ -244,7 +249,7 @@ impl Convolution {
 
     /// Transforms the influence. A_xx and A_yy are even in x and in y, A_xy is odd in both, so all
     /// three transforms are real, and two fit into one complex field.
-    fn set_influence(&mut self, influence: impl Fn(isize, isize) -> [f64; 3]) {
+    fn set_influence(&mut self, influence: &dyn Fn(isize, isize) -> [f64; 3]) {
         let [nx, ny] = self.size;
         let distance = |k: usize, count: usize| {
             let k = k as isize;

@@ -57,6 +57,27 @@ const MOST_CONDITIONS: usize = 12;
 /// points each (none if zero) in addition to those of the data. With more than twelve conditions
 /// there are no curves.
 ///
+/// ```
+/// use schlupf::identification::{
+///     Component, Condition, DataPoint, Parameter, PolachModel, sample_curves,
+/// };
+/// use schlupf::interface::friction::{constant::Constant, constants::FrictionConstant};
+/// use schlupf::{Problem, kinematics::Kinematics, method::AreaReduction, unwatched};
+///
+/// let problem = Problem::builder().friction(Constant::new(0.4)?).build()?;
+/// let data = [0.001, 0.01].map(|creepage_x| {
+///     let kinematics = Kinematics { creepage_x, ..problem.kinematics };
+///     let condition = Condition { kinematics, load: None };
+///     let component = Component::Longitudinal;
+///     DataPoint { condition, component, force_ratio: 0.3, standard_deviation: None }
+/// });
+/// let unknown = [Parameter::Friction(FrictionConstant::ColdCoefficient)];
+/// let mut model = PolachModel::new(&problem, AreaReduction::DRY, &unknown)?;
+/// let curves = sample_curves(&mut model, &data, 11, &unwatched)?;
+/// assert_eq!(curves.series.len(), 1);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
 /// # Errors
 /// Invalid conditions, and [`Error::Stopped`].
 pub fn sample_curves(

@@ -18,6 +18,14 @@ const LARGEST_RATIO: f64 = 10.0;
 /// are extrapolated from the ends of the table with Kalker's limits (1967; 1990, Table E.3): C11,
 /// C22 and C23 are within 7 % of the computation at a/b = 1/30 and 30; for C33 only the limit is
 /// used.
+///
+/// ```
+/// use schlupf::kalker_coefficients::interpolated_coefficients;
+///
+/// // Kalker 1990, Table E.3: 4.12.
+/// assert!((interpolated_coefficients(1.0, 0.25)?.c11 - 4.12).abs() < 0.03);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn interpolated_coefficients(
     axis_ratio: f64,
     poisson_ratio: f64,

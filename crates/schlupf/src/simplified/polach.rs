@@ -27,6 +27,20 @@ use super::EllipticContact;
 /// vehicles running on adhesion limit, Wear 258 (2005) 992–1000, for k_A, k_S and the falling
 /// friction. Limits: no moment; the spin force is added without further limitation, so both
 /// together may exceed μN by a few per cent.
+///
+/// ```
+/// use schlupf::method::{AreaReduction, FastMethod};
+/// use schlupf::simplified::{FastContact, polach};
+/// use schlupf::{Options, Problem};
+///
+/// let problem = Problem::builder().creepage_x(0.002).build()?;
+/// let method = FastMethod::Polach(AreaReduction::DRY);
+/// let contact = FastContact::new(&problem, method, &Options::default())?;
+/// let (limit, dry) = (0.4 * 80e3, AreaReduction::DRY);
+/// let force = polach::force(contact.contact(), &problem.kinematics, limit, dry);
+/// assert!(force.x < 0.0 && force.x > -limit);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn force(
     contact: &EllipticContact,
     kinematics: &Kinematics,

@@ -134,6 +134,14 @@ const ROUNDING: f64 = 1e-9;
 
 /// An isotropic surface with the spectral density C(q) (in m⁴, of q in rad/m) and zero mean height.
 /// Waves shorter than two cells are omitted.
+///
+/// ```
+/// use schlupf::surface::{Lattice, synthesis::isotropic};
+///
+/// let white = isotropic(Lattice::square(32, 1e-4), |_| 1e-24, 7)?;
+/// assert_eq!(white.heights().len(), 32 * 32);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn isotropic(
     lattice: Lattice,
     density: impl Fn(f64) -> f64,

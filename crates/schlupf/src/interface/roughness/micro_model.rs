@@ -149,6 +149,14 @@ impl MicroModelResult {
 /// Local pressures (in Pa) that represent a Hertzian patch with the largest pressure p0 (in Pa):
 /// one sixth, one half and five sixths of the load are carried below them. The fraction of the load
 /// carried at pressures below p is (p/p0)³.
+///
+/// ```
+/// use schlupf::interface::roughness::micro_model::pressures_of_patch;
+///
+/// // One half of the load is carried at lower pressures.
+/// assert!((pressures_of_patch(1e9)[1] / 1e9 - 0.5_f64.cbrt()).abs() < 1e-12);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn pressures_of_patch(peak_pressure: f64) -> [f64; 3] {
     [1.0, 3.0, 5.0].map(|sixths: f64| peak_pressure * (sixths / 6.0).cbrt())
 }

@@ -135,6 +135,14 @@ impl Profile {
 
 /// 1/R = 1/R_wheel + 1/R_rail (in m) from the radii along rolling of wheel and rail (in m):
 /// positive if convex, negative if concave, infinite if flat.
+///
+/// ```
+/// use schlupf::normal::profile::relative_radius;
+///
+/// // A wheel on a straight rail.
+/// assert_eq!(relative_radius([0.46, f64::INFINITY])?, 0.46);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub fn relative_radius(radii: [f64; 2]) -> Result<f64, Error> {
     let radii = [(Quantity::WheelRadiusX, radii[0]), (Quantity::RailRadiusX, radii[1])];
     let curvature = curvature_sum(radii)?;

@@ -1,0 +1,116 @@
+//! A checked case.
+
+use std::path::PathBuf;
+
+use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use schlupf::state::State;
+use schlupf_case::fields::{self, Kind};
+use schlupf_case::{CaseErrors, Folder, Overrides, Place, Setting};
+use schlupf_tasks::solve::solve;
+
+use crate::errors;
+use crate::interruptible::interruptible;
+use crate::solution::Solution;
+
+/// What messages call the assignments of the package.
+const ARGUMENT: &str = "Case";
+
+/// A case that was read and checked; nothing is solved yet.
+#[pyclass(frozen, module = "schlupf._core")]
+pub struct CaseFile {
+    /// In the library.
+    pub file: schlupf_case::CaseFile,
+}
+
+#[pymethods]
+impl CaseFile {
+    /// From a TOML text; relative paths start in `folder`. Each assignment is
+    /// `section.field=value`, with the value as in TOML.
+    #[new]
+    #[pyo3(signature = (text, name, folder, assignments))]
+    fn new(
+        py: Python<'_>,
+        text: &str,
+        name: &str,
+        folder: PathBuf,
+        assignments: Vec<String>,
+    ) -> PyResult<Self> {
+        let overrides = Overrides { option: ARGUMENT, assignments: &assignments };
+        let file = schlupf_case::CaseFile::from_str(text, name, Folder::new(folder), overrides);
+        checked(py, file)
+    }
+
+    /// From a file.
+    #[staticmethod]
+    fn from_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        checked(py, schlupf_case::CaseFile::from_path(&path, Overrides::NONE))
+    }
+
+    /// The same with other fields.
+    fn with_fields(&self, py: Python<'_>, assignments: Vec<String>) -> PyResult<Self> {
+        checked(py, self.file.with(ARGUMENT, &assignments))
+    }
+
+    /// As TOML, with paths from `folder`.
+    fn to_toml(&self, py: Python<'_>, folder: PathBuf) -> PyResult<String> {
+        let text = self.file.edited(&[], &folder);
+        text.map_err(|error| errors::of_case(py, &error.into()))
+    }
+
+    /// The value of a field in effect, in SI units; `None` if it has none.
+    fn value<'py>(&self, py: Python<'py>, path: &str) -> PyResult<Bound<'py, PyAny>> {
+        match self.file.value(path) {
+            None => Ok(py.None().into_bound(py)),
+            Some(Setting::Number(number)) if is_count(path) => {
+                (number as i64).into_bound_py_any(py)
+            }
+            Some(Setting::Number(number)) => number.into_bound_py_any(py),
+            Some(Setting::Text(text)) => text.into_bound_py_any(py),
+            Some(Setting::Flag(flag)) => flag.into_bound_py_any(py),
+            Some(Setting::Choice(name)) => name.into_bound_py_any(py),
+            Some(Setting::Series(numbers)) => numbers.into_bound_py_any(py),
+        }
+    }
+
+    /// Paths of the fields that are given.
+    fn given(&self) -> Vec<String> {
+        self.file.given().map(str::to_owned).collect()
+    }
+
+    /// Fields in effect: path, value as text, and whether it is the default.
+    fn effective(&self, py: Python<'_>) -> PyResult<Vec<(&'static str, String, bool)>> {
+        let case = interruptible(py, |watch| self.file.pose(watch))?;
+        let case = case.map_err(|errors| errors::of_case(py, &errors))?;
+        let fields = case.effective().into_iter();
+        Ok(fields.map(|f| (f.path, f.value, matches!(f.place, Place::Default))).collect())
+    }
+
+    /// Solves the case, from a state as JSON if there is one.
+    #[pyo3(signature = (initial_state=None))]
+    fn solve(&self, py: Python<'_>, initial_state: Option<&[u8]>) -> PyResult<Solution> {
+        let state = initial_state.map(serde_json::from_slice::<State>).transpose();
+        let state = state.map_err(|error| {
+            PyValueError::new_err(format!("initial_state must be a state of a result: {error}"))
+        })?;
+        let report = interruptible(py, |watch| {
+            let case = self.file.pose(watch)?;
+            let rolling = case.rolling(state)?;
+            solve(&case, rolling, watch).map_err(|error| CaseErrors::from(case.explain(&error)))
+        })?;
+        report.map(Solution::new).map_err(|errors| errors::of_case(py, &errors))
+    }
+}
+
+/// Whether a field is a whole number.
+fn is_count(path: &str) -> bool {
+    fields::find(path).is_some_and(|field| matches!(field.kind, Kind::Count))
+}
+
+fn checked(py: Python<'_>, file: Result<schlupf_case::CaseFile, CaseErrors>) -> PyResult<CaseFile> {
+    match file {
+        Ok(file) => Ok(CaseFile { file }),
+        Err(errors) => Err(errors::of_case(py, &errors)),
+    }
+}

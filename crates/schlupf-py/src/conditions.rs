@@ -1,0 +1,295 @@
+//! Forces under many conditions, without a loop in Python.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use schlupf::columns::{Column, Record};
+use schlupf::kinematics::Kinematics;
+use schlupf::normal::PressureSource;
+use schlupf::normal::at_load::AtLoad;
+use schlupf::progress::Stage;
+use schlupf::simplified::FastContact;
+use schlupf::{Error, Method, Problem, Progress, Solver, Status, Watch, columns, parallel};
+use schlupf_case::{Case, CaseErrors};
+use schlupf_output::solution::SolutionReport;
+use schlupf_tasks::{contact_law, messages};
+
+use crate::case_file::CaseFile;
+use crate::errors;
+use crate::interruptible::interruptible;
+use crate::records;
+use crate::solution::Solution;
+
+/// What may vary from condition to condition; the rest is that of the case.
+#[derive(Default)]
+struct Conditions {
+    creepage_x: Option<Vec<f64>>,
+    creepage_y: Option<Vec<f64>>,
+    spin: Option<Vec<f64>>,
+    speed: Option<Vec<f64>>,
+    load: Option<Vec<f64>>,
+}
+
+impl Conditions {
+    /// The slot of a name.
+    fn slot(&mut self, name: &str) -> Option<&mut Option<Vec<f64>>> {
+        Some(match name {
+            "creepage_x" => &mut self.creepage_x,
+            "creepage_y" => &mut self.creepage_y,
+            "spin" => &mut self.spin,
+            "speed" => &mut self.speed,
+            "load" => &mut self.load,
+            _ => return None,
+        })
+    }
+
+    /// Copies arrays of equal length, by name.
+    fn read(arrays: &Bound<'_, PyDict>) -> PyResult<(Self, usize)> {
+        let mut conditions = Self::default();
+        let mut count = None;
+        for (name, values) in arrays {
+            let name: String = name.extract()?;
+            let values: PyReadonlyArray1<'_, f64> = values.extract()?;
+            let values: Vec<f64> = values.as_array().iter().copied().collect();
+            if *count.get_or_insert(values.len()) != values.len() {
+                return Err(PyValueError::new_err("arrays must have the same length"));
+            }
+            let slot = conditions.slot(&name);
+            *slot.ok_or_else(|| PyValueError::new_err(format!("no condition: {name}")))? =
+                Some(values);
+        }
+        Ok((conditions, count.unwrap_or(1)))
+    }
+
+    fn kinematics(&self, k: usize, own: &Kinematics) -> Kinematics {
+        let of = |values: &Option<Vec<f64>>, own: f64| values.as_ref().map_or(own, |v| v[k]);
+        Kinematics {
+            creepage_x: of(&self.creepage_x, own.creepage_x),
+            creepage_y: of(&self.creepage_y, own.creepage_y),
+            spin: of(&self.spin, own.spin),
+            speed: of(&self.speed, own.speed),
+        }
+    }
+
+    fn load(&self, k: usize) -> Option<f64> {
+        self.load.as_ref().map(|loads| loads[k])
+    }
+}
+
+/// Forces on the wheel, one row for each condition.
+#[derive(Debug, Default)]
+struct Forces {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    moment_z: Vec<Option<f64>>,
+    traction_coefficient: Vec<f64>,
+    status: Vec<Status>,
+}
+
+impl Record for Forces {
+    fn rows(&self) -> usize {
+        self.x.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Forces:
+            ForceX => |forces, k| forces.x[k],
+            ForceY => |forces, k| forces.y[k],
+            MomentZ => |forces, k| forces.moment_z[k],
+            TractionCoefficient => |forces, k| forces.traction_coefficient[k],
+        }
+    }
+}
+
+impl Forces {
+    fn append(&mut self, mut other: Self) {
+        self.x.append(&mut other.x);
+        self.y.append(&mut other.y);
+        self.moment_z.append(&mut other.moment_z);
+        self.traction_coefficient.append(&mut other.traction_coefficient);
+        self.status.append(&mut other.status);
+    }
+
+    fn push(&mut self, force: &schlupf::solution::Resultant, load: f64, status: Status) {
+        self.x.push(force.x);
+        self.y.push(force.y);
+        self.moment_z.push(force.moment_z);
+        self.traction_coefficient.push(force.tangential() / load);
+        self.status.push(status);
+    }
+}
+
+/// Conditions that one solver takes, one after the other: fixed numbers, so that the results do not
+/// depend on how many threads there are.
+const FAST_BLOCK: usize = 4096;
+const FULL_BLOCK: usize = 64;
+
+/// An error with the condition that it is about.
+type Failure = (usize, Error);
+
+/// The forces of all conditions, in their order, on all threads.
+fn forces(
+    case: &Case,
+    conditions: &Conditions,
+    count: usize,
+    watch: Watch,
+) -> Result<Forces, Failure> {
+    let block = if case.method == Method::Full { FULL_BLOCK } else { FAST_BLOCK };
+    let blocks = (0..count).step_by(block).map(|start| start..(start + block).min(count));
+    let found = parallel::try_map(blocks.collect(), |block| match case.method {
+        Method::Fast(method) => {
+            let contact = FastContact::new(&case.problem, method, &case.options);
+            fast(contact.map_err(|error| (block.start, error))?, case, conditions, block, watch)
+        }
+        Method::Full => full(case, conditions, block, watch),
+    })?;
+    let mut forces = Forces::default();
+    for part in found {
+        forces.append(part);
+    }
+    Ok(forces)
+}
+
+fn fast(
+    mut contact: FastContact,
+    case: &Case,
+    conditions: &Conditions,
+    block: std::ops::Range<usize>,
+    watch: Watch,
+) -> Result<Forces, Failure> {
+    let own = case.problem.kinematics;
+    if watch(Progress::count(Stage::Curve, block.start)).is_break() {
+        return Err((block.start, Error::Stopped {}));
+    }
+    let mut forces = Forces::default();
+    let mut load = contact.contact().normal.load;
+    for k in block {
+        let with_place = |error| (k, error);
+        if let Some(wanted) = conditions.load(k).filter(|wanted| *wanted != load) {
+            contact.set_load(wanted).map_err(with_place)?;
+            load = wanted;
+        }
+        let force = contact.force(&conditions.kinematics(k, &own)).map_err(with_place)?;
+        forces.push(&force, load, Status::Converged);
+    }
+    Ok(forces)
+}
+
+fn full(
+    case: &Case,
+    conditions: &Conditions,
+    block: std::ops::Range<usize>,
+    watch: Watch,
+) -> Result<Forces, Failure> {
+    let mut forces = Forces::default();
+    let mut solver = LoadedSolver::new(case);
+    for k in block {
+        let with_place = |error| (k, error);
+        let kinematics = conditions.kinematics(k, &case.problem.kinematics);
+        let problem = solver.problem(case, kinematics, conditions.load(k), watch);
+        let problem = problem.map_err(with_place)?;
+        let solution = solver.solver.solve(&problem, watch).map_err(with_place)?;
+        forces.push(&solution.force, solution.normal.load, solution.status);
+    }
+    Ok(forces)
+}
+
+/// A solver with the normal contact of the latest load.
+struct LoadedSolver {
+    solver: Box<dyn Solver>,
+    normal: Arc<dyn PressureSource>,
+    load: Option<f64>,
+}
+
+impl LoadedSolver {
+    fn new(case: &Case) -> Self {
+        Self { solver: case.solver(), normal: Arc::clone(&case.problem.normal), load: None }
+    }
+
+    /// The problem under these conditions.
+    fn problem(
+        &mut self,
+        case: &Case,
+        kinematics: Kinematics,
+        load: Option<f64>,
+        watch: Watch,
+    ) -> Result<Problem, Error> {
+        let own = &case.problem.normal;
+        if let Some(load) = load.filter(|load| self.load != Some(*load)) {
+            self.normal = Arc::new(AtLoad::new(Arc::clone(own), load)?);
+            self.normal.prepare(None, watch)?;
+            self.load = Some(load);
+        }
+        let normal = if load.is_some() { Arc::clone(&self.normal) } else { Arc::clone(own) };
+        Ok(Problem { kinematics, normal, ..case.problem.clone() })
+    }
+}
+
+fn explained(case: &Case, row: usize, error: &Error) -> CaseErrors {
+    case.explain(error).help(format!("in condition {row}, counted from 0")).into()
+}
+
+/// Forces on the wheel of a case under many conditions: columns by name, and whether each
+/// converged.
+#[pyfunction]
+pub fn batch<'py>(
+    py: Python<'py>,
+    case: &CaseFile,
+    arrays: &Bound<'py, PyDict>,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<bool>>)> {
+    let (conditions, count) = Conditions::read(arrays)?;
+    let found = interruptible(py, |watch| -> Result<Forces, CaseErrors> {
+        let case = case.file.pose(watch)?;
+        case.require_steady("forces under many conditions are those")?;
+        forces(&case, &conditions, count, watch)
+            .map_err(|(row, error)| explained(&case, row, &error))
+    })?;
+    let forces = found.map_err(|errors| errors::of_case(py, &errors))?;
+    let converged = forces.status.iter().map(|status| *status == Status::Converged);
+    Ok((records::columns(py, &forces)?, PyArray1::from_iter(py, converged)))
+}
+
+/// A solver that keeps its set-up and its earlier solutions, for callers with loops of their own.
+#[pyclass(frozen, module = "schlupf._core")]
+pub struct BatchSolver {
+    case: Case,
+    solver: Mutex<LoadedSolver>,
+}
+
+#[pymethods]
+impl BatchSolver {
+    /// Of a case of steady rolling.
+    #[new]
+    fn new(py: Python<'_>, case: &CaseFile) -> PyResult<Self> {
+        let posed = interruptible(py, |watch| -> Result<Case, CaseErrors> {
+            let case = case.file.pose(watch)?;
+            case.require_steady("a solver is")?;
+            Ok(case)
+        })?;
+        let case = posed.map_err(|errors| errors::of_case(py, &errors))?;
+        let solver = Mutex::new(LoadedSolver::new(&case));
+        Ok(Self { case, solver })
+    }
+
+    /// Solves under other conditions, given by name; the rest is that of the case.
+    fn solve(&self, py: Python<'_>, arrays: &Bound<'_, PyDict>) -> PyResult<Solution> {
+        let (conditions, _) = Conditions::read(arrays)?;
+        let solved = interruptible(py, |watch| {
+            // A panic within a solution leaves a solver that starts anew.
+            let mut solver = self.solver.lock().unwrap_or_else(PoisonError::into_inner);
+            let case = &self.case;
+            let kinematics = conditions.kinematics(0, &case.problem.kinematics);
+            let problem = solver.problem(case, kinematics, conditions.load(0), watch)?;
+            solver.solver.solve(&problem, watch)
+        })?;
+        let case = &self.case;
+        let solution = solved.map_err(|error| errors::of_case(py, &case.explain(&error).into()))?;
+        let contact_law = (solution.method == Method::Full).then(|| contact_law::of(case));
+        let warnings = case.notices.iter().cloned().chain(messages(&solution.warnings)).collect();
+        let title = case.title.clone();
+        Ok(Solution::new(SolutionReport { title, contact_law, solution, warnings }))
+    }
+}

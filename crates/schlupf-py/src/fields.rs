@@ -1,0 +1,68 @@
+//! The table of fields of a case, from which the package makes its documentation, its conversion of
+//! numbers and its completion.
+
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use schlupf_case::FieldNames;
+use schlupf_case::fields::{Default, Field, Kind, SECTIONS};
+
+/// Sections in the order of the case file; each a dictionary with `name`, `doc` and `fields`.
+#[pyfunction]
+pub fn field_table(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+    let sections = PyList::empty(py);
+    for section in SECTIONS {
+        let fields = PyList::empty(py);
+        for field in section.fields {
+            fields.append(entry(py, field)?)?;
+        }
+        let table = PyDict::new(py);
+        table.set_item("name", section.name)?;
+        table.set_item("doc", section.doc)?;
+        table.set_item("fields", fields)?;
+        sections.append(table)?;
+    }
+    Ok(sections)
+}
+
+/// A field: path, kind, unit (SI), whether its numbers may be text with a unit, default, choices
+/// and documentation.
+fn entry<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
+    let entry = PyDict::new(py);
+    entry.set_item("path", field.path)?;
+    entry.set_item("name", field.name())?;
+    entry.set_item("kind", kind(field.kind))?;
+    entry.set_item("units", field.kind.unit())?;
+    entry.set_item("requirement", field.requirement.text(field.kind.unit(), &FieldNames::CASE))?;
+    let default = match field.default {
+        Default::Nothing => None,
+        Default::Text(text) | Default::Same(text) | Default::Computed(text) => Some(text),
+    };
+    entry.set_item("default", default)?;
+    let choices = field.kind.choices().iter().map(|choice| (choice.name, choice.doc));
+    entry.set_item("choices", choices.collect::<Vec<_>>())?;
+    let uses = field.uses().map(|(path, names)| (path, names.to_vec()));
+    entry.set_item("used_with", uses.collect::<Vec<_>>())?;
+    entry.set_item("doc", field.doc)?;
+    Ok(entry)
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Quantity(_) => "quantity",
+        Kind::Number => "number",
+        Kind::Count => "count",
+        Kind::Flag => "flag",
+        Kind::Choice(_) => "choice",
+        Kind::NumberOr(_) => "number-or-choice",
+        Kind::Text => "text",
+        Kind::Path => "path",
+        Kind::Quantities(_) => "quantities",
+        Kind::Numbers => "numbers",
+    }
+}
+
+/// The codes of all warnings.
+#[pyfunction]
+pub fn warning_codes() -> Vec<&'static str> {
+    [schlupf::Warning::CODES, schlupf_case::Notice::CODES].concat()
+}

@@ -1,0 +1,44 @@
+//! Records of the library as columns for NumPy.
+
+use numpy::PyArray1;
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use schlupf::columns::{Record, Value};
+
+/// All columns of a record, by name: each a dictionary with `values` (an array, or a list of
+/// names), `symbol`, `units` and `long_name`.
+pub fn columns<'py, R: Record + ?Sized>(
+    py: Python<'py>,
+    record: &R,
+) -> PyResult<Bound<'py, PyDict>> {
+    let table = PyDict::new(py);
+    for column in R::columns() {
+        let entries = || (0..record.rows()).map(|row| (column.value)(record, row));
+        let values = if entries().any(|entry| matches!(entry, Value::Name(_))) {
+            names(entries()).into_bound_py_any(py)?
+        } else if record.rows() > 0 && entries().all(|entry| matches!(entry, Value::Flag(_))) {
+            let flags: Vec<bool> = entries().map(|entry| entry == Value::Flag(true)).collect();
+            PyArray1::from_vec(py, flags).into_any()
+        } else if record.rows() > 0 && entries().all(|entry| matches!(entry, Value::Count(_))) {
+            let counts = entries().map(|entry| entry.number().unwrap_or_default() as i64);
+            PyArray1::from_vec(py, counts.collect()).into_any()
+        } else {
+            let numbers = entries().map(|entry| entry.number().unwrap_or(f64::NAN));
+            PyArray1::from_vec(py, numbers.collect()).into_any()
+        };
+        let entry = PyDict::new(py);
+        entry.set_item("values", values)?;
+        entry.set_item("symbol", column.quantity.symbol())?;
+        entry.set_item("units", column.quantity.unit())?;
+        entry.set_item("long_name", column.quantity.description())?;
+        entry.set_item("vector", column.quantity.vector())?;
+        table.set_item(column.name, entry)?;
+    }
+    Ok(table)
+}
+
+fn names(entries: impl Iterator<Item = Value>) -> Vec<&'static str> {
+    let name = |entry| if let Value::Name(name) = entry { name } else { "" };
+    entries.map(name).collect()
+}

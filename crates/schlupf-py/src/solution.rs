@@ -1,0 +1,84 @@
+//! A solution with its numbers.
+
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use schlupf_output::Report;
+use schlupf_output::solution::SolutionReport;
+
+use crate::records;
+
+/// A solved case.
+#[pyclass(frozen, module = "schlupf._core")]
+pub struct Solution {
+    report: SolutionReport,
+}
+
+impl Solution {
+    /// That of a report.
+    pub fn new(report: SolutionReport) -> Self {
+        Self { report }
+    }
+}
+
+#[pymethods]
+impl Solution {
+    /// The documented JSON.
+    fn json(&self) -> String {
+        self.report.json()
+    }
+
+    /// The text summary.
+    fn summary(&self) -> String {
+        self.report.summary()
+    }
+
+    /// The cells in contact as columns.
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        records::columns(py, &self.report.solution.fields)
+    }
+
+    /// The time steps as columns.
+    fn history<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        records::columns(py, self.report.solution.history.as_slice())
+    }
+
+    /// Columns and rows of the cells in contact.
+    fn cells<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<i64>>; 2] {
+        let cells = &self.report.solution.fields.cell;
+        [0, 1].map(|axis| PyArray1::from_iter(py, cells.iter().map(|cell| cell[axis] as i64)))
+    }
+
+    /// Centres of the columns and of the rows of the grid, in m.
+    fn axes<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 2] {
+        let grid = &self.report.solution.fields.grid;
+        let centres = |count: usize, origin: f64, spacing: f64| {
+            PyArray1::from_iter(py, (0..count).map(|k| origin + (k as f64 + 0.5) * spacing))
+        };
+        [
+            centres(grid.columns, grid.origin_x, grid.spacing_x),
+            centres(grid.rows, grid.origin_y, grid.spacing_y),
+        ]
+    }
+
+    /// The final state as JSON, from which another run may start.
+    fn state<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
+        self.report.own_file(SolutionReport::STATE).map(|bytes| PyBytes::new(py, &bytes))
+    }
+
+    /// The fields for `ParaView`.
+    fn vtk<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
+        self.report.own_file(SolutionReport::VTK).map(|bytes| PyBytes::new(py, &bytes))
+    }
+
+    /// The table of the cells as text.
+    fn csv(&self) -> Option<String> {
+        self.report.csv()
+    }
+
+    /// Code, quantity and text of each warning.
+    fn warnings(&self) -> Vec<(String, String, String)> {
+        let warnings = self.report.warnings.iter();
+        warnings.map(|w| (w.code.to_string(), w.quantity.clone(), w.text.clone())).collect()
+    }
+}

@@ -1,0 +1,32 @@
+//! The solution of a case: steady rolling, or rolling over time.
+
+use schlupf::rolling::marching::march;
+use schlupf::{Error, Method, Watch};
+use schlupf_case::{Case, Rolling};
+use schlupf_output::solution::SolutionReport;
+
+use crate::{contact_law, messages};
+
+/// Solves what a case asks for: see [`Case::rolling`].
+///
+/// ```
+/// use schlupf_case::{CaseFile, Folder, Overrides};
+/// use schlupf_tasks::solve::solve;
+///
+/// let text = "kinematics.creepage_x = 0.002\ngrid = { cells_x = 10, cells_y = 10 }";
+/// let file = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
+/// let case = file.pose(&schlupf::unwatched)?;
+/// let rolling = case.rolling(None)?;
+/// let report = solve(&case, rolling, &schlupf::unwatched)?;
+/// assert!(report.solution.force.x < 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn solve(case: &Case, rolling: Rolling, watch: Watch) -> Result<SolutionReport, Error> {
+    let solution = match rolling {
+        Rolling::Steady(mut solver) => solver.solve(&case.problem, watch)?,
+        Rolling::Transient(transient) => march(&transient, &case.options, watch)?,
+    };
+    let contact_law = (solution.method == Method::Full).then(|| contact_law::of(case));
+    let warnings = case.notices.iter().cloned().chain(messages(&solution.warnings)).collect();
+    Ok(SolutionReport { title: case.title.clone(), contact_law, solution, warnings })
+}

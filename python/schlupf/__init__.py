@@ -1,0 +1,42 @@
+"""Rolling contact of wheel and rail: creep forces, stress, slip and temperature.
+
+>>> import schlupf
+>>> case = schlupf.Case(normal={"load": "80 kN"}, kinematics={"creepage_x": 0.008})
+>>> result = case.solve()
+>>> round(result.force.x / 1000)  # kN, on the wheel
+-30
+>>> result.fields["pressure"].attrs["units"]
+'Pa'
+
+Numbers are in SI units (temperatures in °C, differences in K), text has its unit. Forces and
+tractions act on the wheel.
+"""
+
+from ._case import Case, Section
+from ._core import __version__
+from ._curve import Curve
+from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
+from ._forces import Solver, forces
+from ._plots import comparison as plot_comparison
+from ._plots import frames as animate
+from ._result import Record, Result
+from . import warnings
+
+__all__ = [
+    "Case",
+    "CaseError",
+    "CaseFileError",
+    "CaseNotConverged",
+    "Curve",
+    "NotConverged",
+    "Record",
+    "Result",
+    "SchlupfWarning",
+    "Section",
+    "Solver",
+    "__version__",
+    "animate",
+    "forces",
+    "plot_comparison",
+    "warnings",
+]

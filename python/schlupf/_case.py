@@ -1,0 +1,339 @@
+"""Cases: what to solve, with the sections and fields of the case file."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _core
+from ._curve import Curve
+from ._fields import FIELDS, SECTIONS, Field
+from ._result import Result
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from os import PathLike
+
+    from ._forces import Solver
+
+
+def toml_value(field: Field | None, value: Any) -> str:
+    """A value as it stands in a case file; numbers of dimensional fields are in SI units."""
+    if hasattr(value, "magnitude") and hasattr(value, "to"):
+        value = value.to(field.units if field and field.units else "").magnitude
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(toml_value(field, entry) for entry in value)}]"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (int, float)):
+        is_dimensional = field is not None and field.kind in ("quantity", "quantities")
+        if not is_dimensional:
+            return repr(value)
+        number = repr(float(value))
+        return json.dumps(f"{number} {field.units}" if field and "n" not in number else number)
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    raise TypeError(
+        f"{field.path if field else 'a field'} must be a number, text, a sequence or a quantity, "
+        f"but is a {type(value).__name__}"
+    )
+
+
+def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
+    """Nested values as ``section.field=value``; `None` takes a field out."""
+    for name, value in values.items():
+        path = f"{parent}.{name}" if parent else name
+        if isinstance(value, Section):
+            value = value.given()
+        if isinstance(value, Mapping):
+            yield from assignments(value, path)
+        elif value is None:
+            yield f"{path}="
+        else:
+            yield f"{path}={toml_value(FIELDS.get(path), value)}"
+
+
+class Section:
+    """A section of a case: its fields are attributes and items, and may be set.
+
+    A field that is not given has its default, in SI units; `None` if it has none or if it follows
+    from other fields.
+    """
+
+    __slots__ = ("_case", "_path")
+    _path: str
+    _case: Case
+
+    def __init__(self, case: Case, path: str) -> None:
+        object.__setattr__(self, "_case", case)
+        object.__setattr__(self, "_path", path)
+
+    def __getattr__(self, name: str) -> Any:
+        path = f"{self._path}.{name}"
+        if path in SECTIONS:
+            return Section(self._case, path)
+        if path in FIELDS:
+            return self._case[path]
+        raise AttributeError(f"no field {path}; the fields are {', '.join(self._names())}")
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self._case[f"{self._path}.{name}"] = value
+
+    def __getitem__(self, name: str) -> Any:
+        return self._case[f"{self._path}.{name}"]
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        self._case[f"{self._path}.{name}"] = value
+
+    def _names(self) -> list[str]:
+        prefix = f"{self._path}."
+        paths = [path for path in (*FIELDS, *SECTIONS) if path.startswith(prefix)]
+        return sorted({path[len(prefix) :].split(".")[0] for path in paths})
+
+    def __dir__(self) -> list[str]:
+        return [*self._names(), "given"]
+
+    def given(self) -> dict[str, Any]:
+        """The fields that are given, with their values in SI units."""
+        prefix = f"{self._path}."
+        paths = [path for path in self._case.given() if path.startswith(prefix)]
+        return {path[len(prefix) :]: self._case[path] for path in paths}
+
+    def __repr__(self) -> str:
+        values = ((name, self[name]) for name in self._names() if f"{self._path}.{name}" in FIELDS)
+        lines = (f"  {name} = {value!r}" for name, value in values if value is not None)
+        return "\n".join([f"[{self._path}]", *lines])
+
+
+class Case:
+    """What to solve, as in a case file: one keyword for each section, with its fields.
+
+    Parameters
+    ----------
+    title : str, optional
+        For summaries and plots.
+    **sections : mapping
+        Fields of each section. Dimensional numbers are in SI units, temperatures in °C; text has
+        its unit, such as ``"80 kN"``; quantities of pint are converted. What is left out has its
+        default: a steel wheel on a steel rail.
+
+    Raises
+    ------
+    CaseError
+        If a field is unknown, or has a value that it must not have.
+
+    Examples
+    --------
+    >>> import schlupf
+    >>> case = schlupf.Case(normal={"load": "80 kN"}, kinematics={"creepage_x": 0.008})
+    >>> case.normal.load
+    80000.0
+    >>> case.with_(normal={"load": 60e3}).normal.load
+    60000.0
+    """
+
+    __slots__ = ("_file", "_folder")
+    _file: _core.CaseFile
+    _folder: Path
+
+    def __init__(self, title: str | None = None, **sections: Mapping[str, Any]) -> None:
+        values: dict[str, Any] = dict(sections)
+        if title is not None:
+            values["title"] = title
+        folder = Path()
+        self._set(_core.CaseFile("", "Case", folder, list(assignments(values))), folder)
+
+    def _set(self, file: _core.CaseFile, folder: Path) -> None:
+        object.__setattr__(self, "_file", file)
+        object.__setattr__(self, "_folder", folder)
+
+    @classmethod
+    def _of(cls, file: _core.CaseFile, folder: Path) -> Case:
+        case = cls.__new__(cls)
+        case._set(file, folder)
+        return case
+
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> Case:
+        """The case of a file; relative paths in it start in its folder.
+
+        Raises
+        ------
+        CaseError
+            If it cannot be read, or if something is wrong with it.
+        """
+        path = Path(path)
+        return cls._of(_core.CaseFile.from_file(path), path.parent)
+
+    @classmethod
+    def from_toml(cls, text: str, folder: str | PathLike[str] = ".") -> Case:
+        """The case of a TOML text; relative paths in it start in `folder`.
+
+        Raises
+        ------
+        CaseError
+            If something is wrong with it.
+        """
+        return cls._of(_core.CaseFile(text, "text", Path(folder), []), Path(folder))
+
+    def to_toml(self, folder: str | PathLike[str] | None = None) -> str:
+        """The case as TOML, with comments and layout of the text that it was read from.
+
+        Parameters
+        ----------
+        folder : path, optional
+            Where the text is to be: relative paths in it are adapted. By default where it was.
+        """
+        return self._file.to_toml(self._folder if folder is None else Path(folder))
+
+    def with_(self, **sections: Any) -> Case:
+        """The same case with other fields; `None` takes a field out."""
+        return self._of(self._file.with_fields(list(assignments(sections))), self._folder)
+
+    def given(self) -> list[str]:
+        """Dotted paths of the fields that are given."""
+        return self._file.given()
+
+    def effective(self) -> dict[str, tuple[str, bool]]:
+        """The fields that have an effect: value as text, and whether it is the default."""
+        return {path: (value, default) for path, value, default in self._file.effective()}
+
+    def __getattr__(self, name: str) -> Any:
+        if name in SECTIONS:
+            return Section(self, name)
+        if name in FIELDS:
+            return self[name]
+        raise AttributeError(f"no section {name}; the sections are {', '.join(_top())}")
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self[name] = value
+
+    def __getitem__(self, path: str) -> Any:
+        if path in SECTIONS:
+            return Section(self, path)
+        if path not in FIELDS:
+            raise KeyError(path)
+        return self._file.value(path)
+
+    def __setitem__(self, path: str, value: Any) -> None:
+        object.__setattr__(self, "_file", self._file.with_fields(list(assignments({path: value}))))
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *_top()]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Case):
+            return NotImplemented
+        paths = set(self.given())
+        same = paths == set(other.given())
+        return same and all(self[path] == other[path] for path in paths)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"{path}={self[path]!r}" for path in dict.fromkeys(self.given()))
+        return f"Case({given})"
+
+    def __copy__(self) -> Case:
+        return self._of(self._file, self._folder)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Case:
+        return self.__copy__()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Case.from_toml, (self.to_toml(), os.fspath(self._folder))
+
+    def solve(
+        self,
+        *,
+        initial_state: bytes | None = None,
+        strict: bool = True,
+        warn: bool = True,
+    ) -> Result:
+        """Solves the case: steady rolling, or rolling over time where it has a history.
+
+        Parameters
+        ----------
+        initial_state : bytes, optional
+            State of an earlier result (`Result.state`) from which rolling continues.
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``result.status``.
+        warn : bool, default True
+            Whether to issue the warnings of the result.
+
+        Raises
+        ------
+        CaseError
+            If the case cannot be solved as it is.
+        NotConverged
+            If the solution has not converged; it has the result.
+        """
+        solution = self._file.solve(initial_state)
+        return Result._new(solution, strict=strict, warn=warn)
+
+    def curve(
+        self,
+        *,
+        creepage_x: tuple[float, float] | None = None,
+        creepage_y: tuple[float, float] | None = None,
+        spin: tuple[float, float] | None = None,
+        points: int = 41,
+        spacing: str = "refined",
+        warn: bool = True,
+    ) -> Curve:
+        """A creep curve: forces along a path of creepages.
+
+        Parameters
+        ----------
+        creepage_x, creepage_y : (float, float), optional
+            Start and end, dimensionless; that of the case where left out.
+        spin : (float, float), optional
+            Start and end, in 1/m.
+        points : int, default 41
+        spacing : {"refined", "even"}
+            Finer near zero creepage, or equal steps.
+        """
+        if creepage_x is None and creepage_y is None and spin is None:
+            raise TypeError("a curve needs creepage_x, creepage_y or spin, each (start, end)")
+        if spacing not in ("refined", "even"):
+            raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
+        own = [self._file.value(f"kinematics.{name}") or 0.0 for name in Curve.VARIED]
+        ranges = [
+            (value, value) if varied is None else (float(varied[0]), float(varied[1]))
+            for value, varied in zip(own, (creepage_x, creepage_y, spin), strict=True)
+        ]
+        start, end = (tuple(pair[k] for pair in ranges) for k in (0, 1))
+        curve = _core.creep_curve(self._file, (start, end), points, spacing == "even")
+        return Curve._new(curve, warn=warn)
+
+    def solver(self) -> Solver:
+        """A solver that keeps its set-up and starts from its earlier solutions."""
+        from ._forces import Solver
+
+        return Solver(self)
+
+
+def _top() -> list[str]:
+    return [name for name in SECTIONS if name and "." not in name] + ["title"]
+
+
+def _documentation() -> str:
+    lines = [Case.__doc__ or "", "    Notes", "    -----", "    Sections and their fields:", ""]
+    for section in SECTIONS.values():
+        if section.name:
+            lines += [f"    ``{section.name}``: {section.doc}", ""]
+            for field in section.fields:
+                default = f"; default: {field.default}" if field.default else ""
+                lines.append(f"    - ``{field.name}``{field.unit_text}: {field.doc}{default}")
+            lines.append("")
+    return "\n".join(lines)
+
+
+Case.__doc__ = _documentation()

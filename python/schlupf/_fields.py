@@ -1,0 +1,62 @@
+"""The fields of a case, from the one table of the library."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ._core import field_table
+
+
+@dataclass(frozen=True)
+class Field:
+    """A field of a case."""
+
+    path: str
+    name: str
+    kind: str
+    units: str
+    requirement: str
+    default: str | None
+    choices: tuple[tuple[str, str], ...]
+    used_with: tuple[tuple[str, tuple[str, ...]], ...]
+    doc: str
+
+    @property
+    def unit_text(self) -> str:
+        """The unit in brackets, where there is one."""
+        return f" ({self.units})" if self.units else ""
+
+
+@dataclass(frozen=True)
+class SectionTable:
+    """A section of a case."""
+
+    name: str
+    doc: str
+    fields: tuple[Field, ...]
+
+
+def _read() -> dict[str, SectionTable]:
+    sections = {}
+    for section in field_table():
+        fields = tuple(
+            Field(
+                **{
+                    **entry,
+                    "choices": tuple(entry["choices"]),
+                    "used_with": tuple((p, tuple(n)) for p, n in entry["used_with"]),
+                }
+            )
+            for entry in section["fields"]
+        )
+        sections[section["name"]] = SectionTable(section["name"], section["doc"], fields)
+    return sections
+
+
+#: Sections by name, in the order of the case file; the top level has an empty name.
+SECTIONS: dict[str, SectionTable] = _read()
+
+#: Fields by dotted path.
+FIELDS: dict[str, Field] = {
+    field.path: field for section in SECTIONS.values() for field in section.fields
+}

@@ -1,0 +1,190 @@
+"""Forces under many conditions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from . import _core
+from ._fields import FIELDS
+from ._result import Result
+from ._tables import attributes
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._case import Case
+
+#: Conditions that need no other case, with their fields.
+CONDITIONS = {
+    "creepage_x": "kinematics.creepage_x",
+    "creepage_y": "kinematics.creepage_y",
+    "spin": "kinematics.spin",
+    "speed": "kinematics.speed",
+    "load": "normal.load",
+}
+
+#: Values of ``status``.
+STATUS = ("converged", "not-converged")
+
+
+def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
+    """Forces on the wheel under many conditions, on all cores.
+
+    Parameters
+    ----------
+    case : Case
+        Everything that does not vary; its method may be a fast one.
+    **conditions : array or DataArray
+        ``creepage_x``, ``creepage_y`` (dimensionless), ``spin`` (1/m), ``speed`` (m/s), ``load``
+        (N), or any other number of the case by its path with ``__`` for the dot, such as
+        ``friction__coefficient``. They are broadcast: arrays as in NumPy, with dimensions ``dim_0``
+        …, data arrays by the names of their dimensions.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``force_x``, ``force_y`` (N), ``moment_z`` (N m; not a number if the method has none),
+        ``traction_coefficient`` and ``status`` (0: converged, 1: not), with the conditions as
+        coordinates.
+
+    Raises
+    ------
+    CaseError
+        If a condition is not allowed; it tells which one.
+
+    Notes
+    -----
+    Solutions of the full method start from that of the condition before, so neighbours should be
+    alike. Fixed blocks of conditions have a solver each: results do not depend on the number of
+    cores. Other numbers than those named need a solver for each value.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import schlupf
+    >>> case = schlupf.Case(solver={"method": "polach"})
+    >>> table = schlupf.forces(case, creepage_x=np.linspace(0, 0.01, 5)[:, None], load=[60e3, 80e3])
+    >>> table["force_x"].shape
+    (5, 2)
+    """
+    given = {name.replace("__", "."): value for name, value in conditions.items()}
+    for name in given:
+        if name not in CONDITIONS and name not in FIELDS:
+            known = ", ".join(CONDITIONS)
+            raise TypeError(f"no condition {name}; there are {known} and the fields of the case")
+    arrays = _broadcast(given)
+    fields = {name: CONDITIONS.get(name, name) for name in given}
+    # A field of a condition is that condition.
+    simple = {path: name for name, path in CONDITIONS.items()}
+    flat: dict[str, NDArray[np.float64]] = {
+        simple.get(fields[name], name): np.ravel(array.values) for name, array in arrays.items()
+    }
+    template = next(iter(arrays.values()), xr.DataArray(np.array(0.0)))
+    columns, converged = _grouped(case, flat, template.size)
+    shaped = {
+        name: (template.dims, column["values"].reshape(template.shape), attributes(column))
+        for name, column in columns.items()
+    }
+    status = {"flag_values": [0, 1], "flag_meanings": " ".join(STATUS), "long_name": "status"}
+    numbers = np.where(converged, 0, 1).astype(np.int8).reshape(template.shape)
+    dataset = xr.Dataset({**shaped, "status": (template.dims, numbers, status)})
+    coordinates = {name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given}
+    return dataset.assign_coords(coordinates)
+
+
+def _broadcast(given: dict[str, Any]) -> dict[str, xr.DataArray]:
+    """All conditions with the same shape."""
+    plain = {k: np.asarray(v, float) for k, v in given.items() if not isinstance(v, xr.DataArray)}
+    shape = np.broadcast_shapes(*(array.shape for array in plain.values()))
+    dims = [f"dim_{k}" for k in range(len(shape))]
+    named = {
+        name: xr.DataArray(np.broadcast_to(array, shape), dims=dims)
+        for name, array in plain.items()
+    }
+    named |= {k: v.astype(float).drop_vars(v.coords) for k, v in given.items() if k not in named}
+    return dict(zip(named, xr.broadcast(*named.values()), strict=True))
+
+
+def _coordinate(name: str, path: str, given: Any, array: xr.DataArray) -> xr.DataArray:
+    field = FIELDS[path]
+    attrs = {"units": field.units, "long_name": field.doc}
+    if isinstance(given, xr.DataArray):
+        return given.astype(float).drop_vars([c for c in given.coords if c not in given.dims])
+    own = np.asarray(given, float)
+    # Only along the dimensions over which it varies.
+    kept = [dim for k, dim in enumerate(reversed(array.dims)) if k < own.ndim and own.shape[-1 - k] > 1]
+    index = {dim: 0 for dim in array.dims if dim not in kept}
+    return array.isel(index, drop=True).assign_attrs(attrs)
+
+
+def _grouped(
+    case: Case, flat: dict[str, NDArray[np.float64]], size: int
+) -> tuple[dict[str, dict[str, Any]], NDArray[np.bool_]]:
+    """The forces, with a case for each combination of other numbers."""
+    own = {name: np.ascontiguousarray(flat[name]) for name in flat if name in CONDITIONS}
+    others = {name: values for name, values in flat.items() if name not in CONDITIONS}
+    if not others:
+        columns, converged = _core.batch(case._file, own)
+        if not own:
+            return {k: {**c, "values": c["values"][:size]} for k, c in columns.items()}, converged
+        return columns, converged
+    rows, inverse = np.unique(np.stack(list(others.values()), axis=1), axis=0, return_inverse=True)
+    inverse = inverse.ravel()
+    found: dict[str, dict[str, Any]] = {}
+    converged = np.zeros(size, bool)
+    for k, row in enumerate(rows):
+        where = np.flatnonzero(inverse == k)
+        member = case
+        for path, value in zip(others, row, strict=True):
+            member = member.with_(**_nested(path, float(value)))
+        part, fine = _core.batch(
+            member._file, {name: np.ascontiguousarray(array[where]) for name, array in own.items()}
+        )
+        converged[where] = fine
+        for name, column in part.items():
+            entry = found.setdefault(name, {**column, "values": np.full(size, np.nan)})
+            entry["values"][where] = column["values"]
+    return found, converged
+
+
+def _nested(path: str, value: float) -> dict[str, Any]:
+    section, _, name = path.partition(".")
+    kind = FIELDS[path].kind
+    number: float = int(value) if kind == "count" else value
+    return {section: {name: number} if "." not in name else _nested(name, value)}
+
+
+class Solver:
+    """A solver of steady rolling that keeps its set-up and starts from its earlier solutions.
+
+    For callers with loops of their own, such as simulators: ``case.solver()``.
+
+    Examples
+    --------
+    >>> import schlupf
+    >>> solver = schlupf.Case(grid={"cells_x": 16, "cells_y": 16}).solver()
+    >>> [round(solver.solve(creepage_x=ξ).force.x / 1e3) for ξ in (0.0, 0.001)]
+    [0, -11]
+    """
+
+    def __init__(self, case: Case) -> None:
+        self._solver = _core.BatchSolver(case._file)
+
+    def solve(self, *, strict: bool = True, warn: bool = True, **conditions: float) -> Result:
+        """The steady state under other conditions, named as in `forces`; the rest is the case's.
+
+        Raises
+        ------
+        CaseError
+            If a condition is not allowed.
+        NotConverged
+            If `strict` and the solution has not converged.
+        """
+        unknown = [name for name in conditions if name not in CONDITIONS]
+        if unknown:
+            raise TypeError(f"no condition {unknown[0]}; there are {', '.join(CONDITIONS)}")
+        values = {name: np.array([value], float) for name, value in conditions.items()}
+        return Result._new(self._solver.solve(values), strict=strict, warn=warn)

@@ -1,0 +1,318 @@
+"""Plots with matplotlib. Each returns its axes and takes `ax`."""
+
+from __future__ import annotations
+
+import base64
+import functools
+import io
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
+
+import numpy as np
+
+from ._prefixes import scaled
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    import xarray as xr
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.axes import Axes
+    from matplotlib.collections import QuadMesh
+    from matplotlib.figure import Figure
+
+    from ._curve import Curve
+    from ._result import Result
+
+#: Width of a figure of one column, in inches.
+WIDTH = 3.5
+
+#: Number of arrows along the longer side of a patch.
+ARROWS = 15
+
+STYLE = {
+    "font.size": 8.0,
+    "axes.titlesize": 8.0,
+    "axes.linewidth": 0.6,
+    "figure.constrained_layout.use": True,
+    "legend.frameon": False,
+    "lines.linewidth": 1.2,
+    "savefig.dpi": 300.0,
+}
+
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def _styled(plot: Callable[P, R]) -> Callable[P, R]:
+    """Draws in the style of this module."""
+
+    @functools.wraps(plot)
+    def styled(*args: P.args, **kwargs: P.kwargs) -> R:
+        try:
+            import matplotlib.pyplot as plt
+        except ImportError as error:
+            raise ImportError("plots need matplotlib: pip install schlupf[plot]") from error
+        with plt.rc_context(STYLE):
+            return plot(*args, **kwargs)
+
+    return styled
+
+
+def _axes(ax: Axes | None, height: float = 2.4) -> Axes:
+    """The given axes, or those of a new figure."""
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    return plt.subplots(figsize=(WIDTH, height))[1]
+
+
+def _legend_beside(ax: Axes, **options: Any) -> None:
+    """A legend that covers nothing."""
+    ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **options)
+
+
+class ResultPlots:
+    """The plots of a result: ``result.plot.traction()`` and others.
+
+    Positions are in mm; the wheel rolls towards +x.
+    """
+
+    def __init__(self, result: Result) -> None:
+        self._result = result
+
+    def _fields(self) -> xr.Dataset:
+        fields = self._result.fields
+        if not len(fields["x"]):
+            raise ValueError(f"the method {self._result.method} gives forces, but no fields")
+        return fields
+
+    @_styled
+    def traction(self, ax: Axes | None = None, *, arrows: bool = True, **style: Any) -> Axes:
+        """Magnitude of the traction on the wheel, with arrows and the border of the stick zone."""
+        fields = self._fields()
+        x, y = fields["traction_x"], fields["traction_y"]
+        magnitude = _magnitude(x, y, "Pa")
+        ax = self._map(magnitude, "traction", ax, **style)
+        if arrows:
+            self._arrows(ax, x, y)
+        self._stick(ax)
+        return ax
+
+    @_styled
+    def pressure(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Normal pressure."""
+        return self._map(self._fields()["pressure"], "pressure", ax, **style)
+
+    @_styled
+    def slip(self, ax: Axes | None = None, *, arrows: bool = True, **style: Any) -> Axes:
+        """Slip velocity of the wheel over the rail."""
+        fields = self._fields()
+        x, y = fields["slip_x"], fields["slip_y"]
+        speed = _magnitude(x, y, "m/s")
+        ax = self._map(speed, "slip velocity", ax, **style)
+        if arrows:
+            self._arrows(ax, x, y)
+        return ax
+
+    @_styled
+    def stick_slip(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Where the contact sticks and where it slides."""
+        from matplotlib.colors import ListedColormap
+        from matplotlib.patches import Patch
+
+        fields = self._fields()
+        ax = _axes(ax)
+        colors = ["#4477aa", "#ee6677"]
+        sliding = fields["sliding"].where(fields["contact"])
+        _mesh(ax, sliding, 1.0, cmap=ListedColormap(colors), vmin=0, vmax=1, **style)
+        labels = zip(colors, ("stick", "slip"), strict=True)
+        _legend_beside(ax, handles=[Patch(color=color, label=label) for color, label in labels])
+        _patch_axes(ax, self._result.title)
+        return ax
+
+    @_styled
+    def temperature(self, ax: Axes | None = None, *, body: str = "wheel", **style: Any) -> Axes:
+        """Temperature of the surface of the wheel or the rail, in °C."""
+        if body not in ("wheel", "rail"):
+            raise ValueError(f"body must be 'wheel' or 'rail', but is {body!r}")
+        rise = self._fields()[f"temperature_rise_{body}"]
+        largest = self._result.temperature
+        bulk = largest[f"max_{body}"] - largest[f"max_rise_{body}"]
+        celsius = (rise + bulk).assign_attrs(units="degC")
+        return self._map(celsius, f"temperature, {body}", ax, cmap="inferno", **style)
+
+    @_styled
+    def cut(
+        self,
+        *names: str,
+        y: float | None = None,
+        x: float | None = None,
+        ax: Axes | None = None,
+        **style: Any,
+    ) -> Axes:
+        """Fields along a line: at `y` along rolling (by default 0), or at `x` across.
+
+        Parameters
+        ----------
+        *names : str
+            Variables of ``result.fields``; by default pressure times friction and tractions.
+        """
+        if x is not None and y is not None:
+            raise TypeError("a cut is at x or at y")
+        fields = self._fields()
+        fields = fields.assign(
+            friction_limit=(fields["pressure"] * fields["friction_coefficient"]).assign_attrs(
+                units="Pa", long_name="friction limit"
+            )
+        )
+        along = "x" if x is None else "y"
+        place = {"y": 0.0 if y is None else y} if x is None else {"x": x}
+        line = fields.sel(place, method="nearest")
+        ax = _axes(ax)
+        shown = [line[name] for name in names or ("friction_limit", "traction_x", "traction_y")]
+        factor, unit = scaled(max(_largest(entry) for entry in shown), shown[0].attrs["units"])
+        for entry in shown:
+            label = entry.attrs.get("long_name") or str(entry.name)
+            ax.plot(line[along] * 1e3, entry * factor, label=label, **style)
+        ax.set_xlabel(f"${along}$ (mm)")
+        ax.set_ylabel(unit)
+        _legend_beside(ax)
+        return ax
+
+    @_styled
+    def history(self, *names: str, ax: Axes | None = None, **style: Any) -> Axes:
+        """Numbers of ``result.history`` over time; by default the forces over the load."""
+        history = self._result.history
+        if history.sizes["time"] < 2:
+            raise ValueError("steady rolling has no history: give the case one")
+        ax = _axes(ax)
+        if not names:
+            for name in ("force_x", "force_y"):
+                symbol = f"$F_{name[-1]}/N$"
+                ax.plot(history["time"] * 1e3, history[name] / history["load"], label=symbol, **style)
+        for name in names:
+            entry = history[name]
+            factor, unit = scaled(_largest(entry), entry.attrs["units"])
+            label = f"{entry.attrs['long_name']} ({unit})" if unit else entry.attrs["long_name"]
+            ax.plot(history["time"] * 1e3, entry * factor, label=label, **style)
+        ax.set_xlabel("time (ms)")
+        _legend_beside(ax)
+        return ax
+
+    def _map(self, values: xr.DataArray, label: str, ax: Axes | None, **style: Any) -> Axes:
+        ax = _axes(ax)
+        factor, unit = scaled(_largest(values), values.attrs["units"])
+        mesh = _mesh(ax, values, factor, **{"cmap": "viridis", **style})
+        figure = cast("Figure", ax.figure)
+        figure.colorbar(mesh, ax=ax, shrink=0.8, label=f"{label} ({unit})" if unit else label)
+        _patch_axes(ax, self._result.title)
+        return ax
+
+    def _arrows(self, ax: Axes, x: xr.DataArray, y: xr.DataArray) -> None:
+        step = max(1, max(x.shape) // ARROWS)
+        part = {name: slice(step // 2, None, step) for name in ("x", "y")}
+        x, y = x.isel(part), y.isel(part)
+        ax.quiver(x["x"] * 1e3, x["y"] * 1e3, x, y, color="white", pivot="mid", width=0.004)
+
+    def _stick(self, ax: Axes) -> None:
+        sliding = self._fields()["sliding"].astype(float)
+        if 0.0 < float(sliding.where(self._fields()["contact"]).mean()) < 1.0:
+            inside = sliding.where(self._fields()["contact"])
+            ax.contour(inside["x"] * 1e3, inside["y"] * 1e3, inside, [0.5], colors="black",
+                       linewidths=0.8)
+
+    def _thumbnail(self) -> str | None:
+        """A small map of the traction as PNG in base64; nothing without matplotlib."""
+        try:
+            from matplotlib.backends.backend_agg import FigureCanvasAgg
+            from matplotlib.figure import Figure
+        except ImportError:
+            return None
+        figure = Figure(figsize=(WIDTH, 2.2), dpi=96, layout="constrained")
+        FigureCanvasAgg(figure)
+        self.traction(figure.add_subplot())
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png")
+        return base64.b64encode(buffer.getvalue()).decode("ascii")
+
+
+def _magnitude(x: xr.DataArray, y: xr.DataArray, units: str) -> xr.DataArray:
+    return cast("xr.DataArray", np.hypot(x, y)).assign_attrs(units=units)
+
+
+def _largest(values: xr.DataArray) -> float:
+    return float(np.nanmax(np.abs(values))) if values.size else 0.0
+
+
+def _mesh(ax: Axes, values: xr.DataArray, factor: float, **style: Any) -> QuadMesh:
+    return ax.pcolormesh(
+        values["x"] * 1e3, values["y"] * 1e3, values * factor, shading="nearest", **style
+    )
+
+
+def _patch_axes(ax: Axes, title: str) -> None:
+    ax.set_xlabel("$x$ (mm), rolling →")
+    ax.set_ylabel("$y$ (mm)")
+    ax.set_aspect("equal")
+    ax.set_title(title)
+
+
+@_styled
+def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
+    """Forces of a creep curve over the creepage that varies; those that are zero are left out."""
+    ax = _axes(ax)
+    points, name = curve.points, curve.varied
+    factor, unit = scaled(_largest(points["force_x"]) + _largest(points["force_y"]), "N")
+    for force in ("force_x", "force_y"):
+        if _largest(points[force]) > 0.0:
+            ax.plot(points[name], points[force] * factor, label=f"$F_{force[-1]}$", **style)
+    unit_of_creepage = points[name].attrs["units"]
+    label = points[name].attrs["long_name"]
+    ax.set_xlabel(f"{label} ({unit_of_creepage})" if unit_of_creepage else label)
+    ax.set_ylabel(f"force on the wheel ({unit})")
+    ax.legend()
+    ax.set_title(curve.title)
+    return ax
+
+
+@_styled
+def comparison(
+    results: Sequence[Result], field: str = "pressure", labels: Sequence[str] | None = None
+) -> list[Axes]:
+    """Maps of one field of several results side by side, with the same colours."""
+    import matplotlib.pyplot as plt
+
+    size = (WIDTH * len(results), 2.4)
+    _, axes = plt.subplots(1, len(results), figsize=size, squeeze=False)
+    shown = [result.fields[field] for result in results]
+    largest = max(_largest(values) for values in shown)
+    factor, _ = scaled(largest, shown[0].attrs["units"])
+    limits = {"vmin": min(0.0, *(float(v.min()) * factor for v in shown)), "vmax": largest * factor}
+    names = labels or [result.title for result in results]
+    for ax, result, values, name in zip(axes[0], results, shown, names, strict=True):
+        ResultPlots(result)._map(values, values.attrs["long_name"], ax, **limits)
+        ax.set_title(name)
+    return list(axes[0])
+
+
+@_styled
+def frames(results: Sequence[Result], field: str = "traction_x", **options: Any) -> FuncAnimation:
+    """An animation of one field over results of successive times, on one grid."""
+    from matplotlib.animation import FuncAnimation
+
+    ax = _axes(None)
+    shown = [result.fields[field] for result in results]
+    largest = max(_largest(values) for values in shown)
+    factor, unit = scaled(largest, shown[0].attrs["units"])
+    mesh = _mesh(ax, shown[0], factor, vmin=-largest * factor, vmax=largest * factor, cmap="RdBu")
+    figure = cast("Figure", ax.figure)
+    figure.colorbar(mesh, ax=ax, label=f"{shown[0].attrs['long_name']} ({unit})")
+    _patch_axes(ax, results[0].title)
+
+    def draw(k: int) -> Iterator[QuadMesh]:
+        mesh.set_array((shown[k] * factor).values)
+        yield mesh
+
+    return FuncAnimation(figure, draw, frames=len(results), **options)

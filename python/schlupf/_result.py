@@ -1,0 +1,185 @@
+"""Results: scalars as attributes, fields as data sets."""
+
+from __future__ import annotations
+
+import html
+import json
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from ._errors import NotConverged
+from ._tables import along, on_grid
+from .warnings import emit
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from os import PathLike
+
+    import pandas as pd
+    import xarray as xr
+
+    from . import _core
+    from ._plots import ResultPlots
+
+
+class Record:
+    """Named values of a result, as attributes and items; nested ones are records, too."""
+
+    def __init__(self, values: dict[str, Any]) -> None:
+        self._values = {
+            name: Record(value) if isinstance(value, dict) else value
+            for name, value in values.items()
+        }
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self._values[name]
+        except KeyError:
+            known = ", ".join(self._values)
+            raise AttributeError(f"no {name}; there are {known}") from None
+
+    def __getitem__(self, name: str) -> Any:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._values]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The values as nested dictionaries."""
+        return {
+            name: value.to_dict() if isinstance(value, Record) else value
+            for name, value in self._values.items()
+        }
+
+    def __repr__(self) -> str:
+        return "\n".join(self._lines(""))
+
+    def _lines(self, indent: str) -> Iterator[str]:
+        for name, value in self._values.items():
+            if isinstance(value, Record):
+                yield f"{indent}{name}"
+                yield from value._lines(indent + "  ")
+            elif isinstance(value, list) and len(value) > 4:
+                yield f"{indent}{name}: {len(value)} values"
+            else:
+                yield f"{indent}{name}: {value!r}"
+
+
+class Result(Record):
+    """A solved case.
+
+    The scalars of the documented JSON are attributes, such as ``result.force.x`` (N, on the wheel),
+    ``result.power.friction`` (W) and ``result.temperature.max_rise`` (K); see the page on results.
+    """
+
+    _solution: _core.Solution
+
+    @classmethod
+    def _new(cls, solution: _core.Solution, *, strict: bool, warn: bool) -> Result:
+        result = cls(json.loads(solution.json()))
+        result._solution = solution
+        if strict and not result.converged:
+            raise NotConverged(result)
+        if warn:
+            emit(result.messages, stacklevel=3)
+        return result
+
+    @property
+    def converged(self) -> bool:
+        """Whether the equations are satisfied to the tolerance."""
+        return bool(self._values["status"] == "converged")
+
+    @property
+    def messages(self) -> list[tuple[str, str, str]]:
+        """The warnings: code, field or quantity, text."""
+        return self._solution.warnings()
+
+    @cached_property
+    def fields(self) -> xr.Dataset:
+        """Stress, slip and temperature over x and y (m), on the grid of the patch.
+
+        Values are means over whole cells, not a number where there is no contact. ``covered`` is
+        the part of a cell that is in contact, and ``centroid_x``, ``centroid_y`` its centroid.
+        """
+        dataset = on_grid(self._solution.fields(), self._solution.cells(), self._solution.axes())
+        return dataset.assign_attrs(title=self._values["title"], source=self._values["program"])
+
+    @cached_property
+    def history(self) -> xr.Dataset:
+        """Forces, powers and temperatures of each time step, over time (s); one in steady rolling."""
+        return along(self._solution.history(), "time", "time")
+
+    @property
+    def state(self) -> bytes | None:
+        """The final state, from which another run may start."""
+        return self._solution.state()
+
+    @property
+    def plot(self) -> ResultPlots:
+        """Plots: ``result.plot.traction()`` and others."""
+        from ._plots import ResultPlots
+
+        return ResultPlots(self)
+
+    def summary(self) -> str:
+        """The summary that the command prints."""
+        return self._solution.summary()
+
+    def to_json(self, path: str | PathLike[str] | None = None) -> str:
+        """The documented JSON; it is also written to `path` if that is given."""
+        return _written(self._solution.json(), path)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The cells in contact as a data frame of pandas."""
+        frame = self.fields.to_dataframe()
+        return frame[frame["contact"]].drop(columns="contact").reset_index()
+
+    def to_netcdf(self, path: str | PathLike[str], **options: Any) -> None:
+        """Writes the fields, with the scalars as attributes in JSON, by `xarray.Dataset.to_netcdf`."""
+        self._with_scalars().to_netcdf(path, **options)
+
+    def to_zarr(self, store: Any, **options: Any) -> None:
+        """Writes the fields, with the scalars as attributes in JSON, by `xarray.Dataset.to_zarr`."""
+        self._with_scalars().to_zarr(store, **options)
+
+    def to_csv(self, path: str | PathLike[str]) -> None:
+        """Writes the cells in contact as CSV, as the command does."""
+        _written(self._solution.csv() or "", path)
+
+    def to_vtk(self, path: str | PathLike[str]) -> None:
+        """Writes the fields for ParaView."""
+        with open(path, "wb") as file:
+            file.write(self._solution.vtk() or b"")
+
+    def _with_scalars(self) -> xr.Dataset:
+        return self.fields.assign_attrs(result=self._solution.json())
+
+    def __repr__(self) -> str:
+        return self.summary().rstrip()
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a result cannot be pickled; use to_json, to_netcdf or to_zarr")
+
+    def _repr_html_(self) -> str:
+        """Summary and a small map of the traction."""
+        text = f"<pre>{html.escape(self.summary().rstrip())}</pre>"
+        picture = self.plot._thumbnail() if len(self.fields["x"]) else None
+        if picture is None:
+            return text
+        image = f'<img alt="traction" src="data:image/png;base64,{picture}">'
+        return f'<div style="display:flex;gap:1em;flex-wrap:wrap">{text}{image}</div>'
+
+
+def _written(text: str, path: str | PathLike[str] | None) -> str:
+    if path is not None:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+    return text

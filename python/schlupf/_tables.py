@@ -1,0 +1,61 @@
+"""Columns of the library as data sets of xarray."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+#: A column: values, symbol, units, long_name, vector.
+Column = dict[str, Any]
+
+
+def attributes(column: Column) -> dict[str, str]:
+    """Attributes of a variable (CF conventions): units, long_name, symbol."""
+    names = ("long_name", "units", "symbol")
+    return {name: column[name] for name in names if column[name] or name == "units"}
+
+
+def along(columns: Mapping[str, Column], dimension: str, index: str | None = None) -> xr.Dataset:
+    """Rows along one dimension; the column `index` becomes its coordinate."""
+    variables = {
+        name: (dimension, np.asarray(column["values"]), attributes(column))
+        for name, column in columns.items()
+    }
+    dataset = xr.Dataset(variables)
+    if index is not None and index in variables:
+        dataset = dataset.rename({index: dimension}) if index != dimension else dataset
+        dataset = dataset.set_coords(dimension)
+    return dataset
+
+
+def on_grid(
+    columns: Mapping[str, Column],
+    cells: tuple[NDArray[np.int64], NDArray[np.int64]],
+    axes: tuple[NDArray[np.float64], NDArray[np.float64]],
+) -> xr.Dataset:
+    """Cells in contact on the grid over x and y; not a number outside of the contact."""
+    column, row = cells
+    shape = (len(axes[1]), len(axes[0]))
+    coordinates = {"x": columns["x"], "y": columns["y"]}
+    variables = {}
+    for name, entry in columns.items():
+        is_flag = np.asarray(entry["values"]).dtype == bool
+        values = np.zeros(shape, bool) if is_flag else np.full(shape, np.nan)
+        values[row, column] = entry["values"]
+        name = f"centroid_{name}" if name in coordinates else name
+        variables[name] = (("y", "x"), values, attributes(entry))
+    contact = np.zeros(shape, bool)
+    contact[row, column] = True
+    variables["contact"] = (("y", "x"), contact, {"long_name": "cell in contact", "units": ""})
+    coords = {
+        name: (name, axis, attributes(coordinates[name]))
+        for name, axis in zip(("x", "y"), axes, strict=True)
+    }
+    return xr.Dataset(variables, coords)

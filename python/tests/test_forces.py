@@ -1,0 +1,132 @@
+"""Forces under many conditions: values, shapes, speed, threads, interrupts, memory."""
+
+import resource
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import schlupf
+
+POLACH = schlupf.Case(solver={"method": "polach"})
+
+
+def test_conditions_are_broadcast_as_in_numpy():
+    creepage = np.array([[0.0], [0.001], [0.01]])
+    table = schlupf.forces(POLACH, creepage_x=creepage, load=[60e3, 80e3])
+    assert table["force_x"].shape == (3, 2)
+    assert table["creepage_x"].dims == ("dim_0",) and table["load"].dims == ("dim_1",)
+    for i in range(3):
+        for j in range(2):
+            case = POLACH.with_(
+                kinematics={"creepage_x": creepage[i, 0]}, normal={"load": [60e3, 80e3][j]}
+            )
+            alone = case.solve(warn=False)
+            assert float(table["force_x"][i, j]) == pytest.approx(alone.force.x, rel=1e-12, abs=1e-9)
+    assert bool(np.isnan(table["moment_z"]).all())
+    assert int(table["status"].sum()) == 0
+
+
+def test_data_arrays_are_broadcast_by_name():
+    creepage = xr.DataArray([0.001, 0.002], dims="creepage_x", coords={"creepage_x": [0.001, 0.002]})
+    load = xr.DataArray([60e3, 70e3, 80e3], dims="load", coords={"load": [60e3, 70e3, 80e3]})
+    table = schlupf.forces(POLACH, creepage_x=creepage, load=load)
+    assert table["force_x"].dims == ("creepage_x", "load")
+    single = schlupf.forces(POLACH, creepage_x=0.002, load=70e3)
+    chosen = table["force_x"].sel(creepage_x=0.002, load=70e3)
+    assert float(chosen) == float(single["force_x"])
+
+
+def test_the_full_method_gives_what_single_solutions_give(case):
+    creepages = np.linspace(0.0005, 0.003, 5)
+    table = schlupf.forces(case, creepage_x=creepages)
+    alone = [case.with_(kinematics={"creepage_x": c}).solve().force.x for c in creepages]
+    np.testing.assert_allclose(table["force_x"], alone, rtol=1e-4)
+    assert not np.isnan(table["moment_z"]).any()
+
+
+def test_other_numbers_of_the_case():
+    table = schlupf.forces(POLACH, creepage_x=0.01, friction__coefficient=[0.2, 0.4])
+    alone = [POLACH.with_(friction={"coefficient": mu}, kinematics={"creepage_x": 0.01})
+             .solve(warn=False).force.x for mu in (0.2, 0.4)]
+    np.testing.assert_allclose(table["force_x"], alone, rtol=1e-12)
+
+
+def test_wrong_conditions_are_named():
+    with pytest.raises(TypeError, match="creep_x"):
+        schlupf.forces(POLACH, creep_x=0.1)
+    with pytest.raises(schlupf.CaseError, match="condition 1"):
+        schlupf.forces(POLACH, load=[1.0, -1.0])
+    with pytest.raises(ValueError, match="broadcast"):
+        schlupf.forces(POLACH, load=[1.0, 2.0], creepage_x=[0.0, 0.1, 0.2])
+
+
+def test_a_solver_keeps_what_it_has_set_up(case):
+    solver = case.solver()
+    first = solver.solve(creepage_x=0.001)
+    again = solver.solve(creepage_x=0.001)
+    assert again.work.operator_products < first.work.operator_products
+    assert again.force.x == pytest.approx(first.force.x, rel=1e-4)
+    assert solver.solve(load=60e3).normal.load == 60e3
+    assert solver.solve().normal.load == 80e3
+    with pytest.raises(TypeError, match="creepage_x"):
+        solver.solve(creep=1.0)
+
+
+def test_two_solutions_at_once(case):
+    expected = case.solve().force.x
+    found = []
+    threads = [threading.Thread(target=lambda: found.append(case.solve().force.x)) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [expected] * 4
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_an_interrupt_ends_a_long_run():
+    program = """
+        import signal
+        import schlupf
+        # A shell may have started the tests with this signal ignored.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        case = schlupf.Case(grid={"cells_x": 300, "cells_y": 300})
+        print("ready", flush=True)
+        try:
+            case.curve(creepage_x=(0, 0.02), points=200)
+        except KeyboardInterrupt:
+            print("interrupted")
+    """
+    command = [sys.executable, "-c", textwrap.dedent(program)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(1.0)
+        process.send_signal(signal.SIGINT)
+        start = time.monotonic()
+        try:
+            assert process.communicate(timeout=60)[0] == "interrupted\n"
+        finally:
+            process.kill()
+    assert process.returncode == 0
+    assert time.monotonic() - start < 30
+
+
+def test_memory_stays_flat():
+    solver = POLACH.solver()
+
+    def solve(count):
+        for k in range(count):
+            solver.solve(creepage_x=1e-6 * k, warn=False)
+
+    solve(2000)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    solve(10_000)
+    grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+    assert grown < 8_000, f"{grown} KiB"

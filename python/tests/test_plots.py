@@ -1,0 +1,74 @@
+"""Plots, compared by what they draw."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import schlupf
+
+
+@pytest.mark.parametrize("name", ["traction", "pressure", "slip", "temperature"])
+def test_a_map_shows_its_field(result, name):
+    ax = getattr(result.plot, name)()
+    (mesh,) = (c for c in ax.collections if type(c).__name__ == "QuadMesh")
+    fields = result.fields
+    expected = {
+        "traction": np.hypot(fields["traction_x"], fields["traction_y"]) * 1e-6,
+        "pressure": fields["pressure"] * 1e-9,
+        "slip": np.hypot(fields["slip_x"], fields["slip_y"]) * 1e3,
+        "temperature": fields["temperature_rise_wheel"] + 20.0,
+    }[name]
+    np.testing.assert_allclose(np.ma.filled(mesh.get_array(), np.nan).reshape(expected.shape),
+                               expected, rtol=1e-12)
+    assert ax.get_xlabel().startswith("$x$ (mm)")
+
+
+def test_axes_can_be_given(result):
+    _, ax = plt.subplots()
+    assert result.plot.pressure(ax=ax) is ax
+
+
+def test_stick_and_slip(result):
+    ax = result.plot.stick_slip()
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["stick", "slip"]
+    values = np.ma.compressed(ax.collections[0].get_array())
+    assert values.mean() == pytest.approx(
+        float(result.fields["sliding"].where(result.fields["contact"]).mean())
+    )
+
+
+def test_a_cut(result):
+    ax = result.plot.cut("traction_x", y=1e-3)
+    line = ax.lines[0]
+    expected = result.fields["traction_x"].sel(y=1e-3, method="nearest") * 1e-6
+    np.testing.assert_allclose(line.get_ydata(), expected)
+    assert ax.get_ylabel() == "MPa"
+    assert len(result.plot.cut(x=0.0).lines) == 3
+    with pytest.raises(TypeError):
+        result.plot.cut(x=0.0, y=0.0)
+
+
+def test_a_history(case, result):
+    with pytest.raises(ValueError, match="history"):
+        result.plot.history()
+    history = {"time": [0.0, 1e-3], "creepage_x": [0.0, 0.002]}
+    rolled = case.with_(kinematics={"creepage_x": None}, history=history).solve()
+    ax = rolled.plot.history("force_x")
+    np.testing.assert_allclose(ax.lines[0].get_ydata(), rolled.history["force_x"] * 1e-3)
+
+
+def test_a_creep_curve(case):
+    curve = case.curve(creepage_x=(0.0, 0.01), points=5)
+    ax = curve.plot()
+    np.testing.assert_allclose(ax.lines[0].get_ydata(), curve.points["force_x"] * 1e-3)
+    assert ax.get_xlabel() == "longitudinal creepage"
+
+
+def test_comparison_and_animation(case, result):
+    other = case.with_(normal={"load": 60e3}).solve()
+    axes = schlupf.plot_comparison([result, other])
+    limits = {ax.collections[0].get_clim() for ax in axes}
+    assert len(axes) == 2 and len(limits) == 1
+    movie = schlupf.animate([result, result], "traction_x")
+    movie._draw_frame(1)
+    movie._draw_was_started = True

@@ -1,0 +1,113 @@
+"""Results: scalars, data sets, files, warnings."""
+
+import json
+import warnings
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import schlupf
+
+
+def test_scalars_are_those_of_the_json(result):
+    document = json.loads(result.to_json())
+    assert result.force.x == document["force"]["x"]
+    assert result.to_dict() == document
+    assert result.converged and result.status == "converged"
+    assert "force" in dir(result) and list(result.force) == ["x", "y", "moment_z"]
+    with pytest.raises(AttributeError, match="friction"):
+        result.power.fricton
+
+
+def test_fields_add_up_to_the_forces(result):
+    fields = result.fields
+    assert fields["traction_x"].dims == ("y", "x")
+    area = float(fields["x"].diff("x")[0] * fields["y"].diff("y")[0])
+    for axis in "xy":
+        total = float(fields[f"traction_{axis}"].sum() * area)
+        assert total == pytest.approx(result.force[axis], rel=1e-9)
+    assert float(fields["pressure"].sum() * area) == pytest.approx(result.normal.load, rel=1e-9)
+    assert fields["pressure"].attrs["units"] == "Pa"
+    assert fields["pressure"].attrs["long_name"] == "normal pressure"
+    assert fields["x"].attrs["units"] == "m"
+    assert int(fields["contact"].sum()) == result.work.cells
+    assert bool(np.isnan(fields["pressure"].where(~fields["contact"])).all())
+
+
+def test_files(result, tmp_path):
+    result.to_netcdf(tmp_path / "result.nc", engine="h5netcdf")
+    with xr.open_dataset(tmp_path / "result.nc", engine="h5netcdf") as read:
+        np.testing.assert_array_equal(read["pressure"], result.fields["pressure"])
+        assert json.loads(read.attrs["result"])["force"]["x"] == result.force.x
+    frame = result.to_dataframe()
+    assert len(frame) == result.work.cells and frame["pressure"].gt(0).all()
+    result.to_csv(tmp_path / "cells.csv")
+    assert (tmp_path / "cells.csv").read_text().splitlines()[1].startswith("x,y,pressure")
+    result.to_vtk(tmp_path / "cells.vtk")
+    assert (tmp_path / "cells.vtk").read_bytes().startswith(b"# vtk DataFile")
+    result.to_json(tmp_path / "result.json")
+    assert json.loads((tmp_path / "result.json").read_text())["force"]["x"] == result.force.x
+
+
+def test_notebooks_show_a_summary_and_a_map(result):
+    shown = result._repr_html_()
+    assert "longitudinal force" in shown and "data:image/png;base64," in shown
+
+
+def test_a_history_is_over_time_and_can_be_carried_on(case):
+    history = {"time": [0.0, 1e-3], "creepage_x": [0.0, 0.002]}
+    result = case.with_(kinematics={"creepage_x": None}, history=history).solve()
+    table = result.history
+    assert table["time"].attrs["units"] == "s" and table.sizes["time"] > 10
+    assert float(table["force_x"][-1]) == result.force.x
+    assert table["newton_iterations"].dtype.kind == "i"
+    further = case.with_(solver={"driver": "marching"}).solve(initial_state=result.state)
+    assert further.force.x == pytest.approx(case.solve().force.x, rel=2e-3)
+    with pytest.raises(ValueError, match="initial_state"):
+        case.solve(initial_state=b"{}")
+
+
+def test_what_does_not_converge_is_raised_with_its_result(case):
+    hard = case.with_(solver={"max_iterations": 1, "driver": "steady"})
+    with pytest.raises(schlupf.NotConverged) as caught:
+        hard.solve()
+    assert caught.value.result.status == "not-converged"
+    with pytest.warns(schlupf.SchlupfWarning):
+        assert not hard.solve(strict=False).converged
+
+
+def test_a_warning_has_the_category_of_its_code():
+    linear = schlupf.Case(solver={"method": "kalker-linear"}, kinematics={"creepage_x": 0.02})
+    with pytest.warns(schlupf.SchlupfWarning) as caught:
+        result = linear.solve()
+    assert schlupf.warnings.ForcesOnly in {warning.category for warning in caught}
+    codes = {warning.message.code for warning in caught}
+    assert codes == {code for code, _, _ in result.messages}
+    assert all(warning.filename == __file__ for warning in caught)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        linear.solve(warn=False)
+
+
+def test_a_fast_method_has_no_fields():
+    result = schlupf.Case(solver={"method": "polach"}).solve(warn=False)
+    assert result.fields.sizes["x"] == 0
+    assert result.temperature.max_rise is None and result.force.moment_z is None
+    with pytest.raises(ValueError, match="polach"):
+        result.plot.traction()
+    assert "<pre>" in result._repr_html_()
+
+
+def test_a_creep_curve(case):
+    curve = case.curve(creepage_x=(0.0, 0.01), points=7)
+    points = curve.points
+    assert points.sizes["point"] == 7 and "creepage_x" in points.coords
+    # Braking: the force opposes the creepage.
+    assert (points["force_x"][1:] < 0).all()
+    assert curve.varied == "creepage_x"
+    assert set(points["status"].values) == {"converged"}
+    with pytest.raises(TypeError, match="creepage_x"):
+        case.curve()
+    with pytest.raises(schlupf.CaseError):
+        case.curve(creepage_x=(0.0, 2.0))
