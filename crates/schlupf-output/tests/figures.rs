@@ -164,9 +164,10 @@ fn every_figure_has_a_name_that_is_known_before() {
     assert!(drawings.iter().all(|(name, _)| known.contains(name)), "{known:?}");
 }
 
-/// The rolled distance says little where the speed varies; a varying load explains the forces.
+/// What varies is given over time; constant conditions settle over the rolled distance. A varying
+/// load explains the forces.
 #[test]
-fn histories_are_drawn_over_time_where_the_speed_varies() {
+fn histories_are_drawn_over_time_where_something_varies() {
     let mut solution = solution(RECIPE);
     let history = |solution: &Solution| {
         let drawings = drawings("", solution).unwrap();
@@ -179,7 +180,7 @@ fn histories_are_drawn_over_time_where_the_speed_varies() {
     assert!(!text.contains("load N"));
     solution.history[20].load = 60e3;
     let text = history(&solution);
-    assert!(text.contains("rolled distance (mm)") && text.contains("load N (kN)"));
+    assert!(text.contains("time (ms)") && text.contains("load N (kN)"));
     // A shift at rest.
     solution.history[0].kinematics.speed = 0.0;
     let text = history(&solution);
