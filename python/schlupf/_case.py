@@ -39,7 +39,8 @@ def toml_value(field: Field | None, value: Any) -> str:
         number = repr(float(value))
         return json.dumps(f"{number} {field.units}" if field and "n" not in number else number)
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
+        # TOML escapes all that JSON does, and this.
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     raise TypeError(
         f"{field.path if field else 'a field'} must be a number, text, a sequence or a quantity, "
         f"but is a {type(value).__name__}"
@@ -304,13 +305,8 @@ class Case:
             raise TypeError("a curve needs creepage_x, creepage_y or spin, each (start, end)")
         if spacing not in ("refined", "even"):
             raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
-        own = [self._file.value(f"kinematics.{name}") or 0.0 for name in Curve.VARIED]
-        ranges = [
-            (value, value) if varied is None else (float(varied[0]), float(varied[1]))
-            for value, varied in zip(own, (creepage_x, creepage_y, spin), strict=True)
-        ]
-        start, end = (tuple(pair[k] for pair in ranges) for k in (0, 1))
-        curve = _core.creep_curve(self._file, (start, end), points, spacing == "even")
+        ranges = (creepage_x, creepage_y, spin)
+        curve = _core.creep_curve(self._file, ranges, points, spacing == "even")
         return Curve._new(curve, warn=warn)
 
     def solver(self) -> Solver:

@@ -63,7 +63,7 @@ def batch(
 ) -> tuple[_Columns, NDArray[np.bool_]]: ...
 def creep_curve(
     case: CaseFile,
-    range: tuple[tuple[float, ...], tuple[float, ...]],
+    ranges: tuple[tuple[float, float] | None, ...],
     points: int,
     is_even: bool,
 ) -> CreepCurve: ...

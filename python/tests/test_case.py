@@ -94,7 +94,7 @@ def test_files(tmp_path):
 
 
 def test_copies_are_independent_and_pickles_equal():
-    case = schlupf.Case(normal={"load": 60e3}, title="naïve \"ß\"")
+    case = schlupf.Case(normal={"load": 60e3}, title="naïve \"ß\" \x7f\\")
     for other in (copy.copy(case), copy.deepcopy(case), pickle.loads(pickle.dumps(case))):
         assert other == case
         other.normal.load = 70e3

@@ -111,3 +111,12 @@ def test_a_creep_curve(case):
         case.curve()
     with pytest.raises(schlupf.CaseError):
         case.curve(creepage_x=(0.0, 2.0))
+
+
+def test_a_creep_curve_takes_what_does_not_vary_from_the_motion_of_the_wheel():
+    coarse = {"cells_x": 12, "cells_y": 12}
+    yawed = schlupf.Case(grid=coarse, kinematics={"yaw_angle": "2 mrad"})
+    assert yawed.kinematics.creepage_y is None
+    points = yawed.curve(creepage_x=(0.0, 0.002), points=3).points
+    # η = −sin α, docs/conventions.md.
+    assert float(points["creepage_y"][0]) == pytest.approx(-np.sin(2e-3), rel=1e-12)

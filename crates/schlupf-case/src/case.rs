@@ -39,7 +39,7 @@ pub struct Case {
     pub method: Method,
     /// How the bodies deform.
     pub elasticity: ElasticityModel,
-    /// Which how the solution is found was asked for.
+    /// The driver that was asked for.
     pub driver: Option<Driver>,
     /// How accurately.
     pub options: Options,
@@ -134,7 +134,8 @@ impl CaseFile {
     }
 
     /// The value of a field in effect (numbers in SI units, temperatures in degC): the one given or
-    /// the default; `None` if there is neither, or if the default has to be computed.
+    /// the default; `None` if there is neither, if the default has to be computed, or if other
+    /// fields are given in place of it.
     ///
     /// ```
     /// use schlupf_case::{CaseFile, Folder, Overrides, Setting};
@@ -145,6 +146,9 @@ impl CaseFile {
     /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     pub fn value(&self, path: &str) -> Option<Setting> {
+        if self.settings.is_replaced(path) {
+            return None;
+        }
         self.settings.setting(path).ok()
     }
 

@@ -343,7 +343,7 @@ impl Settings {
     }
 
     /// Whether a field is only a default, in place of which others are given.
-    fn is_replaced(&self, path: &str) -> bool {
+    pub fn is_replaced(&self, path: &str) -> bool {
         let any_given = |fields: &[&str]| self.any_given(fields);
         !self.is_given(path)
             && ALTERNATIVES.iter().any(|Alternatives { first, second, .. }| {

@@ -45,12 +45,13 @@ impl CreepCurve {
     }
 }
 
-/// Traces the creep curve of a case between two creepages [ξ, η, φ in 1/m].
+/// Traces a creep curve of a case: start and end of ξ, η and φ (in 1/m), or `None` for that of the
+/// case.
 #[pyfunction]
 pub fn creep_curve(
     py: Python<'_>,
     case: &CaseFile,
-    range: [[f64; 3]; 2],
+    ranges: [Option<[f64; 2]>; 3],
     points: usize,
     is_even: bool,
 ) -> PyResult<CreepCurve> {
@@ -59,7 +60,10 @@ pub fn creep_curve(
     let found = interruptible(py, |watch| -> Result<CurveFamily, CaseErrors> {
         let case = case.file.pose(watch)?;
         case.require_steady("a creep curve is")?;
-        let [start, end] = range.map(|[x, y, spin]| Creepages { x, y, spin });
+        let own = Creepages::of(&case.problem.kinematics);
+        let [x, y, spin] = [(ranges[0], own.x), (ranges[1], own.y), (ranges[2], own.spin)]
+            .map(|(range, own)| range.unwrap_or([own; 2]));
+        let [start, end] = [0, 1].map(|k| Creepages { x: x[k], y: y[k], spin: spin[k] });
         let explain = |error: schlupf::Error| CaseErrors::from(case.explain(&error));
         let path = Path::new(start, end).map_err(explain)?;
         let mut solver = case.solver();

@@ -129,7 +129,7 @@ choices! {
         Velocity "velocity" "from speeds and effusivities of both bodies";
     }
 
-    /// `solver.driver`: a how the solution is found of the full equations.
+    /// `solver.driver`: how the full equations are solved.
     Driver {
         Steady "steady" "the steady state directly";
         Marching "marching" "step by step in time: to the steady state, or along a history";

@@ -27,7 +27,7 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
     })
 }
 
-/// Which how the solution is found was asked for.
+/// The driver that was asked for.
 pub fn driver(settings: &Settings) -> Result<Option<Driver>, CaseError> {
     settings.is_given("solver.driver").then(|| settings.chosen("solver.driver")).transpose()
 }
