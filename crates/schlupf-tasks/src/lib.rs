@@ -1,8 +1,8 @@
 //! What a case can be asked, from the case to a report: the part that the command and the Python
 //! package share.
 //!
-//! A task reads no arguments and writes no files. Errors are those of the core; a face tells them in
-//! its own words, with [`schlupf_case::Case::explain`] or without.
+//! A task reads no arguments and writes no files. Errors are those of the core; each face tells them
+//! in its own words, with [`schlupf_case::Case::explain`] or without.
 
 #![forbid(unsafe_code)]
 

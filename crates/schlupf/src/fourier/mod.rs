@@ -121,8 +121,8 @@ impl RealTransform {
         (0..=nx / 2).flat_map(move |i| (0..ny).map(move |j| [i as f64, signed(j)]))
     }
 
-    /// |k| in the order of the spectrum, for a lattice of the given spacings: in 1/m for spacings in
-    /// m.
+    /// |k| in the order of the spectrum, for a lattice of the given spacings: in 1/m for spacings
+    /// in m.
     pub(crate) fn wave_numbers(&self, spacing: [f64; 2]) -> impl Iterator<Item = f64> + use<> {
         let step = [0, 1].map(|c| TAU / (self.size[c] as f64 * spacing[c]));
         self.wave_vectors().map(move |[i, j]| (i * step[0]).hypot(j * step[1]))
