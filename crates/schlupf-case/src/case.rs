@@ -69,9 +69,17 @@ pub struct Effective {
     pub value: String,
     /// Where it was given.
     pub place: Place,
+    /// The only command that uses it, if one alone does.
+    pub command: Option<&'static str>,
 }
 
 impl CaseFile {
+    /// Whether a history is given, or time steps are asked for.
+    pub fn is_marched(&self) -> bool {
+        let driver = self.settings.chosen("solver.driver").ok();
+        self.settings.any_given(&HISTORY) || driver == Some(Driver::Marching)
+    }
+
     /// The case with its problem: solves the normal contact of profiles and the micro model of a
     /// roughness, where it has such. `watch` sees how far that is and may stop it.
     pub fn pose(&self, watch: Watch) -> Result<Case, CaseErrors> {
@@ -229,7 +237,7 @@ impl Case {
         match (self.method, self.driver) {
             (Method::Fast(method), _) => {
                 let name = method.name();
-                let reason = format!("{name:?} is of steady rolling, but there is {what}");
+                let reason = format!("{name:?} solves steady rolling only, but there is {what}");
                 Err(self.contradiction("solver.method", &reason))
             }
             (Method::Full, Some(Driver::Steady)) => {
@@ -306,12 +314,16 @@ impl Case {
 
     /// All fields in effect, given or by default.
     pub fn effective(&self) -> Vec<Effective> {
-        fields::all()
-            .filter(|field| self.file.settings.has_effect(field))
-            .map(|field| Effective {
+        let settings = &self.file.settings;
+        let all = fields::SECTIONS
+            .iter()
+            .flat_map(|section| section.fields.iter().map(move |field| (section, field)));
+        all.filter(|(_, field)| settings.has_effect(field))
+            .map(|(section, field)| Effective {
                 path: field.path,
-                value: self.file.settings.shown(field.path),
-                place: self.file.settings.place(field.path),
+                value: settings.shown(field.path),
+                place: settings.place(field.path),
+                command: section.command,
             })
             .filter(|effective| !effective.value.is_empty())
             .collect()

@@ -60,7 +60,7 @@ impl Content {
 }
 
 /// At most so much of a text as fits on a line.
-fn shortened(text: &str) -> String {
+pub fn shortened(text: &str) -> String {
     const MOST: usize = 60;
     if text.chars().count() <= MOST {
         return text.to_owned();

@@ -4,6 +4,8 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::document::shortened;
+
 /// A text that was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
@@ -82,7 +84,7 @@ impl fmt::Display for Place {
                 write!(f, "{}:{line}:{column}", source.name)
             }
             Self::File { name } => f.write_str(name),
-            Self::Override { option, text } => write!(f, "{option} {text}"),
+            Self::Override { option, text } => write!(f, "{option} {}", shortened(text)),
             Self::Default => f.write_str("default value"),
         }
     }

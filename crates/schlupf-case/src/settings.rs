@@ -305,8 +305,11 @@ impl Settings {
     pub fn missing_beside(&self, path: &str, other: &str) -> CaseError {
         let field = fields::find(path);
         let doc = field.map_or("", |field| field.doc);
-        let (name, other_name) = (self.name(path), self.name(other));
-        let message = format!("{name} is missing, which {other_name} needs: {doc}");
+        let name = self.name(path);
+        let is_choice = fields::find(other).is_some_and(|field| !field.kind.choices().is_empty());
+        let value = if is_choice { format!(" = {}", self.shown(other)) } else { String::new() };
+        let other_name = self.name(other);
+        let message = format!("{name} is missing, which {other_name}{value} needs: {doc}");
         let example = field.and_then(Field::assignment);
         CaseError::new(path, message, self.place(other))
             .help(example.map(|example| format!("such as {example}")))
@@ -328,7 +331,16 @@ impl Settings {
         if fields::companion(field.path).is_some_and(is_alone) {
             return false;
         }
-        field.uses().count() == 0 || field.uses().any(|used| self.is_chosen(used))
+        field.uses().count() == 0
+            || field.uses().any(|used| self.is_chosen(used))
+            || self.is_default_of_another(field.path)
+    }
+
+    /// Whether a field gives the value of another one that is used and was left out.
+    fn is_default_of_another(&self, path: &str) -> bool {
+        let has_default = |field: &&Field| matches!(field.default, Default::Same(of) if of == path);
+        let is_left_out = |field: &&Field| !self.given.contains_key(field.path);
+        fields::all().filter(has_default).filter(is_left_out).any(|field| self.is_used(field))
     }
 
     /// Whether a field is used, and not only a default of a section that may be left out and is.
@@ -342,11 +354,16 @@ impl Settings {
         self.is_used(field) && !is_left_out && !self.is_replaced(field.path)
     }
 
-    /// Whether a field is only a default, in place of which others are given.
+    /// Whether a field is only a default, in place of which others are given, or which does not
+    /// count with the models that were chosen.
     pub fn is_replaced(&self, path: &str) -> bool {
+        if self.is_given(path) {
+            return false;
+        }
         let any_given = |fields: &[&str]| self.any_given(fields);
-        !self.is_given(path)
-            && ALTERNATIVES.iter().any(|Alternatives { first, second, .. }| {
+        let counts_with = fields::find(path).and_then(|field| field.default_with);
+        counts_with.is_some_and(|choice| !self.is_chosen(choice))
+            || ALTERNATIVES.iter().any(|Alternatives { first, second, .. }| {
                 first.contains(&path) && any_given(second)
                     || second.contains(&path) && any_given(first)
             })

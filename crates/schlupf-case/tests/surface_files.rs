@@ -238,7 +238,8 @@ fn each_defect_of_a_file_is_named() {
         (
             "a.csv",
             "x [um],y [um],height [um]\n0,0,1\n1,0,2\n0,2,3\n0,3.3,4\n",
-            "y must be equidistant",
+            "y must be equidistant, but its steps are between 0.0013 mm (from 0.002 mm to 0.0033 mm) and \
+             0.002 mm (from 0 mm to 0.002 mm)",
         ),
         ("a.csv", "x [um],height [um]\n0,1\n1,2\n2,3\n1,2\n", "stands in line 3 too"),
         ("a.csv", "x [um],height [um]\n0,1\n1,2\n", "needs at least 64 entries, got 2"),

@@ -1,30 +1,16 @@
 //! `schlupf calibrate`.
 
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use schlupf::calibration::displacements::{DisplacementFit, Sample, fit};
-use schlupf::calibration::side_by_side::side_by_side;
-use schlupf::calibration::{Calibration, CalibrationOptions, calibrate, deviation_of_table};
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::calibrated_layer::{
-    CalibratedLayer, RelativeStiffness, tabulated_stiffness,
-};
-use schlupf::elasticity::elastic_layer::LayerStiffness;
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::material::Material;
-use schlupf::message::Message;
-use schlupf::normal::{NormalContact, Pressure};
-use schlupf::{Error, Quantity, Status, Warning, Watch};
-use schlupf_case::{CaseErrors, CaseFile, Displacements, InputFile, read_displacements};
-use schlupf_output::calibration::{CalibrationReport, Direct, Fitted, FittedComponent, Layer};
-
-use schlupf_tasks::messages;
+use schlupf::Watch;
+use schlupf::calibration::CalibrationOptions;
+use schlupf_case::{CaseErrors, CaseFile, InputFile, read_displacements};
+use schlupf_output::calibration::CalibrationReport;
+use schlupf_tasks::calibrate::{self, CELLS, Plan, Request};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
-use crate::notice::Notice;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, Task};
@@ -55,17 +41,9 @@ pub struct Calibrate {
 
 /// A number of cells on which a calibration means something and ends.
 fn number_of_cells(text: &str) -> Result<usize, String> {
-    const CELLS: RangeInclusive<usize> = 10..=80;
     let count = text.parse().ok().filter(|count| CELLS.contains(count));
     let (least, largest) = (CELLS.start(), CELLS.end());
     count.ok_or_else(|| format!("must be a whole number between {least} and {largest}"))
-}
-
-/// A patch with the displacements to fit to.
-pub struct Plan {
-    case: CaseFile,
-    patch: Patch,
-    displacements: Vec<Displacements>,
 }
 
 impl Task for Calibrate {
@@ -83,9 +61,13 @@ impl Task for Calibrate {
     fn plan(&self, case: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let read = |path: &PathBuf| read_displacements(DISPLACEMENTS, &InputFile::at(path));
         let displacements = self.displacements.iter().map(read).collect::<Result<Vec<_>, _>>();
-        let displacements = displacements.map_err(CaseErrors::from)?;
-        let patch = Patch::of(&case, watch)?;
-        Ok(Plan { case, patch, displacements })
+        let request = Request {
+            direct: self.direct,
+            displacements: displacements.map_err(CaseErrors::from)?,
+            cells: self.cells,
+            with_sides: self.outputs.figures.is_some(),
+        };
+        Ok(calibrate::plan(case, request, watch)?)
     }
 
     fn inputs(&self, file: &CaseFile) -> Vec<Input> {
@@ -100,200 +82,6 @@ impl Task for Calibrate {
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<CalibrationReport>, Failure> {
         progress.stage("calibrating");
-        let Plan { case, patch, displacements } = plan;
-        let report = patch.report(self, &displacements, &progress.watch());
-        let names: Vec<&str> = displacements.iter().map(|file| file.name.as_str()).collect();
-        let report = report.map_err(|error| {
-            let sources = matches!(error, Error::UnlikeALayer { .. })
-                .then(|| format!("the displacements are those of {}", names.join(", ")));
-            Failure::Case(case.explain(&error).help(sources).into())
-        })?;
-        Ok(report.into())
+        Ok(plan.find(&progress.watch())?.into())
     }
-}
-
-/// What the stiffnesses are for.
-pub struct Patch {
-    title: String,
-    normal: NormalContact,
-    /// Of wheel and rail.
-    materials: [Material; 2],
-    bodies: HalfSpace,
-    axis_ratio: f64,
-    /// √(ab), in m.
-    size: f64,
-    max_iterations: usize,
-    /// Whatever there is to know about the case.
-    notices: Vec<Message>,
-}
-
-impl Patch {
-    /// That of the case; of a history that with the largest load.
-    fn of(case: &CaseFile, watch: Watch) -> Result<Self, CaseErrors> {
-        let normal = case.normal_contact(watch)?;
-        let materials = case.materials();
-        let bodies = HalfSpace::new(&materials[0], &materials[1]);
-        let bodies = bodies.map_err(|error| case.explain(&error))?;
-        let [a, b] = [normal.summary.semi_axis_x, normal.summary.semi_axis_y];
-        Ok(Self {
-            title: case.title()?,
-            normal,
-            materials,
-            bodies,
-            axis_ratio: a / b,
-            size: (a * b).sqrt(),
-            max_iterations: case.options()?.max_iterations,
-            notices: case.notices(),
-        })
-    }
-
-    fn report(
-        &self,
-        arguments: &Calibrate,
-        displacements: &[Displacements],
-        watch: Watch,
-    ) -> Result<CalibrationReport, Error> {
-        let options =
-            CalibrationOptions { cells: arguments.cells, max_iterations: self.max_iterations };
-        let ratios = (self.axis_ratio, self.bodies.poisson_ratio());
-        let [wheel, rail] = &self.materials;
-        let mut warnings = self.warnings(&CalibratedLayer::new(wheel, rail, None)?);
-        let needs_no_table = arguments.direct || !displacements.is_empty();
-        let tabulated = match tabulated_stiffness(ratios.0, ratios.1) {
-            Ok(stiffness) => Some(stiffness),
-            Err(error) if needs_no_table => {
-                warnings.push(Notice::NoTable { error }.into());
-                None
-            }
-            Err(error) => return Err(error),
-        };
-        let deviation = tabulated
-            .filter(|_| displacements.is_empty())
-            .map(|_| deviation_of_table(ratios.0, ratios.1, &options, watch))
-            .transpose()?;
-        let direct = arguments.direct.then(|| calibrate(ratios.0, ratios.1, &options, watch));
-        let direct = direct.transpose()?;
-        let fitted = fitted(displacements)?;
-        let exact = tabulated.map(|stiffness| self.layer(stiffness, None).stiffness);
-        let doubts = fitted.iter().flat_map(|fitted| doubts(fitted, exact));
-        warnings.extend(doubts.map(Message::from));
-        let mut converged = direct.is_none_or(|direct| direct.converged)
-            && fitted.iter().flat_map(components).all(|component| component.fit.converged);
-        let mut sides = None;
-        if arguments.outputs.figures.is_some() && displacements.is_empty() {
-            let stiffness = direct.map(|direct| direct.stiffness).or(tabulated);
-            if let Some(stiffness) = stiffness {
-                let found = side_by_side(ratios.0, ratios.1, stiffness, watch)?;
-                converged &= found.is_converged();
-                sides = Some(found);
-            }
-        }
-        Ok(CalibrationReport {
-            title: self.title.clone(),
-            normal: self.normal.summary,
-            shear_modulus: self.bodies.shear_modulus(),
-            poisson_ratio: ratios.1,
-            tabulated: tabulated.map(|stiffness| self.layer(stiffness, deviation)),
-            direct: direct.map(|direct| self.direct(&direct)),
-            fitted,
-            warnings,
-            sides,
-            status: if converged { Status::Converged } else { Status::NotConverged },
-        })
-    }
-
-    fn warnings(&self, layer: &CalibratedLayer) -> Vec<Message> {
-        let of_parts = layer.caveat_of_parts(self.normal.summary.parts);
-        let is_table = matches!(self.normal.pressure, Pressure::Tabulated(..));
-        let of_shape = (is_table && of_parts.is_none()).then_some(Warning::TakenForAnEllipse {});
-        let warnings: Vec<Warning> =
-            of_parts.into_iter().chain(of_shape).chain(self.bodies.caveat()).collect();
-        self.notices.iter().cloned().chain(messages(&warnings)).collect()
-    }
-
-    fn layer(
-        &self,
-        stiffness: [RelativeStiffness; 2],
-        deviation: Option<schlupf::calibration::Deviation>,
-    ) -> Layer {
-        let absolute =
-            |relative: RelativeStiffness| relative.absolute(self.bodies.shear_modulus(), self.size);
-        Layer { stiffness: stiffness.map(absolute), deviation }
-    }
-
-    fn direct(&self, found: &Calibration) -> Direct {
-        let bed = found.winkler_bedding.map(|bedding| RelativeStiffness {
-            bedding,
-            reach_along_x: 0.0,
-            reach_along_y: 0.0,
-        });
-        Direct {
-            layer: self.layer(found.stiffness, Some(found.layer)),
-            uncoupled: self.layer(bed, Some(found.winkler)),
-        }
-    }
-}
-
-/// Each component is fitted to all files that load it.
-fn fitted(displacements: &[Displacements]) -> Result<Option<Fitted>, Error> {
-    if displacements.is_empty() {
-        return Ok(None);
-    }
-    let component = |k: usize| {
-        let loaded =
-            displacements.iter().filter_map(|file| Some((file, file.samples[k].as_ref()?)));
-        let (files, samples): (Vec<&Displacements>, Vec<&Sample>) = loaded.unzip();
-        if samples.is_empty() {
-            return Ok(None);
-        }
-        let samples: Vec<Sample> = samples.into_iter().cloned().collect();
-        let files: Vec<String> = files.into_iter().map(|file| file.name.clone()).collect();
-        let fit = fit(&samples)?;
-        if fit.largest_deviation() > UNLIKE {
-            return Err(unlike(&fit, k));
-        }
-        Ok(Some(FittedComponent { fit, files }))
-    };
-    Ok(Some(Fitted { components: [component(0)?, component(1)?] }))
-}
-
-/// Part of given displacements that a layer may miss before a warning, and before they are refused.
-const FAR: f64 = 0.15;
-const UNLIKE: f64 = 0.5;
-
-/// Bedding over that of the bodies' half-spaces, or the inverse, from which on there is a warning.
-const FOREIGN: f64 = 30.0;
-
-/// An error that no layer has such displacements.
-fn unlike(fit: &DisplacementFit, component: usize) -> Error {
-    Error::UnlikeALayer {
-        quantity: [Quantity::DisplacementX, Quantity::DisplacementY][component],
-        deviation: fit.largest_deviation(),
-    }
-}
-
-/// What to know about fits to displacements; `exact` is the layer that is like the half-space.
-fn doubts(fitted: &Fitted, exact: Option<[LayerStiffness; 2]>) -> Vec<Notice> {
-    let mut doubts = Vec::new();
-    let components = ["x", "y"].into_iter().zip(&fitted.components).enumerate();
-    for (k, (component, fitted)) in components {
-        let Some(FittedComponent { fit, .. }) = fitted else { continue };
-        if let Some(ratio) = exact.map(|exact| fit.bedding / exact[k].bedding)
-            && !(FOREIGN.recip()..FOREIGN).contains(&ratio)
-        {
-            doubts.push(Notice::ForeignBedding { component, ratio });
-        }
-        let deviation = fit.largest_deviation();
-        if deviation > FAR {
-            doubts.push(Notice::HardlyALayer { component, deviation });
-        }
-        let directions = ["along", "across"].into_iter().zip(fit.is_open);
-        let open = directions.filter(|(_, is_open)| *is_open);
-        doubts.extend(open.map(|(direction, _)| Notice::OpenReach { component, direction }));
-    }
-    doubts
-}
-
-fn components(fitted: &Fitted) -> impl Iterator<Item = &FittedComponent> {
-    fitted.components.iter().flatten()
 }

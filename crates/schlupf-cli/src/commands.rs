@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use schlupf_case::{
     Case, CaseFile, Effective, Folder, Overrides, Place, schema as case_schema, template,
 };
+use schlupf_output::significant;
 use schlupf_tasks::contact_law;
 
 use crate::arguments::{CaseArguments, InitArguments, STANDARD_STREAM};
@@ -49,28 +50,30 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
     let effective = case.effective();
     let law = contact_law::of(&case);
     let mut text = format!(
-        "{}\n\npatch      a = {:.4} mm, b = {:.4} mm, load {:.4} kN, peak pressure {:.2} MPa\n\
+        "{}\n\npatch      a = {} mm, b = {} mm, load {} kN, largest pressure {} MPa\n\
          cells      {} x {} across the patch\n\
-         k_c        {:.4e} 1/m, {}\n{}\nfields in effect\n",
+         k_c        {} 1/m, {}\n{}\nfields in effect\n",
         case.title,
-        normal.semi_axis_x * 1e3,
-        normal.semi_axis_y * 1e3,
-        normal.load * 1e-3,
-        normal.peak_pressure * 1e-6,
+        significant(normal.semi_axis_x / 1e-3),
+        significant(normal.semi_axis_y / 1e-3),
+        significant(normal.load / 1e3),
+        significant(normal.peak_pressure / 1e6),
         case.options.cells_x,
         case.options.cells_y,
-        law.stiffness,
+        significant(law.stiffness),
         law.from.name(),
         creepages(&case, &effective),
     );
     for field in effective {
         let origin = match field.place {
-            Place::Default => "  (default)".to_owned(),
-            Place::Override { .. } => "  (--set)".to_owned(),
-            Place::Text { .. } | Place::File { .. } => String::new(),
+            Place::Default => "  (default)",
+            Place::Override { .. } => "  (--set)",
+            Place::Text { .. } | Place::File { .. } => "",
         };
+        let command =
+            field.command.map_or_else(String::new, |name| format!("  (schlupf {name} only)"));
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {:40} {}{origin}", field.path, field.value);
+        let _ = writeln!(text, "  {:40} {}{origin}{command}", field.path, field.value);
     }
     stdout::write(&text)?;
     Ok(ExitCode::SUCCESS)
@@ -83,7 +86,8 @@ fn creepages(case: &Case, effective: &[Effective]) -> String {
         return String::new();
     }
     let kinematics = &case.problem.kinematics;
-    format!("creepages  ξ = {:.6}, η = {:.6}\n", kinematics.creepage_x, kinematics.creepage_y)
+    let [x, y] = [kinematics.creepage_x, kinematics.creepage_y].map(significant);
+    format!("creepages  ξ = {x}, η = {y}\n")
 }
 
 /// `schlupf init`: writes a commented case file.

@@ -1,30 +1,15 @@
 //! `schlupf compare`.
 
-use std::time::{Duration, Instant};
-
 use clap::Args;
-use schlupf::message::Message;
-use schlupf::normal::Pressure;
-use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel};
-use schlupf_case::fields::STIFFNESSES;
-use schlupf_case::{Case, CaseErrors, CaseFile, Effective, ElasticityModel, Place};
-use schlupf_output::comparison::{Answer, Comparison, Entry};
-
-use schlupf_tasks::messages;
+use schlupf::Watch;
+use schlupf_case::CaseFile;
+use schlupf_output::comparison::Comparison;
+use schlupf_tasks::compare::{self, Plan};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
-use crate::notice::Notice;
 use crate::progress::Progress;
 use crate::task::{Found, Task};
-
-/// What the fields that a method sets come from, in messages.
-const COMPARE: &str = "compare";
-
-const BOUND: &str = "fastsim.bound";
-
-const MARGIN: &str = "elasticity.margin";
 
 /// What to compare, and where to write it.
 #[derive(Debug, Args)]
@@ -38,7 +23,7 @@ pub struct Compare {
 }
 
 impl Task for Compare {
-    type Plan = Case;
+    type Plan = Plan;
     type Report = Comparison;
 
     fn case(&self) -> CaseArguments {
@@ -49,198 +34,11 @@ impl Task for Compare {
         &self.outputs
     }
 
-    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Case, Failure> {
-        let case = file.pose(watch)?;
-        case.require_steady("a comparison is").map_err(CaseErrors::from)?;
-        Ok(case)
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
+        Ok(compare::plan(&file, watch)?)
     }
 
-    fn find(&self, case: Case, progress: &Progress) -> Result<Found<Comparison>, Failure> {
-        let entries = entries(&case, &progress.watch())?;
-        let warnings = case.notices.iter().cloned().chain(warnings(&entries)).collect();
-        Ok(Comparison { title: case.title, entries, warnings }.into())
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<Comparison>, Failure> {
+        Ok(plan.find(&progress.watch())?.into())
     }
-}
-
-/// What all methods make of the case: all solutions on several threads first, then their times one
-/// after the other.
-///
-/// # Errors
-/// What the first one says if none has an answer.
-fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, Failure> {
-    let full = case.with(COMPARE, &["solver.method=full".to_owned()], watch)?;
-    let candidates = candidates(full.elasticity);
-    let solved = parallel::map(candidates.iter().collect(), |candidate: &Candidate| {
-        candidate.case(&full, watch).and_then(|case| Solved::new(case, watch))
-    });
-    let mut entries = Vec::new();
-    let mut first_errors: Option<CaseErrors> = None;
-    for (solved, candidate) in solved.into_iter().zip(candidates) {
-        let answer = solved.and_then(|solved| solved.answer(watch)).map_err(|errors| {
-            let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
-            let reason = messages.join("; ");
-            first_errors.get_or_insert(errors);
-            reason
-        });
-        let Candidate { name, method, elasticity } = candidate;
-        let elasticity = elasticity.map(ElasticityModel::name);
-        entries.push(Entry { name, method, elasticity, answer });
-    }
-    match first_errors {
-        Some(errors) if entries.iter().all(|entry| entry.answer.is_err()) => Err(errors.into()),
-        _ => Ok(entries),
-    }
-}
-
-fn explained(case: &Case, error: &Error) -> CaseErrors {
-    case.explain(error).into()
-}
-
-/// A method, with a model of elasticity if it is the full one.
-struct Candidate {
-    name: &'static str,
-    method: &'static str,
-    elasticity: Option<ElasticityModel>,
-}
-
-const fn full(name: &'static str, elasticity: ElasticityModel) -> Candidate {
-    Candidate { name, method: "full", elasticity: Some(elasticity) }
-}
-
-const fn fast(name: &'static str, method: &'static str) -> Candidate {
-    Candidate { name, method, elasticity: None }
-}
-
-/// All methods, and the model of the case where it is of none of them: next to its like.
-fn candidates(own: ElasticityModel) -> Vec<Candidate> {
-    let is_rigid = own == ElasticityModel::Rigid;
-    let own = is_rigid.then_some(full("full, rigid bodies", ElasticityModel::Rigid));
-    own.into_iter().chain(CANDIDATES).collect()
-}
-
-/// The methods that every case is solved by.
-const CANDIDATES: [Candidate; 8] = [
-    full("full, half-space", ElasticityModel::HalfSpace),
-    full("full, elastic layer", ElasticityModel::ElasticLayer),
-    full("full, Winkler bedding", ElasticityModel::Winkler),
-    fast("FASTSIM", "fastsim"),
-    fast("modified FASTSIM", "modified-fastsim"),
-    fast("Polach", "polach"),
-    fast("Shen–Hedrick–Elkins", "shen-hedrick-elkins"),
-    fast("Kalker linear", "kalker-linear"),
-];
-
-impl Candidate {
-    /// The case that asks for it, from one that asks for the full method.
-    fn case(&self, full: &Case, watch: Watch) -> Result<Case, CaseErrors> {
-        if let Some(model) = self.elasticity {
-            let is_own = full.elasticity == model;
-            return if is_own { Ok(full.clone()) } else { with_elasticity(full, model, watch) };
-        }
-        let case = full.with(COMPARE, &[format!("solver.method={}", self.method)], watch)?;
-        if takes_paraboloid(&case)? {
-            return case.with(COMPARE, &[format!("{BOUND}=elliptic")], watch);
-        }
-        Ok(case)
-    }
-}
-
-/// Whether the traction is bounded by a paraboloid by default, which a pressure that is not Hertz's
-/// does not have.
-fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
-    let is_default =
-        |field: &Effective| field.path == BOUND && matches!(field.place, Place::Default);
-    let normal = case.problem.normal.normal_contact(None);
-    let normal = normal.map_err(|error| explained(case, &error))?;
-    let is_elliptic = matches!(normal.pressure, Pressure::Elliptic);
-    Ok(!is_elliptic && case.effective().iter().any(is_default))
-}
-
-/// The case with another model of elasticity, without the stiffnesses of its own: the layer with
-/// its default ones, which answer like the half-space, the Winkler bedding with those of FASTSIM, c
-/// = 1/L.
-fn with_elasticity(case: &Case, model: ElasticityModel, watch: Watch) -> Result<Case, CaseErrors> {
-    let without = STIFFNESSES.iter().chain(&[MARGIN]).map(|field| format!("{field}="));
-    let assignments: Vec<String> =
-        [format!("elasticity.model={}", model.name())].into_iter().chain(without).collect();
-    case.with(COMPARE, &assignments, watch)
-}
-
-/// Repetitions last so long, or are so many.
-const REPEATED_FOR: Duration = Duration::from_millis(2);
-const MOST_REPETITIONS: u32 = 1000;
-
-/// A case that one method has solved.
-struct Solved {
-    case: Case,
-    /// With its set-up.
-    solver: Box<dyn Solver>,
-    solution: Solution,
-}
-
-impl Solved {
-    fn new(case: Case, watch: Watch) -> Result<Self, CaseErrors> {
-        let mut solver = case.solver();
-        let solution = solver.solve(&case.problem, watch);
-        let solution = solution.map_err(|error| explained(&case, &error))?;
-        Ok(Self { case, solver, solution })
-    }
-
-    /// Nothing else must run while times are measured.
-    fn answer(mut self, watch: Watch) -> Result<Answer, CaseErrors> {
-        let time = self.time(watch);
-        let times = time.and_then(|time| Ok((time, self.time_again(watch)?)));
-        let (time, time_again) = times.map_err(|error| explained(&self.case, &error))?;
-        Ok(Answer { solution: self.solution, time, time_again })
-    }
-
-    /// Time of a solution from the set-up on, in s. The normal contact, which is the same for all,
-    /// is known.
-    fn time(&self, watch: Watch) -> Result<f64, Error> {
-        let start = Instant::now();
-        self.case.solver().solve(&self.case.problem, watch)?;
-        Ok(start.elapsed().as_secs_f64())
-    }
-
-    /// Time with the set-up there, in s: of a solution without earlier ones, or, by a fast method,
-    /// of the forces.
-    fn time_again(&mut self, watch: Watch) -> Result<f64, Error> {
-        let Case { problem, options, method, .. } = &self.case;
-        match method {
-            Method::Fast(method) => {
-                forces_again(FastContact::new(problem, *method, options)?, problem)
-            }
-            Method::Full => {
-                self.solver.forget();
-                let start = Instant::now();
-                self.solver.solve(problem, watch)?;
-                Ok(start.elapsed().as_secs_f64())
-            }
-        }
-    }
-}
-
-/// Warnings, except for what the table shows: that a fast method
-/// gives no fields.
-fn warnings(entries: &[Entry]) -> Vec<Message> {
-    let of = |entry: &Entry| match &entry.answer {
-        Err(reason) => vec![Notice::NotAvailable { reason: reason.clone() }.into()],
-        Ok(answer) => {
-            let told = |warning: &&Warning| !matches!(warning, Warning::ForcesOnly { .. });
-            messages(answer.solution.warnings.iter().filter(told)).collect()
-        }
-    };
-    entries.iter().flat_map(|entry| of(entry).into_iter().map(|m| m.about(entry.name))).collect()
-}
-
-/// Mean time of the forces by a contact that is set up, in s.
-fn forces_again(mut contact: FastContact, problem: &Problem) -> Result<f64, Error> {
-    contact.force(&problem.kinematics)?;
-    let start = Instant::now();
-    let mut repetitions = 0;
-    while repetitions < MOST_REPETITIONS && start.elapsed() < REPEATED_FOR {
-        contact.force(&problem.kinematics)?;
-        repetitions += 1;
-    }
-    Ok(start.elapsed().as_secs_f64() / f64::from(repetitions.max(1)))
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use schlupf_case::{CaseErrors, Cause};
 use schlupf_output::figures::FigureError;
+use schlupf_tasks::TaskError;
 
 /// Exit code of results that did not converge.
 pub const NOT_CONVERGED: u8 = 3;
@@ -29,6 +30,15 @@ pub enum Failure {
     /// A figure cannot be drawn.
     #[error("figures: {0}")]
     Figures(#[from] FigureError),
+}
+
+impl From<TaskError> for Failure {
+    fn from(error: TaskError) -> Self {
+        match error {
+            TaskError::Case(errors) => Self::Case(errors),
+            TaskError::Request(message) => Self::Arguments(message),
+        }
+    }
 }
 
 impl Failure {

@@ -2,13 +2,14 @@
 
 use std::fmt;
 use std::io::{IsTerminal, Write, stderr};
+use std::ops::Range;
 
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
 };
 use schlupf::Status;
 use schlupf::message::Message;
-use schlupf_case::{CaseError, Place};
+use schlupf_case::{CaseError, Place, Source};
 
 use crate::failure::Failure;
 
@@ -56,6 +57,17 @@ fn render(report: &Report) -> String {
     }
 }
 
+/// Whether the lines of some bytes, with one before and one after, are few and short enough to be
+/// shown.
+fn is_quotable(source: &Source, span: &Range<usize>) -> bool {
+    const MOST_LINES: usize = 12;
+    const LONGEST: usize = 200;
+    let lines = [span.start, span.end].map(|byte| source.position(byte).0);
+    let lines = lines[0].saturating_sub(1).max(1)..=lines[1] + 1;
+    lines.clone().count() <= MOST_LINES
+        && lines.map(|line| source.line(line).len()).all(|length| length <= LONGEST)
+}
+
 /// A case error in miette's terms.
 #[derive(Debug)]
 struct Report {
@@ -70,7 +82,7 @@ impl Report {
         let message = format!("{}: {}", error.place, error.message);
         let help = error.help.clone();
         let (source, labels) = match &error.place {
-            Place::Text { source, span } => (
+            Place::Text { source, span } if is_quotable(source, span) => (
                 Some(NamedSource::new(&source.name, source.text.clone())),
                 vec![LabeledSpan::new_with_span(None, span.clone())],
             ),

@@ -5,18 +5,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::{Args, ValueHint};
-use schlupf::interface::roughness::load_curve::LoadCurveOptions;
-use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
-use schlupf::message::Message;
-use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
-use schlupf::surface::HeightMap;
-use schlupf::surface::spectrum::{RadialSpectrum, Window};
-use schlupf::{Error, Watch};
-use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
+use schlupf::Watch;
 use schlupf_case::{
-    CaseErrors, CaseFile, FieldNames, Files, GivenByOption, RoughnessRequest, caveats, pressures,
+    CaseErrors, CaseFile, FieldNames, Files, GivenByOption, RoughnessRequest, pressures,
 };
-use schlupf_output::roughness::{RoughnessReport, Spots};
+use schlupf_output::roughness::RoughnessReport;
+use schlupf_tasks::roughness::Plan;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -93,13 +87,6 @@ pub struct Roughness {
     pub outputs: OutputArguments,
 }
 
-/// A surface to press, and on what.
-pub struct Plan {
-    /// Title of the case.
-    title: String,
-    request: RoughnessRequest,
-}
-
 impl Task for Roughness {
     type Plan = Plan;
     type Report = RoughnessReport;
@@ -122,7 +109,10 @@ impl Task for Roughness {
 
     fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
         let title = file.title().map_err(CaseErrors::from)?;
-        Ok(Plan { title, request: request(self, &file, watch)? })
+        let request = request(self, &file, watch)?;
+        let wanted = [&self.outputs.figures, &self.pressures, &self.gaps];
+        let with_spots = wanted.into_iter().any(Option::is_some);
+        Ok(Plan { title, request, generated: self.generated(), with_spots })
     }
 
     fn inputs(&self, file: &CaseFile) -> Vec<Input> {
@@ -136,16 +126,16 @@ impl Task for Roughness {
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<RoughnessReport>, Failure> {
-        let Plan { title, request } = plan;
         progress.stage("reading the surface");
-        let rough = request.load().map_err(CaseErrors::from)?;
-        let explain = |error: Error| Failure::Case(request.explain(&error).into());
-        let result = solve(&request, &rough, progress).map_err(explain)?;
-        let is_wanted = [&self.outputs.figures, &self.pressures, &self.gaps];
-        let is_wanted = is_wanted.into_iter().any(Option::is_some);
-        let spots = is_wanted.then(|| spots(&request, &rough.surface, progress)).transpose();
-        let spots = spots.map_err(explain)?;
-        Ok(Pressed { request, rough, result, spots }.report(self, &title).into())
+        Ok(plan.find(&progress.watch())?.into())
+    }
+}
+
+impl Roughness {
+    /// The options of a synthetic surface.
+    fn generated(&self) -> Option<String> {
+        let seed = self.seed.iter().map(|seed| format!(",seed={seed}")).collect::<String>();
+        self.synthetic.as_ref().map(|text| format!("{text}{seed}"))
     }
 }
 
@@ -335,81 +325,4 @@ fn refuse_repeated(arguments: &Roughness, parts: &[GivenByOption]) -> Result<(),
         }
     }
     Ok(())
-}
-
-/// The micro model.
-fn solve(
-    request: &RoughnessRequest,
-    rough: &RoughSurface,
-    progress: &Progress,
-) -> Result<MicroModelResult, Error> {
-    let (key, bodies) = (request.key(), request.bodies());
-    let model = MicroModel {
-        surface: rough.surface.clone(),
-        contact_modulus: key.contact_modulus,
-        bodies: *bodies,
-        hardness: key.hardness,
-        mean_pressures: request.mean_pressures().to_vec(),
-    };
-    model.solve(&LoadCurveOptions::default(), &progress.watch())
-}
-
-/// The contact at the largest mean pressure.
-fn spots(
-    request: &RoughnessRequest,
-    surface: &HeightMap,
-    progress: &Progress,
-) -> Result<Spots, Error> {
-    let key = request.key();
-    let distance = surface.distance_to_plane();
-    let contact = RoughContact::new(distance, key.contact_modulus, Boundary::Periodic)?;
-    let mut contact = contact.with_hardness(key.hardness)?;
-    let solution =
-        contact.press(key.largest_pressure, &RoughContactOptions::default(), &progress.watch())?;
-    Ok(Spots {
-        mean_pressure: key.largest_pressure,
-        is_converged: solution.is_converged,
-        pressure: solution.pressure,
-        gap: solution.gap,
-    })
-}
-
-/// What was pressed, and what came out.
-struct Pressed {
-    request: RoughnessRequest,
-    rough: RoughSurface,
-    result: MicroModelResult,
-    spots: Option<Spots>,
-}
-
-impl Pressed {
-    fn report(self, arguments: &Roughness, case_title: &str) -> RoughnessReport {
-        let Self { request, rough, result, spots } = self;
-        let title = match (&request.key().source.origin, &arguments.synthetic) {
-            (SurfaceOrigin::SelfAffine(_), Some(text)) => {
-                let seed = arguments.seed.iter().map(|seed| format!(",seed={seed}"));
-                format!("self-affine surface, {text}{}", seed.collect::<String>())
-            }
-            (SurfaceOrigin::SelfAffine(_), None) => format!("{case_title}, self-affine surface"),
-            (SurfaceOrigin::Files { files, .. }, _) => {
-                let names: Vec<String> =
-                    files.iter().map(|file| file.path().display().to_string()).collect();
-                names.join(" and ")
-            }
-        };
-        let caveats = caveats(&result, rough.surface.lattice().len(), request.key());
-        let warnings = rough.notices.into_iter().chain(caveats).map(Message::from).collect();
-        RoughnessReport {
-            title,
-            spectrum: RadialSpectrum::of(&rough.surface, Window::of(&rough.surface)),
-            surface: rough.surface,
-            bodies: *request.bodies(),
-            contact_modulus: request.key().contact_modulus,
-            hardness: request.key().hardness,
-            result,
-            spots,
-            remarks: rough.remarks,
-            warnings,
-        }
-    }
 }

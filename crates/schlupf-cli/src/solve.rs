@@ -9,6 +9,8 @@ use schlupf::message::{Message, Words};
 use schlupf::state::State;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames, LARGEST_FILE, Rolling, read_up_to};
+use schlupf_output::Report;
+use schlupf_output::figures;
 use schlupf_output::solution::SolutionReport;
 
 use crate::arguments::{CaseArguments, OutputArguments};
@@ -27,7 +29,7 @@ pub struct Solve {
     /// Which case.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Write the fields for `ParaView` (VTK)
+    /// Write the fields as a VTK file
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub vtk: Option<PathBuf>,
     /// Write the history as CSV, one row for each time step
@@ -87,6 +89,13 @@ impl Task for Solve {
         });
         inputs.extend(state);
         inputs
+    }
+
+    fn figure_names(&self, file: &CaseFile) -> Vec<String> {
+        let is_marched = self.initial_state.is_some() || file.is_marched();
+        let mut names = SolutionReport::figure_names();
+        names.retain(|name| is_marched || name != figures::HISTORY);
+        names
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<SolutionReport>, Failure> {

@@ -36,6 +36,11 @@ pub trait Task: Send + Sync {
         Vec::new()
     }
 
+    /// Names of the figures that it may draw of the case.
+    fn figure_names(&self, _file: &CaseFile) -> Vec<String> {
+        Self::Report::figure_names()
+    }
+
     /// The files that it reads.
     fn inputs(&self, file: &CaseFile) -> Vec<Input> {
         Input::of_case(&self.case(), file)
@@ -98,6 +103,7 @@ pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
     outputs.check()?;
     let file = read_case(&task.case())?;
     outputs.refuse_inputs(&task.inputs(&file))?;
+    outputs.refuse_foreign(&task.figure_names(&file))?;
     // Contact of profiles and of a rough surface may take a while.
     progress.stage("posing the problem");
     let plan = task.plan(file, &progress.watch())?;
@@ -163,9 +169,14 @@ impl<'a> Outputs<'a> {
 
     /// Checks that do not need the case.
     fn check(&self) -> Result<(), Failure> {
-        outputs::check(&self.files, self.directory.as_ref())?;
+        outputs::check(&self.files, self.directory.as_ref())
+    }
+
+    /// Refuses to write figures over files that are not ours.
+    fn refuse_foreign(&self, figures: &[String]) -> Result<(), Failure> {
         let Some(directory) = &self.directory else { return Ok(()) };
-        directory.names.iter().try_for_each(|name| refuse_foreign(&directory.path.join(name)))
+        let mut files = figures.iter().flat_map(|name| figure_files(name));
+        files.try_for_each(|name| refuse_foreign(&directory.path.join(name)))
     }
 
     fn refuse_inputs(&self, inputs: &[Input]) -> Result<(), Failure> {

@@ -129,7 +129,7 @@ fn a_comparison_is_of_steady_rolling() {
     assert!(run.stderr.contains("steady rolling"), "{}", run.stderr);
     let run = bench.run(&["solve", "case.toml", "--set", "solver.method=fastsim"]);
     assert_eq!(run.code, Some(2));
-    assert!(run.stderr.contains("\"fastsim\" is of steady rolling"), "{}", run.stderr);
+    assert!(run.stderr.contains("\"fastsim\" solves steady rolling only"), "{}", run.stderr);
 }
 
 /// A method without fields says so and leaves its outputs empty.

@@ -122,3 +122,26 @@ fn a_profile_of_heights_alone_has_its_spacing_beside_it() {
     assert_eq!(run.code, Some(2));
     assert!(run.stderr.contains("--spacing must be given"), "{}", run.stderr);
 }
+
+/// An error shows its line, but not one that fills the screen.
+#[test]
+fn long_lines_are_not_quoted() {
+    let bench = Bench::new();
+    bench.write("case.toml", &format!("[normal]\nload = \"{}\"\n", "x".repeat(400_000)));
+    let run = bench.run(&["check", "case.toml"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("case.toml:2:8: normal.load must be a force"));
+    assert!(run.stderr.len() < 500, "{}", run.stderr.len());
+    bench.write("case.toml", "[normal]\nload = \"x\"\n");
+    assert!(bench.run(&["check", "case.toml"]).stderr.contains("load = \"x\""));
+}
+
+/// A number in another unit than its bounds is told in theirs, too.
+#[test]
+fn values_beyond_their_bounds_are_told_in_their_unit() {
+    let run = Bench::new().run(&["check", "--set", "kinematics.yaw_angle=100 deg"]);
+    let part = "below 1.5708 rad, but is \"100 deg\": that is 1.74533 rad";
+    assert!(run.stderr.contains(part), "{}", run.stderr);
+    let run = Bench::new().run(&["check", "--set", "kinematics.yaw_angle=2 rad"]);
+    assert!(run.stderr.trim_end().ends_with("but is \"2 rad\""), "{}", run.stderr);
+}

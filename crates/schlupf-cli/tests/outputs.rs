@@ -45,6 +45,23 @@ fn files_of_others_are_neither_overwritten_nor_removed() {
     }
 }
 
+/// Steady rolling draws no history, so one that is not ours does no harm.
+#[test]
+fn only_names_of_figures_that_may_be_drawn_count() {
+    let bench = bench();
+    std::fs::create_dir(bench.path("f")).unwrap();
+    bench.write("f/history.png", "mine");
+    let draw = |driver: &str| {
+        let set = format!("solver.driver={driver}");
+        bench.run(&["solve", "case.toml", "--quiet", "--set", &set, "--figures", "f"])
+    };
+    assert_eq!(draw("steady").code, Some(0));
+    let refused = draw("marching");
+    assert_eq!(refused.code, Some(2));
+    assert!(refused.stderr.contains("history.png is not marked"), "{}", refused.stderr);
+    assert_eq!(bench.read("f/history.png"), "mine");
+}
+
 /// Each drawing and each picture has its own mark.
 #[test]
 fn a_figure_is_judged_by_itself() {

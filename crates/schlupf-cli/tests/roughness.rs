@@ -294,7 +294,7 @@ fn results_say_where_the_stiffness_comes_from() {
     let run = bench.run(&["solve", "case.toml"]);
     assert!(run.stdout.contains("k_c, closed form: h_rms = 1.5 µm, γ = 0.45"), "{}", run.stdout);
     let run = bench.run(&["check", "case.toml"]);
-    assert!(run.stdout.contains("k_c        3.1008e6 1/m, closed form"), "{}", run.stdout);
+    assert!(run.stdout.contains("k_c        3.101e6 1/m, closed form"), "{}", run.stdout);
 }
 
 /// A name that is not UTF-8 opens its file, and only messages replace what cannot be shown.

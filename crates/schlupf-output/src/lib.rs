@@ -25,4 +25,5 @@ mod table;
 pub mod temperature;
 mod vtk;
 
+pub use number::significant;
 pub use report::Report;

@@ -2,7 +2,7 @@
 
 /// Four significant digits without trailing zeros, in powers of ten if the digits would not fit;
 /// `n/a` for an unknown number.
-pub(crate) fn significant(value: impl Into<Option<f64>>) -> String {
+pub fn significant(value: impl Into<Option<f64>>) -> String {
     let Some(value) = value.into().filter(|value| value.is_finite()) else {
         return "n/a".to_owned();
     };

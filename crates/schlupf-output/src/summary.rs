@@ -20,9 +20,22 @@ pub(crate) fn moment(force: &Resultant, normalised: &Resultant) -> Option<f64> {
 
 /// Friction power with the power of the creep forces.
 pub(crate) fn friction_power(text: &mut String, solution: &Solution) {
+    let (watts, unit) = unit_of_power(solution);
     let power = solution.power;
-    let creep = format!("creep power {} kW", number(power.map(|power| power.creep / 1e3)));
-    entry(text, "friction power", power.map(|power| power.friction / 1e3), "kW", &creep);
+    let creep = format!("creep power {} {unit}", number(power.map(|power| power.creep / watts)));
+    entry(text, "friction power", power.map(|power| power.friction / watts), unit, &creep);
+}
+
+/// The unit in which the powers of a solution have few digits before the point: its watts, and its
+/// symbol.
+pub(crate) fn unit_of_power(solution: &Solution) -> (f64, &'static str) {
+    const UNITS: [(f64, &str); 4] = [(1e3, "kW"), (1.0, "W"), (1e-3, "mW"), (1e-6, "µW")];
+    let power = solution.power.map_or(0.0, |power| power.friction.abs());
+    match UNITS.into_iter().find(|(watts, _)| power >= *watts) {
+        Some(unit) => unit,
+        None if power == 0.0 => UNITS[0],
+        None => UNITS[3],
+    }
 }
 
 /// One quantity: its name, value and unit in columns, and a remark.

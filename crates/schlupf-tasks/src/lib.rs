@@ -1,13 +1,26 @@
 //! What a case can be asked, from the case to a report: the part that the command and the Python
 //! package share.
 //!
-//! A task reads no arguments and writes no files. Errors are those of the core; each face tells them
-//! in its own words, with [`schlupf_case::Case::explain`] or without.
+//! A task takes a request in SI units with the names that messages call its parts by, since a face
+//! has options or arguments for them. It checks whatever can be checked before the work (`plan`),
+//! and does the work (`find`). It reads no arguments and writes no files.
 
 #![forbid(unsafe_code)]
 
+pub mod bulk;
+pub mod calibrate;
+pub mod compare;
 pub mod contact_law;
+pub mod curve;
+mod error;
+pub mod fit;
+mod notice;
+pub mod roughness;
 pub mod solve;
+pub mod temperature;
+
+pub use error::TaskError;
+pub use notice::Notice;
 
 use schlupf::Warning;
 use schlupf::message::Message;

@@ -113,7 +113,7 @@ messages! {
     );
 
     /// A patch that a calibration takes for an ellipse.
-    "taken-for-an-ellipse" TakenForAnEllipse {} Quantity::Calibration, |name, words| {
+    "equivalent-ellipse" EquivalentEllipse {} Quantity::Calibration, |name, words| {
         "the patch is treated like the ellipse of the same extent".to_owned()
     };
 
@@ -200,7 +200,7 @@ messages! {
         /// a/b, dimensionless.
         axis_ratio: f64,
     } Quantity::Method, |name, words| format!(
-        "{name}: {method:?} needs Kalker's coefficients at a/b = {axis_ratio:.4}, beyond their table \
+        "{name} = {method:?} needs Kalker's coefficients at a/b = {axis_ratio:.4}, beyond their table \
          (1/10 to 10), and takes them from Kalker's limits: C11, C22 and C23 are off by up to 7 % at \
          1/30 and 30, C33 is a limit only"
     );
@@ -218,7 +218,7 @@ messages! {
             String::new()
         };
         format!(
-            "{name}: {method:?} takes Kalker's coefficients of the ellipse with the length and width of \
+            "{name} = {method:?} takes Kalker's coefficients of the ellipse with the length and width of \
              the patch{apart}"
         )
     };
@@ -238,7 +238,7 @@ messages! {
         /// Whether it gives the moment.
         has_moment: bool,
     } Quantity::Method, |name, words| format!(
-        "{name}: {method:?} gives {} only, no fields and no temperatures",
+        "{name} = {method:?} gives {} only, no fields and no temperatures",
         if *has_moment { "forces and moment" } else { "forces" }
     );
 
@@ -247,7 +247,7 @@ messages! {
         /// The method.
         method: &'static str,
     } Quantity::Method, |name, words| format!(
-        "{name}: {method:?} has no temperatures, so friction is that at the temperature of the \
+        "{name} = {method:?} has no temperatures, so friction is that at the temperature of the \
          entering material"
     );
 

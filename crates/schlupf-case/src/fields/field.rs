@@ -1,8 +1,8 @@
 //! What a field is.
 
-use super::Requirement;
 use super::choice::Choice;
 use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
+use super::{Requirement, readable};
 use crate::document::{Content, Value};
 use crate::setting::{Refusal, Setting};
 use crate::units::{Measure, QuantityError, parse_quantity};
@@ -18,6 +18,8 @@ pub struct Section {
     pub quantities: &'static [Quantity],
     /// What it is about.
     pub doc: &'static str,
+    /// The only command that uses it, if one alone does.
+    pub command: Option<&'static str>,
     /// Its fields.
     pub fields: &'static [Field],
 }
@@ -35,6 +37,8 @@ pub struct Field {
     pub requirement: Requirement,
     /// What it is when left out.
     pub default: Default,
+    /// The choice with which alone the default counts, if there is one.
+    pub default_with: Option<UsedWith>,
     /// A value to show; the default where there is none.
     pub example: Option<&'static str>,
     /// The choices it belongs to, of which any will do.
@@ -161,6 +165,7 @@ impl Field {
             requirement,
             default,
             example: None,
+            default_with: None,
             used_with: [None; 2],
             shapes_contact: false,
             doc,
@@ -242,6 +247,7 @@ impl Field {
             }
         };
         self.require(number, measure.unit, value)
+            .map_err(|refusal| in_si(refusal, number, measure, &value.content))
     }
 
     fn require(&self, number: f64, unit: &str, value: &Value) -> Result<f64, Refusal> {
@@ -274,6 +280,16 @@ impl Field {
             help = format!("{help}; {NOT_PER_CENT}");
         }
         (numeric && digit).then_some(help)
+    }
+}
+
+/// Tells the number in the unit of the requirement, where it was given in another one.
+fn in_si(refusal: Refusal, number: f64, measure: &Measure, content: &Content) -> Refusal {
+    match content {
+        Content::Text(text) if !text.trim_end().ends_with(&format!(" {}", measure.unit)) => {
+            refusal.because(format!("that is {} {}", readable(number), measure.unit))
+        }
+        _ => refusal,
     }
 }
 

@@ -1,11 +1,13 @@
 //! The table.
 
-/// A section: its heading, the quantity that all of it gives if it gives one, what it is about, and
-/// its fields. Each of these has its name, the quantities that it gives, its kind, requirement,
+/// A section: its heading, the quantity that all of it gives if it gives one, what it is about, the
+/// only command that uses it if one alone does, and its fields. Each of these has its name, the quantities that it gives, its kind, requirement,
 /// default and meaning, and what else there is to say of it.
 macro_rules! section {
+    (@command) => { None };
+    (@command $command:literal) => { Some($command) };
     (
-        $section:ident $heading:literal $([$of:ident])? $about:literal;
+        $section:ident $heading:literal $([$of:ident])? $about:literal $(for $command:literal)?;
         $(
             $name:literal [$($quantity:ident)*] $kind:expr, $requirement:expr, $default:expr,
             $doc:literal $(, $attribute:ident($($value:expr),*))*;
@@ -15,6 +17,7 @@ macro_rules! section {
             name: $heading,
             quantities: &[$(schlupf::Quantity::$of)?],
             doc: $about,
+            command: section!(@command $($command)?),
             fields: &[$(
                 Field::new(concat!($heading, ".", $name), $kind, $requirement, $default, $doc)
                     .giving(&[$(schlupf::Quantity::$quantity),*])
@@ -50,6 +53,11 @@ impl Field {
 
     const fn example(self, text: &'static str) -> Self {
         Self { example: Some(text), ..self }
+    }
+
+    /// The same; the default counts with these names of a choice only.
+    const fn default_with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
+        Self { default_with: Some((choice, names)), ..self }
     }
 
     /// The same with a choice that it belongs to, besides the one it may have.
@@ -105,6 +113,7 @@ const TITLE: Section = Section {
     name: "",
     quantities: &[],
     doc: "",
+    command: None,
     fields: &[Field::new(
         "title",
         Kind::Text,
@@ -147,17 +156,18 @@ macro_rules! body {
         "poisson_ratio" [$($poisson)*] Kind::Number, Between(0.0, 0.5), Text("0.28"),
             "ν, Poisson's ratio", shaping();
         "conductivity" [$conductivity] quantity(&Measure::CONDUCTIVITY), THERMAL,
-            Text("50 W/(m K)"), "λ, thermal conductivity";
-        "density" [$density] quantity(&Measure::DENSITY), THERMAL, Text("7850 kg/m^3"), "ρ, density";
+            Text("50 W/(m K)"), "λ, thermal conductivity", with(HEAT_MODEL, HEATING);
+        "density" [$density] quantity(&Measure::DENSITY), THERMAL, Text("7850 kg/m^3"), "ρ, density",
+            with(HEAT_MODEL, HEATING);
         "specific_heat" [$specific_heat] quantity(&Measure::SPECIFIC_HEAT), THERMAL,
-            Text("450 J/(kg K)"), "c, specific heat";
+            Text("450 J/(kg K)"), "c, specific heat", with(HEAT_MODEL, HEATING);
         "bulk_temperature" [$temperature] quantity(&Measure::TEMPERATURE), TEMPERATURE,
             Text("20 degC"), "temperature far from the contact";
         "radius_x" [$of_radius_x] quantity(&Measure::LENGTH), CURVATURE, Text($radius_x),
             "radius of curvature along rolling: \"inf\" where straight, negative where concave",
-            shaping();
+            shaping(), with(NORMAL_MODEL, &["hertz", "profile"]);
         "radius_y" [$of_radius_y] quantity(&Measure::LENGTH), CURVATURE, Text($radius_y),
-            "radius of curvature across rolling", shaping();
+            "radius of curvature across rolling", shaping(), with(NORMAL_MODEL, &["hertz"]);
     } };
 }
 
@@ -180,34 +190,42 @@ section! {
 
     "model" [] Kind::Choice(NormalModel::CHOICES), Finite, Text("hertz"),
         "source of the pressure", shaping();
-    "load" [Load] quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load", shaping();
+    "load" [Load] quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load", shaping(),
+        default_with(NORMAL_MODEL, &["hertz"]);
     "semi_axis_x" [SemiAxisX] quantity(&Measure::LENGTH), SEMI_AXIS, Nothing,
         "a, semi-axis along rolling", shaping(), example("6 mm"),
-        with("normal.model", &["ellipse"]);
+        with(NORMAL_MODEL, &["ellipse"]);
     "semi_axis_y" [SemiAxisY] quantity(&Measure::LENGTH), SEMI_AXIS, Nothing,
         "b, semi-axis across rolling", shaping(), example("5 mm"),
-        with("normal.model", &["ellipse"]);
+        with(NORMAL_MODEL, &["ellipse"]);
     "peak_pressure" [PeakPressure] quantity(&Measure::PRESSURE), PEAK_PRESSURE, Nothing,
         "p0, largest pressure, in place of load", shaping(), example("1 GPa"),
-        with("normal.model", &["ellipse"]);
+        with(NORMAL_MODEL, &["ellipse"]);
     "file" [PressureTable UndeformedDistance] Kind::Path, Finite, Nothing,
         "CSV with the header `x [mm],y [mm],pressure [MPa]`, or with \"profile\" `x [mm],y \
          [mm],distance [um]` or `y [mm],distance [mm]` (across at x = 0); or .npy in Pa or \
          m, each row along x",
-        shaping(), example("pressure.csv"), with("normal.model", FILES);
+        shaping(), example("pressure.csv"), with(NORMAL_MODEL, FILES);
     "spacing_x" [] quantity(&Measure::LENGTH), SPACING, Nothing,
         "spacing of the columns of an .npy file", shaping(), example("0.5 mm"),
-        with("normal.model", FILES);
+        with(NORMAL_MODEL, FILES);
     "spacing_y" [] quantity(&Measure::LENGTH), SPACING, Nothing,
         "spacing of the rows of an .npy file", shaping(), example("0.5 mm"),
-        with("normal.model", FILES);
+        with(NORMAL_MODEL, FILES);
     "cells" [NormalCells] Kind::Count, Between(16.0, 512.0), Text("128"),
         "cells across the contact each way, on which the pressure of a profile is found", shaping(),
-        with("normal.model", &["profile"]);
+        with(NORMAL_MODEL, &["profile"]);
 }
 
+/// Path of the source of the pressure.
+const NORMAL_MODEL: &str = "normal.model";
 /// Models that read a file.
 const FILES: &[&str] = &["tabulated", "profile"];
+
+/// Path of the model of the surface temperature.
+const HEAT_MODEL: &str = "heat.model";
+/// Models in which friction heats.
+const HEATING: &[&str] = &["duhamel", "constant-source"];
 
 section! {
     HEAT "heat"
@@ -217,12 +235,12 @@ section! {
         "model of the surface temperature", with(METHOD, CELLS);
     "partition" [HeatPartition] Kind::NumberOr(PartitionChoice::CHOICES), Between(0.0, 1.0),
         Text("velocity"),
-        "share of the wheel, or \"velocity\"", with("heat.model", &["duhamel", "constant-source"]);
+        "share of the wheel, or \"velocity\"", with(HEAT_MODEL, HEATING);
 }
 
 section! {
     COOLING "cooling"
-        "What cools the wheel in the long run, for `schlupf bulk`.";
+        "What cools the wheel in the long run, for `schlupf bulk`." for "bulk";
 
     "film_coefficient" [FilmCoefficient] quantity(&Measure::HEAT_TRANSFER), THERMAL, Nothing,
         "h, heat transfer coefficient between the wheel and the air", example("40 W/(m^2 K)");

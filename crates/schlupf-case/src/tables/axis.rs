@@ -46,14 +46,26 @@ pub fn axis(name: &str, positions: &[f64], columns: &Columns) -> Result<Axis, Ca
     let off = |row: &usize| (positions[*row] - axis.at(axis.nearest(positions[*row]))).abs();
     let row = (0..positions.len()).max_by(|one, other| off(one).total_cmp(&off(other)));
     let row = row.unwrap_or(0);
-    let neighbour = sorted.iter().rfind(|x| **x < positions[row]).or(sorted.last());
-    let (from, to) = (neighbour.copied().unwrap_or(0.0), positions[row]);
-    let [from, to, spacing] = [from, to, axis.spacing].map(|length| rounded(length * 1e3));
-    let message = format!(
-        "{name} must be equidistant, but the step from {from} mm to {to} mm is not a multiple of the \
-         spacing {spacing} mm"
-    );
+    let message = format!("{name} must be equidistant, but {}", steps(&sorted));
     Err(columns.error(columns.lines[row], message))
+}
+
+/// The smallest and the largest step of sorted positions (in m) that are not the same.
+fn steps(sorted: &[f64]) -> String {
+    let pairs = || {
+        sorted.windows(2).map(|pair| (pair[1] - pair[0], pair[0])).filter(|(step, _)| *step > 0.0)
+    };
+    let by_step = |one: &(f64, f64), other: &(f64, f64)| one.0.total_cmp(&other.0);
+    let [smallest, largest] = [pairs().min_by(by_step), pairs().max_by(by_step)].map(|pair| {
+        let (step, from) = pair.unwrap_or((0.0, 0.0));
+        format!(
+            "{} mm (from {} mm to {} mm)",
+            rounded(step * 1e3),
+            rounded(from * 1e3),
+            rounded((from + step) * 1e3)
+        )
+    });
+    format!("its steps are between {smallest} and {largest}")
 }
 
 /// The lattice of about a spacing (in m) that is nearest to sorted positions, by least squares.

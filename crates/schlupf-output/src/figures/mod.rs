@@ -94,8 +94,11 @@ pub fn names() -> Vec<String> {
     const MAPS: [&str; 5] = ["pressure", "traction", "slip", "friction_power", "temperature"];
     let surfaces = SURFACES.iter().map(|name| format!("surface_{name}"));
     let maps = MAPS.iter().map(|name| format!("map_{name}"));
-    surfaces.chain(maps).chain(["cut_y0", "history"].map(str::to_owned)).collect()
+    surfaces.chain(maps).chain(["cut_y0", HISTORY].map(str::to_owned)).collect()
 }
+
+/// Name of the figure that only solutions with a history have.
+pub const HISTORY: &str = "history";
 
 /// All drawings for which the solution has something to show: `surface_…` over the patch, flat
 /// `map_…`, `cut_y0` along y = 0 (through the largest pressure if that line has no contact), and
@@ -120,7 +123,7 @@ pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<Drawing>, Figure
     }
     drawings.push(("cut_y0".to_owned(), cut::draw(&patch)));
     if solution.history.len() > 1 {
-        drawings.push(("history".to_owned(), history::draw(&patch)));
+        drawings.push((HISTORY.to_owned(), history::draw(&patch)));
     }
     Ok(drawings)
 }

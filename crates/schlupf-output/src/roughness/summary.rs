@@ -89,7 +89,7 @@ fn contact(text: &mut String, report: &RoughnessReport) {
         text,
         &format!(
             "{:>14}{:>14}{:>14}{:>18}{:>14}",
-            "p (MPa)", "contact (%)", "k_c (1/m)", "misses, rms (%)", "at most (%)"
+            "p (MPa)", "contact (%)", "k_c (1/m)", "rms error (%)", "largest (%)"
         ),
     );
     for (curve, fit) in result.tangential.iter().zip(&result.stiffness.fits) {

@@ -7,7 +7,7 @@ use schlupf::solution::{Power, Solution, Status};
 use super::SolutionReport;
 use crate::number::significant as number;
 use crate::report::{reasons, verdict};
-use crate::summary::{entry, friction_power, line, moment, without_noise};
+use crate::summary::{entry, friction_power, line, moment, unit_of_power, without_noise};
 
 /// The result on one terminal screen: forces on the wheel, temperatures, areas, work and status.
 pub(crate) fn text(report: &SolutionReport) -> String {
@@ -95,10 +95,11 @@ fn forces(text: &mut String, solution: &Solution) {
         &format!("{} N with spin", number(t_gamma.with_spin)),
     );
     friction_power(text, solution);
-    let into = |heat: fn(&Power) -> f64| solution.power.as_ref().map(|power| heat(power) / 1e3);
+    let (watts, unit) = unit_of_power(solution);
+    let into = |heat: fn(&Power) -> f64| solution.power.as_ref().map(|power| heat(power) / watts);
     let rail = number(into(|power| power.into_rail));
-    let remark = format!("into the wheel, {rail} kW into the rail");
-    entry(text, "  heat", into(|power| power.into_wheel), "kW", &remark);
+    let remark = format!("into the wheel, {rail} {unit} into the rail");
+    entry(text, "  heat", into(|power| power.into_wheel), unit, &remark);
     text.push('\n');
 }
 
@@ -143,10 +144,10 @@ fn work(text: &mut String, report: &SolutionReport) {
         fast_work(text, solution);
         return;
     }
+    let steps = if work.steps > 0 { format!("{} time steps, ", work.steps) } else { String::new() };
     let done = format!(
-        "{} cells, {} time steps, {} Newton iterations, {} products",
+        "{} cells, {steps}{} Newton iterations, {} products with the compliance",
         work.cells,
-        work.steps,
         work.newton_iterations,
         number(work.operator_products)
     );

@@ -37,13 +37,13 @@ pub(crate) fn solution(
     problem: &Problem,
     options: &Options,
     View { normal, patch, now }: View,
-    account: SolverReport,
+    report: SolverReport,
 ) -> Solution {
     let force = force(patch, now);
     Solution {
-        method: account.method,
-        status: account.status,
-        residual: account.residual,
+        method: report.method,
+        status: report.status,
+        residual: report.residual,
         normal: *normal,
         reference: ReferencePoint::Patch,
         kinematics: now.kinematics,
@@ -57,11 +57,11 @@ pub(crate) fn solution(
         peclet: problem.peclet(&now.kinematics, semi_axes(normal)).numbers,
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
-        history: account.history,
-        warnings: account.warnings,
-        sensitivity: account.sensitivity,
-        work: account.work,
-        state: account.state,
+        history: report.history,
+        warnings: report.warnings,
+        sensitivity: report.sensitivity,
+        work: report.work,
+        state: report.state,
     }
 }
 

@@ -1,0 +1,187 @@
+//! Creep curves: one, or one for each value of a field.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use schlupf::creep_curve::{self, CreepCurve, Creepages, Path, Sampling};
+use schlupf::{Watch, parallel};
+use schlupf_case::{Case, CaseErrors, CaseFile, Family, FieldNames, quantity_field};
+use schlupf_output::creep_curve::{CurveFamily, Member as Found};
+
+use crate::TaskError;
+
+/// Which curves.
+#[derive(Debug, Clone)]
+pub struct Request {
+    /// What varies along each.
+    pub varied: Varied,
+    /// The field that has another value for each curve, if there are several.
+    pub over: Option<Family>,
+    /// Where the points are.
+    pub sampling: Sampling,
+    /// What messages call all that.
+    pub names: Names,
+}
+
+/// Which creepages vary, and from where to where; the others are those of the case.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Varied {
+    /// ξ, dimensionless.
+    pub creepage_x: Option<[f64; 2]>,
+    /// η, dimensionless.
+    pub creepage_y: Option<[f64; 2]>,
+    /// φ, in 1/m.
+    pub spin: Option<[f64; 2]>,
+    /// Total creepage, dimensionless, and its direction, in rad from longitudinal to lateral; in
+    /// place of ξ and η.
+    pub total: Option<([f64; 2], f64)>,
+}
+
+/// What messages call the parts of a request.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Names {
+    /// ξ.
+    pub creepage_x: &'static str,
+    /// η.
+    pub creepage_y: &'static str,
+    /// φ.
+    pub spin: &'static str,
+    /// The total creepage.
+    pub creepage: &'static str,
+    /// The family.
+    pub over: &'static str,
+    /// What varies, as it was given.
+    pub given: String,
+}
+
+/// The curves to compute, checked.
+#[derive(Debug)]
+pub struct Plan {
+    title: String,
+    request: Request,
+    members: Vec<Member>,
+}
+
+/// One curve to compute.
+#[derive(Debug)]
+struct Member {
+    value: Option<String>,
+    case: Case,
+    path: Path,
+}
+
+/// Poses the cases.
+///
+/// # Errors
+/// A case that is wrong or has a history, and creepages that no wheel can have.
+pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
+    let case = file.pose(watch)?;
+    let members = request.members(&case, watch)?;
+    members.iter().try_for_each(|member| request.check(member))?;
+    Ok(Plan { title: case.title, request, members })
+}
+
+impl Plan {
+    /// Traces all curves, on several threads.
+    ///
+    /// # Errors
+    /// Whatever the solver refuses.
+    pub fn find(self, watch: Watch) -> Result<CurveFamily, TaskError> {
+        let Self { title, request, members } = self;
+        let sampling = request.sampling;
+        let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
+        let total = members.len() * sampling.points;
+        let each = members.iter().zip(&done).collect();
+        let found = parallel::try_map(each, |(member, own): (&Member, &AtomicUsize)| {
+            member.found(&sampling, &|progress| {
+                own.store(progress.done, Ordering::Relaxed);
+                let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
+                watch(progress.of(done, total))
+            })
+        })?;
+        let over = request.over.map(|family| family.field.to_owned());
+        Ok(CurveFamily::new(title, over, sampling, found))
+    }
+}
+
+impl Request {
+    /// One, or one for each value of the family.
+    fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Member>, TaskError> {
+        let member = |value: Option<&String>, case: Case| {
+            let path = self.varied.path(&case).map_err(|error| self.failure(&case, &error))?;
+            Ok(Member { value: value.cloned(), case, path })
+        };
+        let Some(family) = &self.over else {
+            return Ok(vec![member(None, case.clone())?]);
+        };
+        if let Some(name) = self.in_place_of(family.field) {
+            let (over, field) = (self.names.over, family.field);
+            let reason = format!("{over} must not vary {field}, in place of which {name} varies");
+            return Err(TaskError::Request(reason));
+        }
+        let members = family.members(case, watch)?;
+        family.values.iter().zip(members).map(|(value, case)| member(Some(value), case)).collect()
+    }
+
+    fn check(&self, member: &Member) -> Result<(), TaskError> {
+        let Member { case, path, .. } = member;
+        case.require_steady("a creep curve is")?;
+        creep_curve::check(&case.problem, path, &self.sampling)
+            .map_err(|error| self.failure(case, &error))
+    }
+
+    /// What varies and makes a field of the case count for nothing.
+    fn in_place_of(&self, field: &str) -> Option<&'static str> {
+        let Self { varied, names, .. } = self;
+        match field {
+            "kinematics.creepage_x" | "kinematics.angular_velocity" | "kinematics.wheel_radius" => {
+                varied.total.map(|_| names.creepage).or(varied.creepage_x.map(|_| names.creepage_x))
+            }
+            "kinematics.creepage_y" | "kinematics.yaw_angle" => {
+                varied.total.map(|_| names.creepage).or(varied.creepage_y.map(|_| names.creepage_y))
+            }
+            "kinematics.spin" => varied.spin.map(|_| names.spin),
+            _ => None,
+        }
+    }
+
+    /// An error of the core about a curve: of what varies, or of the case.
+    fn failure(&self, case: &Case, error: &schlupf::Error) -> TaskError {
+        let field = quantity_field(error.quantity());
+        if self.in_place_of(field).is_some() {
+            let given = &self.names.given;
+            TaskError::Request(format!("{given}: {}", error.text(&FieldNames::CASE)))
+        } else {
+            case.explain(error).into()
+        }
+    }
+}
+
+impl Varied {
+    /// The creepages of a case with those that vary in their place.
+    fn path(&self, case: &Case) -> Result<Path, schlupf::Error> {
+        let own = Creepages::of(&case.problem.kinematics);
+        let spin = self.spin.unwrap_or([own.spin; 2]);
+        if let Some((range, direction)) = self.total {
+            return Path::in_direction(range, direction, spin);
+        }
+        let x = self.creepage_x.unwrap_or([own.x; 2]);
+        let y = self.creepage_y.unwrap_or([own.y; 2]);
+        let [start, end] = [0, 1].map(|k| Creepages { x: x[k], y: y[k], spin: spin[k] });
+        Path::new(start, end)
+    }
+}
+
+impl Member {
+    fn found(&self, sampling: &Sampling, watch: Watch) -> Result<Found, CaseErrors> {
+        let curve = self.trace(sampling, watch)?;
+        let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
+        let warnings = self.case.notices.iter().cloned().chain(of_curve).collect();
+        Ok(Found { value: self.value.clone(), warnings, curve })
+    }
+
+    fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, CaseErrors> {
+        let mut solver = self.case.solver();
+        creep_curve::trace(&mut *solver, &self.case.problem, &self.path, sampling, watch)
+            .map_err(|error| self.case.explain(&error).into())
+    }
+}

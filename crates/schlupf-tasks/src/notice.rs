@@ -1,0 +1,73 @@
+//! Notices: what users of results should know about what a task did.
+
+use schlupf::Error;
+use schlupf::message::{Message, messages};
+use schlupf_case::FieldNames;
+
+const CALIBRATION: &str = "elasticity.calibration";
+
+messages! {
+    /// A notice about a field of a case.
+    Notice of &'static str:
+
+    /// A method of a comparison cannot answer for this case.
+    "not-available" NotAvailable {
+        /// Why.
+        reason: String,
+    } "solver.method", |subject, words| format!("not available: {reason}");
+
+    /// Loads of the data are far from that of the case.
+    "other-loads" OtherLoads {
+        /// The one that is farthest, in N.
+        of_data: f64,
+        /// Load of the case, in N.
+        of_case: f64,
+    } "normal.load", |subject, words| format!(
+        "the data have a load of {of_data:.4e} N, the case one of {of_case:.4e} N: are the units right?"
+    );
+
+    /// The patch is beyond the table of calibrated stiffnesses.
+    "no-table" NoTable {
+        /// Why.
+        error: Error,
+    } CALIBRATION, |subject, words| error.text(words);
+
+    /// Fitted stiffnesses are far from those of the bodies of the case.
+    "unlikely-bedding" UnlikelyBedding {
+        /// `x` or `y`.
+        component: &'static str,
+        /// Bedding over that of half-spaces, dimensionless.
+        ratio: f64,
+    } CALIBRATION, |subject, words| format!(
+        "the bedding for displacement_{component} is {ratio:.1e} times that of half-spaces of the case's \
+         bodies: are units and bodies right?"
+    );
+
+    /// Displacements that an elastic layer hardly follows.
+    "poor-layer-fit" PoorLayerFit {
+        /// `x` or `y`.
+        component: &'static str,
+        /// Part of them that it misses, dimensionless.
+        deviation: f64,
+    } CALIBRATION, |subject, words| format!(
+        "the layer misses {:.0} % of displacement_{component}, which is not that of an elastic layer",
+        100.0 * deviation
+    );
+
+    /// Displacements leave open how far the coupling reaches.
+    "undetermined-decay-length" UndeterminedDecayLength {
+        /// `x` or `y`.
+        component: &'static str,
+        /// `along` or `across` rolling.
+        direction: &'static str,
+    } CALIBRATION, |subject, words| format!(
+        "displacement_{component} does not determine the coupling {direction} rolling: its decay \
+         length reached its search bound"
+    );
+}
+
+impl From<Notice> for Message {
+    fn from(notice: Notice) -> Self {
+        notice.message(&FieldNames::CASE)
+    }
+}
