@@ -14,26 +14,42 @@ tractions act on the wheel.
 
 from ._case import Case, Section
 from ._core import __version__
-from ._curve import Curve
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
+from ._report import (
+    BulkTemperature,
+    Calibration,
+    Comparison,
+    Curve,
+    Fit,
+    Report,
+    RoughContact,
+    Temperatures,
+)
 from ._result import Record, Result
 from . import warnings
 
 __all__ = [
+    "BulkTemperature",
+    "Calibration",
     "Case",
     "CaseError",
     "CaseFileError",
     "CaseNotConverged",
+    "Comparison",
     "Curve",
+    "Fit",
     "NotConverged",
     "Record",
+    "Report",
     "Result",
+    "RoughContact",
     "SchlupfWarning",
     "Section",
     "Solver",
+    "Temperatures",
     "__version__",
     "animate",
     "forces",

@@ -4,14 +4,23 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._curve import Curve
 from ._fields import FIELDS, SECTIONS, Field
+from ._report import (
+    BulkTemperature,
+    Calibration,
+    Comparison,
+    Curve,
+    Fit,
+    RoughContact,
+    Temperatures,
+)
 from ._result import Result
+from ._tables import csv
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -285,11 +294,14 @@ class Case:
         creepage_x: tuple[float, float] | None = None,
         creepage_y: tuple[float, float] | None = None,
         spin: tuple[float, float] | None = None,
+        creepage: tuple[float, float] | None = None,
+        direction: float | str | None = None,
+        over: Mapping[str, Sequence[Any]] | None = None,
         points: int = 41,
         spacing: str = "refined",
         warn: bool = True,
     ) -> Curve:
-        """A creep curve: forces along a path of creepages.
+        """A creep curve: forces along a path of creepages; or one for each value of a field.
 
         Parameters
         ----------
@@ -297,17 +309,155 @@ class Case:
             Start and end, dimensionless; that of the case where left out.
         spin : (float, float), optional
             Start and end, in 1/m.
+        creepage : (float, float), optional
+            Start and end of the total creepage in a `direction`, in place of both.
+        direction : float or str, optional
+            From longitudinal (0) to lateral (90 deg): in rad, or text with a unit.
+        over : mapping, optional
+            A field by its dotted path and the values that it has for the curves, such as
+            ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``.
         points : int, default 41
         spacing : {"refined", "even"}
             Finer near zero creepage, or equal steps.
         """
-        if creepage_x is None and creepage_y is None and spin is None:
-            raise TypeError("a curve needs creepage_x, creepage_y or spin, each (start, end)")
+        if all(varied is None for varied in (creepage_x, creepage_y, spin, creepage)):
+            raise TypeError("a curve needs creepage_x, creepage_y, spin or creepage: (start, end)")
+        if (creepage is None) != (direction is None):
+            raise TypeError("creepage and direction belong together")
+        if creepage is not None and not (creepage_x is None and creepage_y is None):
+            raise TypeError("creepage is in place of creepage_x and creepage_y")
         if spacing not in ("refined", "even"):
             raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
-        ranges = (creepage_x, creepage_y, spin)
-        curve = _core.creep_curve(self._file, ranges, points, spacing == "even")
-        return Curve._new(curve, warn=warn)
+        angle = direction if isinstance(direction, str) else f"{direction} rad"
+        total = None if creepage is None else (creepage, angle)
+        family = self._family(over)
+        curve = _core.creep_curve(
+            self._file,
+            ((creepage_x, creepage_y, spin), total),
+            None if family is None else family[0],
+            (points, spacing == "even"),
+        )
+        result = Curve._new(curve, warn=warn)
+        if family is not None:
+            result._over = family[1:]
+        return result
+
+    def _family(self, over: Mapping[str, Sequence[Any]] | None) -> tuple[str, str, list[Any]] | None:
+        """A family as the library reads it, its field, and the values as the case has them."""
+        if over is None:
+            return None
+        if len(over) != 1:
+            raise TypeError(f"over must name one field with its values, but names {len(over)}")
+        ((path, values),) = over.items()
+        if path not in FIELDS:
+            raise KeyError(path)
+        texts = [toml_value(FIELDS[path], value) for value in values]
+        text = f"{path}={','.join(texts)}"
+        members = [self._file.with_fields([f"{path}={entry}"]) for entry in texts]
+        return text, path, [member.value(path) for member in members]
+
+    def temperature(
+        self,
+        *,
+        x: float | None = None,
+        y: float | None = None,
+        depth: tuple[float, float] | None = None,
+        wake: float | None = None,
+        points: int = 201,
+        warn: bool = True,
+    ) -> Temperatures:
+        """Temperatures of wheel and rail below a point, and along its row with the wake.
+
+        Parameters
+        ----------
+        x, y : float, optional
+            The point, in m; by default the hottest one.
+        depth : (float, float), optional
+            Depths of the profile below it, in m; by default as far as heat has penetrated.
+        wake : float, optional
+            Length of the wake, in m; by default twice the length of the contact.
+        points : int, default 201
+            Points of each line.
+        """
+        found = _core.temperatures(self._file, (x, y), (depth, wake, points))
+        return Temperatures._new(found, warn=warn)
+
+    def bulk_temperature(self, *, warn: bool = True) -> BulkTemperature:
+        """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says."""
+        return BulkTemperature._new(_core.bulk_temperature(self._file), warn=warn)
+
+    def compare(self, *, warn: bool = True) -> Comparison:
+        """The case by all methods: the full one with each elasticity, and the fast ones."""
+        return Comparison._new(_core.comparison(self._file), warn=warn)
+
+    def calibrate(
+        self,
+        *,
+        direct: bool = False,
+        displacements: Sequence[str | PathLike[str]] = (),
+        cells: int = 40,
+        warn: bool = True,
+    ) -> Calibration:
+        """Stiffnesses of the elastic layer for the patch of the case.
+
+        Parameters
+        ----------
+        direct : bool, default False
+            Whether to calibrate for this very patch instead of interpolating the table.
+        displacements : sequence of paths
+            CSV files with displacements of a finite-element model, to fit to.
+        cells : int, default 40
+            Cells across the patch on which layer and half-space are compared.
+        """
+        paths = [Path(path) for path in displacements]
+        return Calibration._new(_core.calibration(self._file, direct, paths, cells), warn=warn)
+
+    def fit(
+        self,
+        parameters: str | Sequence[str],
+        data: str | PathLike[str] | Mapping[str, Any],
+        *,
+        gamma: float = 0.45,
+        max_steps: int = 100,
+        warn: bool = True,
+    ) -> Fit:
+        """Finds parameters that fit measured creep curves, from the values of the case.
+
+        Parameters
+        ----------
+        parameters : str or sequence of str
+            Dotted paths, such as ``"friction.coefficient"``.
+        data : path, mapping or data frame
+            A CSV file, or columns of it by name: ``creepage_x``, ``creepage_y``, ``spin`` (1/m),
+            ``force_ratio`` or ``force_ratio_x``, ``force_ratio_y`` (-F/N), ``speed`` (m/s),
+            ``load`` (N), ``standard_deviation``.
+        gamma : float, default 0.45
+            γ, where ``contact_law.roughness`` is fitted.
+
+        Raises
+        ------
+        CaseError
+            If the data do not determine the parameters, or no case can have them.
+        """
+        names = parameters if isinstance(parameters, str) else ",".join(parameters)
+        if isinstance(data, (str, os.PathLike)):
+            source: tuple[Path, bytes | None] = (Path(data), None)
+        else:
+            source = (Path("data"), csv(data, {"spin": "1/m", "speed": "m/s", "load": "N"}))
+        found = _core.fitted(self._file, self._folder, names, source, (gamma, max_steps))
+        result = Fit._new(found, warn=warn)
+        result._case = Case.from_toml(found.case() or "", self._folder)
+        return result
+
+    def roughness(self, *, spots: bool = True, warn: bool = True) -> RoughContact:
+        """Presses and moves the rough surface of the case (``contact_law.roughness``).
+
+        Parameters
+        ----------
+        spots : bool, default True
+            Whether pressures and gaps at the largest mean pressure are wanted, too.
+        """
+        return RoughContact._new(_core.rough_contact(self._file, spots), warn=warn)
 
     def solver(self) -> Solver:
         """A solver that keeps its set-up and starts from its earlier solutions."""

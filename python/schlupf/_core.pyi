@@ -7,18 +7,25 @@ from numpy.typing import NDArray
 __all__ = [
     "BatchSolver",
     "CaseFile",
-    "CreepCurve",
+    "Report",
     "Solution",
     "__version__",
     "batch",
+    "bulk_temperature",
+    "calibration",
+    "comparison",
     "creep_curve",
     "field_table",
+    "fitted",
+    "rough_contact",
+    "temperatures",
     "warning_codes",
 ]
 
 __version__: str
 
 _Columns = dict[str, dict[str, Any]]
+_Range = tuple[float, float]
 _Messages = list[tuple[str, str, str]]
 
 @final
@@ -47,11 +54,16 @@ class Solution:
     def warnings(self) -> _Messages: ...
 
 @final
-class CreepCurve:
+class Report:
     def json(self) -> str: ...
     def summary(self) -> str: ...
-    def points(self) -> _Columns: ...
+    def csv(self) -> str | None: ...
+    def status(self) -> str: ...
     def warnings(self) -> _Messages: ...
+    def drawings(self) -> list[tuple[str, str]]: ...
+    def case(self) -> str | None: ...
+    def tables(self) -> dict[str, list[_Columns]]: ...
+    def surface(self) -> tuple[tuple[float, float], _Columns] | None: ...
 
 @final
 class BatchSolver:
@@ -61,11 +73,29 @@ class BatchSolver:
 def batch(
     case: CaseFile, arrays: dict[str, NDArray[np.float64]]
 ) -> tuple[_Columns, NDArray[np.bool_]]: ...
+def bulk_temperature(case: CaseFile) -> Report: ...
+def calibration(
+    case: CaseFile, is_direct: bool, displacements: list[Path], cells: int
+) -> Report: ...
+def comparison(case: CaseFile) -> Report: ...
 def creep_curve(
     case: CaseFile,
-    ranges: tuple[tuple[float, float] | None, ...],
-    points: int,
-    is_even: bool,
-) -> CreepCurve: ...
+    varied: tuple[tuple[_Range | None, ...], tuple[_Range, str] | None],
+    over: str | None,
+    sampling: tuple[int, bool],
+) -> Report: ...
+def fitted(
+    case: CaseFile,
+    folder: Path,
+    names: str,
+    data: tuple[Path, bytes | None],
+    limits: tuple[float, int],
+) -> Report: ...
+def rough_contact(case: CaseFile, with_spots: bool) -> Report: ...
+def temperatures(
+    case: CaseFile,
+    point: tuple[float | None, float | None],
+    lines: tuple[_Range | None, float | None, int],
+) -> Report: ...
 def field_table() -> list[dict[str, Any]]: ...
 def warning_codes() -> list[str]: ...

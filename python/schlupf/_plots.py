@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.collections import QuadMesh
     from matplotlib.figure import Figure
 
-    from ._curve import Curve
     from ._result import Result
 
 #: Width of a figure of one column, in inches.
@@ -44,7 +43,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 
-def _styled(plot: Callable[P, R]) -> Callable[P, R]:
+def styled(plot: Callable[P, R]) -> Callable[P, R]:
     """Draws in the style of this module."""
 
     @functools.wraps(plot)
@@ -59,7 +58,7 @@ def _styled(plot: Callable[P, R]) -> Callable[P, R]:
     return styled
 
 
-def _axes(ax: Axes | None, height: float = 2.4) -> Axes:
+def axes_or_new(ax: Axes | None, height: float = 2.4) -> Axes:
     """The given axes, or those of a new figure."""
     if ax is not None:
         return ax
@@ -68,7 +67,7 @@ def _axes(ax: Axes | None, height: float = 2.4) -> Axes:
     return plt.subplots(figsize=(WIDTH, height))[1]
 
 
-def _legend_beside(ax: Axes, **options: Any) -> None:
+def legend_beside(ax: Axes, **options: Any) -> None:
     """A legend that covers nothing."""
     ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **options)
 
@@ -88,62 +87,51 @@ class ResultPlots:
             raise ValueError(f"the method {self._result.method} gives forces, but no fields")
         return fields
 
-    @_styled
+    @styled
     def traction(self, ax: Axes | None = None, *, arrows: bool = True, **style: Any) -> Axes:
         """Magnitude of the traction on the wheel, with arrows and the border of the stick zone."""
-        fields = self._fields()
-        x, y = fields["traction_x"], fields["traction_y"]
-        magnitude = _magnitude(x, y, "Pa")
-        ax = self._map(magnitude, "traction", ax, **style)
-        if arrows:
-            self._arrows(ax, x, y)
+        ax = self._vectors("traction", "traction", ax, arrows, style)
         self._stick(ax)
         return ax
 
-    @_styled
+    @styled
     def pressure(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Normal pressure."""
         return self._map(self._fields()["pressure"], "pressure", ax, **style)
 
-    @_styled
+    @styled
     def slip(self, ax: Axes | None = None, *, arrows: bool = True, **style: Any) -> Axes:
         """Slip velocity of the wheel over the rail."""
-        fields = self._fields()
-        x, y = fields["slip_x"], fields["slip_y"]
-        speed = _magnitude(x, y, "m/s")
-        ax = self._map(speed, "slip velocity", ax, **style)
-        if arrows:
-            self._arrows(ax, x, y)
-        return ax
+        return self._vectors("slip", "slip velocity", ax, arrows, style)
 
-    @_styled
+    @styled
     def stick_slip(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Where the contact sticks and where it slides."""
         from matplotlib.colors import ListedColormap
         from matplotlib.patches import Patch
 
         fields = self._fields()
-        ax = _axes(ax)
+        ax = axes_or_new(ax)
         colors = ["#4477aa", "#ee6677"]
         sliding = fields["sliding"].where(fields["contact"])
         _mesh(ax, sliding, 1.0, cmap=ListedColormap(colors), vmin=0, vmax=1, **style)
         labels = zip(colors, ("stick", "slip"), strict=True)
-        _legend_beside(ax, handles=[Patch(color=color, label=label) for color, label in labels])
+        legend_beside(ax, handles=[Patch(color=color, label=label) for color, label in labels])
         _patch_axes(ax, self._result.title)
         return ax
 
-    @_styled
+    @styled
     def temperature(self, ax: Axes | None = None, *, body: str = "wheel", **style: Any) -> Axes:
         """Temperature of the surface of the wheel or the rail, in °C."""
         if body not in ("wheel", "rail"):
             raise ValueError(f"body must be 'wheel' or 'rail', but is {body!r}")
         rise = self._fields()[f"temperature_rise_{body}"]
-        largest = self._result.temperature
-        bulk = largest[f"max_{body}"] - largest[f"max_rise_{body}"]
+        found = self._result.temperature
+        bulk = found[f"max_{body}"] - found[f"max_rise_{body}"]
         celsius = (rise + bulk).assign_attrs(units="degC")
         return self._map(celsius, f"temperature, {body}", ax, cmap="inferno", **style)
 
-    @_styled
+    @styled
     def cut(
         self,
         *names: str,
@@ -170,44 +158,71 @@ class ResultPlots:
         along = "x" if x is None else "y"
         place = {"y": 0.0 if y is None else y} if x is None else {"x": x}
         line = fields.sel(place, method="nearest")
-        ax = _axes(ax)
+        ax = axes_or_new(ax)
         shown = [line[name] for name in names or ("friction_limit", "traction_x", "traction_y")]
-        factor, unit = scaled(max(_largest(entry) for entry in shown), shown[0].attrs["units"])
+        factor, unit = scaled(max(largest(entry) for entry in shown), shown[0].attrs["units"])
         for entry in shown:
             label = entry.attrs.get("long_name") or str(entry.name)
             ax.plot(line[along] * 1e3, entry * factor, label=label, **style)
         ax.set_xlabel(f"${along}$ (mm)")
         ax.set_ylabel(unit)
-        _legend_beside(ax)
+        legend_beside(ax)
         return ax
 
-    @_styled
+    @styled
+    def surface(self, name: str = "pressure", ax: Axes | None = None, **style: Any) -> Axes:
+        """A field as a surface over the patch, as in the figures of Neuhaus and Sextro (2014)."""
+        import matplotlib.pyplot as plt
+        from mpl_toolkits.mplot3d import Axes3D  # type: ignore[import-untyped]
+
+        values = self._fields()[name].fillna(0.0)
+        factor, unit = scaled(largest(values), values.attrs["units"])
+        if ax is None:
+            _, ax = plt.subplots(figsize=(WIDTH, 3.0), subplot_kw={"projection": "3d"})
+        if not isinstance(ax, Axes3D):
+            raise TypeError("ax must be three-dimensional: subplots(subplot_kw={'projection': '3d'})")
+        x, y = np.meshgrid(values["x"] * 1e3, values["y"] * 1e3)
+        ax.plot_surface(x, y, values.values * factor, **{"cmap": "viridis", **style})
+        ax.set_xlabel("$x$ (mm)")
+        ax.set_ylabel("$y$ (mm)")
+        ax.set_zlabel(labelled(values.assign_attrs(units=unit)))
+        ax.set_title(self._result.title)
+        return cast("Axes", ax)
+
+    @styled
     def history(self, *names: str, ax: Axes | None = None, **style: Any) -> Axes:
         """Numbers of ``result.history`` over time; by default the forces over the load."""
         history = self._result.history
         if history.sizes["time"] < 2:
             raise ValueError("steady rolling has no history: give the case one")
-        ax = _axes(ax)
+        ax = axes_or_new(ax)
         if not names:
             for name in ("force_x", "force_y"):
                 symbol = f"$F_{name[-1]}/N$"
                 ax.plot(history["time"] * 1e3, history[name] / history["load"], label=symbol, **style)
         for name in names:
             entry = history[name]
-            factor, unit = scaled(_largest(entry), entry.attrs["units"])
-            label = f"{entry.attrs['long_name']} ({unit})" if unit else entry.attrs["long_name"]
+            factor, unit = scaled(largest(entry), entry.attrs["units"])
+            label = labelled(entry.assign_attrs(units=unit))
             ax.plot(history["time"] * 1e3, entry * factor, label=label, **style)
         ax.set_xlabel("time (ms)")
-        _legend_beside(ax)
+        legend_beside(ax)
         return ax
 
     def _map(self, values: xr.DataArray, label: str, ax: Axes | None, **style: Any) -> Axes:
-        ax = _axes(ax)
-        factor, unit = scaled(_largest(values), values.attrs["units"])
-        mesh = _mesh(ax, values, factor, **{"cmap": "viridis", **style})
-        figure = cast("Figure", ax.figure)
-        figure.colorbar(mesh, ax=ax, shrink=0.8, label=f"{label} ({unit})" if unit else label)
+        ax = colored_map(values, label, ax, **style)
         _patch_axes(ax, self._result.title)
+        return ax
+
+    def _vectors(
+        self, name: str, label: str, ax: Axes | None, arrows: bool, style: dict[str, Any]
+    ) -> Axes:
+        """The magnitude of a vector field, with arrows."""
+        fields = self._fields()
+        x, y = fields[f"{name}_x"], fields[f"{name}_y"]
+        ax = self._map(_magnitude(x, y), label, ax, **style)
+        if arrows:
+            self._arrows(ax, x, y)
         return ax
 
     def _arrows(self, ax: Axes, x: xr.DataArray, y: xr.DataArray) -> None:
@@ -238,11 +253,31 @@ class ResultPlots:
         return base64.b64encode(buffer.getvalue()).decode("ascii")
 
 
-def _magnitude(x: xr.DataArray, y: xr.DataArray, units: str) -> xr.DataArray:
-    return cast("xr.DataArray", np.hypot(x, y)).assign_attrs(units=units)
+def _magnitude(x: xr.DataArray, y: xr.DataArray) -> xr.DataArray:
+    return cast("xr.DataArray", np.hypot(x, y)).assign_attrs(units=x.attrs["units"])
 
 
-def _largest(values: xr.DataArray) -> float:
+def colored_map(values: xr.DataArray, label: str, ax: Axes | None, **style: Any) -> Axes:
+    """Values over x and y with a colour bar; a new figure where `ax` is none."""
+    ax = axes_or_new(ax)
+    factor, unit = scaled(largest(values), values.attrs["units"])
+    mesh = _mesh(ax, values, factor, **{"cmap": "viridis", **style})
+    figure = cast("Figure", ax.figure)
+    figure.colorbar(mesh, ax=ax, shrink=0.8, label=f"{label} ({unit})" if unit else label)
+    ax.set_xlabel("$x$ (mm)")
+    ax.set_ylabel("$y$ (mm)")
+    ax.set_aspect("equal")
+    return ax
+
+
+def labelled(values: xr.DataArray) -> str:
+    """Label of an axis: what it is, and its unit."""
+    name, unit = str(values.attrs["long_name"]), values.attrs["units"]
+    return f"{name} ({unit})" if unit else name
+
+
+def largest(values: xr.DataArray) -> float:
+    """The largest magnitude."""
     return float(np.nanmax(np.abs(values))) if values.size else 0.0
 
 
@@ -259,25 +294,7 @@ def _patch_axes(ax: Axes, title: str) -> None:
     ax.set_title(title)
 
 
-@_styled
-def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
-    """Forces of a creep curve over the creepage that varies; those that are zero are left out."""
-    ax = _axes(ax)
-    points, name = curve.points, curve.varied
-    factor, unit = scaled(_largest(points["force_x"]) + _largest(points["force_y"]), "N")
-    for force in ("force_x", "force_y"):
-        if _largest(points[force]) > 0.0:
-            ax.plot(points[name], points[force] * factor, label=f"$F_{force[-1]}$", **style)
-    unit_of_creepage = points[name].attrs["units"]
-    label = points[name].attrs["long_name"]
-    ax.set_xlabel(f"{label} ({unit_of_creepage})" if unit_of_creepage else label)
-    ax.set_ylabel(f"force on the wheel ({unit})")
-    ax.legend()
-    ax.set_title(curve.title)
-    return ax
-
-
-@_styled
+@styled
 def comparison(
     results: Sequence[Result], field: str = "pressure", labels: Sequence[str] | None = None
 ) -> list[Axes]:
@@ -287,9 +304,9 @@ def comparison(
     size = (WIDTH * len(results), 2.4)
     _, axes = plt.subplots(1, len(results), figsize=size, squeeze=False)
     shown = [result.fields[field] for result in results]
-    largest = max(_largest(values) for values in shown)
-    factor, _ = scaled(largest, shown[0].attrs["units"])
-    limits = {"vmin": min(0.0, *(float(v.min()) * factor for v in shown)), "vmax": largest * factor}
+    bound = max(largest(values) for values in shown)
+    factor, _ = scaled(bound, shown[0].attrs["units"])
+    limits = {"vmin": min(0.0, *(float(v.min()) * factor for v in shown)), "vmax": bound * factor}
     names = labels or [result.title for result in results]
     for ax, result, values, name in zip(axes[0], results, shown, names, strict=True):
         ResultPlots(result)._map(values, values.attrs["long_name"], ax, **limits)
@@ -297,16 +314,16 @@ def comparison(
     return list(axes[0])
 
 
-@_styled
+@styled
 def frames(results: Sequence[Result], field: str = "traction_x", **options: Any) -> FuncAnimation:
     """An animation of one field over results of successive times, on one grid."""
     from matplotlib.animation import FuncAnimation
 
-    ax = _axes(None)
+    ax = axes_or_new(None)
     shown = [result.fields[field] for result in results]
-    largest = max(_largest(values) for values in shown)
-    factor, unit = scaled(largest, shown[0].attrs["units"])
-    mesh = _mesh(ax, shown[0], factor, vmin=-largest * factor, vmax=largest * factor, cmap="RdBu")
+    bound = max(largest(values) for values in shown)
+    factor, unit = scaled(bound, shown[0].attrs["units"])
+    mesh = _mesh(ax, shown[0], factor, vmin=-bound * factor, vmax=bound * factor, cmap="RdBu")
     figure = cast("Figure", ax.figure)
     figure.colorbar(mesh, ax=ax, label=f"{shown[0].attrs['long_name']} ({unit})")
     _patch_axes(ax, results[0].title)

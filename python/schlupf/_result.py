@@ -26,10 +26,7 @@ class Record:
     """Named values of a result, as attributes and items; nested ones are records, too."""
 
     def __init__(self, values: dict[str, Any]) -> None:
-        self._values = {
-            name: Record(value) if isinstance(value, dict) else value
-            for name, value in values.items()
-        }
+        self._values: dict[str, Any] = {name: _nested(value) for name, value in values.items()}
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
@@ -54,10 +51,7 @@ class Record:
 
     def to_dict(self) -> dict[str, Any]:
         """The values as nested dictionaries."""
-        return {
-            name: value.to_dict() if isinstance(value, Record) else value
-            for name, value in self._values.items()
-        }
+        return {name: _plain(value) for name, value in self._values.items()}
 
     def __repr__(self) -> str:
         return "\n".join(self._lines(""))
@@ -71,6 +65,20 @@ class Record:
                 yield f"{indent}{name}: {len(value)} values"
             else:
                 yield f"{indent}{name}: {value!r}"
+
+
+def _nested(value: Any) -> Any:
+    """Dictionaries as records, also those of a list."""
+    if isinstance(value, list):
+        return [_nested(entry) for entry in value]
+    return Record(value) if isinstance(value, dict) else value
+
+
+def _plain(value: Any) -> Any:
+    """The same back."""
+    if isinstance(value, list):
+        return [_plain(entry) for entry in value]
+    return value.to_dict() if isinstance(value, Record) else value
 
 
 class Result(Record):
@@ -135,7 +143,7 @@ class Result(Record):
 
     def to_json(self, path: str | PathLike[str] | None = None) -> str:
         """The documented JSON; it is also written to `path` if that is given."""
-        return _written(self._solution.json(), path)
+        return written(self._solution.json(), path)
 
     def to_dataframe(self) -> pd.DataFrame:
         """The cells in contact as a data frame of pandas."""
@@ -152,7 +160,7 @@ class Result(Record):
 
     def to_csv(self, path: str | PathLike[str]) -> None:
         """Writes the cells in contact as CSV, as the command does."""
-        _written(self._solution.csv() or "", path)
+        written(self._solution.csv() or "", path)
 
     def to_vtk(self, path: str | PathLike[str]) -> None:
         """Writes the fields for ParaView."""
@@ -178,7 +186,7 @@ class Result(Record):
         return f'<div style="display:flex;gap:1em;flex-wrap:wrap">{text}{image}</div>'
 
 
-def _written(text: str, path: str | PathLike[str] | None) -> str:
+def written(text: str, path: str | PathLike[str] | None) -> str:
     if path is not None:
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -35,6 +35,14 @@ def along(columns: Mapping[str, Column], dimension: str, index: str | None = Non
     return dataset
 
 
+def stacked(
+    members: Sequence[xr.Dataset], dimension: str, values: Sequence[Any], attrs: dict[str, str]
+) -> xr.Dataset:
+    """Data sets of one shape along another dimension, whose coordinate has the values."""
+    dataset = xr.concat(members, dimension, join="override", combine_attrs="override")
+    return dataset.assign_coords({dimension: (dimension, list(values), attrs)})
+
+
 def on_grid(
     columns: Mapping[str, Column],
     cells: tuple[NDArray[np.int64], NDArray[np.int64]],
@@ -59,3 +67,16 @@ def on_grid(
         for name, axis in zip(("x", "y"), axes, strict=True)
     }
     return xr.Dataset(variables, coords)
+
+
+def csv(data: Any, units: Mapping[str, str]) -> bytes:
+    """Columns by name (a mapping, data frame or data set) as a CSV file with units in its header.
+
+    A name that has a unit of its own, such as ``load [kN]``, keeps it.
+    """
+    names = [str(name) for name in data]
+    columns = np.broadcast_arrays(*(np.asarray(data[name], float) for name in names))
+    heads = [f"{name} [{units[name]}]" if name in units else name for name in names]
+    rows = zip(*(column.ravel().tolist() for column in columns), strict=True)
+    lines = [",".join(heads), *(",".join(map(repr, row)) for row in rows)]
+    return "\n".join(lines).encode()

@@ -134,7 +134,7 @@ impl Task for Roughness {
 impl Roughness {
     /// The options of a synthetic surface.
     fn generated(&self) -> Option<String> {
-        let seed = self.seed.iter().map(|seed| format!(",seed={seed}")).collect::<String>();
+        let seed = self.seed.as_ref().map_or_else(String::new, |seed| format!(",seed={seed}"));
         self.synthetic.as_ref().map(|text| format!("{text}{seed}"))
     }
 }

@@ -64,5 +64,5 @@ fn kind(kind: Kind) -> &'static str {
 /// The codes of all warnings.
 #[pyfunction]
 pub fn warning_codes() -> Vec<&'static str> {
-    [schlupf::Warning::CODES, schlupf_case::Notice::CODES].concat()
+    [schlupf::Warning::CODES, schlupf_case::Notice::CODES, schlupf_tasks::Notice::CODES].concat()
 }

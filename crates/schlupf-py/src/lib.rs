@@ -7,12 +7,13 @@
 
 mod case_file;
 mod conditions;
-mod curve;
 mod errors;
 mod fields;
 mod interruptible;
 mod records;
+mod report;
 mod solution;
+mod tasks;
 
 use pyo3::prelude::pymodule;
 
@@ -24,11 +25,15 @@ mod _core {
     #[pymodule_export]
     use super::conditions::{BatchSolver, batch};
     #[pymodule_export]
-    use super::curve::{CreepCurve, creep_curve};
-    #[pymodule_export]
     use super::fields::{field_table, warning_codes};
     #[pymodule_export]
+    use super::report::Report;
+    #[pymodule_export]
     use super::solution::Solution;
+    #[pymodule_export]
+    use super::tasks::{
+        bulk_temperature, calibration, comparison, creep_curve, fitted, rough_contact, temperatures,
+    };
 
     /// Version of the library.
     #[pymodule_export]

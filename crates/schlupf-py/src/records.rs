@@ -4,10 +4,11 @@ use numpy::PyArray1;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use schlupf::Quantity;
 use schlupf::columns::{Record, Value};
 
 /// All columns of a record, by name: each a dictionary with `values` (an array, or a list of
-/// names), `symbol`, `units` and `long_name`.
+/// names), and what [`described`] adds.
 pub fn columns<'py, R: Record + ?Sized>(
     py: Python<'py>,
     record: &R,
@@ -27,15 +28,24 @@ pub fn columns<'py, R: Record + ?Sized>(
             let numbers = entries().map(|entry| entry.number().unwrap_or(f64::NAN));
             PyArray1::from_vec(py, numbers.collect()).into_any()
         };
-        let entry = PyDict::new(py);
-        entry.set_item("values", values)?;
-        entry.set_item("symbol", column.quantity.symbol())?;
-        entry.set_item("units", column.quantity.unit())?;
-        entry.set_item("long_name", column.quantity.description())?;
-        entry.set_item("vector", column.quantity.vector())?;
-        table.set_item(column.name, entry)?;
+        table.set_item(column.name, described(py, column.quantity, values)?)?;
     }
     Ok(table)
+}
+
+/// Values with `symbol`, `units`, `long_name` and `vector` of their quantity.
+pub fn described<'py>(
+    py: Python<'py>,
+    quantity: Quantity,
+    values: Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let entry = PyDict::new(py);
+    entry.set_item("values", values)?;
+    entry.set_item("symbol", quantity.symbol())?;
+    entry.set_item("units", quantity.unit())?;
+    entry.set_item("long_name", quantity.description())?;
+    entry.set_item("vector", quantity.vector())?;
+    Ok(entry)
 }
 
 fn names(entries: impl Iterator<Item = Value>) -> Vec<&'static str> {

@@ -8,6 +8,7 @@ use crate::interface::roughness::load_curve::LoadCurve;
 use crate::interface::roughness::tangential_curve::TangentialCurve;
 use crate::quantity::Quantity;
 use crate::solution::{Fields, Instant, Power, Status, Temperature};
+use crate::surface::spectrum::RadialSpectrum;
 
 /// An entry of a column.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -256,6 +257,20 @@ impl Record for LoadCurve {
             SpotPressure => |curve, k| curve.points()[k].spot_pressure,
             PlasticFraction => |curve, k| curve.points()[k].plastic_fraction,
             Iterations => |curve, k| curve.points()[k].iterations,
+        }
+    }
+}
+
+/// Power spectral density of a surface.
+impl Record for RadialSpectrum {
+    fn rows(&self) -> usize {
+        self.wave_numbers.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { RadialSpectrum:
+            WaveNumber => |spectrum, k| spectrum.wave_numbers[k],
+            SpectralDensity => |spectrum, k| spectrum.densities[k],
         }
     }
 }

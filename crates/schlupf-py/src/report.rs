@@ -1,0 +1,154 @@
+//! What a task has found.
+
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use schlupf::Quantity;
+use schlupf::surface::Lattice;
+use schlupf_output::bulk_temperature::BulkReport;
+use schlupf_output::calibration::CalibrationReport;
+use schlupf_output::comparison::Comparison;
+use schlupf_output::creep_curve::CurveFamily;
+use schlupf_output::identification::FitReport;
+use schlupf_output::roughness::RoughnessReport;
+use schlupf_output::temperature::{Line, Temperatures};
+
+use crate::records::{columns, described};
+
+/// What a task has found, of any kind.
+pub enum Found {
+    Bulk(Box<BulkReport>),
+    Calibration(Box<CalibrationReport>),
+    Comparison(Box<Comparison>),
+    Curve(Box<CurveFamily>),
+    Fit(Box<FitReport>),
+    Roughness(Box<RoughnessReport>),
+    Temperature(Box<Temperatures>),
+}
+
+/// What a task has found: documented JSON, summary, tables and warnings.
+#[pyclass(frozen, module = "schlupf._core")]
+pub struct Report {
+    found: Found,
+}
+
+impl Report {
+    /// That of a task.
+    pub fn new(found: Found) -> Self {
+        Self { found }
+    }
+
+    fn report(&self) -> &dyn schlupf_output::Report {
+        match &self.found {
+            Found::Bulk(report) => &**report,
+            Found::Calibration(report) => &**report,
+            Found::Comparison(report) => &**report,
+            Found::Curve(report) => &**report,
+            Found::Fit(report) => &**report,
+            Found::Roughness(report) => &**report,
+            Found::Temperature(report) => &**report,
+        }
+    }
+}
+
+#[pymethods]
+impl Report {
+    /// The documented JSON.
+    fn json(&self) -> String {
+        self.report().json()
+    }
+
+    /// The text summary.
+    fn summary(&self) -> String {
+        self.report().summary()
+    }
+
+    /// The table as text.
+    fn csv(&self) -> Option<String> {
+        self.report().csv()
+    }
+
+    /// `converged` or `not-converged`.
+    fn status(&self) -> &'static str {
+        self.report().status().name()
+    }
+
+    /// Code, quantity and text of each warning.
+    fn warnings(&self) -> Vec<(String, String, String)> {
+        let warnings = self.report().warnings().iter();
+        warnings.map(|w| (w.code.to_string(), w.quantity.clone(), w.text.clone())).collect()
+    }
+
+    /// The figures that the command draws: name and SVG.
+    fn drawings(&self) -> PyResult<Vec<(String, String)>> {
+        self.report().drawings().map_err(|error| PyValueError::new_err(error.to_string()))
+    }
+
+    /// The case with fitted values, as TOML.
+    fn case(&self) -> Option<String> {
+        match &self.found {
+            Found::Fit(report) => report.case.clone(),
+            _ => None,
+        }
+    }
+
+    /// Tables by name, each a list with the columns of every member.
+    fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let tables = PyDict::new(py);
+        let add = |name: &str, members: Vec<PyResult<Bound<'py, PyDict>>>| {
+            tables.set_item(name, members.into_iter().collect::<PyResult<Vec<_>>>()?)
+        };
+        match &self.found {
+            Found::Bulk(_) | Found::Calibration(_) => {}
+            Found::Comparison(report) => add("methods", vec![columns(py, &**report)])?,
+            Found::Curve(report) => {
+                add("points", report.members.iter().map(|m| columns(py, &m.curve)).collect())?;
+            }
+            Found::Fit(report) => add("points", vec![columns(py, &**report)])?,
+            Found::Roughness(report) => {
+                let result = &report.result;
+                add("spectrum", vec![columns(py, &report.spectrum)])?;
+                add("loads", vec![columns(py, &result.normal)])?;
+                add("curves", result.tangential.iter().map(|c| columns(py, c)).collect())?;
+            }
+            Found::Temperature(report) => {
+                add("profile", vec![line(py, Quantity::Depth, &report.profile)])?;
+                let rows = report.rows.iter().map(|row| line(py, Quantity::X, &row.line));
+                add("rows", rows.collect())?;
+            }
+        }
+        Ok(tables)
+    }
+
+    /// Values over a surface with cells of equal size: spacings along x and y (in m), then the
+    /// columns, each an array with rows along x.
+    fn surface<'py>(&self, py: Python<'py>) -> PyResult<Option<([f64; 2], Bound<'py, PyDict>)>> {
+        let Found::Roughness(report) = &self.found else { return Ok(None) };
+        let lattice = report.surface.lattice();
+        let table = PyDict::new(py);
+        let add = |name, quantity, values: &[f64]| {
+            table.set_item(name, described(py, quantity, map(py, lattice, values)?)?)
+        };
+        add("height", Quantity::Heights, report.surface.heights())?;
+        if let Some(spots) = &report.spots {
+            add("pressure", Quantity::Pressure, &spots.pressure)?;
+            add("gap", Quantity::Gap, &spots.gap)?;
+        }
+        Ok(Some(([lattice.spacing_x, lattice.spacing_y], table)))
+    }
+}
+
+/// Temperatures along a line with the places of its points.
+fn line<'py>(py: Python<'py>, place: Quantity, line: &Line) -> PyResult<Bound<'py, PyDict>> {
+    let table = columns(py, line)?;
+    let places = PyArray1::from_slice(py, &line.position).into_any();
+    table.set_item(place.name(), described(py, place, places)?)?;
+    Ok(table)
+}
+
+/// Values of all cells as an array with rows along x.
+fn map<'py>(py: Python<'py>, lattice: &Lattice, values: &[f64]) -> PyResult<Bound<'py, PyAny>> {
+    let values = PyArray1::from_slice(py, values);
+    Ok(values.reshape([lattice.rows, lattice.columns])?.into_any())
+}

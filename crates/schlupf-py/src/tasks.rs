@@ -1,0 +1,190 @@
+//! What a case can be asked besides its solution: see the crate of tasks.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use schlupf::Watch;
+use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing};
+use schlupf_case::identification::parameters;
+use schlupf_case::{CaseError, Family, InputFile, Place, direction, read_displacements};
+use schlupf_tasks::{TaskError, bulk, calibrate, compare, curve, fit, roughness, temperature};
+
+use crate::case_file::CaseFile;
+use crate::errors;
+use crate::interruptible::interruptible;
+use crate::report::{Found, Report};
+
+/// Start and end.
+type Range = [f64; 2];
+
+/// Does a task, which Ctrl-C stops.
+fn report(
+    py: Python<'_>,
+    task: impl FnOnce(Watch) -> Result<Found, TaskError> + Send,
+) -> PyResult<Report> {
+    match interruptible(py, task)? {
+        Ok(found) => Ok(Report::new(found)),
+        Err(TaskError::Case(errors)) => Err(errors::of_case(py, &errors)),
+        Err(TaskError::Request(message)) => Err(refused(py, message)),
+    }
+}
+
+/// A number of points of a line or curve.
+fn checked_points(py: Python<'_>, points: usize) -> PyResult<usize> {
+    if (2..=MAX_POINTS).contains(&points) {
+        return Ok(points);
+    }
+    let message = format!("points must be between 2 and {MAX_POINTS}, but is {points}");
+    Err(refused(py, message))
+}
+
+/// An argument is wrong, not a field of the case.
+fn refused(py: Python<'_>, message: String) -> PyErr {
+    let place = Place::File { name: String::new() };
+    errors::of_case(py, &CaseError::new("", message, place).into())
+}
+
+/// Traces creep curves of a case: start and end of ξ, η and φ (in 1/m), or `None` for that of the
+/// case; in place of ξ and η start and end of the total creepage, and its direction, such as `45 deg`. There
+/// is one curve for each value of `over`, such as `"kinematics.speed=10 m/s,20 m/s"`; each has so
+/// many points, and they are evenly spaced or not.
+#[pyfunction]
+#[pyo3(signature = (case, varied, over, sampling))]
+pub fn creep_curve(
+    py: Python<'_>,
+    case: &CaseFile,
+    varied: ([Option<Range>; 3], Option<(Range, String)>),
+    over: Option<&str>,
+    sampling: (usize, bool),
+) -> PyResult<Report> {
+    let (points, is_even) = sampling;
+    let spacing = if is_even { Spacing::Even } else { Spacing::Refined };
+    let over = over.map(|text| Family::parse("over", text)).transpose();
+    let over = over.map_err(|error| errors::of_case(py, &error.into()))?;
+    let ([creepage_x, creepage_y, spin], total) = varied;
+    let angle = |text: &str| direction("direction", text);
+    let total = total.map(|(range, text)| angle(&text).map(|angle| (range, angle))).transpose();
+    let total = total.map_err(|error| errors::of_case(py, &error.into()))?;
+    let request = curve::Request {
+        varied: curve::Varied { creepage_x, creepage_y, spin, total },
+        over,
+        sampling: Sampling { points: checked_points(py, points)?, spacing },
+        names: curve::Names {
+            creepage_x: "creepage_x",
+            creepage_y: "creepage_y",
+            spin: "spin",
+            creepage: "creepage",
+            over: "over",
+            given: "the creepages of the curve".to_owned(),
+        },
+    };
+    report(py, |watch| {
+        let found = curve::plan(&case.file, request, watch)?.find(watch)?;
+        Ok(Found::Curve(Box::new(found)))
+    })
+}
+
+/// Temperatures below a point and along its row: depths of the profile and length of the wake (in
+/// m), with so many points on each line.
+#[pyfunction]
+pub fn temperatures(
+    py: Python<'_>,
+    case: &CaseFile,
+    point: [Option<f64>; 2],
+    lines: (Option<[f64; 2]>, Option<f64>, usize),
+) -> PyResult<Report> {
+    let ([x, y], (depth, wake, points)) = (point, lines);
+    let points = checked_points(py, points)?;
+    let request = temperature::Request { x, y, depth, wake, points, names: ["x", "y"] };
+    report(py, |watch| {
+        let found = temperature::plan(&case.file, request, watch)?.find(watch)?;
+        Ok(Found::Temperature(Box::new(found)))
+    })
+}
+
+/// The bulk temperature of the wheel in the long run.
+#[pyfunction]
+pub fn bulk_temperature(py: Python<'_>, case: &CaseFile) -> PyResult<Report> {
+    report(py, |watch| {
+        let found = bulk::plan(&case.file, watch)?.find(watch)?;
+        Ok(Found::Bulk(Box::new(found)))
+    })
+}
+
+/// The case by all methods.
+#[pyfunction]
+pub fn comparison(py: Python<'_>, case: &CaseFile) -> PyResult<Report> {
+    report(py, |watch| {
+        let found = compare::plan(&case.file, watch)?.find(watch)?;
+        Ok(Found::Comparison(Box::new(found)))
+    })
+}
+
+/// Stiffnesses of the elastic layer for the patch of the case.
+#[pyfunction]
+pub fn calibration(
+    py: Python<'_>,
+    case: &CaseFile,
+    is_direct: bool,
+    displacements: Vec<PathBuf>,
+    cells: usize,
+) -> PyResult<Report> {
+    let files = displacements.iter();
+    let files = files.map(|path| read_displacements("displacements", &InputFile::at(path)));
+    let displacements = files.collect::<Result<Vec<_>, _>>();
+    let displacements = displacements.map_err(|error| errors::of_case(py, &error.into()))?;
+    let request = calibrate::Request { direct: is_direct, displacements, cells, with_sides: false };
+    report(py, |watch| {
+        let found = calibrate::plan(case.file.clone(), request, watch)?.find(watch)?;
+        Ok(Found::Calibration(Box::new(found)))
+    })
+}
+
+/// Parameters that fit measured points: a CSV file, or its bytes under a name. `limits` are γ of
+/// the roughness and the largest number of steps. Paths of the case with the fitted values start in `folder`.
+#[pyfunction]
+pub fn fitted(
+    py: Python<'_>,
+    case: &CaseFile,
+    folder: PathBuf,
+    names: &str,
+    data: (PathBuf, Option<Vec<u8>>),
+    limits: (f64, usize),
+) -> PyResult<Report> {
+    let (gamma, max_steps) = limits;
+    let data = match data {
+        (path, Some(bytes)) => {
+            let name = path.display().to_string();
+            InputFile::new(name.clone(), Arc::new(BTreeMap::from([(name, bytes)])))
+        }
+        (path, None) => InputFile::at(&path),
+    };
+    let parameters = parameters("parameters", names);
+    let request = fit::Request {
+        parameters: parameters.map_err(|error| errors::of_case(py, &error.into()))?,
+        data,
+        gamma,
+        max_steps,
+        curve_points: 0,
+        fitted_case: Some(folder.join("fitted case")),
+        names: fit::Names { data: "data", parameters: "fit", given: names.to_owned() },
+    };
+    report(py, |watch| {
+        let fit::Found { report, failure } = fit::plan(&case.file, request, watch)?.find(watch)?;
+        match failure {
+            None => Ok(Found::Fit(Box::new(report))),
+            Some(errors) => Err(errors.into()),
+        }
+    })
+}
+
+/// The rough surface of a case, pressed and moved; with the spots at the largest mean pressure.
+#[pyfunction]
+pub fn rough_contact(py: Python<'_>, case: &CaseFile, with_spots: bool) -> PyResult<Report> {
+    report(py, |watch| {
+        let found = roughness::Plan::of_case(&case.file, with_spots, watch)?.find(watch)?;
+        Ok(Found::Roughness(Box::new(found)))
+    })
+}

@@ -1,0 +1,230 @@
+"""What a case can be asked besides its solution: records with tables."""
+
+from __future__ import annotations
+
+import json
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+import xarray as xr
+
+from ._result import Record, written
+from ._tables import along, attributes, stacked
+from .warnings import emit
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+    from . import _core
+    from ._case import Case
+    from ._report_plots import RoughContactPlots
+
+
+R = TypeVar("R", bound="Report")
+
+
+class Report(Record):
+    """Results of a task: the documented JSON as attributes, tables as data sets."""
+
+    _report: _core.Report
+
+    @classmethod
+    def _new(cls: type[R], report: _core.Report, *, warn: bool) -> R:
+        result = cls(json.loads(report.json()))
+        result._report = report
+        if warn:
+            emit(result.messages, stacklevel=3)
+        return result
+
+    @property
+    def converged(self) -> bool:
+        """Whether all equations are satisfied to the tolerance."""
+        return self._report.status() == "converged"
+
+    @property
+    def messages(self) -> list[tuple[str, str, str]]:
+        """The warnings: code, field or quantity, text."""
+        return self._report.warnings()
+
+    @cached_property
+    def _tables(self) -> dict[str, list[dict[str, Any]]]:
+        return self._report.tables()
+
+    def summary(self) -> str:
+        """The summary that the command prints."""
+        return self._report.summary()
+
+    def to_json(self, path: str | PathLike[str] | None = None) -> str:
+        """The documented JSON; it is also written to `path` if that is given."""
+        return written(self._report.json(), path)
+
+    def drawings(self) -> dict[str, str]:
+        """The figures that the command draws, as SVG, by name."""
+        return dict(self._report.drawings())
+
+    def __repr__(self) -> str:
+        return self.summary().rstrip()
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"a {type(self).__name__} cannot be pickled; use to_json")
+
+
+class Curve(Report):
+    """Creep curves: forces along a path of creepages, for one case or several."""
+
+    #: Creepages in their order.
+    VARIED = ("creepage_x", "creepage_y", "spin")
+
+    _over: tuple[str, list[Any]] | None = None
+
+    @cached_property
+    def points(self) -> xr.Dataset:
+        """The points along ``point``: creepages, forces, power, temperature, status.
+
+        Several curves lie along ``over``, whose coordinate has the values of the field (in SI
+        units) and whose attribute ``field`` its path.
+        """
+        members = [along(columns, "point") for columns in self._tables["points"]]
+        if self._over is None:
+            dataset = members[0]
+        else:
+            field, values = self._over
+            dataset = stacked(members, "over", values, {"field": field})
+        return dataset.set_coords([name for name in (*self.VARIED, "speed") if name in dataset])
+
+    @property
+    def varied(self) -> str:
+        """The creepage that varies most."""
+        points = self.points
+        widths = {n: float(points[n].max() - points[n].min()) for n in self.VARIED}
+        return max(widths, key=lambda name: widths[name])
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The points as a data frame of pandas."""
+        return self.points.to_dataframe()
+
+    def to_csv(self, path: str | PathLike[str]) -> None:
+        """Writes the points as CSV, as the command does."""
+        written(self._report.csv() or "", path)
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the forces over the creepage that varies."""
+        from ._report_plots import curve
+
+        return curve(self, ax, **style)
+
+
+class Temperatures(Report):
+    """Temperatures of wheel and rail below a point, and along its row with the wake."""
+
+    @cached_property
+    def profile(self) -> xr.Dataset:
+        """Temperatures below the point, over ``depth`` (m)."""
+        return along(self._tables["profile"][0], "depth", "depth")
+
+    @cached_property
+    def rows(self) -> xr.Dataset:
+        """Temperatures along the row and its wake, over ``depth`` and ``x`` (m)."""
+        members = [along(columns, "x", "x") for columns in self._tables["rows"]]
+        depths = [row["depth"] for row in self._values["rows"]]
+        units = attributes(self._tables["profile"][0]["depth"])
+        return stacked(members, "depth", depths, units)
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the temperatures of the surfaces along the row and its wake."""
+        from ._report_plots import temperatures
+
+        return temperatures(self, ax, **style)
+
+
+class BulkTemperature(Report):
+    """The bulk temperature of the wheel in the long run."""
+
+
+class Calibration(Report):
+    """Stiffnesses of the elastic layer for a patch."""
+
+
+class Comparison(Report):
+    """A case by all methods."""
+
+    @cached_property
+    def methods(self) -> xr.Dataset:
+        """Forces, power, temperature rise and time of each, along ``model``."""
+        names = [entry["name"] for entry in self._values["methods"]]
+        dataset = along(self._tables["methods"][0], "model")
+        status = [entry["status"] for entry in self._values["methods"]]
+        return dataset.assign(status=("model", status)).assign_coords(model=names)
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the longitudinal and lateral forces of all methods."""
+        from ._report_plots import methods
+
+        return methods(self, ax, **style)
+
+
+class Fit(Report):
+    """Parameters that fit measured creep curves."""
+
+    _case: Case
+
+    @cached_property
+    def points(self) -> xr.Dataset:
+        """Measured and fitted forces along ``point``, and their conditions."""
+        return along(self._tables["points"][0], "point")
+
+    @property
+    def case(self) -> Case:
+        """The case with the fitted values."""
+        return self._case
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws measured points and fitted forces."""
+        from ._report_plots import fit
+
+        return fit(self, ax, **style)
+
+
+class RoughContact(Report):
+    """A rough surface, its contact and its k_c."""
+
+    @cached_property
+    def fields(self) -> xr.Dataset:
+        """Heights over ``x`` and ``y`` (m); pressures and gaps at the largest mean pressure."""
+        surface = self._report.surface()
+        assert surface is not None
+        (dx, dy), columns = surface
+        rows, count = columns["height"]["values"].shape
+        axes = {"x": np.arange(count) * dx, "y": np.arange(rows) * dy}
+        variables = {
+            name: (("y", "x"), column["values"], attributes(column))
+            for name, column in columns.items()
+        }
+        coords = {name: (name, axis, {"units": "m"}) for name, axis in axes.items()}
+        return xr.Dataset(variables, coords)
+
+    @cached_property
+    def spectrum(self) -> xr.Dataset:
+        """Power spectral density of the heights over ``wave_number`` (rad/m)."""
+        return along(self._tables["spectrum"][0], "wave_number", "wave_number")
+
+    @cached_property
+    def loads(self) -> xr.Dataset:
+        """Approach, gap and real contact over ``mean_pressure`` (Pa)."""
+        return along(self._tables["loads"][0], "mean_pressure", "mean_pressure")
+
+    @cached_property
+    def curves(self) -> list[xr.Dataset]:
+        """Traction over displacement at each mean pressure, along ``point``."""
+        return [along(columns, "point") for columns in self._tables["curves"]]
+
+    @property
+    def plot(self) -> RoughContactPlots:
+        """Plots: ``spectrum``, ``surface``, ``spots`` and ``curves``."""
+        from ._report_plots import RoughContactPlots
+
+        return RoughContactPlots(self)

@@ -1,0 +1,157 @@
+"""Plots of curves, temperatures, comparisons, fits and rough contacts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from ._plots import axes_or_new, colored_map, labelled, largest, legend_beside, styled
+from ._prefixes import scaled
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+
+    from ._report import Comparison, Curve, Fit, RoughContact, Temperatures
+
+#: Forces on the wheel with their symbols.
+FORCES = {"force_x": "$F_x$", "force_y": "$F_y$"}
+
+
+@styled
+def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
+    """Forces of creep curves over the creepage that varies; those that are zero are left out."""
+    ax = axes_or_new(ax)
+    points, name = curve.points, curve.varied
+    factor, unit = scaled(max(largest(points[force]) for force in FORCES), "N")
+    shown = {force: symbol for force, symbol in FORCES.items() if largest(points[force]) > 0.0}
+    members = [points] if "over" not in points.dims else [points.isel(over=k) for k in
+                                                          range(points.sizes["over"])]
+    for number, member in enumerate(members):
+        of_member = _member(member)
+        for line, (force, symbol) in zip(("-", "--"), shown.items(), strict=False):
+            label = f"{symbol}, {of_member}" if of_member else symbol
+            options = {"color": f"C{number}", "linestyle": line} if of_member else {}
+            ax.plot(member[name], member[force] * factor, label=label, **{**options, **style})
+    ax.set_xlabel(labelled(points[name]))
+    ax.set_ylabel(f"force on the wheel ({unit})")
+    if "over" in points.dims:
+        legend_beside(ax, title=points["over"].attrs["field"])
+    else:
+        ax.legend()
+    ax.set_title(curve.title)
+    return ax
+
+
+def _member(points: xr.Dataset) -> str:
+    """The value in which a curve differs from others."""
+    if "over" not in points.coords:
+        return ""
+    value = points["over"].item()
+    return value if isinstance(value, str) else f"{value:g}"
+
+
+@styled
+def temperatures(found: Temperatures, ax: Axes | None = None, **style: Any) -> Axes:
+    """Temperatures of both surfaces along the row and its wake, over x."""
+    ax = axes_or_new(ax)
+    surface = found.rows.isel(depth=0)
+    for body in ("wheel", "rail"):
+        ax.plot(surface["x"] * 1e3, surface[f"temperature_{body}"], label=body, **style)
+    edges = found.contact
+    ax.axvspan(edges.trailing_edge * 1e3, edges.leading_edge * 1e3, color="0.9", zorder=0)
+    ax.set_xlabel("$x$ (mm), rolling →")
+    ax.set_ylabel("surface temperature (°C)")
+    legend_beside(ax)
+    ax.set_title(found.title)
+    return ax
+
+
+@styled
+def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axes:
+    """Longitudinal and lateral forces of all methods as bars."""
+    ax = axes_or_new(ax)
+    table = comparison.methods
+    factor, unit = scaled(max(largest(table[force]) for force in FORCES), "N")
+    places = np.arange(table.sizes["model"])
+    height = 0.8 / len(FORCES)
+    for number, (force, symbol) in enumerate(FORCES.items()):
+        shift = (number - (len(FORCES) - 1) / 2) * height
+        ax.barh(places + shift, table[force] * factor, height, label=symbol, **style)
+    ax.set_yticks(places, table["model"].values.tolist())
+    ax.invert_yaxis()
+    ax.axvline(0.0, color="black", linewidth=0.6)
+    ax.set_xlabel(f"force on the wheel ({unit})")
+    legend_beside(ax)
+    ax.set_title(comparison.title)
+    return ax
+
+
+@styled
+def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
+    """Measured points, and the fitted forces at their creepages."""
+    ax = axes_or_new(ax)
+    points = fit.points
+    for number, component in enumerate(dict.fromkeys(points["component"].values.tolist())):
+        name = "creepage_y" if component == "lateral" else "creepage_x"
+        own = points.isel(point=np.flatnonzero(points["component"].values == component))
+        if float(own[name].max() - own[name].min()) == 0.0:
+            name = "spin"
+        own = own.sortby(name)
+        color = f"C{number}"
+        ax.plot(own[name], own["force_ratio"], "o", color=color, markersize=3,
+                label=f"{component}, measured")
+        ax.plot(own[name], own["fitted"], color=color, label="fitted", **style)
+        ax.set_xlabel(labelled(own[name]))
+    ax.set_ylabel("force on the rail over load")
+    legend_beside(ax)
+    ax.set_title(fit.title)
+    return ax
+
+
+class RoughContactPlots:
+    """The plots of a rough contact: ``contact.plot.spectrum()`` and others."""
+
+    def __init__(self, contact: RoughContact) -> None:
+        self._contact = contact
+
+    @styled
+    def spectrum(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Power spectral density of the heights over the wave number."""
+        ax = axes_or_new(ax)
+        spectrum = self._contact.spectrum
+        ax.loglog(spectrum["wave_number"], spectrum["spectral_density"], **style)
+        ax.set_xlabel("wave number $q$ (rad/m)")
+        ax.set_ylabel("$C(q)$ (m⁴)")
+        ax.set_title(self._contact.title)
+        return ax
+
+    @styled
+    def surface(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Heights."""
+        heights = self._contact.fields["height"]
+        return colored_map(heights, "height", ax, **{"cmap": "gray", **style})
+
+    @styled
+    def spots(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Pressures in the contact spots at the largest mean pressure."""
+        fields = self._contact.fields
+        if "pressure" not in fields:
+            raise ValueError("there are no spots: ask for them by roughness(spots=True)")
+        pressure = fields["pressure"]
+        return colored_map(pressure.where(pressure > 0.0), "pressure", ax, **style)
+
+    @styled
+    def curves(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Traction over displacement at each mean pressure, normalised."""
+        ax = axes_or_new(ax)
+        for entry, points in zip(self._contact["pressures"], self._contact.curves, strict=True):
+            pressure = cast("float", entry["mean_pressure"])
+            ax.plot(points["displacement"] * 1e6, points["normalised_traction"],
+                    label=f"{pressure * 1e-6:.0f} MPa", **style)
+        ax.set_xlabel("displacement (µm)")
+        ax.set_ylabel(r"$t / \mu p$")
+        legend_beside(ax)
+        ax.set_title(self._contact.title)
+        return ax

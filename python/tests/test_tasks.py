@@ -1,0 +1,151 @@
+"""What a case can be asked besides its solution."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import schlupf
+
+GRID = {"cells_x": 10, "cells_y": 10}
+SMALL = schlupf.Case(grid=GRID)
+ROUGH = {"rms_height": "1 um", "hurst": 0.8, "longest_wavelength": "100 um",
+         "shortest_wavelength": "30 um", "cells": 64, "pressures": ["400 MPa", "800 MPa"]}
+
+
+def test_a_family_of_creep_curves_has_its_values_in_si_units():
+    speeds = ["36 km/h", 20.0]
+    curves = SMALL.curve(creepage_x=(0.0, 0.01), over={"kinematics.speed": speeds}, points=4)
+    points = curves.points
+    assert points["force_x"].dims == ("over", "point") and points["force_x"].shape == (2, 4)
+    np.testing.assert_allclose(points["over"], [10.0, 20.0], rtol=1e-12)
+    assert points["over"].attrs["field"] == "kinematics.speed"
+    alone = SMALL.with_(kinematics={"speed": 20.0}).curve(creepage_x=(0.0, 0.01), points=4)
+    np.testing.assert_allclose(points["force_x"][1], alone.points["force_x"], rtol=1e-6)
+    labels = [text.get_text() for text in curves.plot().get_legend().get_texts()]
+    assert labels == ["$F_x$, 10", "$F_x$, 20"]
+
+
+def test_a_family_of_methods_has_names():
+    curves = SMALL.curve(creepage_x=(0.0, 0.01), points=3,
+                         over={"solver.method": ["full", "fastsim"]}, warn=False)
+    assert curves.points["over"].values.tolist() == ["full", "fastsim"]
+
+
+def test_the_total_creepage_varies_in_a_direction():
+    curve = SMALL.curve(creepage=(0.0, 0.01), direction="90 deg", points=3)
+    np.testing.assert_allclose(curve.points["creepage_y"][-1], 0.01, rtol=1e-12)
+    assert curve.varied == "creepage_y"
+    same = SMALL.curve(creepage=(0.0, 0.01), direction=np.pi / 2, points=3)
+    np.testing.assert_allclose(same.points["force_y"], curve.points["force_y"], rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "part"),
+    [
+        ({}, TypeError, "a curve needs"),
+        ({"creepage": (0, 0.1)}, TypeError, "belong together"),
+        ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "points must be between 2 and"),
+        ({"creepage_x": (0, 0.1), "over": {"kinematics.sped": [1]}}, KeyError, "sped"),
+        ({"creepage_x": (0, 0.1), "over": {"kinematics.creepage_x": [0.1]}}, ValueError,
+         "over must not vary kinematics.creepage_x, in place of which creepage_x varies"),
+        ({"creepage_x": (0, 0.1), "over": {"normal.load": ["1 m"]}}, schlupf.CaseError,
+         "normal.load must be a force"),
+        ({"creepage_y": (0, 2.0)}, ValueError, "creepage_y"),
+    ],
+)
+def test_wrong_curves_are_refused(arguments, error, part):
+    with pytest.raises(error, match=part):
+        SMALL.curve(**arguments)
+
+
+def test_temperatures_below_the_surface_and_in_the_wake():
+    case = SMALL.with_(kinematics={"creepage_x": 0.01})
+    found = case.temperature(depth=(0.0, 1e-3), points=11)
+    assert found.profile.sizes["depth"] == 11
+    surface = found.rows.isel(depth=0)
+    hottest = case.solve().temperature.max_wheel
+    assert float(found.profile["temperature_wheel"][0]) == pytest.approx(hottest, abs=2.0)
+    assert float(found.rows["depth"][0]) == 0.0
+    ax = found.plot()
+    np.testing.assert_allclose(ax.lines[0].get_ydata(), surface["temperature_wheel"])
+    with pytest.raises(ValueError, match="y must lie in the contact"):
+        case.temperature(y=0.1)
+
+
+def test_the_bulk_temperature_needs_cooling():
+    case = SMALL.with_(kinematics={"creepage_x": 0.002})
+    with pytest.raises(schlupf.CaseError, match="cooling.film_coefficient is missing"):
+        case.bulk_temperature()
+    cooled = case.with_(cooling={"film_coefficient": "40 W/(m^2 K)", "area": "1.5 m^2"})
+    found = cooled.bulk_temperature()
+    assert found.converged and found.temperature.wheel > 20.0
+
+
+def test_a_comparison_has_a_row_for_each_method():
+    case = SMALL.with_(kinematics={"creepage_x": 0.001})
+    comparison = case.compare(warn=False)
+    table = comparison.methods
+    assert {"FASTSIM", "Polach"} <= set(table["model"].values.tolist())
+    alone = case.with_(solver={"method": "polach"}).solve(warn=False)
+    polach = table["force_x"].sel(model="Polach").item()
+    assert polach == pytest.approx(alone.force.x, rel=1e-9)
+    assert len(comparison.plot().get_yticks()) == table.sizes["model"]
+
+
+def test_a_calibration_of_the_layer():
+    found = SMALL.calibrate(cells=10)
+    assert found.converged
+    assert "bedding_x" in found.summary()
+    with pytest.raises(ValueError, match="cells must be between 10 and 80"):
+        SMALL.calibrate(cells=5)
+
+
+def test_a_fit_finds_the_friction_that_made_the_data():
+    creepage = np.array([0.001, 0.002, 0.004, 0.006, 0.01])
+    model = SMALL.with_(heat={"model": "none"}, friction={"model": "constant"})
+    truth = model.with_(friction={"coefficient": 0.31})
+    measured = -schlupf.forces(truth, creepage_x=creepage)["force_x"].values / 80e3
+    data = {"creepage_x": creepage, "force_ratio": measured, "load": 80e3}
+    found = model.fit("friction.coefficient", data, warn=False)
+    assert found.converged
+    assert found.case.friction.coefficient == pytest.approx(0.31, rel=1e-4)
+    np.testing.assert_allclose(found.points["fitted"], measured, atol=1e-4)
+    assert len(found.plot().lines) == 2
+    with pytest.raises(schlupf.CaseError, match="did you mean `friction.coefficient`"):
+        model.fit("friction.coeficient", data)
+    with pytest.raises(schlupf.CaseError, match="creepge_x"):
+        model.fit("friction.coefficient", {"creepge_x": creepage, "force_ratio": measured})
+
+
+def test_a_rough_contact():
+    case = SMALL.with_(contact_law={"roughness": ROUGH})
+    found = case.roughness(warn=False)
+    assert found.fields["height"].dims == ("y", "x") and "pressure" in found.fields
+    mean = float(found.fields["pressure"].mean())
+    assert mean == pytest.approx(800e6, rel=1e-3)
+    assert len(found.curves) == 2
+    heights = found.fields["height"]
+    assert float(heights.std()) == pytest.approx(1e-6, rel=0.05)
+    for plot in ("spectrum", "surface", "spots", "curves"):
+        getattr(found.plot, plot)()
+        plt.close("all")
+    with pytest.raises(ValueError, match="contact_law.roughness must have a surface"):
+        SMALL.roughness()
+
+
+def test_a_case_with_a_history_has_no_curve():
+    rolled = SMALL.with_(history={"time": [0.0, 1e-3], "creepage_x": [0.0, 0.002]})
+    with pytest.raises(schlupf.CaseError, match="steady rolling"):
+        rolled.curve(creepage_x=(0.0, 0.01))
+
+
+def test_figures_of_the_command_are_at_hand():
+    drawings = SMALL.curve(creepage_x=(0.0, 0.01), points=3).drawings()
+    assert drawings["creep_curve"].rstrip().endswith("</svg>")
+
+
+def test_a_surface_of_the_paper(result):
+    ax = result.plot.surface("pressure")
+    assert ax.get_zlabel() == "normal pressure (GPa)"
+    with pytest.raises(TypeError, match="three-dimensional"):
+        result.plot.surface(ax=plt.subplots()[1])
