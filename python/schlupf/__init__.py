@@ -12,6 +12,7 @@ Numbers are in SI units (temperatures in °C, differences in K), text has its un
 tractions act on the wheel.
 """
 
+from . import warnings
 from ._case import Case, Section
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
@@ -29,7 +30,6 @@ from ._report import (
     Temperatures,
 )
 from ._result import Record, Result
-from . import warnings
 
 __all__ = [
     "BulkTemperature",

@@ -29,6 +29,10 @@ if TYPE_CHECKING:
     from ._forces import Solver
 
 
+#: A family as the library reads it, its field, and the values as the case has them.
+_Family = tuple[str, str, list[Any]]
+
+
 def toml_value(field: Field | None, value: Any) -> str:
     """A value as it stands in a case file; numbers of dimensional fields are in SI units."""
     if hasattr(value, "magnitude") and hasattr(value, "to"):
@@ -342,8 +346,7 @@ class Case:
             result._over = family[1:]
         return result
 
-    def _family(self, over: Mapping[str, Sequence[Any]] | None) -> tuple[str, str, list[Any]] | None:
-        """A family as the library reads it, its field, and the values as the case has them."""
+    def _family(self, over: Mapping[str, Sequence[Any]] | None) -> _Family | None:
         if over is None:
             return None
         if len(over) != 1:

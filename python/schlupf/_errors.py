@@ -16,7 +16,7 @@ class CaseError(ValueError):
     Attributes
     ----------
     field : str
-        Dotted path of the first field that is wrong, such as ``"normal.load"``; empty if it is none.
+        Dotted path of the first field that is wrong, such as ``"normal.load"``; may be empty.
     place : str
         Where it was given.
     help : str or None

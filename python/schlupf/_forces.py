@@ -91,7 +91,9 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
     status = {"flag_values": [0, 1], "flag_meanings": " ".join(STATUS), "long_name": "status"}
     numbers = np.where(converged, 0, 1).astype(np.int8).reshape(template.shape)
     dataset = xr.Dataset({**shaped, "status": (template.dims, numbers, status)})
-    coordinates = {name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given}
+    coordinates = {
+        name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given
+    }
     return dataset.assign_coords(coordinates)
 
 
@@ -115,7 +117,8 @@ def _coordinate(name: str, path: str, given: Any, array: xr.DataArray) -> xr.Dat
         return given.astype(float).drop_vars([c for c in given.coords if c not in given.dims])
     own = np.asarray(given, float)
     # Only along the dimensions over which it varies.
-    kept = [dim for k, dim in enumerate(reversed(array.dims)) if k < own.ndim and own.shape[-1 - k] > 1]
+    dims = enumerate(reversed(array.dims))
+    kept = [dim for k, dim in dims if k < own.ndim and own.shape[-1 - k] > 1]
     index = {dim: 0 for dim in array.dims if dim not in kept}
     return array.isel(index, drop=True).assign_attrs(attrs)
 

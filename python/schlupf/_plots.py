@@ -180,7 +180,7 @@ class ResultPlots:
         if ax is None:
             _, ax = plt.subplots(figsize=(WIDTH, 3.0), subplot_kw={"projection": "3d"})
         if not isinstance(ax, Axes3D):
-            raise TypeError("ax must be three-dimensional: subplots(subplot_kw={'projection': '3d'})")
+            raise TypeError("ax must be three-dimensional, of projection '3d'")
         x, y = np.meshgrid(values["x"] * 1e3, values["y"] * 1e3)
         ax.plot_surface(x, y, values.values * factor, **{"cmap": "viridis", **style})
         ax.set_xlabel("$x$ (mm)")
@@ -199,7 +199,9 @@ class ResultPlots:
         if not names:
             for name in ("force_x", "force_y"):
                 symbol = f"$F_{name[-1]}/N$"
-                ax.plot(history["time"] * 1e3, history[name] / history["load"], label=symbol, **style)
+                ax.plot(
+                    history["time"] * 1e3, history[name] / history["load"], label=symbol, **style
+                )
         for name in names:
             entry = history[name]
             factor, unit = scaled(largest(entry), entry.attrs["units"])
@@ -235,8 +237,9 @@ class ResultPlots:
         sliding = self._fields()["sliding"].astype(float)
         if 0.0 < float(sliding.where(self._fields()["contact"]).mean()) < 1.0:
             inside = sliding.where(self._fields()["contact"])
-            ax.contour(inside["x"] * 1e3, inside["y"] * 1e3, inside, [0.5], colors="black",
-                       linewidths=0.8)
+            ax.contour(
+                inside["x"] * 1e3, inside["y"] * 1e3, inside, [0.5], colors="black", linewidths=0.8
+            )
 
     def _thumbnail(self) -> str | None:
         """A small map of the traction as PNG in base64; nothing without matplotlib."""

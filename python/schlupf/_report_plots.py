@@ -26,8 +26,11 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
     points, name = curve.points, curve.varied
     factor, unit = scaled(max(largest(points[force]) for force in FORCES), "N")
     shown = {force: symbol for force, symbol in FORCES.items() if largest(points[force]) > 0.0}
-    members = [points] if "over" not in points.dims else [points.isel(over=k) for k in
-                                                          range(points.sizes["over"])]
+    members = (
+        [points]
+        if "over" not in points.dims
+        else [points.isel(over=k) for k in range(points.sizes["over"])]
+    )
     for number, member in enumerate(members):
         of_member = _member(member)
         for line, (force, symbol) in zip(("-", "--"), shown.items(), strict=False):
@@ -100,8 +103,14 @@ def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
             name = "spin"
         own = own.sortby(name)
         color = f"C{number}"
-        ax.plot(own[name], own["force_ratio"], "o", color=color, markersize=3,
-                label=f"{component}, measured")
+        ax.plot(
+            own[name],
+            own["force_ratio"],
+            "o",
+            color=color,
+            markersize=3,
+            label=f"{component}, measured",
+        )
         ax.plot(own[name], own["fitted"], color=color, label="fitted", **style)
         ax.set_xlabel(labelled(own[name]))
     ax.set_ylabel("force on the rail over load")
@@ -148,8 +157,12 @@ class RoughContactPlots:
         ax = axes_or_new(ax)
         for entry, points in zip(self._contact["pressures"], self._contact.curves, strict=True):
             pressure = cast("float", entry["mean_pressure"])
-            ax.plot(points["displacement"] * 1e6, points["normalised_traction"],
-                    label=f"{pressure * 1e-6:.0f} MPa", **style)
+            ax.plot(
+                points["displacement"] * 1e6,
+                points["normalised_traction"],
+                label=f"{pressure * 1e-6:.0f} MPa",
+                **style,
+            )
         ax.set_xlabel("displacement (µm)")
         ax.set_ylabel(r"$t / \mu p$")
         legend_beside(ax)

@@ -122,7 +122,7 @@ class Result(Record):
 
     @cached_property
     def history(self) -> xr.Dataset:
-        """Forces, powers and temperatures of each time step, over time (s); one in steady rolling."""
+        """Forces, powers and temperatures of each time step, over ``time`` (s)."""
         return along(self._solution.history(), "time", "time")
 
     @property
@@ -151,11 +151,11 @@ class Result(Record):
         return frame[frame["contact"]].drop(columns="contact").reset_index()
 
     def to_netcdf(self, path: str | PathLike[str], **options: Any) -> None:
-        """Writes the fields, with the scalars as attributes in JSON, by `xarray.Dataset.to_netcdf`."""
+        """Writes the fields as NetCDF, with the scalars as JSON in an attribute."""
         self._with_scalars().to_netcdf(path, **options)
 
     def to_zarr(self, store: Any, **options: Any) -> None:
-        """Writes the fields, with the scalars as attributes in JSON, by `xarray.Dataset.to_zarr`."""
+        """Writes the fields as Zarr, with the scalars as JSON in an attribute."""
         self._with_scalars().to_zarr(store, **options)
 
     def to_csv(self, path: str | PathLike[str]) -> None:

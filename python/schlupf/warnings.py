@@ -39,5 +39,7 @@ def emit(messages: Iterable[tuple[str, str, str]], stacklevel: int) -> None:
     """Issue messages (code, quantity, text) as warnings of their categories."""
     for code, quantity, text in messages:
         category = BY_CODE.get(code, SchlupfWarning)
-        warn(category(f"{quantity}: {text}" if quantity not in text else text, quantity),
-             stacklevel=stacklevel + 1)
+        warn(
+            category(f"{quantity}: {text}" if quantity not in text else text, quantity),
+            stacklevel=stacklevel + 1,
+        )

@@ -22,8 +22,10 @@ def test_numbers_are_in_si_and_text_has_its_unit():
 
 def test_quantities_of_pint_are_converted():
     units = pint.UnitRegistry()
-    case = schlupf.Case(normal={"load": 60 * units.kilonewton}, history={
-        "time": [0.0, 1.0] * units.millisecond, "creepage_x": np.array([0.0, 0.002])})
+    case = schlupf.Case(
+        normal={"load": 60 * units.kilonewton},
+        history={"time": [0.0, 1.0] * units.millisecond, "creepage_x": np.array([0.0, 0.002])},
+    )
     assert case.normal.load == pytest.approx(60e3)
     assert case.history.time == pytest.approx([0.0, 1e-3])
 
@@ -94,7 +96,7 @@ def test_files(tmp_path):
 
 
 def test_copies_are_independent_and_pickles_equal():
-    case = schlupf.Case(normal={"load": 60e3}, title="naïve \"ß\" \x7f\\")
+    case = schlupf.Case(normal={"load": 60e3}, title='naïve "ß" \x7f\\')
     for other in (copy.copy(case), copy.deepcopy(case), pickle.loads(pickle.dumps(case))):
         assert other == case
         other.normal.load = 70e3

@@ -28,13 +28,16 @@ def test_conditions_are_broadcast_as_in_numpy():
                 kinematics={"creepage_x": creepage[i, 0]}, normal={"load": [60e3, 80e3][j]}
             )
             alone = case.solve(warn=False)
-            assert float(table["force_x"][i, j]) == pytest.approx(alone.force.x, rel=1e-12, abs=1e-9)
+            assert float(table["force_x"][i, j]) == pytest.approx(
+                alone.force.x, rel=1e-12, abs=1e-9
+            )
     assert bool(np.isnan(table["moment_z"]).all())
     assert int(table["status"].sum()) == 0
 
 
 def test_data_arrays_are_broadcast_by_name():
-    creepage = xr.DataArray([0.001, 0.002], dims="creepage_x", coords={"creepage_x": [0.001, 0.002]})
+    creepages = [0.001, 0.002]
+    creepage = xr.DataArray(creepages, dims="creepage_x", coords={"creepage_x": creepages})
     load = xr.DataArray([60e3, 70e3, 80e3], dims="load", coords={"load": [60e3, 70e3, 80e3]})
     table = schlupf.forces(POLACH, creepage_x=creepage, load=load)
     assert table["force_x"].dims == ("creepage_x", "load")
@@ -53,8 +56,12 @@ def test_the_full_method_gives_what_single_solutions_give(case):
 
 def test_other_numbers_of_the_case():
     table = schlupf.forces(POLACH, creepage_x=0.01, friction__coefficient=[0.2, 0.4])
-    alone = [POLACH.with_(friction={"coefficient": mu}, kinematics={"creepage_x": 0.01})
-             .solve(warn=False).force.x for mu in (0.2, 0.4)]
+    alone = [
+        POLACH.with_(friction={"coefficient": mu}, kinematics={"creepage_x": 0.01})
+        .solve(warn=False)
+        .force.x
+        for mu in (0.2, 0.4)
+    ]
     np.testing.assert_allclose(table["force_x"], alone, rtol=1e-12)
 
 
@@ -82,7 +89,8 @@ def test_a_solver_keeps_what_it_has_set_up(case):
 def test_two_solutions_at_once(case):
     expected = case.solve().force.x
     found = []
-    threads = [threading.Thread(target=lambda: found.append(case.solve().force.x)) for _ in range(4)]
+    solve = lambda: found.append(case.solve().force.x)  # noqa: E731
+    threads = [threading.Thread(target=solve) for _ in range(4)]
     for thread in threads:
         thread.start()
     for thread in threads:

@@ -18,8 +18,9 @@ def test_a_map_shows_its_field(result, name):
         "slip": np.hypot(fields["slip_x"], fields["slip_y"]) * 1e3,
         "temperature": fields["temperature_rise_wheel"] + 20.0,
     }[name]
-    np.testing.assert_allclose(np.ma.filled(mesh.get_array(), np.nan).reshape(expected.shape),
-                               expected, rtol=1e-12)
+    np.testing.assert_allclose(
+        np.ma.filled(mesh.get_array(), np.nan).reshape(expected.shape), expected, rtol=1e-12
+    )
     assert ax.get_xlabel().startswith("$x$ (mm)")
 
 

@@ -8,8 +8,14 @@ import schlupf
 
 GRID = {"cells_x": 10, "cells_y": 10}
 SMALL = schlupf.Case(grid=GRID)
-ROUGH = {"rms_height": "1 um", "hurst": 0.8, "longest_wavelength": "100 um",
-         "shortest_wavelength": "30 um", "cells": 64, "pressures": ["400 MPa", "800 MPa"]}
+ROUGH = {
+    "rms_height": "1 um",
+    "hurst": 0.8,
+    "longest_wavelength": "100 um",
+    "shortest_wavelength": "30 um",
+    "cells": 64,
+    "pressures": ["400 MPa", "800 MPa"],
+}
 
 
 def test_a_family_of_creep_curves_has_its_values_in_si_units():
@@ -26,8 +32,9 @@ def test_a_family_of_creep_curves_has_its_values_in_si_units():
 
 
 def test_a_family_of_methods_has_names():
-    curves = SMALL.curve(creepage_x=(0.0, 0.01), points=3,
-                         over={"solver.method": ["full", "fastsim"]}, warn=False)
+    curves = SMALL.curve(
+        creepage_x=(0.0, 0.01), points=3, over={"solver.method": ["full", "fastsim"]}, warn=False
+    )
     assert curves.points["over"].values.tolist() == ["full", "fastsim"]
 
 
@@ -46,10 +53,16 @@ def test_the_total_creepage_varies_in_a_direction():
         ({"creepage": (0, 0.1)}, TypeError, "belong together"),
         ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "points must be between 2 and"),
         ({"creepage_x": (0, 0.1), "over": {"kinematics.sped": [1]}}, KeyError, "sped"),
-        ({"creepage_x": (0, 0.1), "over": {"kinematics.creepage_x": [0.1]}}, ValueError,
-         "over must not vary kinematics.creepage_x, in place of which creepage_x varies"),
-        ({"creepage_x": (0, 0.1), "over": {"normal.load": ["1 m"]}}, schlupf.CaseError,
-         "normal.load must be a force"),
+        (
+            {"creepage_x": (0, 0.1), "over": {"kinematics.creepage_x": [0.1]}},
+            ValueError,
+            "over must not vary kinematics.creepage_x, in place of which creepage_x varies",
+        ),
+        (
+            {"creepage_x": (0, 0.1), "over": {"normal.load": ["1 m"]}},
+            schlupf.CaseError,
+            "normal.load must be a force",
+        ),
         ({"creepage_y": (0, 2.0)}, ValueError, "creepage_y"),
     ],
 )

@@ -42,7 +42,7 @@ pub struct Problem {
 impl Problem {
     /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
     pub fn conduction(&self, kinematics: &Kinematics) -> Conduction {
-        Conduction::new(self.heat.partition, &self.wheel, &self.rail, kinematics)
+        Conduction::new(&self.heat.partition, &self.wheel, &self.rail, kinematics)
     }
 
     /// Péclet numbers of the two bodies passing, at the speeds of `kinematics`, through a contact

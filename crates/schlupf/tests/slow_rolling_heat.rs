@@ -116,7 +116,7 @@ fn the_rises_are_continuous_where_conduction_along_the_surface_ends() {
         for partition in [Partition::Velocity, Partition::Given(0.5)] {
             for along in [20, 40] {
                 let at = |factor: f64| {
-                    let slow = slide(b, factor * speed(peclet), 0.01, partition);
+                    let slow = slide(b, factor * speed(peclet), 0.01, partition.clone());
                     solve(&slow, &cells(along))
                 };
                 // The wheel brakes, so it is the slower one.

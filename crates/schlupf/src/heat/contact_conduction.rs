@@ -399,7 +399,7 @@ mod tests {
         let kinematics = Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
         let given = Partition::Given(0.0);
         let conductors = Conductors {
-            conduction: Conduction::new(given, &Body::STEEL, &Body::STEEL, &kinematics),
+            conduction: Conduction::new(&given, &Body::STEEL, &Body::STEEL, &kinematics),
             materials: [Material::STEEL; 2],
             speed,
             scale: 1.0,

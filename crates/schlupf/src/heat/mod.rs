@@ -83,10 +83,10 @@ impl Heat {
 
     /// Checks the partition.
     pub fn check(&self) -> Result<(), Error> {
-        match self.partition {
-            Partition::Velocity => Ok(()),
+        match &self.partition {
+            Partition::Velocity | Partition::Law(_) => Ok(()),
             Partition::Given(share) => {
-                require(Quantity::HeatPartition, Requirement::Between(0.0, 1.0), share)
+                require(Quantity::HeatPartition, Requirement::Between(0.0, 1.0), *share)
             }
         }
     }

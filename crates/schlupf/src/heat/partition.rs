@@ -1,10 +1,20 @@
 //! Partition of heat between wheel and rail, and the resulting temperatures.
 
+use std::fmt::Debug;
+use std::sync::Arc;
+
 use crate::kinematics::Kinematics;
 use crate::material::Body;
 
+/// A law for the share of the wheel in the frictional heat. Extension point.
+pub trait PartitionLaw: Debug + Send + Sync {
+    /// The share, dimensionless, between 0 and 1, at the circumferential speed of the wheel and the
+    /// speed v0, in m/s.
+    fn share(&self, speeds: [f64; 2]) -> f64;
+}
+
 /// Share of the wheel in the frictional heat.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub enum Partition {
     /// Prescribed, dimensionless, between 0 and 1 (0.5 in the paper). Both bodies then pass through
     /// the contact at the speed v0.
@@ -12,6 +22,43 @@ pub enum Partition {
     /// From equal surface temperatures: β_w √(ωR) / (β_w √(ωR) + β_r √v0). Each body passes at its
     /// own speed.
     Velocity,
+    /// By a law. Both bodies then pass through the contact at the speed v0. Where heat spreads
+    /// sideways, derivatives with respect to creepages take the share as fixed.
+    Law(Arc<dyn PartitionLaw>),
+}
+
+/// Laws are equal if they are the same.
+impl PartialEq for Partition {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Given(one), Self::Given(other)) => one == other,
+            (Self::Velocity, Self::Velocity) => true,
+            (Self::Law(one), Self::Law(other)) => Arc::ptr_eq(one, other),
+            _ => false,
+        }
+    }
+}
+
+impl Partition {
+    /// The share at the speeds of a motion, where it does not follow from the materials.
+    fn share(&self, kinematics: &Kinematics) -> Option<f64> {
+        match self {
+            Self::Given(share) => Some(*share),
+            Self::Velocity => None,
+            Self::Law(law) => {
+                Some(law.share([kinematics.circumferential_speed(), kinematics.speed]))
+            }
+        }
+    }
+
+    /// Derivative of the share of a law with respect to ln(v0/(ωR)) at constant v0.
+    fn share_by_time_ratio(&self, kinematics: &Kinematics) -> f64 {
+        const STEP: f64 = 1e-5;
+        let Self::Law(law) = self else { return 0.0 };
+        let rolling = kinematics.circumferential_speed();
+        let share = |step: f64| law.share([rolling * (-step).exp(), kinematics.speed]);
+        (share(STEP) - share(-STEP)) / (2.0 * STEP)
+    }
 }
 
 /// Response of a pair of bodies to heat, at given speeds.
@@ -24,21 +71,25 @@ pub struct Conduction {
     bulk: [f64; 2],
     /// Ratio of the rises of wheel and rail to the rise times effusivity, in m² √s K/W.
     factor: [f64; 2],
+    /// The same for a body that takes all the heat.
+    rise_per_share: [f64; 2],
     /// Weight of the wheel's surface in the contact temperature, dimensionless.
     wheel_weight: f64,
     /// Whether the partition follows from the speeds.
     follows_speed: bool,
     share: f64,
+    /// Its derivative with respect to ln(v0/(ωR)) by a law.
+    share_by_time_ratio: f64,
     contact_time_ratio: f64,
 }
 
 impl Conduction {
     /// Conduction in wheel and rail at the speeds of `kinematics`.
-    pub fn new(partition: Partition, wheel: &Body, rail: &Body, kinematics: &Kinematics) -> Self {
+    pub fn new(partition: &Partition, wheel: &Body, rail: &Body, kinematics: &Kinematics) -> Self {
         let effusivity = [wheel.material.effusivity(), rail.material.effusivity()];
         // Ratio of the contact times of the materials of wheel and rail.
         let contact_time_ratio = match partition {
-            Partition::Given(_) => 1.0,
+            Partition::Given(_) | Partition::Law(_) => 1.0,
             // A ratio of speeds, also for bodies at rest.
             Partition::Velocity => {
                 Kinematics { speed: 1.0, ..*kinematics }.circumferential_speed().recip()
@@ -46,21 +97,18 @@ impl Conduction {
         };
         let drawn = [effusivity[0] / contact_time_ratio.sqrt(), effusivity[1]];
         let wheel_weight = drawn[0] / (drawn[0] + drawn[1]);
-        let share = match partition {
-            Partition::Given(share) => share,
-            Partition::Velocity => wheel_weight,
-        };
+        let share = partition.share(kinematics).unwrap_or(wheel_weight);
+        let rise_per_share = [contact_time_ratio.sqrt() / effusivity[0], effusivity[1].recip()];
         let bulk = [wheel.bulk_temperature, rail.bulk_temperature];
         Self {
             entry_temperature: wheel_weight * bulk[0] + (1.0 - wheel_weight) * bulk[1],
             bulk,
-            factor: [
-                share * contact_time_ratio.sqrt() / effusivity[0],
-                (1.0 - share) / effusivity[1],
-            ],
+            factor: [share * rise_per_share[0], (1.0 - share) * rise_per_share[1]],
+            rise_per_share,
             wheel_weight,
-            follows_speed: partition == Partition::Velocity,
+            follows_speed: *partition == Partition::Velocity,
             share,
+            share_by_time_ratio: partition.share_by_time_ratio(kinematics),
             contact_time_ratio,
         }
     }
@@ -105,7 +153,9 @@ impl Conduction {
     /// times effusivity in W √s/m².
     pub fn contact_temperature_by_time_ratio(&self, rise_times_effusivity: f64) -> f64 {
         if !self.follows_speed {
-            return 0.0;
+            let [wheel, rail] = self.rise_per_share;
+            let of_share = self.wheel_weight * wheel - (1.0 - self.wheel_weight) * rail;
+            return self.share_by_time_ratio * of_share * rise_times_effusivity;
         }
         // With β_w √(ωR/v0) = D the wheel's weight is D/(D + β_r), both factors are 1/(D + β_r),
         // and d ln D = −½ d ln(v0/ωR).
@@ -144,10 +194,10 @@ mod tests {
     fn velocity_partition_makes_equal_surfaces() {
         let mut wheel = Body { bulk_temperature: 150.0, ..Body::STEEL };
         let rail = Body { bulk_temperature: 0.0, ..Body::STEEL };
-        let equal = Conduction::new(Partition::Velocity, &wheel, &rail, &kinematics(0.0));
+        let equal = Conduction::new(&Partition::Velocity, &wheel, &rail, &kinematics(0.0));
         assert_relative_eq!(equal.entry_temperature, 75.0, max_relative = 1e-14);
         wheel.material = Material { conductivity: 20.0, ..Material::STEEL };
-        let conduction = Conduction::new(Partition::Velocity, &wheel, &rail, &kinematics(0.1));
+        let conduction = Conduction::new(&Partition::Velocity, &wheel, &rail, &kinematics(0.1));
         let [hot, cold] = conduction.surface_temperatures(2e6);
         assert_relative_eq!(hot, cold, max_relative = 1e-14);
         assert_relative_eq!(conduction.contact_temperature(2e6), hot, max_relative = 1e-14);
@@ -157,7 +207,7 @@ mod tests {
     #[test]
     fn given_partition_is_taken_as_it_is() {
         let conduction =
-            Conduction::new(Partition::Given(0.3), &Body::STEEL, &Body::STEEL, &kinematics(0.1));
+            Conduction::new(&Partition::Given(0.3), &Body::STEEL, &Body::STEEL, &kinematics(0.1));
         let [wheel, rail] = conduction.rises(1e6);
         assert_relative_eq!(wheel / rail, 3.0 / 7.0, max_relative = 1e-12);
         let effusivity = Material::STEEL.effusivity();
