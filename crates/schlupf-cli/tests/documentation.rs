@@ -22,23 +22,46 @@ fn block(lines: &[&str], start: usize) -> (Vec<String>, usize) {
     (text.collect(), start + length + 2)
 }
 
-/// The last command of every block of commands that a block of output follows.
+/// Every block of output with the last command above it.
 fn samples(page: &Path) -> Vec<Sample> {
+    let page_name = page.display().to_string();
     let text = std::fs::read_to_string(page).unwrap();
     let lines: Vec<&str> = text.lines().collect();
-    let starts = (0..lines.len()).filter(|k| lines[*k] == "```sh");
-    let samples = starts.filter_map(|start| {
-        let (commands, end) = block(&lines, start);
-        let follows = lines[end..].iter().position(|line| *line == "```text")?;
-        if follows > 6 {
-            return None;
+    let mut samples = Vec::new();
+    let mut command = None;
+    // Whether a command is right above.
+    let mut is_below = false;
+    let mut line = 0;
+    while line < lines.len() {
+        let Some(language) = lines[line].strip_prefix("```") else {
+            is_below &= lines[line].is_empty();
+            line += 1;
+            continue;
+        };
+        let (text, end) = block(&lines, line);
+        match language {
+            "sh" => command = last_command(&text),
+            "text" => samples.push(Sample {
+                page: page_name.clone(),
+                command: command.take().unwrap_or_else(|| {
+                    panic!("{page_name}:{}: output without a command of its own", line + 1)
+                }),
+                output: text,
+            }),
+            // Formulas have no language; below a command it would be output that is not checked.
+            "" => assert!(!is_below, "{page_name}:{}: output is ```text", line + 1),
+            _ => {}
         }
-        let commands = commands.join("\n").replace("\\\n", " ");
-        let command = commands.lines().rfind(|line| line.starts_with("schlupf "))?.to_owned();
-        let (output, _) = block(&lines, end + follows);
-        Some(Sample { page: page.display().to_string(), command, output })
-    });
-    samples.collect()
+        is_below = language == "sh" && command.is_some();
+        line = end;
+    }
+    samples
+}
+
+/// The last command `schlupf` of a block.
+fn last_command(block: &[String]) -> Option<String> {
+    let commands = block.join("\n").replace("\\\n", " ");
+    commands.lines().rfind(|line| line.starts_with("schlupf ")).map(str::to_owned)
 }
 
 /// The words of a command as a shell splits them, without what writes files.
@@ -61,18 +84,20 @@ fn arguments(command: &str) -> Vec<String> {
     words.split_off(1)
 }
 
-/// Whether a line is the same, but for the last digits of its numbers and for what is rounding.
-fn is_same(shown: &str, printed: &str) -> bool {
-    let is_close = |(shown, printed): (&str, &str)| {
-        let numbers = [shown, printed].map(|word| word.trim_end_matches(',').parse::<f64>());
-        match numbers {
-            [Ok(one), Ok(two)] => (one - two).abs() <= 2e-3 * one.abs() + 1e-5,
-            _ => shown == printed,
+/// Line that stands for any number of omitted ones.
+const OMITTED: &str = "…";
+
+/// Whether the output is what is printed, line by line and digit by digit, but for what is omitted.
+fn is_same(output: &[String], printed: &[&str]) -> bool {
+    match output.split_first() {
+        None => printed.is_empty(),
+        Some((line, rest)) if line == OMITTED => {
+            (0..=printed.len()).any(|omitted| is_same(rest, &printed[omitted..]))
         }
-    };
-    let words = |line: &str| line.split_whitespace().count();
-    let pairs = shown.split_whitespace().zip(printed.split_whitespace());
-    words(shown) == words(printed) && pairs.into_iter().all(is_close)
+        Some((line, rest)) => printed
+            .split_first()
+            .is_some_and(|(first, others)| line == first && is_same(rest, others)),
+    }
 }
 
 fn check(sample: &Sample) {
@@ -83,11 +108,9 @@ fn check(sample: &Sample) {
         .output()
         .unwrap();
     let printed = String::from_utf8(run.stdout).unwrap() + &String::from_utf8_lossy(&run.stderr);
-    let mut rest = printed.lines();
-    for line in output.iter().filter(|line| *line != "…") {
-        let is_there = rest.any(|printed| is_same(line, printed));
-        assert!(is_there, "{page}: {command}\nhas {line:?} below it, but prints\n{printed}");
-    }
+    let lines: Vec<&str> = printed.lines().collect();
+    let shown = output.join("\n");
+    assert!(is_same(output, &lines), "{page}: {command}\nshows\n{shown}\nbut prints\n{printed}");
 }
 
 #[test]
@@ -96,6 +119,29 @@ fn sample_outputs_are_what_the_command_prints() {
     let pages = docs.map(|entry| entry.unwrap().path()).chain([workspace().join("README.md")]);
     let pages = pages.filter(|page| page.extension().is_some_and(|ending| ending == "md"));
     let samples: Vec<Sample> = pages.flat_map(|page| samples(&page)).collect();
-    assert!(samples.len() >= 4, "{samples:?}");
+    for page in ["tour.md", "heat.md", "identification.md", "roughness.md"] {
+        assert!(samples.iter().any(|sample| sample.page.ends_with(page)), "{page} has no sample");
+    }
     samples.iter().for_each(check);
+}
+
+#[test]
+fn outputs_are_compared_digit_by_digit() {
+    let is_same = |shown: &str, printed: &str| {
+        let shown: Vec<String> = shown.lines().map(str::to_owned).collect();
+        is_same(&shown, &printed.lines().collect::<Vec<_>>())
+    };
+    let printed = "load  80 kN\nforce  30.26 kN\n\nleft over 1.319e-6 kW";
+    assert!(is_same(printed, printed));
+    assert!(is_same("load  80 kN\n…\nleft over 1.319e-6 kW", printed));
+    assert!(is_same("…\nforce  30.26 kN\n…", printed));
+    for wrong in [
+        "load  80 kN\n…\nleft over 1.466e-6 kW",
+        "load  80 kN\nforce  30.26 kN",
+        "force  30.26 kN\n…",
+        "load  80 kN\n\nleft over 1.319e-6 kW",
+        "",
+    ] {
+        assert!(!is_same(wrong, printed), "{wrong}");
+    }
 }

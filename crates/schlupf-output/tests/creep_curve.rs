@@ -416,3 +416,29 @@ fn the_mark_of_saturation_lies_on_its_curve() {
     let ([x0, y0], [x1, y1]) = (points[0], points[points.len() - 1]);
     assert!((y - y0 - (y1 - y0) * (x - x0) / (x1 - x0)).abs() < 0.1, "{x} {y} {points:?}");
 }
+
+/// A line has no bound: it leaves the picture and does not press the other curves down. Alone it
+/// sets the axis.
+#[test]
+fn a_line_does_not_set_the_axis_of_bounded_forces() {
+    let line = |curve: &mut CreepCurve| {
+        let slope = curve.initial_slope.as_ref().unwrap().force;
+        let force = |at: f64| Resultant::new(slope.x * at, slope.y * at, 0.0);
+        curve.points.iter_mut().for_each(|point| point.force = force(point.abscissa));
+        curve.maxima.clear();
+    };
+    let largest_tick = |family: &CurveFamily| -> f64 {
+        let svg = family.drawings().unwrap().remove(0).1;
+        assert!(svg.contains("clip-path"));
+        let texts = text_of(&svg);
+        texts.iter().filter_map(|text| text.parse().ok()).fold(0.0, f64::max)
+    };
+    let mut family = family_of(over_x(0.0, 0.05), &["one", "other"]);
+    family.members.iter_mut().for_each(|member| {
+        member.curve.points.iter_mut().for_each(|point| point.max_rise = None);
+    });
+    line(&mut family.members[1].curve);
+    assert!(largest_tick(&family) < 0.5, "{}", largest_tick(&family));
+    line(&mut family.members[0].curve);
+    assert!(largest_tick(&family) > 2.0, "{}", largest_tick(&family));
+}

@@ -327,14 +327,7 @@ fn the_rim_of_any_patch_is_smooth() {
     let rims = document.descendants().filter(is_rim);
     let rim = rims.filter_map(|node| node.attribute("stroke").and(node.attribute("d")));
     let rim = rim.max_by_key(|path| path.len()).unwrap();
-    let points: Vec<[f64; 2]> = rim
-        .split(['M', 'L'])
-        .filter(|point| !point.is_empty())
-        .map(|point| {
-            let mut numbers = point.split(' ').map(|number| number.parse::<f64>().unwrap());
-            [numbers.next().unwrap(), numbers.next().unwrap()]
-        })
-        .collect();
+    let points = points_of(rim.trim_end_matches('z'));
     let ends = |axis: usize| {
         let values = || points.iter().map(|point| point[axis]);
         [values().fold(f64::MAX, f64::min), values().fold(f64::MIN, f64::max)]
@@ -348,4 +341,80 @@ fn the_rim_of_any_patch_is_smooth() {
         let cells = 12.0 * (u.hypot(v) - 1.0);
         assert!(cells.abs() < 0.25, "{cells} at {u}, {v}");
     }
+}
+
+/// The curves of a drawing with a stroke colour, as points of the drawing.
+fn curves(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let is_curve = |node: &roxmltree::Node| {
+        node.attribute("fill") == Some("none") && node.attribute("stroke") == Some(color)
+    };
+    let paths = document.descendants().filter(is_curve).filter_map(|node| node.attribute("d"));
+    paths.map(points_of).collect()
+}
+
+fn points_of(path: &str) -> Vec<[f64; 2]> {
+    let points = path.split(['M', 'L']).filter(|point| !point.is_empty());
+    let numbers = points.map(|point| point.split(' ').map(|number| number.parse().unwrap()));
+    numbers.map(|mut n| [n.next().unwrap(), n.next().unwrap()]).collect()
+}
+
+/// Along y = 0 every curve reaches from the trailing to the leading edge, where the traction is
+/// zero, whether the rim is known exactly or from the covered parts of the cells.
+#[test]
+fn curves_of_the_cut_end_at_the_edges_of_the_patch() {
+    for is_elliptic in [true, false] {
+        let mut solution = solution(RECIPE);
+        if !is_elliptic {
+            solution.fields.pressure.iter_mut().for_each(|pressure| *pressure *= 0.8);
+        }
+        let drawings = drawings("", &solution).unwrap();
+        let cut = &drawings.iter().find(|(name, _)| name == "cut_y0").unwrap().1;
+        let document = roxmltree::Document::parse(cut).unwrap();
+        let plot = document
+            .descendants()
+            .find(|node| node.has_tag_name("rect") && node.attribute("fill") == Some("none"));
+        let number = |name: &str| plot.unwrap().attribute(name).unwrap().parse::<f64>().unwrap();
+        let [left, width] = ["x", "width"].map(number);
+        let blue = curves(cut, "#0072b2");
+        let green = curves(cut, "#009e73");
+        let [traction, slip, rise] = [&blue[0], &blue[1], &green[0]];
+        let height = |curve: &[[f64; 2]]| [curve[0][1], curve[curve.len() - 1][1]];
+        let [trailing, leading] = height(traction);
+        assert!((trailing - leading).abs() < 0.02);
+        assert!(traction.iter().all(|point| point[1] <= trailing + 0.02));
+        let ends = |curve: &[[f64; 2]]| [curve[0][0], curve[curve.len() - 1][0]];
+        let [a, cell] = [RECIPE.semi_axes[0], solution.fields.grid.spacing_x];
+        let range = if is_elliptic { 2.12 * a } else { 1.06 * (2.0 * a + 4.0 * cell) };
+        for curve in [traction, slip, rise] {
+            let along = ends(curve).map(|x| ((x - left) / width - 0.5) * range);
+            // The strip is as high as a cell, and its edges are their means over it.
+            assert!(
+                (along[0] + a).abs() < 0.02 * a && (along[1] - a).abs() < 0.02 * a,
+                "{along:?}"
+            );
+        }
+    }
+}
+
+/// Where everything slides, the traction is the bound, and both are seen.
+#[test]
+fn the_bound_is_seen_beneath_the_traction() {
+    let drawings = drawings("", &solution(Recipe { stick: 0.0, ..RECIPE })).unwrap();
+    let cut = &drawings.iter().find(|(name, _)| name == "cut_y0").unwrap().1;
+    let document = roxmltree::Document::parse(cut).unwrap();
+    let curve = |color: &str| {
+        let mut drawn =
+            document.descendants().filter(|node| node.attribute("fill") == Some("none"));
+        drawn.find(|node| node.attribute("stroke") == Some(color)).unwrap()
+    };
+    let [bound, traction] = ["#c6c6c6", "#0072b2"].map(curve);
+    let points = |curve: roxmltree::Node| points_of(curve.attribute("d").unwrap());
+    for (one, other) in points(bound).iter().zip(points(traction)) {
+        assert!((one[0] - other[0]).abs() < 0.1 && (one[1] - other[1]).abs() < 1.0);
+    }
+    let width = |curve: roxmltree::Node| -> f64 {
+        curve.attribute("stroke-width").unwrap().parse().unwrap()
+    };
+    assert!(width(bound) > 2.0 * width(traction));
 }

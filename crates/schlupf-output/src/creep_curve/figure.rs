@@ -65,6 +65,8 @@ struct Picture<'a> {
     x: [f64; 2],
     /// Colour of each member.
     colors: Vec<String>,
+    /// Whether each member is a line among bent curves.
+    are_lines: Vec<bool>,
     /// The main component of the force, and the other one if it is visible.
     components: Vec<Component>,
 }
@@ -83,7 +85,14 @@ impl<'a> Picture<'a> {
         let abscissa = family.abscissa()?;
         let [from, to] = family.members.first()?.curve.path.range();
         let x = [from.min(to), from.max(to)];
-        let mut picture = Self { family, abscissa, x, colors: colors(family), components: vec![] };
+        let mut picture = Self {
+            family,
+            abscissa,
+            x,
+            colors: colors(family),
+            are_lines: lines_among_curves(family),
+            components: vec![],
+        };
         let [main, other] = components(abscissa);
         let largest = |component: &Component| picture.largest(|point| component.of(&point.force));
         let [of_main, of_other] = [largest(&main), largest(&other)];
@@ -184,6 +193,7 @@ impl<'a> Picture<'a> {
         }
         let mut panel = MarkedPanel {
             panel: Panel { label, height: 330.0, curves },
+            are_lines: self.are_lines.repeat(self.components.len()),
             tangents: self.tangents(|member, force| main.of(force) / member.curve.normal.load),
             dots: Vec::new(),
             crosses: self
@@ -255,6 +265,7 @@ impl<'a> Picture<'a> {
         });
         MarkedPanel {
             panel: Panel { label: label.to_owned(), height: 180.0, curves: curves.collect() },
+            are_lines: self.are_lines.clone(),
             tangents: Vec::new(),
             dots: Vec::new(),
             crosses: self.failures(|_, point| value(point)),
@@ -297,6 +308,27 @@ fn colors(family: &CurveFamily) -> Vec<String> {
         return color::unordered(count);
     }
     color::series(count)
+}
+
+/// Which members are lines while the forces of others are bounded by friction; none if all are.
+fn lines_among_curves(family: &CurveFamily) -> Vec<bool> {
+    let lines: Vec<bool> = family.members.iter().map(|member| is_line(&member.curve)).collect();
+    if lines.contains(&false) { lines } else { vec![false; lines.len()] }
+}
+
+/// Whether all forces are those of the initial slope.
+fn is_line(curve: &CreepCurve) -> bool {
+    /// Of the largest force.
+    const ROUNDING: f64 = 1e-9;
+    let zero = curve.points.iter().find(|point| point.abscissa == 0.0);
+    let (Some(slope), Some(zero)) = (&curve.initial_slope, zero) else { return false };
+    let largest = curve.points.iter().map(|point| point.force.x.hypot(point.force.y));
+    let least = ROUNDING * largest.fold(0.0, f64::max);
+    curve.points.iter().all(|Point { abscissa, force, .. }| {
+        let x = force.x - zero.force.x - slope.force.x * abscissa;
+        let y = force.y - zero.force.y - slope.force.y * abscissa;
+        x.hypot(y) <= least
+    })
 }
 
 /// The component along the abscissa, and the transverse one.
@@ -396,6 +428,8 @@ struct Dot {
 /// A panel with the marks on its curves.
 struct MarkedPanel {
     panel: Panel,
+    /// Whether each curve is a line that may leave the picture.
+    are_lines: Vec<bool>,
     tangents: Vec<Tangent>,
     dots: Vec<Dot>,
     crosses: Vec<[f64; 2]>,
@@ -439,14 +473,18 @@ impl MarkedPanel {
         }
     }
 
-    /// Range of the curves including zero, with some margin for the marks.
+    /// Range of the curves including zero, with some margin for the marks; of a line, only where it
+    /// begins.
     fn range(&self) -> [f64; 2] {
         const ROOM: f64 = 0.05;
-        let values = || self.panel.curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);
-        let finite = || values().filter(|value| value.is_finite());
+        let curves = self.panel.curves.iter().zip(&self.are_lines);
+        let points = curves.flat_map(|(curve, is_line)| {
+            curve.points.iter().filter(move |point| !is_line || point[0] == 0.0)
+        });
+        let finite = || points.clone().map(|point| point[1]).filter(|value| value.is_finite());
         let [low, high] = [finite().fold(0.0, f64::min), finite().fold(0.0, f64::max)];
         let room = ROOM * (high - low);
-        let [below, above] = self.panel.range();
+        let [below, above] = self.panel.range_around([low, high]);
         [
             if low < 0.0 { below.min(low - room) } else { below },
             if high > 0.0 { above.max(high + room) } else { above },
@@ -465,7 +503,9 @@ impl MarkedPanel {
             let [from, to] = tangent.within(frame).map(|point| frame.at(point));
             drawing.line(from, to, &tangent_stroke(&tangent.color));
         }
+        drawing.begin_clip(&frame.area());
         self.panel.draw_curves(drawing, frame);
+        drawing.end_group();
         for dot in &self.dots {
             marks::dot(drawing, frame.at(dot.at), &Dot::style(&dot.color, dot.hollow));
         }

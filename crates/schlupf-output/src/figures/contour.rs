@@ -2,11 +2,9 @@
 
 use schlupf::grid::Grid;
 
+use super::chain::{Chain, Crossing, chains};
 use super::patch::Patch;
-use super::sampler::SLIVER;
-
-/// A piece of a border, in m.
-pub(crate) type Segment = [[f64; 2]; 2];
+use super::run::SLIVER;
 
 /// Criterion for sliding: a value for each contact cell that exceeds a level where the cell slides.
 #[derive(Debug)]
@@ -43,7 +41,7 @@ pub(crate) fn sliding(patch: &Patch) -> Sliding {
 }
 
 /// The border between stick and slip.
-pub(crate) fn stick_border(patch: &Patch) -> Vec<Segment> {
+pub(crate) fn stick_border(patch: &Patch) -> Vec<Chain> {
     let Sliding { values, level } = sliding(patch);
     contour(patch, &values, level)
 }
@@ -71,47 +69,56 @@ fn used_friction(patch: &Patch) -> Vec<f64> {
         .collect()
 }
 
-/// The rim of a patch that is no ellipse: where half of a cell would be covered.
-pub(crate) fn outline(patch: &Patch) -> Vec<Segment> {
-    Padded::openness(patch).squares(HALF).flat_map(crossings).collect()
-}
-
-/// The inside of the same rim, as polygons.
-pub(crate) fn inside(patch: &Patch) -> Vec<Vec<[f64; 2]>> {
-    let field = Padded::openness(patch);
-    field.squares(HALF).map(below).filter(|polygon| polygon.len() > 2).collect()
+/// The rim of a patch that is no ellipse: where half of a cell would be covered. All of its chains
+/// are closed.
+pub(crate) fn outline(patch: &Patch) -> Vec<Chain> {
+    chains(&Padded::openness(patch).squares(HALF).flat_map(crossings).collect::<Vec<_>>())
 }
 
 /// Level of the rim: what is less open than this is inside.
 const HALF: f64 = 0.5;
 
 /// The contour of a field between the cell centres, extended over the rim of the patch.
-fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Segment> {
-    Padded::new(patch, values).squares(level).flat_map(crossings).collect()
+fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Chain> {
+    chains(&Padded::new(patch, values).squares(level).flat_map(crossings).collect::<Vec<_>>())
 }
 
-/// The corners of a square between four cell centres, with their values above a level.
-type Square = [([f64; 2], f64); 4];
+/// A corner of a square between four cell centres.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    /// Its number on the grid.
+    node: usize,
+    /// Its position, in m.
+    at: [f64; 2],
+    /// Value of the field above a level.
+    value: f64,
+}
 
-/// Point where the contour crosses the edge of a square that begins at a corner.
-fn crossing(corners: &Square, index: usize) -> Option<[f64; 2]> {
-    let ((p, f), (q, g)) = (corners[index], corners[(index + 1) % 4]);
+/// The corners of a square in order.
+type Square = [Corner; 4];
+
+/// Place where the contour crosses the edge of a square that begins at a corner.
+fn crossing(corners: &Square, index: usize) -> Option<Crossing> {
+    let (one, other) = (corners[index], corners[(index + 1) % 4]);
+    let (f, g) = (one.value, other.value);
     let share = f / (f - g);
-    let point = [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])];
-    ((f >= 0.0) != (g >= 0.0)).then_some(point)
+    let at = [0, 1].map(|axis| one.at[axis] + share * (other.at[axis] - one.at[axis]));
+    let edge = [one.node.min(other.node), one.node.max(other.node)];
+    ((f >= 0.0) != (g >= 0.0)).then_some(Crossing { edge, at })
 }
 
-/// Points where the contour crosses the edges of a square, joined in pairs.
-fn crossings(corners: Square) -> Vec<Segment> {
-    let points: Vec<[f64; 2]> = (0..4).filter_map(|index| crossing(&corners, index)).collect();
-    points.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
+/// Places where the contour crosses the edges of a square, joined in pairs.
+fn crossings(corners: Square) -> Vec<[Crossing; 2]> {
+    let places: Vec<Crossing> = (0..4).filter_map(|index| crossing(&corners, index)).collect();
+    places.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 /// The part of a square below the level.
 fn below(corners: Square) -> Vec<[f64; 2]> {
     let of_edge = |index: usize| {
-        let (corner, value) = corners[index];
-        (value < 0.0).then_some(corner).into_iter().chain(crossing(&corners, index))
+        let Corner { at, value, .. } = corners[index];
+        let crossing = crossing(&corners, index).map(|crossing| crossing.at);
+        (value < 0.0).then_some(at).into_iter().chain(crossing)
     };
     (0..4).flat_map(of_edge).collect()
 }
@@ -147,7 +154,8 @@ impl<'a> Padded<'a> {
     /// All squares between four known values, relative to a level.
     fn squares(&self, level: f64) -> impl Iterator<Item = Square> {
         let corner = move |i: usize, j: usize| {
-            self.value(i, j).map(|value| (self.position(i, j), value - level))
+            let (node, at) = (j * self.columns + i, self.position(i, j));
+            self.value(i, j).map(|value| Corner { node, at, value: value - level })
         };
         let columns = self.columns;
         let places = (1..self.rows).flat_map(move |j| (1..columns).map(move |i| [i, j]));

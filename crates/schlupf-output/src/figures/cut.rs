@@ -9,6 +9,7 @@ use super::marks::{self, HEADING};
 use super::panels::{Curve, Panel, Stack};
 use super::patch::Patch;
 use super::quantity::scaled;
+use super::run::{Run, runs};
 use super::sampler::Sampler;
 use super::units;
 
@@ -83,7 +84,7 @@ impl<'a> Cut<'a> {
         if self.patch.elliptic {
             self.across_ellipse(values, vanishes_at_rim)
         } else {
-            self.through_cells(values)
+            self.through_cells(values, vanishes_at_rim)
         }
     }
 
@@ -98,16 +99,13 @@ impl<'a> Cut<'a> {
             .collect()
     }
 
-    /// At the cells of the strip on the line.
-    fn through_cells(&self, values: &[f64]) -> Vec<[f64; 2]> {
-        let grid = &self.patch.fields().grid;
-        let row = self.row();
-        (0..grid.columns)
-            .map(|column| {
-                let cell = self.patch.cell(column, row);
-                [grid.x(column) / 1e-3, cell.map_or(f64::NAN, |cell| values[cell])]
-            })
-            .collect()
+    /// At the cells on the line and the edges of the patch.
+    fn through_cells(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<[f64; 2]> {
+        let profile = |run: &Run| run.profile(self.patch, values, vanishes_at_rim);
+        let runs = runs(self.patch, self.row());
+        let profiles = runs.iter().map(profile).collect::<Vec<_>>();
+        let points = profiles.join(&[f64::NAN; 2]);
+        points.into_iter().map(|[x, value]| [x / 1e-3, value]).collect()
     }
 
     /// Ranges of x in which the line sticks, in mm.
@@ -146,10 +144,11 @@ fn tractions(cut: &Cut) -> Panel {
     let [x, y] = [on_rail(&fields.traction_x), on_rail(&fields.traction_y)];
     let largest = bound.iter().copied().fold(0.0, f64::max);
     let below = |values: &[f64], share: f64| values.iter().any(|v| *v < -share * largest);
-    let mut curves = vec![Curve::dashed(cut.along(&bound, true), "#444444", "bound $μ$ $p$_n")];
+    // Wide and pale, so that both are visible where the traction reaches it.
+    let mut curves = vec![Curve::pale(cut.along(&bound, true), "bound $μ$ $p$_n")];
     if below(&x, 0.2) || below(&y, 0.2) {
         let negative: Vec<f64> = bound.iter().map(|b| -b).collect();
-        curves.push(Curve::dashed(cut.along(&negative, true), "#444444", ""));
+        curves.push(Curve::pale(cut.along(&negative, true), ""));
     }
     curves.push(Curve::solid(cut.along(&x, true), BLUE, "\u{2212}$t$_x"));
     curves.push(Curve::solid(cut.along(&y, true), VERMILION, "\u{2212}$t$_y"));
@@ -172,17 +171,22 @@ fn slip(cut: &Cut) -> Panel {
 
 /// `None` if there is no heat.
 fn temperature(cut: &Cut) -> Option<Panel> {
-    let [wheel, rail] = &cut.patch.surface_temperatures();
-    let hot = |field: &[f64]| field.iter().any(|t| *t != 0.0 && t.is_finite());
-    let curves = if wheel == rail {
-        vec![Curve::solid(cut.along(wheel, false), GREEN, "wheel and rail")]
-    } else {
-        vec![
-            Curve::solid(cut.along(wheel, false), GREEN, "wheel"),
-            Curve::dashed(cut.along(rail, false), GREEN, "rail"),
-        ]
+    let fields = cut.patch.fields();
+    let rises = [&fields.temperature_rise_wheel, &fields.temperature_rise_rail];
+    let hot = |field: &Vec<f64>| field.iter().any(|t| *t != 0.0 && t.is_finite());
+    let bulks = cut.patch.different_bulks();
+    let above = |rise: &[f64], bulk: f64| -> Vec<[f64; 2]> {
+        cut.along(rise, false).into_iter().map(|[x, rise]| [x, bulk + rise]).collect()
     };
-    let is_rise = cut.patch.different_bulks().is_none();
-    let label = if is_rise { "temperature rise (K)" } else { "temperature (°C)" }.to_owned();
-    (hot(wheel) || hot(rail)).then_some(Panel { label, height: 150.0, curves })
+    let [of_wheel, of_rail] = bulks.unwrap_or_default();
+    let [wheel, rail] = [above(rises[0], of_wheel), above(rises[1], of_rail)];
+    let [on_wheel, on_rail] = cut.patch.surface_temperatures();
+    let curves = if on_wheel == on_rail {
+        vec![Curve::solid(wheel, GREEN, "wheel and rail")]
+    } else {
+        vec![Curve::solid(wheel, GREEN, "wheel"), Curve::dashed(rail, GREEN, "rail")]
+    };
+    let label =
+        if bulks.is_none() { "temperature rise (K)" } else { "temperature (°C)" }.to_owned();
+    rises.into_iter().any(hot).then_some(Panel { label, height: 150.0, curves })
 }

@@ -46,6 +46,12 @@ impl Frame {
         self.corner[0] + self.size[0]
     }
 
+    /// The plot area as an SVG element, to clip to.
+    pub(crate) fn area(&self) -> String {
+        let ([x, y], [width, height]) = (self.corner, self.size);
+        format!(r#"<rect x="{x:.2}" y="{y:.2}" width="{width:.2}" height="{height:.2}"/>"#)
+    }
+
     /// Grid lines at the ticks, to be drawn first.
     pub(crate) fn draw_grid(&self, drawing: &mut Drawing) {
         for tick in self.x_ticks() {

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use super::chain::Chain;
 use super::color::{ColorScale, paint};
-use super::contour::{Segment, inside, outline, stick_border, sticking};
+use super::contour::{outline, stick_border, sticking};
 use super::frame::Frame;
 use super::marks::{self, Entry, HEADING, Sample};
 use super::patch::Patch;
@@ -57,7 +58,7 @@ pub(crate) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) 
     begin_patch_clip(&mut drawing, patch, frame);
     drawing.path(&polygons_path(frame, &sticking(patch)), HATCHED);
     for stroke in BORDER {
-        drawing.path(&segments_path(frame, &border), stroke);
+        drawing.path(&chains_path(frame, &border), stroke);
     }
     drawing.end_group();
     if let Some(arrows) = arrows {
@@ -87,10 +88,15 @@ impl Layout {
     fn new(patch: &Patch) -> Self {
         const LARGEST: [f64; 2] = [600.0, 520.0];
         const LEAST_HEIGHT: f64 = 200.0;
+        /// A narrower patch may be longer, so that arrows fit, up to a factor.
+        const NARROWEST: f64 = 100.0;
+        const LONGER: f64 = 1.7;
         const BAR: f64 = 150.0;
         let ranges = ranges(patch).map(|range| range.map(|end| end / MILLIMETRE));
         let spans = ranges.map(|[low, high]| high - low);
         let scale = (LARGEST[0] / spans[0]).min(LARGEST[1] / spans[1]);
+        let narrow = spans[0].min(spans[1]) * scale;
+        let scale = scale * (NARROWEST / narrow).clamp(1.0, LONGER);
         let size = spans.map(|span| span * scale);
         let width = (84.0 + size[0] + BAR).max(640.0);
         let left = 84.0 + 0.5 * (width - 84.0 - size[0] - BAR);
@@ -197,8 +203,8 @@ fn begin_patch_clip(drawing: &mut Drawing, patch: &Patch, frame: &Frame) {
         drawing.begin_clip(&ellipse(patch, frame, ""));
         return;
     }
-    let path = polygons_path(frame, &inside(patch));
-    drawing.begin_clip(&format!(r#"<path d="{path}"/>"#));
+    let path = chains_path(frame, &outline(patch));
+    drawing.begin_clip(&format!(r#"<path d="{path}" clip-rule="evenodd"/>"#));
 }
 
 fn ellipse(patch: &Patch, frame: &Frame, style: &str) -> String {
@@ -212,27 +218,33 @@ fn draw_rim(drawing: &mut Drawing, patch: &Patch, frame: &Frame) {
     if patch.elliptic {
         drawing.shape(&ellipse(patch, frame, RIM));
     } else {
-        drawing.path(&segments_path(frame, &outline(patch)), RIM);
+        drawing.path(&chains_path(frame, &outline(patch)), RIM);
     }
 }
 
-fn segments_path(frame: &Frame, segments: &[Segment]) -> String {
-    let place = |point: [f64; 2]| frame.at([point[0] / MILLIMETRE, point[1] / MILLIMETRE]);
-    segments.iter().map(|segment| open_path(&segment.map(place))).collect()
+fn chains_path(frame: &Frame, chains: &[Chain]) -> String {
+    let end = |chain: &Chain| if chain.is_closed { "z" } else { "" };
+    chains.iter().map(|chain| path(frame, &chain.points) + end(chain)).collect()
 }
 
 fn polygons_path(frame: &Frame, polygons: &[Vec<[f64; 2]>]) -> String {
-    let place = |point: &[f64; 2]| frame.at([point[0] / MILLIMETRE, point[1] / MILLIMETRE]);
-    let path =
-        |polygon: &Vec<[f64; 2]>| open_path(&polygon.iter().map(place).collect::<Vec<_>>()) + "z";
-    polygons.iter().map(path).collect()
+    polygons.iter().map(|polygon| path(frame, polygon) + "z").collect()
+}
+
+/// A line through points in m.
+fn path(frame: &Frame, points: &[[f64; 2]]) -> String {
+    let place = |point: &[f64; 2]| frame.at(point.map(|coordinate| coordinate / MILLIMETRE));
+    open_path(&points.iter().map(place).collect::<Vec<_>>())
 }
 
 /// Arrows on a lattice about the centre, the longest almost as long as their spacing, which is
-/// smaller where the patch is slender.
+/// smaller where the patch is slender. Those that would touch the rim are omitted.
 fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arrows) {
     const SPACINGS: [f64; 2] = [20.0, 36.0];
     const ACROSS: f64 = 3.4;
+    /// Half the length of the longest arrow over the spacing; what must be inside the patch.
+    const HALF: f64 = 0.45;
+    const CLEAR: f64 = 0.55;
     let narrow = frame.size[0].min(frame.size[1]);
     let spacing = (narrow / ACROSS).clamp(SPACINGS[0], SPACINGS[1]);
     let largest = arrows.x.iter().zip(&arrows.y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
@@ -251,27 +263,23 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
     for place in steps(1).flat_map(|y| steps(0).map(move |x| [x, y])) {
         let normalised = [place[0] / a, place[1] / b];
         let vector = [x.value(normalised) / largest, y.value(normalised) / largest];
-        if !patch.contains(place) || vector[0].hypot(vector[1]) < 0.08 {
+        if vector[0].hypot(vector[1]) < 0.08 {
             continue;
         }
-        let half = [0, 1].map(|i| 0.45 * spacing * vector[i] / frame.scale()[i] * MILLIMETRE);
-        let [tail, tip] = [-1.0, 1.0].map(|sign| {
-            let end = end_inside(patch, place, half.map(|part| sign * part));
-            frame.at(end.map(|coordinate| coordinate / MILLIMETRE))
-        });
-        path += &marks::arrow(tail, tip, 0.25 * spacing);
+        let along = |share: f64| {
+            let shift = |i: usize| share * spacing * vector[i] / frame.scale()[i] * MILLIMETRE;
+            [place[0] + shift(0), place[1] + shift(1)]
+        };
+        if [-CLEAR, CLEAR].into_iter().all(|share| patch.contains(along(share))) {
+            let [tail, tip] =
+                [-HALF, HALF].map(|share| frame.at(along(share).map(|c| c / MILLIMETRE)));
+            path += &marks::arrow(tail, tip, 0.25 * spacing);
+        }
     }
     drawing.path(&path, ARROW);
 }
 
-/// The end of half an arrow from a point (all in m), shortened where it would leave the patch.
-fn end_inside(patch: &Patch, place: [f64; 2], half: [f64; 2]) -> [f64; 2] {
-    let at = |share: f64| [place[0] + share * half[0], place[1] + share * half[1]];
-    let shares = (0..=10).rev().map(|tenth| f64::from(tenth) / 10.0);
-    shares.map(at).find(|end| patch.contains(*end)).unwrap_or(place)
-}
-
-fn entries(border: &[Segment], arrows: Option<&Arrows>) -> Vec<Entry> {
+fn entries(border: &[Chain], arrows: Option<&Arrows>) -> Vec<Entry> {
     let mut entries =
         vec![Entry { sample: Sample::Line(vec![RIM.to_owned()]), text: "contact".to_owned() }];
     if !border.is_empty() {

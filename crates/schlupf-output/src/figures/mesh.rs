@@ -1,5 +1,7 @@
 //! The surface of a field over the patch, as polygons.
 
+use schlupf::grid::BORDER;
+
 use super::patch::Patch;
 use super::sampler::Sampler;
 
@@ -47,23 +49,29 @@ impl Facet {
     }
 }
 
-/// Meshes along each side: as many as can be distinguished, and an even number, for a node in the
+/// Meshes along a side: as many as can be distinguished, and an even number, for a node in the
 /// middle.
 const MESHES: usize = 40;
 
-/// Extent of a surface: ±1 for a Hertzian patch, otherwise the grid; normalised by a and b.
+/// The same along x and y; more where a patch may be of several parts, so that each has enough.
+fn meshes(patch: &Patch) -> [usize; 2] {
+    let grid = &patch.fields().grid;
+    let along = |cells: usize| cells.next_multiple_of(2).clamp(MESHES, 2 * MESHES);
+    if patch.elliptic { [MESHES; 2] } else { [grid.columns, grid.rows].map(along) }
+}
+
+/// Extent of a surface: ±1 for a Hertzian patch, otherwise the grid with a border all around, on
+/// which the foot of the surface is seen; normalised by a and b.
 pub(crate) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
     if patch.elliptic {
         return [[-1.0, 1.0]; 2];
     }
     let grid = &patch.fields().grid;
     let [a, b] = patch.semi_axes();
+    let border = BORDER as f64 * grid.spacing_y;
     [
         [grid.edge_x(0) / a, grid.edge_x(grid.columns) / a],
-        [
-            (grid.edge_y(0) - 0.5 * grid.spacing_y) / b,
-            (grid.edge_y(grid.rows) + 0.5 * grid.spacing_y) / b,
-        ],
+        [(grid.edge_y(0) - border) / b, (grid.edge_y(grid.rows) + border) / b],
     ]
 }
 
@@ -71,12 +79,15 @@ pub(crate) fn extent(patch: &Patch) -> [[f64; 2]; 2] {
 /// ellipse and drops from there to its base.
 pub(crate) fn facets(patch: &Patch, sampler: &Sampler, base: f64) -> Vec<Facet> {
     let [x, y] = extent(patch);
-    let node = |range: [f64; 2], index: usize| between(range, index, MESHES);
+    let [columns, rows] = meshes(patch);
     let height = |place: [f64; 2]| [place[0], place[1], sampler.value(place)];
     let mut facets = Vec::new();
-    for j in 0..MESHES {
-        for i in 0..MESHES {
-            let mesh = [[node(x, i), node(x, i + 1)], [node(y, j), node(y, j + 1)]];
+    for j in 0..rows {
+        for i in 0..columns {
+            let mesh = [
+                [i, i + 1].map(|i| between(x, i, columns)),
+                [j, j + 1].map(|j| between(y, j, rows)),
+            ];
             for square in parts(mesh, patch.elliptic) {
                 if patch.elliptic {
                     facets.extend(rim_facets(square, mesh, (base, height)));

@@ -4,6 +4,7 @@
 //! The surfaces and the section show the traction on the rail, −t, as in Neuhaus and Sextro (2014);
 //! so do the arrows of the maps. Quantities that are zero everywhere have no figure.
 
+mod chain;
 pub(crate) mod color;
 mod contour;
 mod cut;
@@ -19,6 +20,7 @@ mod patch;
 mod projection;
 mod quantity;
 mod raster;
+mod run;
 mod sampler;
 pub(crate) mod smooth;
 mod surface;

@@ -35,6 +35,12 @@ impl Curve {
         values.filter(|value| value.is_finite()).fold(0.0, f64::max)
     }
 
+    /// A wide pale curve, which is seen beneath a solid one, too.
+    pub(crate) fn pale(points: Vec<[f64; 2]>, text: &str) -> Self {
+        let stroke = r##"stroke="#c6c6c6" stroke-width="6.5" stroke-linejoin="round""##.to_owned();
+        Self { points, stroke, text: text.to_owned() }
+    }
+
     /// A dashed curve.
     pub(crate) fn dashed(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
         let stroke = format!(r#"stroke="{color}" stroke-width="1.6" stroke-dasharray="7 4""#);
@@ -180,14 +186,13 @@ impl Panel {
 
     /// Range of its curves including zero, slightly widened.
     pub(crate) fn range(&self) -> [f64; 2] {
-        let values = || {
-            self.curves
-                .iter()
-                .flat_map(|curve| &curve.points)
-                .map(|point| point[1])
-                .filter(|value| value.is_finite())
-        };
-        let [low, high] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
+        let points = self.curves.iter().flat_map(|curve| &curve.points);
+        let values = points.map(|point| point[1]).filter(|value| value.is_finite());
+        self.range_around([values.clone().fold(0.0, f64::min), values.fold(0.0, f64::max)])
+    }
+
+    /// A range slightly widened.
+    pub(crate) fn range_around(&self, [low, high]: [f64; 2]) -> [f64; 2] {
         let margin = 0.04 * (high - low);
         let about = ((self.height / 45.0) as usize).clamp(2, 8);
         let ([below, above], _) = round_axis(low, high, about);

@@ -82,7 +82,8 @@ impl<'a> Patch<'a> {
         self.cell_at[grid.index(column, row)]
     }
 
-    /// Whether a point (in m) is in contact.
+    /// Whether a point (in m) is in contact; where the rim is not known exactly, whether half of
+    /// its cell is.
     pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
         if self.elliptic {
             let [a, b] = self.semi_axes();
@@ -91,7 +92,10 @@ impl<'a> Patch<'a> {
         let grid = &self.fields().grid;
         let column = (x - grid.origin_x) / grid.spacing_x;
         let row = (y - grid.origin_y) / grid.spacing_y;
-        column >= 0.0 && row >= 0.0 && self.cell(column as usize, row as usize).is_some()
+        let is_covered = |cell: usize| self.fields().covered[cell] >= 0.5;
+        column >= 0.0
+            && row >= 0.0
+            && self.cell(column as usize, row as usize).is_some_and(is_covered)
     }
 
     /// √(1 − x²/a² − y²/b²), the shape of the Hertzian pressure; zero outside. Dimensionless; the

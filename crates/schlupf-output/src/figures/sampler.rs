@@ -1,6 +1,7 @@
 //! Interpolation of a field between the cells, for a smooth surface over the patch.
 
 use super::patch::Patch;
+use super::run::{extend, without_slivers};
 
 /// A field that can be evaluated anywhere; positions are normalised by a and b.
 #[derive(Debug)]
@@ -49,9 +50,6 @@ pub(crate) struct Strips {
     times_ellipsoid: bool,
 }
 
-/// Covered fraction below which a cell is skipped.
-pub(crate) const SLIVER: f64 = 0.25;
-
 #[derive(Debug)]
 struct Strip {
     /// Normalised by b.
@@ -98,24 +96,22 @@ impl Strip {
     fn new(patch: &Patch, values: &[f64], row: usize) -> Option<Self> {
         let fields = patch.fields();
         let [a, b] = patch.semi_axes();
-        let mut cells: Vec<usize> =
+        let cells: Vec<usize> =
             (0..fields.grid.columns).filter_map(|column| patch.cell(column, row)).collect();
-        // A sliver at the rim carries little information, and its small numbers scatter.
-        if cells.iter().any(|&cell| fields.covered[cell] > SLIVER) {
-            cells.retain(|&cell| fields.covered[cell] > SLIVER);
-        }
+        let cells = without_slivers(patch, &cells);
         let covered: f64 = cells.iter().map(|&cell| fields.covered[cell]).sum();
         let moment: f64 = cells.iter().map(|&cell| fields.covered[cell] * fields.y[cell]).sum();
         let y = moment / covered / b;
-        let knots: Vec<[f64; 2]> = cells
+        let mut knots: Vec<[f64; 2]> = cells
             .iter()
             .map(|&cell| [fields.x[cell] / a / half_chord(y), values[cell]])
             .filter(|knot| knot.iter().all(|number| number.is_finite()))
             .collect();
+        extend(&mut knots, [-1.0, 1.0]);
         (y.is_finite() && !knots.is_empty()).then_some(Self { y, knots })
     }
 
-    /// Linear between the knots, constant beyond the outermost ones.
+    /// Linear between the knots.
     fn value(&self, place: f64) -> f64 {
         let above = self.knots.partition_point(|knot| knot[0] < place);
         let upper = self.knots[above.min(self.knots.len() - 1)];

@@ -18,7 +18,7 @@ const STRENGTHS: [f64; 3] = [1.0, 0.6, 0.35];
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(temperatures: &Temperatures) -> Option<String> {
     let stacks = [row(temperatures)?, profile(temperatures)?];
-    let top = HEADING + 40.0;
+    let top = HEADING + 54.0;
     let heights = stacks.each_ref().map(Stack::plot_height);
     let below = top + heights[0] + GAP + AXIS;
     let mut drawing = Drawing::new(WIDTH, below + heights[1] + AXIS);
@@ -46,9 +46,9 @@ fn heading(drawing: &mut Drawing, temperatures: &Temperatures) {
 fn row(temperatures: &Temperatures) -> Option<Stack<'static>> {
     let mut curves = Vec::new();
     for (row, strength) in temperatures.rows.iter().zip(STRENGTHS) {
-        let deep = format!("{} µm deep", short((row.depth / 1e-6).round()));
-        let names = if row.depth == 0.0 { ["wheel", "rail"] } else { [deep.as_str(), ""] };
-        curves.extend(both(&row.line, strength, names));
+        let depth = format!(", {} µm deep", short((row.depth / 1e-6).round()));
+        let depth = if row.depth == 0.0 { "" } else { &depth };
+        curves.extend(both(&row.line, strength, depth));
     }
     let [entry, exit] = temperatures.request.passage.map(|x| x / 1e-3);
     Some(Stack {
@@ -66,7 +66,7 @@ fn profile(temperatures: &Temperatures) -> Option<Stack<'static>> {
     Some(Stack {
         x: range(line)?,
         label: "depth (mm)",
-        panels: vec![panel(both(line, 1.0, ["wheel", "rail"]).into())],
+        panels: vec![panel(both(line, 1.0, "").into())],
         shaded: Vec::new(),
         shading: "",
     })
@@ -82,8 +82,8 @@ fn range(line: &Line) -> Option<[f64; 2]> {
     (start < end && start.is_finite() && end.is_finite()).then_some([start, end])
 }
 
-/// Wheel and rail; the rail is dashed, so that both are visible where they coincide.
-fn both(line: &Line, strength: f64, names: [&str; 2]) -> [Curve; 2] {
+/// Wheel and rail at a depth; the rail is dashed, so that both are visible where they coincide.
+fn both(line: &Line, strength: f64, depth: &str) -> [Curve; 2] {
     let points = |values: &[f64]| -> Vec<[f64; 2]> {
         line.position.iter().zip(values).map(|(at, value)| [at / 1e-3, *value]).collect()
     };
@@ -92,7 +92,7 @@ fn both(line: &Line, strength: f64, names: [&str; 2]) -> [Curve; 2] {
         ..curve
     };
     [
-        faded(Curve::solid(points(&line.wheel), VERMILION, names[0])),
-        faded(Curve::dashed(points(&line.rail), BLUE, names[1])),
+        faded(Curve::solid(points(&line.wheel), VERMILION, &format!("wheel{depth}"))),
+        faded(Curve::dashed(points(&line.rail), BLUE, &format!("rail{depth}"))),
     ]
 }
