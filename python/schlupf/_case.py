@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._fields import FIELDS, SECTIONS, Field
+from ._laws import LARGEST, Law, checked, sampled
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -153,25 +154,28 @@ class Case:
     60000.0
     """
 
-    __slots__ = ("_file", "_folder")
+    __slots__ = ("_file", "_folder", "_laws")
     _file: _core.CaseFile
     _folder: Path
+    #: Arguments of `with_laws`.
+    _laws: dict[str, Any]
 
     def __init__(self, title: str | None = None, **sections: Mapping[str, Any]) -> None:
         values: dict[str, Any] = dict(sections)
         if title is not None:
             values["title"] = title
         folder = Path()
-        self._set(_core.CaseFile("", "Case", folder, list(assignments(values))), folder)
+        self._set(_core.CaseFile("", "Case", folder, list(assignments(values))), folder, {})
 
-    def _set(self, file: _core.CaseFile, folder: Path) -> None:
+    def _set(self, file: _core.CaseFile, folder: Path, laws: dict[str, Any]) -> None:
         object.__setattr__(self, "_file", file)
         object.__setattr__(self, "_folder", folder)
+        object.__setattr__(self, "_laws", laws)
 
     @classmethod
-    def _of(cls, file: _core.CaseFile, folder: Path) -> Case:
+    def _of(cls, file: _core.CaseFile, folder: Path, laws: dict[str, Any] | None = None) -> Case:
         case = cls.__new__(cls)
-        case._set(file, folder)
+        case._set(file, folder, laws or {})
         return case
 
     @classmethod
@@ -209,7 +213,57 @@ class Case:
 
     def with_(self, **sections: Any) -> Case:
         """The same case with other fields; `None` takes a field out."""
-        return self._of(self._file.with_fields(list(assignments(sections))), self._folder)
+        file = self._file.with_fields(list(assignments(sections)))
+        return self._of(file, self._folder, self._laws)
+
+    def with_laws(
+        self,
+        *,
+        friction: Law | None = None,
+        pressure: Law | None = None,
+        extent: tuple[tuple[float, float], tuple[float, float]] | None = None,
+        partition: Law | None = None,
+    ) -> Case:
+        """The same case with functions in place of its laws.
+
+        They are called with arrays of equal shape and return such an array; an exception that they
+        raise is that of the call that solves. This is the slow path: a solution calls the friction
+        law some ten to a hundred thousand times, each of which takes microseconds.
+
+        Parameters
+        ----------
+        friction : callable, optional
+            Coefficient of friction μ of ``(temperature, slip_speed, y)``: of the contact, in K
+            above ``friction.reference_temperature``; in m/s; in m. It must be smooth, positive at
+            ``(0, 0, 0)`` and not negative elsewhere.
+        pressure : callable, optional
+            Normal pressure (Pa) of ``(x, y)`` (m, x along rolling), zero outside of the contact; it
+            is sampled at 257 × 257 places and gives the load.
+        extent : ((float, float), (float, float)), optional
+            Ranges of x and y, in m, that contain the contact; needed with `pressure`.
+        partition : callable, optional
+            Share of the wheel in the frictional heat, from 0 to 1, of ``(wheel_speed, speed)``: the
+            circumferential speed of the wheel and v0, in m/s.
+
+        Examples
+        --------
+        >>> import numpy as np, schlupf
+        >>> case = schlupf.Case(kinematics={"creepage_x": 0.02}, grid={"cells_x": 8, "cells_y": 8})
+        >>> def friction(temperature, slip_speed, y):
+        ...     return 0.3 * np.exp(-slip_speed / 2.0)
+        >>> bool(-case.with_laws(friction=friction).solve().normalised.x < 0.9)
+        True
+        """
+        if (pressure is None) != (extent is None):
+            raise TypeError("pressure and extent belong together")
+        file = self._file.with_laws(
+            friction and checked("friction", friction, "finite and not negative", LARGEST),
+            partition and checked("partition", partition, "from 0 to 1", 1.0),
+            None if pressure is None or extent is None else sampled(pressure, extent),
+        )
+        laws: dict[str, Any] = {"friction": friction, "partition": partition}
+        laws.update(pressure=pressure, extent=extent)
+        return self._of(file, self._folder, {k: law for k, law in laws.items() if law is not None})
 
     def given(self) -> list[str]:
         """Dotted paths of the fields that are given."""
@@ -246,7 +300,7 @@ class Case:
         if not isinstance(other, Case):
             return NotImplemented
         paths = set(self.given())
-        same = paths == set(other.given())
+        same = paths == set(other.given()) and self._laws == other._laws
         return same and all(self[path] == other[path] for path in paths)
 
     __hash__ = None  # type: ignore[assignment]
@@ -256,13 +310,13 @@ class Case:
         return f"Case({given})"
 
     def __copy__(self) -> Case:
-        return self._of(self._file, self._folder)
+        return self._of(self._file, self._folder, self._laws)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Case:
         return self.__copy__()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Case.from_toml, (self.to_toml(), os.fspath(self._folder))
+        return _rebuilt, (self.to_toml(), os.fspath(self._folder), self._laws)
 
     def solve(
         self,
@@ -467,6 +521,11 @@ class Case:
         from ._forces import Solver
 
         return Solver(self)
+
+
+def _rebuilt(text: str, folder: str, laws: dict[str, Any]) -> Case:
+    case = Case.from_toml(text, folder)
+    return case.with_laws(**laws) if laws else case
 
 
 def _top() -> list[str]:

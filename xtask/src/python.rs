@@ -21,8 +21,8 @@ pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     let steps = [
         format!("maturin build --profile dev --locked --target-dir {target} --out {wheels}"),
         format!("pip install --quiet --force-reinstall --no-deps --no-index {}", find(&wheels)),
-        "ruff check --quiet".to_owned(),
-        "ruff format --quiet --diff".to_owned(),
+        "ruff check --quiet python".to_owned(),
+        "ruff format --quiet --diff python".to_owned(),
         "pytest --quiet".to_owned(),
         "pytest --quiet --doctest-modules --pyargs schlupf".to_owned(),
         "mypy".to_owned(),

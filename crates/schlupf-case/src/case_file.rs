@@ -8,6 +8,7 @@ use std::sync::Arc;
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors};
 use crate::files::{Files, Folder, read_up_to};
+use crate::laws::Laws;
 use crate::names::FieldNames;
 use crate::place::{Place, Source};
 use crate::read::{self, Parts};
@@ -40,6 +41,7 @@ pub struct CaseFile {
     pub(crate) entries: Vec<Entry>,
     pub(crate) files: Arc<dyn Files>,
     pub(crate) parts: Parts,
+    laws: Laws,
 }
 
 impl CaseFile {
@@ -123,7 +125,37 @@ impl CaseFile {
             document::apply(&mut entries, &option, assignment)?;
         }
         let (source, files) = (Arc::clone(&self.source), Arc::clone(&self.files));
-        Self::from_entries(entries, Vec::new(), source, files)
+        let file = Self::from_entries(entries, Vec::new(), source, files)?;
+        Ok(file.with_laws(self.laws.clone())?)
+    }
+
+    /// The laws of the caller.
+    pub fn laws(&self) -> &Laws {
+        &self.laws
+    }
+
+    /// The same with laws of the caller in place of its own.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    ///
+    /// use schlupf::interface::friction::constant::Constant;
+    /// use schlupf_case::{CaseFile, Folder, Laws, Overrides};
+    ///
+    /// let file = CaseFile::from_str("", "a case", Folder::new(""), Overrides::NONE)?;
+    /// let friction = Arc::new(Constant::new(0.25).map_err(|error| file.explain(&error))?);
+    /// let file = file.with_laws(Laws { friction: Some(friction), ..Laws::default() })?;
+    /// let case = file.pose(&schlupf::unwatched)?;
+    /// assert_eq!(case.problem.friction.cold_coefficient(), 0.25);
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Laws that no case can have.
+    pub fn with_laws(mut self, laws: Laws) -> Result<Self, CaseError> {
+        self.parts.apply(&laws).map_err(|error| self.explain(&error))?;
+        self.laws = laws;
+        Ok(self)
     }
 
     fn from_entries(
@@ -141,6 +173,6 @@ impl CaseFile {
         read::method(&settings)?;
         read::options(&settings)?;
         read::cooling(&settings)?;
-        Ok(Self { settings, source, entries, files, parts })
+        Ok(Self { settings, source, entries, files, parts, laws: Laws::default() })
     }
 }

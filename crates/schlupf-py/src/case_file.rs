@@ -1,17 +1,22 @@
 //! A checked case.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use schlupf::normal::PressureSource;
+use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::state::State;
+use schlupf::{Error, Watch};
 use schlupf_case::fields::{self, Kind};
-use schlupf_case::{CaseErrors, Folder, Overrides, Place, Setting};
+use schlupf_case::{CaseErrors, Folder, Laws, Overrides, Place, Setting};
 use schlupf_tasks::solve::solve;
 
 use crate::errors;
 use crate::interruptible::interruptible;
+use crate::laws::{self, Functions, Raised};
 use crate::solution::Solution;
 
 /// What messages call the assignments of the package.
@@ -20,8 +25,29 @@ const ARGUMENT: &str = "Case";
 /// A case that was read and checked; nothing is solved yet.
 #[pyclass(frozen, module = "schlupf._core")]
 pub struct CaseFile {
-    /// In the library.
-    pub file: schlupf_case::CaseFile,
+    file: schlupf_case::CaseFile,
+    functions: Functions,
+}
+
+impl CaseFile {
+    /// Works with the case, its functions in place; Ctrl-C and exceptions of the functions stop it.
+    pub fn run<R: Send, E: From<CaseErrors> + Send>(
+        &self,
+        py: Python<'_>,
+        raised: &Arc<Raised>,
+        work: impl FnOnce(&schlupf_case::CaseFile, Watch) -> Result<R, E> + Send,
+    ) -> PyResult<Result<R, E>> {
+        let Functions { friction, partition } = self.functions.clone_ref(py);
+        let own = Laws {
+            friction: friction.map(|function| laws::friction(function, raised)),
+            partition: partition.map(|function| laws::partition(function, raised)),
+            ..self.file.laws().clone()
+        };
+        interruptible(py, raised, |watch| {
+            let file = self.file.clone().with_laws(own);
+            work(&file.map_err(CaseErrors::from)?, watch)
+        })
+    }
 }
 
 #[pymethods]
@@ -50,7 +76,30 @@ impl CaseFile {
 
     /// The same with other fields.
     fn with_fields(&self, py: Python<'_>, assignments: Vec<String>) -> PyResult<Self> {
-        checked(py, self.file.with(ARGUMENT, &assignments))
+        let file = self.file.with(ARGUMENT, &assignments);
+        let file = file.map_err(|errors| errors::of_case(py, &errors))?;
+        Ok(Self { file, functions: self.functions.clone_ref(py) })
+    }
+
+    /// The same with functions in place of its friction law and its heat partition, and with a
+    /// pressure (in Pa) at places x and y (in m), rows along x.
+    #[pyo3(signature = (friction, partition, pressure))]
+    fn with_laws(
+        &self,
+        py: Python<'_>,
+        friction: Option<Py<PyAny>>,
+        partition: Option<Py<PyAny>>,
+        pressure: Option<[Vec<f64>; 3]>,
+    ) -> PyResult<Self> {
+        let source = |[x, y, pressure]: [Vec<f64>; 3]| -> Result<Arc<dyn PressureSource>, Error> {
+            let table = PressureTable::new(&x, &y, pressure)?;
+            Ok(Arc::new(Tabulated::new(table, None)?))
+        };
+        let pressure = pressure.map(source).transpose();
+        let pressure = pressure.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let file = self.file.clone().with_laws(Laws { pressure, ..Laws::default() });
+        let file = file.map_err(|error| errors::of_case(py, &error.into()))?;
+        Ok(Self { file, functions: Functions { friction, partition } })
     }
 
     /// As TOML, with paths from `folder`.
@@ -81,7 +130,7 @@ impl CaseFile {
 
     /// Fields in effect: path, value as text, and whether it is the default.
     fn effective(&self, py: Python<'_>) -> PyResult<Vec<(&'static str, String, bool)>> {
-        let case = interruptible(py, |watch| self.file.pose(watch))?;
+        let case = self.run(py, &Arc::default(), |file, watch| file.pose(watch))?;
         let case = case.map_err(|errors| errors::of_case(py, &errors))?;
         let fields = case.effective().into_iter();
         Ok(fields.map(|f| (f.path, f.value, matches!(f.place, Place::Default))).collect())
@@ -94,8 +143,8 @@ impl CaseFile {
         let state = state.map_err(|error| {
             PyValueError::new_err(format!("initial_state must be a state of a result: {error}"))
         })?;
-        let report = interruptible(py, |watch| {
-            let case = self.file.pose(watch)?;
+        let report = self.run(py, &Arc::default(), |file, watch| {
+            let case = file.pose(watch)?;
             let rolling = case.rolling(state)?;
             solve(&case, rolling, watch).map_err(|error| CaseErrors::from(case.explain(&error)))
         })?;
@@ -110,7 +159,7 @@ fn is_count(path: &str) -> bool {
 
 fn checked(py: Python<'_>, file: Result<schlupf_case::CaseFile, CaseErrors>) -> PyResult<CaseFile> {
     match file {
-        Ok(file) => Ok(CaseFile { file }),
+        Ok(file) => Ok(CaseFile { file, functions: Functions::default() }),
         Err(errors) => Err(errors::of_case(py, &errors)),
     }
 }

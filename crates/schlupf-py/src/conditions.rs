@@ -20,6 +20,7 @@ use schlupf_tasks::{contact_law, messages};
 use crate::case_file::CaseFile;
 use crate::errors;
 use crate::interruptible::interruptible;
+use crate::laws::Raised;
 use crate::records;
 use crate::solution::Solution;
 
@@ -241,8 +242,8 @@ pub fn batch<'py>(
     arrays: &Bound<'py, PyDict>,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<bool>>)> {
     let (conditions, count) = Conditions::read(arrays)?;
-    let found = interruptible(py, |watch| -> Result<Forces, CaseErrors> {
-        let case = case.file.pose(watch)?;
+    let found = case.run(py, &Arc::default(), |file, watch| -> Result<Forces, CaseErrors> {
+        let case = file.pose(watch)?;
         case.require_steady("forces under many conditions are those")?;
         forces(&case, &conditions, count, watch)
             .map_err(|(row, error)| explained(&case, row, &error))
@@ -257,6 +258,7 @@ pub fn batch<'py>(
 pub struct BatchSolver {
     case: Case,
     solver: Mutex<LoadedSolver>,
+    raised: Arc<Raised>,
 }
 
 #[pymethods]
@@ -264,20 +266,21 @@ impl BatchSolver {
     /// Of a case of steady rolling.
     #[new]
     fn new(py: Python<'_>, case: &CaseFile) -> PyResult<Self> {
-        let posed = interruptible(py, |watch| -> Result<Case, CaseErrors> {
-            let case = case.file.pose(watch)?;
+        let raised = Arc::default();
+        let posed = case.run(py, &raised, |file, watch| -> Result<Case, CaseErrors> {
+            let case = file.pose(watch)?;
             case.require_steady("a solver is")?;
             Ok(case)
         })?;
         let case = posed.map_err(|errors| errors::of_case(py, &errors))?;
         let solver = Mutex::new(LoadedSolver::new(&case));
-        Ok(Self { case, solver })
+        Ok(Self { case, solver, raised })
     }
 
     /// Solves under other conditions, given by name; the rest is that of the case.
     fn solve(&self, py: Python<'_>, arrays: &Bound<'_, PyDict>) -> PyResult<Solution> {
         let (conditions, _) = Conditions::read(arrays)?;
-        let solved = interruptible(py, |watch| {
+        let solved = interruptible(py, &self.raised, |watch| {
             // A panic within a solution leaves a solver that starts anew.
             let mut solver = self.solver.lock().unwrap_or_else(PoisonError::into_inner);
             let case = &self.case;

@@ -10,6 +10,8 @@ use std::time::Duration;
 use pyo3::prelude::*;
 use schlupf::{Progress, Watch};
 
+use crate::laws::Raised;
+
 /// How often Python is asked for signals.
 const PERIOD: Duration = Duration::from_millis(50);
 
@@ -17,11 +19,16 @@ const PERIOD: Duration = Duration::from_millis(50);
 /// its main thread only.
 ///
 /// # Errors
-/// What a handler of signals raises, such as `KeyboardInterrupt`; the work has ended then.
-pub fn interruptible<R: Send>(py: Python<'_>, work: impl FnOnce(Watch) -> R + Send) -> PyResult<R> {
+/// What a handler of signals raises, such as `KeyboardInterrupt`, or a function that the work calls;
+/// the work has ended then.
+pub fn interruptible<R: Send>(
+    py: Python<'_>,
+    raised: &Raised,
+    work: impl FnOnce(Watch) -> R + Send,
+) -> PyResult<R> {
     let is_stopped = AtomicBool::new(false);
     let watch = |_: Progress| {
-        if is_stopped.load(Ordering::Relaxed) {
+        if is_stopped.load(Ordering::Relaxed) || raised.is_set() {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
@@ -50,6 +57,9 @@ pub fn interruptible<R: Send>(py: Python<'_>, work: impl FnOnce(Watch) -> R + Se
             worker.join()
         })
     });
+    if let Some(error) = raised.take() {
+        return Err(error);
+    }
     match (interrupt, result) {
         (Some(error), _) => Err(error),
         (None, Ok(result)) => Ok(result),

@@ -10,6 +10,7 @@ mod conditions;
 mod errors;
 mod fields;
 mod interruptible;
+mod laws;
 mod records;
 mod report;
 mod solution;

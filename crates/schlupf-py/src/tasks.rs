@@ -13,7 +13,6 @@ use schlupf_tasks::{TaskError, bulk, calibrate, compare, curve, fit, roughness, 
 
 use crate::case_file::CaseFile;
 use crate::errors;
-use crate::interruptible::interruptible;
 use crate::report::{Found, Report};
 
 /// Start and end.
@@ -22,9 +21,10 @@ type Range = [f64; 2];
 /// Does a task, which Ctrl-C stops.
 fn report(
     py: Python<'_>,
-    task: impl FnOnce(Watch) -> Result<Found, TaskError> + Send,
+    case: &CaseFile,
+    task: impl FnOnce(&schlupf_case::CaseFile, Watch) -> Result<Found, TaskError> + Send,
 ) -> PyResult<Report> {
-    match interruptible(py, task)? {
+    match case.run(py, &Arc::default(), task)? {
         Ok(found) => Ok(Report::new(found)),
         Err(TaskError::Case(errors)) => Err(errors::of_case(py, &errors)),
         Err(TaskError::Request(message)) => Err(refused(py, message)),
@@ -80,8 +80,8 @@ pub fn creep_curve(
             given: "the creepages of the curve".to_owned(),
         },
     };
-    report(py, |watch| {
-        let found = curve::plan(&case.file, request, watch)?.find(watch)?;
+    report(py, case, |file, watch| {
+        let found = curve::plan(file, request, watch)?.find(watch)?;
         Ok(Found::Curve(Box::new(found)))
     })
 }
@@ -98,8 +98,8 @@ pub fn temperatures(
     let ([x, y], (depth, wake, points)) = (point, lines);
     let points = checked_points(py, points)?;
     let request = temperature::Request { x, y, depth, wake, points, names: ["x", "y"] };
-    report(py, |watch| {
-        let found = temperature::plan(&case.file, request, watch)?.find(watch)?;
+    report(py, case, |file, watch| {
+        let found = temperature::plan(file, request, watch)?.find(watch)?;
         Ok(Found::Temperature(Box::new(found)))
     })
 }
@@ -107,8 +107,8 @@ pub fn temperatures(
 /// The bulk temperature of the wheel in the long run.
 #[pyfunction]
 pub fn bulk_temperature(py: Python<'_>, case: &CaseFile) -> PyResult<Report> {
-    report(py, |watch| {
-        let found = bulk::plan(&case.file, watch)?.find(watch)?;
+    report(py, case, |file, watch| {
+        let found = bulk::plan(file, watch)?.find(watch)?;
         Ok(Found::Bulk(Box::new(found)))
     })
 }
@@ -116,8 +116,8 @@ pub fn bulk_temperature(py: Python<'_>, case: &CaseFile) -> PyResult<Report> {
 /// The case by all methods.
 #[pyfunction]
 pub fn comparison(py: Python<'_>, case: &CaseFile) -> PyResult<Report> {
-    report(py, |watch| {
-        let found = compare::plan(&case.file, watch)?.find(watch)?;
+    report(py, case, |file, watch| {
+        let found = compare::plan(file, watch)?.find(watch)?;
         Ok(Found::Comparison(Box::new(found)))
     })
 }
@@ -136,8 +136,8 @@ pub fn calibration(
     let displacements = files.collect::<Result<Vec<_>, _>>();
     let displacements = displacements.map_err(|error| errors::of_case(py, &error.into()))?;
     let request = calibrate::Request { direct: is_direct, displacements, cells, with_sides: false };
-    report(py, |watch| {
-        let found = calibrate::plan(case.file.clone(), request, watch)?.find(watch)?;
+    report(py, case, |file, watch| {
+        let found = calibrate::plan(file.clone(), request, watch)?.find(watch)?;
         Ok(Found::Calibration(Box::new(found)))
     })
 }
@@ -171,8 +171,8 @@ pub fn fitted(
         fitted_case: Some(folder.join("fitted case")),
         names: fit::Names { data: "data", parameters: "fit", given: names.to_owned() },
     };
-    report(py, |watch| {
-        let fit::Found { report, failure } = fit::plan(&case.file, request, watch)?.find(watch)?;
+    report(py, case, |file, watch| {
+        let fit::Found { report, failure } = fit::plan(file, request, watch)?.find(watch)?;
         match failure {
             None => Ok(Found::Fit(Box::new(report))),
             Some(errors) => Err(errors.into()),
@@ -183,8 +183,8 @@ pub fn fitted(
 /// The rough surface of a case, pressed and moved; with the spots at the largest mean pressure.
 #[pyfunction]
 pub fn rough_contact(py: Python<'_>, case: &CaseFile, with_spots: bool) -> PyResult<Report> {
-    report(py, |watch| {
-        let found = roughness::Plan::of_case(&case.file, with_spots, watch)?.find(watch)?;
+    report(py, case, |file, watch| {
+        let found = roughness::Plan::of_case(file, with_spots, watch)?.find(watch)?;
         Ok(Found::Roughness(Box::new(found)))
     })
 }

@@ -117,7 +117,7 @@ fn wheel_and_rail_carry_away_the_friction_power() {
         (Partition::Velocity, 120.0),
         (Partition::Given(0.5), 120.0),
     ] {
-        let mut sliding = hot(partition);
+        let mut sliding = hot(partition.clone());
         sliding.rail.material = Material { conductivity: 40.0, ..Material::STEEL };
         sliding.wheel.bulk_temperature = bulk;
         let (solution, field) = solve(&sliding);

@@ -24,6 +24,7 @@ pub use options::{driver, method};
 
 use crate::error::CaseError;
 use crate::law_stiffness::{LawStiffness, MicroContact};
+use crate::laws::Laws;
 use crate::settings::Settings;
 use elasticity::Deformation;
 use roughness::OfRoughness;
@@ -67,6 +68,11 @@ impl Parts {
             history.check(&draft.kinematics).map_err(explain)?;
         }
         Ok(Self { draft, deformation, stiffness, history })
+    }
+
+    /// Puts laws of the caller in place of those of the case.
+    pub fn apply(&mut self, laws: &Laws) -> Result<(), Error> {
+        laws.apply(&mut self.draft)
     }
 
     /// Those of wheel and rail.

@@ -1,0 +1,37 @@
+//! Laws of the caller in place of those of a case.
+
+use std::sync::Arc;
+
+use schlupf::heat::partition::{Partition, PartitionLaw};
+use schlupf::interface::friction::FrictionLaw;
+use schlupf::normal::PressureSource;
+use schlupf::{Error, Problem};
+
+/// Laws of the caller, each in place of that of a case. What they replace of the case has no
+/// effect; the reference temperature of friction stays.
+#[derive(Debug, Clone, Default)]
+pub struct Laws {
+    /// The friction law.
+    pub friction: Option<Arc<dyn FrictionLaw>>,
+    /// The source of the normal pressure.
+    pub pressure: Option<Arc<dyn PressureSource>>,
+    /// The share of the wheel in the frictional heat.
+    pub partition: Option<Arc<dyn PartitionLaw>>,
+}
+
+impl Laws {
+    /// Puts them into a problem.
+    pub(crate) fn apply(&self, problem: &mut Problem) -> Result<(), Error> {
+        let Self { friction, pressure, partition } = self.clone();
+        if let Some(law) = friction {
+            problem.friction.law = law;
+        }
+        if let Some(pressure) = pressure {
+            problem.normal = pressure;
+        }
+        if let Some(law) = partition {
+            problem.heat.partition = Partition::Law(law);
+        }
+        problem.check()
+    }
+}

@@ -1,0 +1,50 @@
+"""Laws as functions of arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+#: A function of arrays that returns an array.
+Law = Callable[..., Any]
+
+#: Values are at most this.
+LARGEST = float(np.finfo(float).max)
+
+#: Points of a pressure along x and y.
+SAMPLES = 257
+
+
+def checked(name: str, law: Law, requirement: str, upper: float) -> Callable[..., Array]:
+    """The law, whose values must be numbers from 0 to `upper`."""
+
+    def values(*arguments: Array) -> Array:
+        found = np.asarray(law(*arguments), dtype=float)
+        try:
+            found = np.broadcast_to(found, arguments[0].shape)
+        except ValueError:
+            raise ValueError(
+                f"{name} must return as many values as it is given, "
+                f"{arguments[0].shape}, but returns {found.shape}"
+            ) from None
+        wrong = ~((found >= 0.0) & (found <= upper))
+        if wrong.any():
+            raise ValueError(f"{name} must be {requirement}, but is {found[wrong][0]}")
+        return np.ascontiguousarray(found)
+
+    return values
+
+
+def sampled(
+    pressure: Law, extent: tuple[tuple[float, float], tuple[float, float]]
+) -> tuple[list[float], list[float], list[float]]:
+    """Places x and y (m), and the pressure (Pa) there, rows along x."""
+    x, y = (np.linspace(*ends, SAMPLES) for ends in extent)
+    places = np.meshgrid(x, y)
+    values = checked("pressure", pressure, "finite and not negative", LARGEST)
+    return x.tolist(), y.tolist(), values(*places).ravel().tolist()
