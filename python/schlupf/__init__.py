@@ -12,13 +12,14 @@ Numbers are in SI units (temperatures in °C, differences in K), text has its un
 tractions act on the wheel.
 """
 
-from . import warnings
+from . import examples, warnings
 from ._case import Case, Section
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
+from ._presets import Preset, friction, materials, methods, roughnesses
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -42,6 +43,7 @@ __all__ = [
     "Curve",
     "Fit",
     "NotConverged",
+    "Preset",
     "Record",
     "Report",
     "Result",
@@ -52,7 +54,12 @@ __all__ = [
     "Temperatures",
     "__version__",
     "animate",
+    "examples",
     "forces",
+    "friction",
+    "materials",
+    "methods",
     "plot_comparison",
+    "roughnesses",
     "warnings",
 ]

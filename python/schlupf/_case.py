@@ -127,6 +127,18 @@ class Section:
         return "\n".join([f"[{self._path}]", *lines])
 
 
+class SolverSection(Section):
+    """The section ``solver``, and the way to a solver."""
+
+    __slots__ = ()
+
+    def __call__(self) -> Solver:
+        """A solver that keeps its set-up and starts from its earlier solutions."""
+        from ._forces import Solver
+
+        return Solver(self._case)
+
+
 class Case:
     """What to solve, as in a case file: one keyword for each section, with its fields.
 
@@ -516,11 +528,14 @@ class Case:
         """
         return RoughContact._new(_core.rough_contact(self._file, spots), warn=warn)
 
-    def solver(self) -> Solver:
-        """A solver that keeps its set-up and starts from its earlier solutions."""
-        from ._forces import Solver
+    @property
+    def solver(self) -> SolverSection:
+        """The section ``solver``.
 
-        return Solver(self)
+        Called, ``case.solver()``, it is a solver that keeps its set-up and starts from its earlier
+        solutions.
+        """
+        return SolverSection(self, "solver")
 
 
 def _rebuilt(text: str, folder: str, laws: dict[str, Any]) -> Case:

@@ -14,10 +14,12 @@ __all__ = [
     "batch",
     "bulk_temperature",
     "calibration",
+    "command",
     "comparison",
     "creep_curve",
     "field_table",
     "fitted",
+    "presets",
     "rough_contact",
     "temperatures",
     "warning_codes",
@@ -98,11 +100,13 @@ def fitted(
     data: tuple[Path, bytes | None],
     limits: tuple[float, int],
 ) -> Report: ...
+def presets() -> list[tuple[str, str, str, str, list[tuple[str, str]]]]: ...
 def rough_contact(case: CaseFile, with_spots: bool) -> Report: ...
 def temperatures(
     case: CaseFile,
     point: tuple[float | None, float | None],
     lines: tuple[_Range | None, float | None, int],
 ) -> Report: ...
+def command(arguments: list[str]) -> int: ...
 def field_table() -> list[dict[str, Any]]: ...
 def warning_codes() -> list[str]: ...

@@ -1,7 +1,5 @@
 //! The command line: all commands with their arguments.
 
-use std::process::ExitCode;
-
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
@@ -10,7 +8,7 @@ use crate::bulk::Bulk;
 use crate::calibrate::Calibrate;
 use crate::compare::Compare;
 use crate::curve::Curve;
-use crate::failure::Failure;
+use crate::failure::{Failure, SUCCESS};
 use crate::fit::Fit;
 use crate::roughness::Roughness;
 use crate::solve::Solve;
@@ -86,9 +84,9 @@ pub enum Command {
 }
 
 /// `schlupf completions`: prints a completion script.
-pub fn completions(shell: Shell) -> Result<ExitCode, Failure> {
+pub fn completions(shell: Shell) -> Result<u8, Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "schlupf", &mut script);
     stdout::write(&String::from_utf8_lossy(&script))?;
-    Ok(ExitCode::SUCCESS)
+    Ok(SUCCESS)
 }

@@ -3,7 +3,6 @@
 use std::fmt::Write;
 use std::io::ErrorKind;
 use std::path::Path;
-use std::process::ExitCode;
 
 use schlupf_case::{
     Case, CaseFile, Effective, Folder, Overrides, Place, schema as case_schema, template,
@@ -12,7 +11,7 @@ use schlupf_output::significant;
 use schlupf_tasks::contact_law;
 
 use crate::arguments::{CaseArguments, InitArguments, STANDARD_STREAM};
-use crate::failure::Failure;
+use crate::failure::{Failure, SUCCESS};
 use crate::outputs::{self, Output};
 use crate::progress::Progress;
 use crate::{report, stdout};
@@ -35,7 +34,7 @@ pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
 }
 
 /// `schlupf check`: reads a case and says what it would solve.
-pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
+pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
     let progress = Progress::start();
     progress.stage("posing the problem");
     let case = read_case(arguments)?.pose(&progress.watch())?;
@@ -76,7 +75,7 @@ pub fn check(arguments: &CaseArguments) -> Result<ExitCode, Failure> {
         let _ = writeln!(text, "  {:40} {}{origin}{command}", field.path, field.value);
     }
     stdout::write(&text)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(SUCCESS)
 }
 
 /// A line with the creepages where they follow from the motion of the wheel.
@@ -91,11 +90,11 @@ fn creepages(case: &Case, effective: &[Effective]) -> String {
 }
 
 /// `schlupf init`: writes a commented case file.
-pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
+pub fn init(arguments: &InitArguments) -> Result<u8, Failure> {
     let (path, text) = (&arguments.file, template());
     if path == Path::new(STANDARD_STREAM) {
         stdout::write(&text)?;
-        return Ok(ExitCode::SUCCESS);
+        return Ok(SUCCESS);
     }
     outputs::check(&[Output { option: "FILE", path: path.to_owned() }], None)?;
     if arguments.force {
@@ -111,11 +110,11 @@ pub fn init(arguments: &InitArguments) -> Result<ExitCode, Failure> {
     }
     let path = path.display();
     stdout::write(&format!("wrote {path}; `schlupf solve {path}` solves it\n"))?;
-    Ok(ExitCode::SUCCESS)
+    Ok(SUCCESS)
 }
 
 /// `schlupf schema`: prints the JSON schema of a case file.
-pub fn schema() -> Result<ExitCode, Failure> {
+pub fn schema() -> Result<u8, Failure> {
     stdout::write(&format!("{:#}\n", case_schema()))?;
-    Ok(ExitCode::SUCCESS)
+    Ok(SUCCESS)
 }

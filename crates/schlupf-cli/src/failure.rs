@@ -7,6 +7,9 @@ use schlupf_case::{CaseErrors, Cause};
 use schlupf_output::figures::FigureError;
 use schlupf_tasks::TaskError;
 
+/// Exit code of what was done.
+pub const SUCCESS: u8 = 0;
+
 /// Exit code of results that did not converge.
 pub const NOT_CONVERGED: u8 = 3;
 

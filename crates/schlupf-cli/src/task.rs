@@ -4,7 +4,6 @@
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use schlupf::{Status, Watch};
 use schlupf_case::CaseFile;
@@ -13,7 +12,7 @@ use schlupf_output::figures::MARK;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::commands::read_case;
-use crate::failure::{Failure, NOT_CONVERGED};
+use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::outputs::{self, Directory, Input, Output};
 use crate::progress::Progress;
 use crate::{report, stdout};
@@ -97,7 +96,7 @@ impl<R> From<R> for Found<R> {
 }
 
 /// Runs a command.
-pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
+pub fn run<T: Task>(task: &T) -> Result<u8, Failure> {
     let progress = Progress::start();
     let outputs = Outputs::of(task);
     outputs.check()?;
@@ -123,8 +122,8 @@ pub fn run<T: Task>(task: &T) -> Result<ExitCode, Failure> {
     printed?;
     match (failure, report.status()) {
         (Some(failure), _) => Err(failure),
-        (None, Status::Converged) => Ok(ExitCode::SUCCESS),
-        (None, Status::NotConverged) => Ok(ExitCode::from(NOT_CONVERGED)),
+        (None, Status::Converged) => Ok(SUCCESS),
+        (None, Status::NotConverged) => Ok(NOT_CONVERGED),
     }
 }
 

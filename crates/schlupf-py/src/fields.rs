@@ -1,10 +1,12 @@
 //! The table of fields of a case, from which the package makes its documentation, its conversion of
 //! numbers and its completion.
 
+use std::ffi::OsString;
+
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use schlupf_case::FieldNames;
 use schlupf_case::fields::{Default, Field, Kind, SECTIONS};
+use schlupf_case::{FieldNames, Preset};
 
 /// Sections in the order of the case file; each a dictionary with `name`, `doc` and `fields`.
 #[pyfunction]
@@ -65,4 +67,26 @@ fn kind(kind: Kind) -> &'static str {
 #[pyfunction]
 pub fn warning_codes() -> Vec<&'static str> {
     [schlupf::Warning::CODES, schlupf_case::Notice::CODES, schlupf_tasks::Notice::CODES].concat()
+}
+
+/// Constants to start with: group, name, what it is, its source, and its fields with values as
+/// TOML.
+#[pyfunction]
+pub fn presets() -> Vec<(&'static str, &'static str, &'static str, &'static str, Fields)> {
+    let presets = schlupf_case::presets().iter();
+    presets
+        .map(|preset| {
+            let Preset { group, name, doc, source, fields } = preset;
+            (group.as_str(), name.as_str(), doc.as_str(), source.as_str(), fields.clone())
+        })
+        .collect()
+}
+
+/// Fields with their values.
+type Fields = Vec<(String, String)>;
+
+/// The command `schlupf` with its name and its arguments; returns its exit code.
+#[pyfunction]
+pub fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
+    py.detach(|| schlupf_cli::main(arguments))
 }

@@ -26,7 +26,7 @@ mod _core {
     #[pymodule_export]
     use super::conditions::{BatchSolver, batch};
     #[pymodule_export]
-    use super::fields::{field_table, warning_codes};
+    use super::fields::{command, field_table, presets, warning_codes};
     #[pymodule_export]
     use super::report::Report;
     #[pymodule_export]

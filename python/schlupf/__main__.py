@@ -1,0 +1,5 @@
+"""The command ``schlupf``."""
+
+from ._command import main
+
+main()
