@@ -16,6 +16,7 @@ __all__ = [
     "calibration",
     "command",
     "comparison",
+    "conditions",
     "creep_curve",
     "field_table",
     "fitted",
@@ -87,6 +88,7 @@ def calibration(
     case: CaseFile, is_direct: bool, displacements: list[Path], cells: int
 ) -> Report: ...
 def comparison(case: CaseFile) -> Report: ...
+def conditions() -> list[tuple[str, str]]: ...
 def creep_curve(
     case: CaseFile,
     varied: tuple[tuple[_Range | None, ...], tuple[_Range, str] | None],

@@ -18,13 +18,7 @@ if TYPE_CHECKING:
     from ._case import Case
 
 #: Conditions that need no other case, with their fields.
-CONDITIONS = {
-    "creepage_x": "kinematics.creepage_x",
-    "creepage_y": "kinematics.creepage_y",
-    "spin": "kinematics.spin",
-    "speed": "kinematics.speed",
-    "load": "normal.load",
-}
+CONDITIONS = dict(_core.conditions())
 
 #: Values of ``status``.
 STATUS = ("converged", "not-converged")
@@ -75,8 +69,10 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
         if name not in CONDITIONS and name not in FIELDS:
             known = ", ".join(CONDITIONS)
             raise TypeError(f"no condition {name}; there are {known} and the fields of the case")
-    arrays = _broadcast(given)
     fields = {name: CONDITIONS.get(name, name) for name in given}
+    if len(set(fields.values())) < len(fields):
+        raise TypeError(f"a condition must be given once, but there are {', '.join(conditions)}")
+    arrays = _broadcast(given)
     # A field of a condition is that condition.
     simple = {path: name for name, path in CONDITIONS.items()}
     flat: dict[str, NDArray[np.float64]] = {

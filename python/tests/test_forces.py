@@ -35,6 +35,11 @@ def test_conditions_are_broadcast_as_in_numpy():
     assert int(table["status"].sum()) == 0
 
 
+def test_a_condition_is_given_once():
+    with pytest.raises(TypeError, match="must be given once"):
+        schlupf.forces(POLACH, load=60e3, normal__load=70e3)
+
+
 def test_data_arrays_are_broadcast_by_name():
     creepages = [0.001, 0.002]
     creepage = xr.DataArray(creepages, dims="creepage_x", coords={"creepage_x": creepages})

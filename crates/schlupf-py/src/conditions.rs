@@ -12,8 +12,10 @@ use schlupf::normal::PressureSource;
 use schlupf::normal::at_load::AtLoad;
 use schlupf::progress::Stage;
 use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Problem, Progress, Solver, Status, Watch, columns, parallel};
-use schlupf_case::{Case, CaseErrors};
+use schlupf::{
+    Error, Method, Problem, Progress, Quantity, Solver, Status, Watch, columns, parallel,
+};
+use schlupf_case::{Case, CaseErrors, quantity_field};
 use schlupf_output::solution::SolutionReport;
 use schlupf_tasks::{contact_law, messages};
 
@@ -24,27 +26,25 @@ use crate::laws::Raised;
 use crate::records;
 use crate::solution::Solution;
 
-/// What may vary from condition to condition; the rest is that of the case.
-#[derive(Default)]
-struct Conditions {
-    creepage_x: Option<Vec<f64>>,
-    creepage_y: Option<Vec<f64>>,
-    spin: Option<Vec<f64>>,
-    speed: Option<Vec<f64>>,
-    load: Option<Vec<f64>>,
+/// What may vary from condition to condition without another case; the rest is that of the case.
+const VARIED: [Quantity; 5] =
+    [Quantity::CreepageX, Quantity::CreepageY, Quantity::Spin, Quantity::Speed, Quantity::Load];
+
+/// Names of the conditions that need no other case, each with its field.
+#[pyfunction]
+pub fn conditions() -> Vec<(&'static str, &'static str)> {
+    VARIED.map(|quantity| (quantity.name(), quantity_field(quantity))).to_vec()
 }
 
+/// Values of what varies.
+#[derive(Default)]
+struct Conditions([Option<Vec<f64>>; VARIED.len()]);
+
 impl Conditions {
-    /// The slot of a name.
-    fn slot(&mut self, name: &str) -> Option<&mut Option<Vec<f64>>> {
-        Some(match name {
-            "creepage_x" => &mut self.creepage_x,
-            "creepage_y" => &mut self.creepage_y,
-            "spin" => &mut self.spin,
-            "speed" => &mut self.speed,
-            "load" => &mut self.load,
-            _ => return None,
-        })
+    /// The value of a quantity in a condition, if it varies.
+    fn value(&self, quantity: Quantity, k: usize) -> Option<f64> {
+        let slot = VARIED.iter().position(|varied| *varied == quantity)?;
+        self.0[slot].as_ref().map(|values| values[k])
     }
 
     /// Copies arrays of equal length, by name.
@@ -58,25 +58,26 @@ impl Conditions {
             if *count.get_or_insert(values.len()) != values.len() {
                 return Err(PyValueError::new_err("arrays must have the same length"));
             }
-            let slot = conditions.slot(&name);
-            *slot.ok_or_else(|| PyValueError::new_err(format!("no condition: {name}")))? =
-                Some(values);
+            let slot = VARIED.iter().position(|quantity| quantity.name() == name);
+            let slot =
+                slot.ok_or_else(|| PyValueError::new_err(format!("no condition: {name}")))?;
+            conditions.0[slot] = Some(values);
         }
         Ok((conditions, count.unwrap_or(1)))
     }
 
     fn kinematics(&self, k: usize, own: &Kinematics) -> Kinematics {
-        let of = |values: &Option<Vec<f64>>, own: f64| values.as_ref().map_or(own, |v| v[k]);
+        let of = |quantity, own| self.value(quantity, k).unwrap_or(own);
         Kinematics {
-            creepage_x: of(&self.creepage_x, own.creepage_x),
-            creepage_y: of(&self.creepage_y, own.creepage_y),
-            spin: of(&self.spin, own.spin),
-            speed: of(&self.speed, own.speed),
+            creepage_x: of(Quantity::CreepageX, own.creepage_x),
+            creepage_y: of(Quantity::CreepageY, own.creepage_y),
+            spin: of(Quantity::Spin, own.spin),
+            speed: of(Quantity::Speed, own.speed),
         }
     }
 
     fn load(&self, k: usize) -> Option<f64> {
-        self.load.as_ref().map(|loads| loads[k])
+        self.value(Quantity::Load, k)
     }
 }
 

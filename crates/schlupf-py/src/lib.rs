@@ -24,7 +24,7 @@ mod _core {
     #[pymodule_export]
     use super::case_file::CaseFile;
     #[pymodule_export]
-    use super::conditions::{BatchSolver, batch};
+    use super::conditions::{BatchSolver, batch, conditions};
     #[pymodule_export]
     use super::fields::{command, field_table, presets, warning_codes};
     #[pymodule_export]
