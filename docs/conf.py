@@ -43,6 +43,7 @@ nb_execution_timeout = 300
 nb_execution_raise_on_error = True
 nb_merge_streams = True
 nb_render_markdown_format = "myst"
+os.environ["IPYTHONDIR"] = str(site_content.kernels())
 os.environ["MATPLOTLIBRC"] = str(HERE / "matplotlibrc")
 
 # The Python package.

@@ -24,22 +24,29 @@ from schlupf._fields import FIELDS, SECTIONS, Field
 DOCS = Path(__file__).parent.parent
 ROOT = DOCS.parent
 
-#: Where the documentation of the crates was built; `cargo xtask site` says so.
-RUSTDOC = "SCHLUPF_RUSTDOC"
-
-#: Folder for results of notebooks.
-CACHE = "SCHLUPF_SITE_CACHE"
+#: The target directory of cargo.
+TARGET = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
 
 
-def digest() -> str:
-    """Of all that pages depend on and Sphinx does not see: the package, data, cases."""
+def _of_notebooks() -> list[Path]:
+    """Files that notebooks depend on: the package, data, cases, their modules."""
     package = Path(inspect.getfile(schlupf)).parent
-    read = [ROOT / "data", ROOT / "cases", DOCS / "validation", DOCS / "laws", DOCS / "_extensions"]
+    folders = [package, ROOT / "data", ROOT / "cases", DOCS / "validation", DOCS / "laws"]
     endings = {".csv", ".npy", ".py", ".so", ".pyd", ".toml"}
-    paths = (path for folder in [package, *read] for path in folder.iterdir())
-    files = sorted(path for path in paths if path.suffix in endings)
+    paths = (path for folder in folders for path in folder.iterdir())
+    return sorted(path for path in paths if path.suffix in endings)
+
+
+def _of_pages() -> list[Path]:
+    """Files that pages depend on and Sphinx does not see."""
+    texts = sorted(ROOT.glob("*.md"))
+    return [*_of_notebooks(), *texts, ROOT / "data" / "README.md", DOCS / "messages.md"]
+
+
+def digest(files: list[Path]) -> str:
+    """A short sum of files."""
     sums = hashlib.sha256()
-    for path in [*files, *sorted(ROOT.glob("*.md")), DOCS / "messages.md"]:
+    for path in files:
         sums.update(path.name.encode())
         sums.update(path.read_bytes())
     return sums.hexdigest()[:16]
@@ -47,12 +54,22 @@ def digest() -> str:
 
 def cache() -> Path:
     """The folder for results of notebooks that are computed with this package."""
-    parent = Path(os.environ.get(CACHE, ROOT / "target" / "site-cache"))
-    own = parent / digest()
+    parent = TARGET / "site-cache"
+    own = parent / digest([*_of_notebooks(), DOCS / "matplotlibrc"])
     for other in parent.iterdir() if parent.is_dir() else ():
         if other != own:
             shutil.rmtree(other)
     return own
+
+
+def kernels() -> Path:
+    """A folder of IPython with settings of the kernels: they report errors only."""
+    folder = TARGET / "site-ipython"
+    profile = folder / "profile_default"
+    profile.mkdir(parents=True, exist_ok=True)
+    settings = profile / "ipython_kernel_config.py"
+    settings.write_text('c = get_config()\nc.IPKernelApp.log_level = "ERROR"\n')
+    return folder
 
 
 # Fields of case files.
@@ -71,7 +88,7 @@ def _field_rows(fields: list[Field], path: bool) -> Iterator[str]:
     yield "| field | unit | default | meaning |"
     yield "|---|---|---|---|"
     for field in fields:
-        parts = [f"{field.doc[:1].upper()}{field.doc[1:]}"]
+        parts = [_capitalised(field.doc)]
         if field.requirement and field.kind not in ("choice", "flag", "path", "text"):
             parts.append(f"Must be {field.requirement}.")
         if field.choices:
@@ -90,7 +107,7 @@ def case_file() -> str:
     lines: list[str] = []
     for section in SECTIONS.values():
         title = f"`[{section.name}]`" if section.name else "Top level"
-        lines += [f"({_anchor(section.name)})=", f"## {title}", "", _sentence(section.doc), ""]
+        lines += [f"({_anchor(section.name)})=", f"## {title}", "", *_sentence(section.doc)]
         if section.fields:
             lines += [*_field_rows(list(section.fields), path=False), ""]
     return "\n".join(lines)
@@ -100,9 +117,16 @@ def _anchor(section: str) -> str:
     return f"section-{section or 'top'}".replace(".", "-").replace("_", "-")
 
 
-def _sentence(text: str) -> str:
-    text = text.strip()
-    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+def _sentence(text: str) -> list[str]:
+    """A paragraph, unless it is empty."""
+    text = text.strip().removesuffix(".")
+    return [f"{_capitalised(text)}.", ""] if text else []
+
+
+def _capitalised(text: str) -> str:
+    """With a capital, unless a symbol is the beginning."""
+    word = re.match(r"[a-z]{2,}\b", text)
+    return text[:1].upper() + text[1:] if word else text
 
 
 def fields(*selected: str) -> str:
@@ -137,7 +161,7 @@ def api() -> str:
     modules = dict.fromkeys(inspect.getmodule(member) for member in documented)
     for module in modules:
         assert module is not None and module.__doc__
-        title = module.__doc__.strip().splitlines()[0].rstrip(".")
+        title = re.split(r"[.:]", module.__doc__.strip())[0]
         lines += [f"## {title}", "", "```{eval-rst}"]
         for name, member in zip(schlupf.__all__, members, strict=True):
             if member in documented and inspect.getmodule(member) is module:
@@ -188,7 +212,7 @@ def gallery() -> str:
         text = path.read_text(encoding="utf-8")
         title = tomllib.loads(text).get("title", path.stem)
         relative = os.path.relpath(path, DOCS / "reference")
-        lines += [f"({_case_anchor(path.name)})=", f"## {_cell(title)}", ""]
+        lines += [f"({_case_anchor(path.name)})=", f"## {_capitalised(_cell(title))}", ""]
         lines += [f"{{download}}`{path.name} <{relative}>`", ""]
         lines += ["````toml", text.rstrip(), "````", ""]
     return "\n".join(lines)
@@ -223,11 +247,18 @@ def rust_example() -> str:
     return _readme("```rust", "```\n") + "\n```"
 
 
+def data() -> str:
+    """The validation data, to be downloaded."""
+    text = included("data/README.md")
+    return re.sub(r"`(\w[\w.]*\.csv)`", r"{download}`\1 </../data/\1>`", text)
+
+
 GENERATED: dict[str, Callable[..., str]] = {
     "alternatives": alternatives,
     "api": api,
     "case-file": case_file,
     "choices": choices,
+    "data": data,
     "fields": fields,
     "gallery": gallery,
     "included": included,
@@ -271,14 +302,14 @@ def _add_mathjax(app: Any, error: Exception | None) -> None:
 
 
 def _add_rustdoc(app: Any, error: Exception | None) -> None:
-    folder = os.environ.get(RUSTDOC)
-    if error is None and folder and app.builder.name == "html":
+    folder = TARGET / "doc"
+    if error is None and folder.is_dir() and app.builder.name == "html":
         shutil.copytree(folder, Path(app.outdir) / "rust", dirs_exist_ok=True)
 
 
 def setup(app: Any) -> dict[str, bool]:
     # Pages are read again when it changes.
-    app.add_config_value("schlupf_digest", digest(), "env", str)
+    app.add_config_value("schlupf_digest", digest([*_of_pages(), Path(__file__)]), "env", str)
     app.connect("source-read", _read)
     app.connect("autodoc-process-docstring", _shortened, priority=100)
     app.connect("build-finished", _add_mathjax)
