@@ -68,7 +68,13 @@ def kernels() -> Path:
     profile = folder / "profile_default"
     profile.mkdir(parents=True, exist_ok=True)
     settings = profile / "ipython_kernel_config.py"
-    settings.write_text('c = get_config()\nc.IPKernelApp.log_level = "ERROR"\n')
+    lines = [
+        "c = get_config()",
+        'c.IPKernelApp.log_level = "ERROR"',
+        # Not with the first figure: settings of matplotlib may be temporary ones then.
+        'c.IPKernelApp.matplotlib = "inline"',
+    ]
+    settings.write_text("\n".join(lines) + "\n")
     return folder
 
 

@@ -151,7 +151,7 @@ impl Part {
         match self {
             Self::Sources => sources::report(workspace),
             Self::Python => python::run(workspace, &workspace.join(target())),
-            Self::Site => site::run(workspace, &workspace.join(target())),
+            Self::Site => site::run(workspace, &workspace.join(target()), &LIBRARIES),
             _ => self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace)),
         }
     }
