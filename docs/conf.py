@@ -42,6 +42,8 @@ nb_execution_cache_path = str(site_content.cache())
 nb_execution_timeout = 300
 nb_execution_raise_on_error = True
 nb_merge_streams = True
+# A warning of a cell is one of the build.
+nb_output_stderr = "warn"
 nb_render_markdown_format = "myst"
 os.environ["IPYTHONDIR"] = str(site_content.kernels())
 os.environ["MATPLOTLIBRC"] = str(HERE / "matplotlibrc")
