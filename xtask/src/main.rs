@@ -2,8 +2,10 @@
 
 #![forbid(unsafe_code)]
 
+mod environment;
 mod parts;
 mod python;
+mod site;
 mod sources;
 mod step;
 
@@ -57,7 +59,7 @@ fn help() -> String {
     let line = |name, about| format!("  {name:<9}{about}");
     let mut lines = vec![
         "Development tasks of schlupf\n\nUsage: cargo xtask <TASK>\n\nTasks:".to_owned(),
-        line("ci", "fmt to oldest, in this order; fails if one fails"),
+        line("ci", "fmt to site, in this order; fails if one fails"),
     ];
     lines.extend(all().map(|part| line(part.name(), part.about())));
     lines.push("\nOptions:\n  -h, --help  print this".to_owned());
@@ -87,7 +89,7 @@ mod tests {
             names,
             [
                 "fmt", "clippy", "test", "doc", "sources", "examples", "wasm", "package", "oldest",
-                "python"
+                "python", "site"
             ]
         );
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::step::Step;
-use crate::{python, sources};
+use crate::{python, site, sources};
 
 /// A part of the checks, or a task that takes too long to be one; each is a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,6 +30,8 @@ pub enum Part {
     Oldest,
     /// The Python package.
     Python,
+    /// The documentation site.
+    Site,
     /// The tests that take long.
     Long,
     /// The table of work and times.
@@ -38,7 +40,7 @@ pub enum Part {
 
 impl Part {
     /// The parts of the checks, in the order in which they run.
-    pub const CI: [Self; 10] = [
+    pub const CI: [Self; 11] = [
         Self::Fmt,
         Self::Clippy,
         Self::Test,
@@ -49,6 +51,7 @@ impl Part {
         Self::Package,
         Self::Oldest,
         Self::Python,
+        Self::Site,
     ];
 
     /// Tasks that run only on request.
@@ -67,6 +70,7 @@ impl Part {
             Self::Package => "package",
             Self::Oldest => "oldest",
             Self::Python => "python",
+            Self::Site => "site",
             Self::Long => "long",
             Self::Bench => "bench",
         }
@@ -85,12 +89,13 @@ impl Part {
             Self::Package => "makes the packages that would be published",
             Self::Oldest => "checks the workspace with the oldest Rust of Cargo.toml",
             Self::Python => "builds, installs and tests the Python package (needs Python 3.10)",
+            Self::Site => "builds the documentation site, runs its notebooks (needs Python 3.11)",
             Self::Long => "what takes long: ignored tests, packages that are built",
             Self::Bench => "prints the table of work and times of docs/performance.md",
         }
     }
 
-    /// The steps of the part, in order; sources and the Python package have their own way.
+    /// The steps of the part, in order; sources, Python and the site have their own way.
     fn steps(self, workspace: &Path) -> Result<Vec<Step>, String> {
         Ok(match self {
             Self::Fmt => vec![Step::cargo("fmt --all --check")],
@@ -108,7 +113,7 @@ impl Part {
                 let doc = Step::cargo("doc --workspace --no-deps");
                 vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings")), ..doc }]
             }
-            Self::Sources | Self::Python => Vec::new(),
+            Self::Sources | Self::Python | Self::Site => Vec::new(),
             // The build of the tests includes the examples; building them alone would be another
             // build.
             Self::Examples => {
@@ -143,13 +148,12 @@ impl Part {
     }
 
     fn run(self, workspace: &Path) -> Result<(), String> {
-        if self == Self::Sources {
-            return sources::report(workspace);
+        match self {
+            Self::Sources => sources::report(workspace),
+            Self::Python => python::run(workspace, &workspace.join(target())),
+            Self::Site => site::run(workspace, &workspace.join(target()), &LIBRARIES),
+            _ => self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace)),
         }
-        if self == Self::Python {
-            return python::run(workspace, &workspace.join(target()));
-        }
-        self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace))
     }
 }
 

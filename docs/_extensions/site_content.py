@@ -1,0 +1,323 @@
+"""What pages contain that is generated, from the package and from files outside of docs.
+
+A page names a part by a comment of its own line, ``<!-- generated: NAME ARGUMENTS -->``; the part
+is Markdown and replaces the comment when the page is read.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import inspect
+import os
+import re
+import shlex
+import shutil
+import tomllib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import schlupf
+from schlupf._fields import FIELDS, SECTIONS, Field
+
+DOCS = Path(__file__).parent.parent
+ROOT = DOCS.parent
+
+#: The target directory of cargo.
+TARGET = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
+
+
+def _of_notebooks() -> list[Path]:
+    """Files that notebooks depend on: the package, data, cases, their modules."""
+    package = Path(inspect.getfile(schlupf)).parent
+    folders = [package, ROOT / "data", ROOT / "cases", DOCS / "validation", DOCS / "laws"]
+    endings = {".csv", ".npy", ".py", ".so", ".pyd", ".toml"}
+    paths = (path for folder in folders for path in folder.iterdir())
+    return sorted(path for path in paths if path.suffix in endings)
+
+
+def _of_pages() -> list[Path]:
+    """Files that pages depend on and Sphinx does not see."""
+    texts = sorted(ROOT.glob("*.md"))
+    return [*_of_notebooks(), *texts, ROOT / "data" / "README.md", DOCS / "messages.md"]
+
+
+def digest(files: list[Path]) -> str:
+    """A short sum of files."""
+    sums = hashlib.sha256()
+    for path in files:
+        sums.update(path.name.encode())
+        sums.update(path.read_bytes())
+    return sums.hexdigest()[:16]
+
+
+def cache() -> Path:
+    """The folder for results of notebooks that are computed with this package."""
+    parent = TARGET / "site-cache"
+    own = parent / digest([*_of_notebooks(), DOCS / "matplotlibrc"])
+    for other in parent.iterdir() if parent.is_dir() else ():
+        if other != own:
+            shutil.rmtree(other)
+    return own
+
+
+def kernels() -> Path:
+    """A folder of IPython with settings of the kernels: they report errors only."""
+    folder = TARGET / "site-ipython"
+    profile = folder / "profile_default"
+    profile.mkdir(parents=True, exist_ok=True)
+    settings = profile / "ipython_kernel_config.py"
+    lines = [
+        "c = get_config()",
+        'c.IPKernelApp.log_level = "ERROR"',
+        # Not with the first figure: settings of matplotlib may be temporary ones then.
+        'c.IPKernelApp.matplotlib = "inline"',
+    ]
+    settings.write_text("\n".join(lines) + "\n")
+    return folder
+
+
+# Fields of case files.
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", r"\|").replace("\n", " ")
+
+
+def _either(names: tuple[str, ...]) -> str:
+    return " or ".join([", ".join(f"`{name}`" for name in names[:-1])] * (len(names) > 1)
+                       + [f"`{names[-1]}`"])
+
+
+def _field_rows(fields: list[Field], path: bool) -> Iterator[str]:
+    yield "| field | unit | default | meaning |"
+    yield "|---|---|---|---|"
+    for field in fields:
+        parts = [_capitalised(field.doc)]
+        if field.requirement and field.kind not in ("choice", "flag", "path", "text"):
+            parts.append(f"Must be {field.requirement}.")
+        if field.choices:
+            parts.append("; ".join(f"`{name}`: {doc}" for name, doc in field.choices) + ".")
+        used = [f"`{other}` = {_either(names)}" for other, names in field.used_with]
+        parts += [f"Used with {' or '.join(used)}."] if used else []
+        name = field.path if path else field.name
+        default = f"`{field.default}`" if field.default else ""
+        meaning = " ".join(part if part.endswith((".", ")")) else f"{part}." for part in parts)
+        unit = field.units.replace("^2", "²").replace("^3", "³")
+        yield f"| `{name}` | {unit} | {_cell(default)} | {_cell(meaning)} |"
+
+
+def case_file() -> str:
+    """Every section and field."""
+    lines: list[str] = []
+    for section in SECTIONS.values():
+        title = f"`[{section.name}]`" if section.name else "Top level"
+        lines += [f"({_anchor(section.name)})=", f"## {title}", "", *_sentence(section.doc)]
+        if section.fields:
+            lines += [*_field_rows(list(section.fields), path=False), ""]
+    return "\n".join(lines)
+
+
+def _anchor(section: str) -> str:
+    return f"section-{section or 'top'}".replace(".", "-").replace("_", "-")
+
+
+def _sentence(text: str) -> list[str]:
+    """A paragraph, unless it is empty."""
+    text = text.strip().removesuffix(".")
+    return [f"{_capitalised(text)}.", ""] if text else []
+
+
+def _capitalised(text: str) -> str:
+    """With a capital, unless a symbol is the beginning."""
+    word = re.match(r"[a-z]{2,}\b", text)
+    return text[:1].upper() + text[1:] if word else text
+
+
+def fields(*selected: str) -> str:
+    """Fields by name, or all that are used with a choice, as in ``friction.model=polach``."""
+    found: list[Field] = []
+    for entry in selected:
+        selector, _, choice = entry.partition("=")
+        if not choice:
+            found.append(FIELDS[selector])
+            continue
+        if choice not in [name for name, _ in FIELDS[selector].choices]:
+            raise ValueError(f"{selector} has no choice {choice}")
+        used = [f for f in FIELDS.values() if choice in dict(f.used_with).get(selector, ())]
+        found += [field for field in used if field not in found]
+    return "\n".join(_field_rows(found, path=True))
+
+
+def choices(path: str) -> str:
+    """The choices of a field."""
+    rows = [f"| `{name}` | {_cell(doc)} |" for name, doc in FIELDS[path].choices]
+    return "\n".join([f"| `{path}` | |", "|---|---|", *rows])
+
+
+# Python.
+
+
+def api() -> str:
+    """Everything public, under the heading of the module that it is from."""
+    lines: list[str] = []
+    members = [getattr(schlupf, name) for name in schlupf.__all__]
+    documented = [m for m in members if inspect.isclass(m) or inspect.isfunction(m)]
+    modules = dict.fromkeys(inspect.getmodule(member) for member in documented)
+    for module in modules:
+        assert module is not None and module.__doc__
+        title = re.split(r"[.:]", module.__doc__.strip())[0]
+        lines += [f"## {title}", "", "```{eval-rst}"]
+        for name, member in zip(schlupf.__all__, members, strict=True):
+            if member in documented and inspect.getmodule(member) is module:
+                kind = "class" if inspect.isclass(member) else "function"
+                if inspect.isclass(member) and issubclass(member, BaseException):
+                    kind = "exception"
+                lines += [f".. auto{kind}:: schlupf.{name}"]
+                lines += [] if kind == "function" else ["   :members:"]
+                lines += ["   :show-inheritance:", ""] if kind == "exception" else [""]
+        lines += ["```", ""]
+    lines += ["## Plots of a result", "", "```{eval-rst}"]
+    lines += [".. autoclass:: schlupf._plots.ResultPlots", "   :members:", "", "```"]
+    return "\n".join(lines)
+
+
+def warnings() -> str:
+    """Every warning with its category in Python and its meaning."""
+    rows = re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", (DOCS / "messages.md").read_text(), re.M)
+    meanings = dict(rows)
+    missing = set(schlupf.warnings.BY_CODE) - set(meanings)
+    if missing:
+        raise ValueError(f"messages.md does not have {sorted(missing)}")
+    lines = ["| code | category in `schlupf.warnings` | meaning |", "|---|---|---|"]
+    for code, category in sorted(schlupf.warnings.BY_CODE.items()):
+        lines.append(f"| `{code}` | `{category.__name__}` | {_cell(meanings[code])} |")
+    return "\n".join(lines)
+
+
+def _shortened(app: Any, what: str, name: str, obj: Any, options: Any, lines: list[str]) -> None:
+    """Leaves the fields of a case to the reference of the case file."""
+    if name == "schlupf.Case" and "Notes" in lines:
+        start = lines.index("Notes")
+        lines[start:] = [
+            "Notes",
+            "-----",
+            "Sections and fields: :doc:`/reference/case_file`.",
+            "",
+        ]
+
+
+# Files outside of docs.
+
+
+def gallery() -> str:
+    """The cases of the gallery."""
+    lines = []
+    for path in sorted((ROOT / "cases").glob("*.toml")):
+        text = path.read_text(encoding="utf-8")
+        title = tomllib.loads(text).get("title", path.stem)
+        relative = os.path.relpath(path, DOCS / "reference")
+        lines += [f"({_case_anchor(path.name)})=", f"## {_capitalised(_cell(title))}", ""]
+        lines += [f"{{download}}`{path.name} <{relative}>`", ""]
+        lines += ["````toml", text.rstrip(), "````", ""]
+    return "\n".join(lines)
+
+
+def _case_anchor(name: str) -> str:
+    return f"case-{name.removesuffix('.toml').replace('_', '-')}"
+
+
+def included(name: str) -> str:
+    """A text of the top folder; its links to docs become links of the site."""
+    text = (ROOT / name).read_text(encoding="utf-8")
+    text = re.sub(r"\]\(docs/", "](/", text)
+    # What else there is in the repository has no page.
+    return re.sub(r"\[([^\]]*)\]\((?!/|https?:|#)[^)]*\)", r"\1", text)
+
+
+def _readme(start: str, end: str) -> str:
+    """Part of the README, from one text to another."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    return text[text.index(start) : text.index(end, text.index(start))].strip()
+
+
+def alternatives() -> str:
+    """The table against other programs."""
+    table = _readme("| | schlupf |", "\n\n")
+    return f"{table}\n\nIf a cell of this table is wrong or outdated, please open an issue."
+
+
+def rust_example() -> str:
+    """The program in Rust of the README."""
+    return _readme("```rust", "```\n") + "\n```"
+
+
+def data() -> str:
+    """The validation data, to be downloaded."""
+    text = included("data/README.md")
+    return re.sub(r"`(\w[\w.]*\.csv)`", r"{download}`\1 </../data/\1>`", text)
+
+
+GENERATED: dict[str, Callable[..., str]] = {
+    "alternatives": alternatives,
+    "api": api,
+    "case-file": case_file,
+    "choices": choices,
+    "data": data,
+    "fields": fields,
+    "gallery": gallery,
+    "included": included,
+    "rust-example": rust_example,
+    "warnings": warnings,
+}
+
+COMMENT = re.compile(r"^<!-- generated: (.*) -->$", re.M)
+
+#: Links to what lies outside of docs, with the pages that have it.
+OUTSIDE = [
+    (re.compile(r"\]\((?:\.\./)+data\)"), "](/reference/data.md)"),
+    (re.compile(r"\]\((?:\.\./)+CHANGELOG\.md\)"), "](/reference/changelog.md)"),
+    (re.compile(r"\]\((?:\.\./)+ARCHITECTURE\.md\)"), "](/reference/architecture.md)"),
+    (re.compile(r"\]\((?:\.\./)+cases/?\)"), "](/reference/gallery.md)"),
+    (
+        re.compile(r"\]\((?:\.\./)+cases/(\w+)\.toml\)"),
+        lambda match: f"](#{_case_anchor(match[1])})",
+    ),
+]
+
+
+def _read(app: Any, page: str, source: list[str]) -> None:
+    def part(match: re.Match[str]) -> str:
+        name, *arguments = shlex.split(match[1])
+        return GENERATED[name](*arguments)
+
+    text = COMMENT.sub(part, source[0])
+    for pattern, target in OUTSIDE:
+        text = pattern.sub(target, text)
+    source[0] = text
+
+
+def _add_mathjax(app: Any, error: Exception | None) -> None:
+    spec = importlib.util.find_spec("sphinx-mathjax-offline")
+    if error is None and app.builder.name == "html" and spec and spec.origin:
+        script = app.config.mathjax_path
+        target = Path(app.outdir) / "_static" / script
+        target.parent.mkdir(exist_ok=True)
+        shutil.copy(Path(spec.origin).parent / "static" / script, target)
+
+
+def _add_rustdoc(app: Any, error: Exception | None) -> None:
+    folder = TARGET / "doc"
+    if error is None and folder.is_dir() and app.builder.name == "html":
+        shutil.copytree(folder, Path(app.outdir) / "rust", dirs_exist_ok=True)
+
+
+def setup(app: Any) -> dict[str, bool]:
+    # Pages are read again when it changes.
+    app.add_config_value("schlupf_digest", digest([*_of_pages(), Path(__file__)]), "env", str)
+    app.connect("source-read", _read)
+    app.connect("autodoc-process-docstring", _shortened, priority=100)
+    app.connect("build-finished", _add_mathjax)
+    app.connect("build-finished", _add_rustdoc)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

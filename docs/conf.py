@@ -1,0 +1,73 @@
+"""The documentation site; `cargo xtask site` builds it."""
+
+import os
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE / "_extensions"))
+
+import site_content  # noqa: E402
+
+import schlupf  # noqa: E402
+
+project = "schlupf"
+author = "The schlupf developers"
+copyright = author
+version = release = schlupf.__version__
+
+extensions = [
+    "myst_nb",
+    "numpydoc",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx_copybutton",
+    "site_content",
+]
+exclude_patterns = ["_extensions", "_static", "requirements.txt"]
+nitpicky = False
+
+# Pages.
+myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 4
+# Sketches of JSON with "…" in it are not JSON.
+suppress_warnings = ["misc.highlighting_failure"]
+
+# Equations, without a server of others.
+mathjax_path = "mathjax/tex-svg.js"
+
+# Notebooks. A result is reused as long as neither the package nor what it reads has changed.
+nb_execution_mode = "cache"
+nb_execution_cache_path = str(site_content.cache())
+nb_execution_timeout = 300
+nb_execution_raise_on_error = True
+nb_merge_streams = True
+# A warning of a cell is one of the build.
+nb_output_stderr = "warn"
+nb_render_markdown_format = "myst"
+os.environ["IPYTHONDIR"] = str(site_content.kernels())
+os.environ["MATPLOTLIBRC"] = str(HERE / "matplotlibrc")
+
+# The Python package.
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+numpydoc_show_class_members = False
+numpydoc_class_members_toctree = False
+
+# Appearance.
+html_theme = "pydata_sphinx_theme"
+html_title = "schlupf"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_show_sourcelink = False
+html_copy_source = False
+html_theme_options = {
+    "header_links_before_dropdown": 7,
+    "navigation_with_keys": False,
+    "secondary_sidebar_items": ["page-toc"],
+    "show_prev_next": True,
+    "footer_start": ["copyright"],
+    "footer_end": ["sphinx-version"],
+}
+html_sidebars = {"index": []}
+copybutton_exclude = ".linenos, .gp, .go"
