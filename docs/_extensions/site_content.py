@@ -178,8 +178,6 @@ def api() -> str:
                 lines += [] if kind == "function" else ["   :members:"]
                 lines += ["   :show-inheritance:", ""] if kind == "exception" else [""]
         lines += ["```", ""]
-    lines += ["## Plots of a result", "", "```{eval-rst}"]
-    lines += [".. autoclass:: schlupf._plots.ResultPlots", "   :members:", "", "```"]
     return "\n".join(lines)
 
 

@@ -17,6 +17,7 @@ from ._case import Case, Section
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
+from ._plots import ResultPlots
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
 from ._presets import Preset, friction, materials, methods, roughnesses
@@ -30,6 +31,7 @@ from ._report import (
     RoughContact,
     Temperatures,
 )
+from ._report_plots import RoughContactPlots
 from ._result import Record, Result
 
 __all__ = [
@@ -47,7 +49,9 @@ __all__ = [
     "Record",
     "Report",
     "Result",
+    "ResultPlots",
     "RoughContact",
+    "RoughContactPlots",
     "SchlupfWarning",
     "Section",
     "Solver",

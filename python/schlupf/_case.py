@@ -70,9 +70,19 @@ def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
         if isinstance(value, Mapping):
             yield from assignments(value, path)
         elif value is None:
-            yield f"{path}="
+            yield from _removed(path)
         else:
             yield f"{path}={toml_value(FIELDS.get(path), value)}"
+
+
+def _removed(path: str) -> Iterator[str]:
+    """A field without its value, or all fields of a section."""
+    section = SECTIONS.get(path)
+    if section is None:
+        yield f"{path}="
+    else:
+        inner = (field for field in FIELDS if field.startswith(f"{path}."))
+        yield from (f"{field}=" for field in inner)
 
 
 class Section:
@@ -224,7 +234,7 @@ class Case:
         return self._file.to_toml(self._folder if folder is None else Path(folder))
 
     def with_(self, **sections: Any) -> Case:
-        """The same case with other fields; `None` takes a field out."""
+        """The same case with other fields; `None` takes a field or a section out."""
         file = self._file.with_fields(list(assignments(sections)))
         return self._of(file, self._folder, self._laws)
 

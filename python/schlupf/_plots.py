@@ -52,8 +52,13 @@ def styled(plot: Callable[P, R]) -> Callable[P, R]:
             import matplotlib.pyplot as plt
         except ImportError as error:
             raise ImportError("plots need matplotlib: pip install schlupf[plot]") from error
-        with plt.rc_context(STYLE):
+        # Not rc_context: while the backend of a notebook is loading it would undo its settings.
+        before = {name: plt.rcParams[name] for name in STYLE}
+        plt.rcParams.update(STYLE)
+        try:
             return plot(*args, **kwargs)
+        finally:
+            plt.rcParams.update(before)
 
     return styled
 
@@ -70,6 +75,16 @@ def axes_or_new(ax: Axes | None, height: float = 2.4) -> Axes:
 def legend_beside(ax: Axes, **options: Any) -> None:
     """A legend that covers nothing."""
     ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **options)
+
+
+def legend_above(ax: Axes, **options: Any) -> None:
+    """A legend over the axes, for several lines of text."""
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, **options)
+
+
+def line(ax: Axes, x: Any, y: Any, label: str, style: dict[str, Any]) -> None:
+    """A line with a label, where the style has none of its own."""
+    ax.plot(x, y, **{"label": label, **style})
 
 
 class ResultPlots:
@@ -157,16 +172,16 @@ class ResultPlots:
         )
         along = "x" if x is None else "y"
         place = {"y": 0.0 if y is None else y} if x is None else {"x": x}
-        line = fields.sel(place, method="nearest")
+        row = fields.sel(place, method="nearest")
         ax = axes_or_new(ax)
-        shown = [line[name] for name in names or ("friction_limit", "traction_x", "traction_y")]
+        shown = [row[name] for name in names or ("friction_limit", "traction_x", "traction_y")]
         factor, unit = scaled(max(largest(entry) for entry in shown), shown[0].attrs["units"])
         for entry in shown:
             label = entry.attrs.get("long_name") or str(entry.name)
-            ax.plot(line[along] * 1e3, entry * factor, label=label, **style)
+            line(ax, row[along] * 1e3, entry * factor, label, style)
         ax.set_xlabel(f"${along}$ (mm)")
         ax.set_ylabel(unit)
-        legend_beside(ax)
+        legend_above(ax)
         return ax
 
     @styled
@@ -198,17 +213,15 @@ class ResultPlots:
         ax = axes_or_new(ax)
         if not names:
             for name in ("force_x", "force_y"):
-                symbol = f"$F_{name[-1]}/N$"
-                ax.plot(
-                    history["time"] * 1e3, history[name] / history["load"], label=symbol, **style
-                )
+                ratio = history[name] / history["load"]
+                line(ax, history["time"] * 1e3, ratio, f"$F_{name[-1]}/N$", style)
         for name in names:
             entry = history[name]
             factor, unit = scaled(largest(entry), entry.attrs["units"])
             label = labelled(entry.assign_attrs(units=unit))
-            ax.plot(history["time"] * 1e3, entry * factor, label=label, **style)
+            line(ax, history["time"] * 1e3, entry * factor, label, style)
         ax.set_xlabel("time (ms)")
-        legend_beside(ax)
+        legend_above(ax)
         return ax
 
     def _map(self, values: xr.DataArray, label: str, ax: Axes | None, **style: Any) -> Axes:
@@ -265,12 +278,20 @@ def colored_map(values: xr.DataArray, label: str, ax: Axes | None, **style: Any)
     ax = axes_or_new(ax)
     factor, unit = scaled(largest(values), values.attrs["units"])
     mesh = _mesh(ax, values, factor, **{"cmap": "viridis", **style})
-    figure = cast("Figure", ax.figure)
-    figure.colorbar(mesh, ax=ax, shrink=0.8, label=f"{label} ({unit})" if unit else label)
+    _color_bar(mesh, ax, f"{label} ({unit})" if unit else label)
+    _places(ax)
+    return ax
+
+
+def _color_bar(mesh: QuadMesh, ax: Axes | Sequence[Axes], label: str) -> None:
+    figure = cast("Figure", mesh.get_figure())
+    figure.colorbar(mesh, ax=ax, shrink=0.8, label=label)
+
+
+def _places(ax: Axes) -> None:
     ax.set_xlabel("$x$ (mm)")
     ax.set_ylabel("$y$ (mm)")
     ax.set_aspect("equal")
-    return ax
 
 
 def labelled(values: xr.DataArray) -> str:
@@ -308,12 +329,13 @@ def comparison(
     _, axes = plt.subplots(1, len(results), figsize=size, squeeze=False)
     shown = [result.fields[field] for result in results]
     bound = max(largest(values) for values in shown)
-    factor, _ = scaled(bound, shown[0].attrs["units"])
-    limits = {"vmin": min(0.0, *(float(v.min()) * factor for v in shown)), "vmax": bound * factor}
+    factor, unit = scaled(bound, shown[0].attrs["units"])
+    lowest = min(0.0, *(float(values.min()) * factor for values in shown))
     names = labels or [result.title for result in results]
-    for ax, result, values, name in zip(axes[0], results, shown, names, strict=True):
-        ResultPlots(result)._map(values, values.attrs["long_name"], ax, **limits)
-        ax.set_title(name)
+    for ax, values, name in zip(axes[0], shown, names, strict=True):
+        mesh = _mesh(ax, values, factor, vmin=lowest, vmax=bound * factor, cmap="viridis")
+        _patch_axes(ax, name)
+    _color_bar(mesh, list(axes[0]), labelled(shown[0].assign_attrs(units=unit)))
     return list(axes[0])
 
 
@@ -327,8 +349,7 @@ def frames(results: Sequence[Result], field: str = "traction_x", **options: Any)
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
     mesh = _mesh(ax, shown[0], factor, vmin=-bound * factor, vmax=bound * factor, cmap="RdBu")
-    figure = cast("Figure", ax.figure)
-    figure.colorbar(mesh, ax=ax, label=f"{shown[0].attrs['long_name']} ({unit})")
+    _color_bar(mesh, ax, labelled(shown[0].assign_attrs(units=unit)))
     _patch_axes(ax, results[0].title)
 
     def draw(k: int) -> Iterator[QuadMesh]:

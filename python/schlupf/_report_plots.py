@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ._plots import axes_or_new, colored_map, labelled, largest, legend_beside, styled
+from ._plots import axes_or_new, colored_map, labelled, largest, legend_beside, line, styled
 from ._prefixes import scaled
 
 if TYPE_CHECKING:
@@ -25,7 +25,9 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
     ax = axes_or_new(ax)
     points, name = curve.points, curve.varied
     factor, unit = scaled(max(largest(points[force]) for force in FORCES), "N")
-    shown = {force: symbol for force, symbol in FORCES.items() if largest(points[force]) > 0.0}
+    # What is left of a force by rounding is none.
+    noise = 1e-9 * max(largest(points[force]) for force in FORCES)
+    shown = {force: symbol for force, symbol in FORCES.items() if largest(points[force]) > noise}
     members = (
         [points]
         if "over" not in points.dims
@@ -33,10 +35,10 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
     )
     for number, member in enumerate(members):
         of_member = _member(member)
-        for line, (force, symbol) in zip(("-", "--"), shown.items(), strict=False):
+        for dashes, (force, symbol) in zip(("-", "--"), shown.items(), strict=False):
             label = f"{symbol}, {of_member}" if of_member else symbol
-            options = {"color": f"C{number}", "linestyle": line} if of_member else {}
-            ax.plot(member[name], member[force] * factor, label=label, **{**options, **style})
+            options = {"color": f"C{number}", "linestyle": dashes} if of_member else {}
+            line(ax, member[name], member[force] * factor, label, {**options, **style})
     ax.set_xlabel(labelled(points[name]))
     ax.set_ylabel(f"force on the wheel ({unit})")
     if "over" in points.dims:
@@ -61,7 +63,7 @@ def temperatures(found: Temperatures, ax: Axes | None = None, **style: Any) -> A
     ax = axes_or_new(ax)
     surface = found.rows.isel(depth=0)
     for body in ("wheel", "rail"):
-        ax.plot(surface["x"] * 1e3, surface[f"temperature_{body}"], label=body, **style)
+        line(ax, surface["x"] * 1e3, surface[f"temperature_{body}"], body, style)
     edges = found.contact
     ax.axvspan(edges.trailing_edge * 1e3, edges.leading_edge * 1e3, color="0.9", zorder=0)
     ax.set_xlabel("$x$ (mm), rolling →")
@@ -81,7 +83,7 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
     height = 0.8 / len(FORCES)
     for number, (force, symbol) in enumerate(FORCES.items()):
         shift = (number - (len(FORCES) - 1) / 2) * height
-        ax.barh(places + shift, table[force] * factor, height, label=symbol, **style)
+        ax.barh(places + shift, table[force] * factor, height, **{"label": symbol, **style})
     ax.set_yticks(places, table["model"].values.tolist())
     ax.invert_yaxis()
     ax.axvline(0.0, color="black", linewidth=0.6)
@@ -111,7 +113,7 @@ def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
             markersize=3,
             label=f"{component}, measured",
         )
-        ax.plot(own[name], own["fitted"], color=color, label="fitted", **style)
+        line(ax, own[name], own["fitted"], "fitted", {"color": color, **style})
         ax.set_xlabel(labelled(own[name]))
     ax.set_ylabel("force on the rail over load")
     legend_beside(ax)
@@ -157,12 +159,8 @@ class RoughContactPlots:
         ax = axes_or_new(ax)
         for entry, points in zip(self._contact["pressures"], self._contact.curves, strict=True):
             pressure = cast("float", entry["mean_pressure"])
-            ax.plot(
-                points["displacement"] * 1e6,
-                points["normalised_traction"],
-                label=f"{pressure * 1e-6:.0f} MPa",
-                **style,
-            )
+            label = f"{pressure * 1e-6:.0f} MPa"
+            line(ax, points["displacement"] * 1e6, points["normalised_traction"], label, style)
         ax.set_xlabel("displacement (µm)")
         ax.set_ylabel(r"$t / \mu p$")
         legend_beside(ax)

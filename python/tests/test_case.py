@@ -126,3 +126,10 @@ def test_a_case_survives_its_text(load, creepage, conductivity, temperature, cel
     assert case.normal.load == pytest.approx(load, rel=1e-15)
     assert case.title == title
     assert schlupf.Case.from_toml(case.to_toml()) == case
+
+
+def test_a_section_can_be_taken_out():
+    case = schlupf.Case(history={"time": [0.0, 1e-3], "creepage_x": [0.0, 0.002]})
+    assert case.with_(history=None).given() == []
+    with pytest.raises(schlupf.CaseError, match="unknown field `histry`"):
+        case.with_(histry=None)

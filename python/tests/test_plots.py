@@ -24,6 +24,17 @@ def test_a_map_shows_its_field(result, name):
     assert ax.get_xlabel().startswith("$x$ (mm)")
 
 
+def test_a_plot_leaves_the_settings_of_matplotlib_alone(result):
+    plt.rcParams["font.size"] = 11.0
+    plt.ion()
+    result.plot.pressure()
+    assert plt.rcParams["font.size"] == 11.0
+    assert plt.isinteractive()
+    plt.ioff()
+    plt.rcdefaults()
+    plt.switch_backend("agg")
+
+
 def test_axes_can_be_given(result):
     _, ax = plt.subplots()
     assert result.plot.pressure(ax=ax) is ax
@@ -63,6 +74,11 @@ def test_a_creep_curve(case):
     ax = curve.plot()
     np.testing.assert_allclose(ax.lines[0].get_ydata(), curve.points["force_x"] * 1e-3)
     assert ax.get_xlabel() == "longitudinal creepage"
+    assert len(ax.lines) == 2
+    # Nothing acts across but rounding.
+    along = case.with_(kinematics=None).curve(creepage_x=(0.0, 0.01), points=5)
+    assert len(along.plot().lines) == 1
+    assert curve.plot(label="mine").get_legend().get_texts()[0].get_text() == "mine"
 
 
 def test_comparison_and_animation(case, result):

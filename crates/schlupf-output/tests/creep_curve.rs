@@ -225,7 +225,7 @@ fn the_summary_is_compact_and_says_what_it_leaves_out() {
         "|F|/N",
         "rise (K)",
         "NOT CONVERGED",
-        "of 105 points; --csv and --json have all",
+        "of 105 points; CSV and JSON have all",
         "Kalker's C11 = 4.2",
         "|F|/N = 0.404 at creepage_x = 0.015",
     ] {

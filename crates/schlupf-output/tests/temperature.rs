@@ -78,7 +78,7 @@ fn the_summary_shows_some_points_and_all_warnings() {
         "a <hot> wheel",
         "below x = -3 mm, y = 0 mm",
         "in contact from x = 6 to -6 mm",
-        "(11 of 101 points; --csv and --json have all)",
+        "(11 of 101 points; CSV and JSON have all)",
         "bulk temperatures: wheel 100 °C, rail 0 °C",
         "  a reason",
     ] {

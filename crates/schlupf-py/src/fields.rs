@@ -34,7 +34,9 @@ fn entry<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     entry.set_item("name", field.name())?;
     entry.set_item("kind", kind(field.kind))?;
     entry.set_item("units", field.kind.unit())?;
-    entry.set_item("requirement", field.requirement.text(field.kind.unit(), &FieldNames::CASE))?;
+    let requirement = field.requirement.text(field.kind.unit(), &FieldNames::CASE);
+    let requirement = if is_number(field.kind) { requirement } else { String::new() };
+    entry.set_item("requirement", requirement)?;
     let default = match field.default {
         Default::Nothing => None,
         Default::Text(text) | Default::Same(text) | Default::Computed(text) => Some(text),
@@ -46,6 +48,10 @@ fn entry<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     entry.set_item("used_with", uses.collect::<Vec<_>>())?;
     entry.set_item("doc", field.doc)?;
     Ok(entry)
+}
+
+fn is_number(kind: Kind) -> bool {
+    !matches!(kind, Kind::Flag | Kind::Choice(_) | Kind::Text | Kind::Path)
 }
 
 fn kind(kind: Kind) -> &'static str {

@@ -88,7 +88,7 @@ messages! {
         friction: f64,
     } Quantity::ContactStiffness, |name, words| format!(
         "{name}: the bristles return {returned:.3e} W of {friction:.3e} W friction power; that part \
-         is discarded and does not cool the surfaces. Where it is large in steady rolling, the grid \
+         is discarded: it neither heats nor cools. Where it is large in steady rolling, the grid \
          is too coarse for the contact law"
     );
 

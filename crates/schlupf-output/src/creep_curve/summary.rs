@@ -119,7 +119,7 @@ fn table(text: &mut String, curve: &CreepCurve) {
         row(text, columns.iter().map(|(_, value)| number(value(point))), remark);
     }
     if rows < points.len() {
-        line(text, &format!("  ({rows} of {} points; --csv and --json have all)", points.len()));
+        line(text, &format!("  ({rows} of {} points; CSV and JSON have all)", points.len()));
     }
 }
 

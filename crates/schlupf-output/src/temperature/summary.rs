@@ -49,6 +49,6 @@ fn table(text: &mut String, position: &str, values: &Line) {
         line(text, &format!("{position:>12}{wheel:>12}{rail:>12}"));
     }
     if rows < last {
-        line(text, &format!("  ({} of {} points; --csv and --json have all)", rows + 1, last + 1));
+        line(text, &format!("  ({} of {} points; CSV and JSON have all)", rows + 1, last + 1));
     }
 }
