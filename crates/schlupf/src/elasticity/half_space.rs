@@ -18,6 +18,7 @@ use std::sync::Arc;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
+use super::ellipsoidal_traction::EllipsoidalTraction;
 use super::{Compliance, Elasticity};
 use crate::error::{Error, require_positive};
 use crate::fourier::{smooth_from, transpose, transpose_back};
@@ -157,6 +158,10 @@ impl Elasticity for HalfSpace {
         let influences = Influences::new(self, grid);
         let convolution = Convolution::new(grid, |i, j| influences.at(i, j));
         Ok(Box::new(HalfSpaceCompliance { convolution }))
+    }
+
+    fn under_ellipsoid(&self, semi_axes: [f64; 2]) -> Option<EllipsoidalTraction> {
+        Some(EllipsoidalTraction::new(self.shear_modulus, self.poisson_ratio, semi_axes))
     }
 
     fn caveat(&self) -> Option<Warning> {

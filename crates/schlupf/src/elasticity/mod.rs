@@ -3,6 +3,7 @@
 pub mod calibrated_layer;
 mod calibration_table;
 pub mod elastic_layer;
+pub mod ellipsoidal_traction;
 pub mod half_space;
 pub mod rigid;
 pub mod winkler;
@@ -13,10 +14,18 @@ use crate::error::Error;
 use crate::grid::{Grid, VectorField};
 use crate::warning::Warning;
 
+use ellipsoidal_traction::EllipsoidalTraction;
+
 /// A model of elasticity. Extension point.
 pub trait Elasticity: Debug + Send + Sync {
     /// The compliance on the cells of a grid.
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error>;
+
+    /// The exact displacement under a semi-ellipsoidal traction on an ellipse with the given
+    /// semi-axes (in m), if the model knows it.
+    fn under_ellipsoid(&self, _semi_axes: [f64; 2]) -> Option<EllipsoidalTraction> {
+        None
+    }
 
     /// What the model neglects for the given bodies, if whoever uses the results should know.
     fn caveat(&self) -> Option<Warning> {

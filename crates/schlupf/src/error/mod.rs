@@ -382,6 +382,19 @@ messages! {
         words.choice(Quantity::TractionBound, "elliptic")
     );
 
+    /// Coulomb's law between rigid bodies.
+    "coulomb-of-rigid-bodies" CoulombOfRigidBodies {} Quantity::Elasticity, |name, words| format!(
+        "{name}: with Coulomb's law ({}) the bodies must be elastic, because nothing else determines \
+         the traction where they stick",
+        words.word(Quantity::ContactLaw)
+    );
+
+    /// Coulomb's law where only laws with bristles are known.
+    "coulomb-in-time" CoulombInTime {} Quantity::ContactLaw, |name, words| format!(
+        "{name}: Coulomb's law is available for steady states found directly, not for marching, \
+         histories and shifts"
+    );
+
     /// A history over which the wheel rolls too far.
     "history-too-long" HistoryTooLong {
         /// First and last time, in s.

@@ -52,6 +52,12 @@ pub trait ContactLaw: Debug + Send + Sync {
     fn with_stiffness(&self, _stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
         Ok(None)
     }
+
+    /// Whether this is Coulomb's law: where a point sticks, its traction is whatever equilibrium
+    /// requires and no function of the sliding, so the solver must treat it in its own way.
+    fn is_coulomb(&self) -> bool {
+        false
+    }
 }
 
 /// Eq. (8) of Neuhaus and Sextro (2014) in terms of the total sliding distance δ since entry: q =
@@ -159,6 +165,31 @@ impl ContactLaw for Incremental {
 
     fn with_stiffness(&self, stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
         Ok(Some(Arc::new(Self::new(stiffness)?)))
+    }
+}
+
+/// Coulomb's law, the limit k_c → ∞ of both others: a point either does not slide at all, with any
+/// |q| ≤ 1, or it slides with q = Δs/|Δs|.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Coulomb;
+
+impl ContactLaw for Coulomb {
+    /// Without an increment the point keeps its traction, which is one of those that it may have;
+    /// every derivative with respect to the increment is then infinite.
+    fn respond(&self, slide: &Slide) -> Response {
+        let length = length_of(slide.increment);
+        if length == 0.0 {
+            let by_increment = diagonal(f64::INFINITY);
+            let traction = slide.traction;
+            return Response { traction, by_increment, by_traction: 1.0, ..Response::default() };
+        }
+        let traction = slide.increment.map(|s| s / length);
+        let by_increment = direction_tensor(traction, 0.0, length.recip());
+        Response { traction, by_increment, ..Response::default() }
+    }
+
+    fn is_coulomb(&self) -> bool {
+        true
     }
 }
 

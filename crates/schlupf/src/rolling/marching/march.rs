@@ -158,6 +158,9 @@ struct March<'a> {
 impl<'a> March<'a> {
     fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
         let Transient { problem, history, initial_state } = transient;
+        if problem.contact_law.is_coulomb() {
+            return Err(Error::CoulombInTime {});
+        }
         let [start, _] = history.span();
         let grid = grid_over_history(transient, options)?;
         let normal = problem.normal.normal_contact(history.load(start))?;

@@ -150,6 +150,14 @@ impl DiscreteContact {
         (p, middle)
     }
 
+    /// Ratio of displacement to traction of the middle cell in each direction, in m/Pa.
+    pub fn cell_compliances(&mut self) -> [f64; 2] {
+        let (p, middle) = self.lone_cell();
+        let mut u = vec![0.0; p.len()];
+        self.product(&p).at_cells(&mut u);
+        [u[2 * middle], u[2 * middle + 1]]
+    }
+
     /// A p, with the traction given in each cell.
     pub fn product(&mut self, p: &[f64]) -> Displaced<'_> {
         self.interpolation.spread(p, &mut self.workspace.traction);
@@ -344,8 +352,12 @@ fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
     Err(Error::NoPressure { load, semi_axes: [semi_axis_x, semi_axis_y] })
 }
 
-/// Cold coefficient of friction times the initial slope of the contact law, in 1/m.
+/// Cold coefficient of friction times the initial slope of the contact law, in 1/m; infinite for
+/// Coulomb's law.
 fn bristles(problem: &Problem) -> f64 {
+    if problem.contact_law.is_coulomb() {
+        return f64::INFINITY;
+    }
     let slope = problem.contact_law.respond(&Slide::default()).by_increment[0][0];
     problem.friction.cold_coefficient() * slope
 }

@@ -6,6 +6,8 @@ use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::rolling::shared::contact::DiscreteContact;
 
+use super::bristles::Bristles;
+use super::coulomb::StickSlip;
 use super::steady_friction::SteadyFriction;
 use super::strip_law::StripLaw;
 use super::transfer::Transfer;
@@ -13,7 +15,7 @@ use super::transfer::Transfer;
 /// A grid with its discrete contact, and the previous solutions on it.
 pub(super) struct Level {
     pub contact: DiscreteContact,
-    pub strips: StripLaw,
+    pub strips: Box<dyn StripLaw>,
     pub friction: SteadyFriction,
     /// Transfer to the next coarser level, if there is one.
     pub descent: Option<Descent>,
@@ -84,11 +86,16 @@ pub(super) fn nested(
 
 impl Level {
     fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
-        let contact = DiscreteContact::new(problem, normal, grid)?;
+        let mut contact = DiscreteContact::new(problem, normal, grid)?;
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
+        let strips: Box<dyn StripLaw> = if problem.contact_law.is_coulomb() {
+            Box::new(StickSlip::new(problem, normal, &mut contact)?)
+        } else {
+            Box::new(Bristles::new(problem, &contact.patch))
+        };
         Ok(Self {
-            strips: StripLaw::new(problem, &contact.patch),
+            strips,
             friction: SteadyFriction::new(problem, &contact.patch),
             descent: None,
             traction: zeros(),
@@ -116,10 +123,7 @@ impl Level {
 
     /// μ pₙ with the friction of the last evaluation.
     pub fn take_bound(&mut self) {
-        let cells = self.contact.patch.cells.iter().zip(&self.friction.lag.coefficient);
-        for (bound, (cell, coefficient)) in self.strips.bound.iter_mut().zip(cells) {
-            *bound = coefficient * cell.pressure;
-        }
+        self.strips.set_bound(&self.contact.patch.cells, &self.friction.lag.coefficient);
     }
 
     /// Number of unknowns.
@@ -129,7 +133,8 @@ impl Level {
 
     /// Reduces tractions that exceed μ pₙ to the bound.
     pub fn clip(&mut self) {
-        for (p, bound) in self.traction.chunks_exact_mut(2).zip(&self.strips.bound) {
+        self.strips.complete(&mut self.traction);
+        for (p, bound) in self.traction.chunks_exact_mut(2).zip(self.strips.bound()) {
             let length = p[0].hypot(p[1]);
             if length > *bound {
                 p[0] *= bound / length;

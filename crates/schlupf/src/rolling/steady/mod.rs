@@ -5,6 +5,8 @@ mod transfer;
 mod lag;
 mod steady_friction;
 mod strip_law;
+mod bristles;
+mod coulomb;
 mod level;
 mod steady_state;
 mod sensitivity;

@@ -229,7 +229,7 @@ impl<'a> Derivatives<'a> {
             direct.friction.scaled_rise[k] = load_exponent * by_size;
             direct.friction.law[k] = load_exponent * friction.response[k].by_y * cell.y;
             direct.friction.entry[k] = load_exponent * friction.lag.entry[k].by_y * cell.y;
-            direct.bound[k] = (1.0 - 2.0 * load_exponent) * strips.bound[k];
+            direct.bound[k] = (1.0 - 2.0 * load_exponent) * strips.bound()[k];
         }
         direct.friction.way = load_exponent;
         // The slip is the change of A p along the passage divided by the cell size, which grows.

@@ -72,6 +72,7 @@ impl Setup {
     pub fn fits(&self, problem: &Problem) -> bool {
         Arc::ptr_eq(&self.problem.normal, &problem.normal)
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
+            && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
     }
 
     /// The steady state, starting from previous solutions; if that fails, from none; and then
@@ -291,7 +292,8 @@ impl Setup {
         let exits = patch.strips.iter().map(|strip| friction.heat.scaled_exit_rise(strip));
         now.scaled_exit_rise = exits.collect();
         now.surfaces = friction.surfaces(patch);
-        let is_found = now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
+        let is_found =
+            outcome.converged && now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
         let warnings = warnings(problem, options, contact, &now);
         let view = View { normal: &contact.normal, patch: &contact.patch, now: &now };
         let whole = Outcome { iterations: work.newton_iterations, ..*outcome };

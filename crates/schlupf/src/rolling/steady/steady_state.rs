@@ -8,7 +8,7 @@ use crate::rolling::shared::contact::Displaced;
 
 use super::level::{Descent, Level};
 use super::steady_friction::{Change, FrictionCause, SteadyFriction};
-use super::strip_law::{Cause, StripLaw};
+use super::strip_law::{Cause, Changed, StripLaw};
 
 /// The steady equilibrium on the first of several levels. The coarser ones, solved before, are part
 /// of the preconditioner.
@@ -61,7 +61,8 @@ impl Equilibrium for SteadyState<'_> {
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         let is_coupled = self.is_coupled();
         let Level { contact, strips, workspace, .. } = &mut self.levels[0];
-        relate(contact.product(p), strips, &mut workspace.at_entry, u, is_coupled);
+        let strips = Strips { law: strips.as_ref(), traction: p };
+        relate(contact.product(p), &strips, &mut workspace.at_entry, u, is_coupled);
     }
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
@@ -77,12 +78,13 @@ impl Equilibrium for SteadyState<'_> {
         let is_coupled = self.is_coupled();
         let Level { strips, friction, workspace, .. } = &mut self.levels[0];
         if !is_coupled {
-            strips.tangent(v, response, None, None, product);
+            strips.tangent(&Changed { traction: v, response, bound: None }, None, product);
             return;
         }
         let change = Change { traction: v, passing: &response[v.len()..] };
         friction.bound_changes(change, None, &mut workspace.flux, &mut workspace.bound);
-        strips.tangent(v, response, Some(&workspace.bound), None, product);
+        let bound = Some(workspace.bound.as_slice());
+        strips.tangent(&Changed { traction: v, response, bound }, None, product);
     }
 
     /// The state of rigid bodies, which is a good guess where friction follows a high slip speed.
@@ -90,6 +92,7 @@ impl Equilibrium for SteadyState<'_> {
         if self.is_coupled() {
             let Level { contact, strips, friction, .. } = &mut self.levels[0];
             friction.rigid_slip_state(self.problem, &contact.patch, &strips.rigid_saturation(), p);
+            strips.complete(p);
         }
         self.is_coupled()
     }
@@ -99,11 +102,17 @@ impl Equilibrium for SteadyState<'_> {
     }
 }
 
+/// The strips of a patch under a traction (in Pa).
+struct Strips<'a> {
+    law: &'a dyn StripLaw,
+    traction: &'a [f64],
+}
+
 /// The linear response from the result of a product: the displacement at the cells relative to the
 /// upstream neighbour, and the change along the passage if required.
 fn relate(
     mut made: Displaced,
-    strips: &StripLaw,
+    strips: &Strips,
     at_entry: &mut [f64],
     response: &mut [f64],
     is_coupled: bool,
@@ -114,7 +123,7 @@ fn relate(
     for (b, entry) in b.iter_mut().zip(at_entry) {
         *b -= *entry;
     }
-    strips.differences(b);
+    strips.law.relate(strips.traction, b);
     if is_coupled {
         made.change_in_passing(passing);
     }
@@ -171,7 +180,9 @@ impl SteadyState<'_> {
             *bound += direct;
         }
         let b = &response[..size];
-        strips.tangent(&nothing, b, Some(&workspace.bound), Some(&direct.cause), change);
+        let bound = Some(workspace.bound.as_slice());
+        let changed = Changed { traction: &nothing, response: b, bound };
+        strips.tangent(&changed, Some(&direct.cause), change);
     }
 
     /// Derivative of the linear response (in m) at the solution with respect to the logarithm of
@@ -189,7 +200,8 @@ impl SteadyState<'_> {
         for (b, entry) in b.iter_mut().zip(&workspace.at_entry) {
             *b = -by_stiffness * entry;
         }
-        strips.differences(b);
+        let nothing = vec![0.0; b.len()];
+        strips.relate(&nothing, b);
         Some(response)
     }
 
@@ -201,7 +213,8 @@ impl SteadyState<'_> {
         let made = contact.product_by_size(traction);
         let is_known = made.is_some();
         if let Some(made) = made {
-            relate(made, strips, &mut workspace.at_entry, response, is_coupled);
+            let strips = Strips { law: strips.as_ref(), traction };
+            relate(made, &strips, &mut workspace.at_entry, response, is_coupled);
         }
         is_known
     }
@@ -212,19 +225,21 @@ impl SteadyState<'_> {
 fn precondition(levels: &mut [Level], v: &mut [f64]) {
     let Some((level, coarser)) = levels.split_first_mut() else { return };
     let Some(Descent { transfer, carried, known }) = &mut level.descent else {
-        sweep(&mut level.strips, &level.friction, v);
+        sweep(level.strips.as_mut(), &level.friction, v);
         return;
     };
+    level.strips.complete(v);
     transfer.restrict(v, carried);
-    sweep(&mut level.strips, &level.friction, v);
+    sweep(level.strips.as_mut(), &level.friction, v);
     transfer.restrict(v, known);
     precondition(coarser, carried);
     for (carried, known) in carried.iter_mut().zip(known) {
         *carried -= *known;
     }
     transfer.add_prolonged(carried, v);
+    level.strips.complete(v);
 }
 
-fn sweep(strips: &mut StripLaw, friction: &SteadyFriction, v: &mut [f64]) {
+fn sweep(strips: &mut dyn StripLaw, friction: &SteadyFriction, v: &mut [f64]) {
     strips.precondition(v, friction.is_coupled.then_some(friction));
 }

@@ -1,0 +1,183 @@
+//! Correction of the displacement by that under a traction for which it is known.
+//!
+//! Constant tractions in the cells do not represent the root-like traction at the edge of a patch
+//! well: the displacement there is that of an edge shifted by a part of a cell. Under p = pₙ it is
+//! known exactly, or at least much better on a finer grid. As p/pₙ is smooth at the edge, what is
+//! missing of the displacement under any p is, to leading order, what is missing under pₙ times p/pₙ
+//! of the cell itself, and at the entry times that of the first cell of the strip.
+
+use std::ops::Range;
+
+use crate::elasticity::ellipsoidal_traction::EllipsoidalTraction;
+use crate::error::Error;
+use crate::grid::{BORDER, Grid, VectorField};
+use crate::normal::{NormalContact, Pressure};
+use crate::numerics::interpolation::bilinear;
+use crate::patch::{Interpolation, Patch};
+use crate::problem::Problem;
+use crate::rolling::shared::contact::DiscreteContact;
+
+/// Displacement of a point under tractions along both axes: xx, yy and xy, in m or in m/Pa.
+pub(super) type Symmetric = [f64; 3];
+
+/// What is missing of the displacement under p = pₙ, in m.
+pub(super) struct Missing {
+    pub at_cells: Vec<Symmetric>,
+    pub at_entries: Vec<Symmetric>,
+}
+
+/// The same over the pressure of the cell, or of the first one of the strip that is kept; in m/Pa.
+pub(super) struct Calibration {
+    pub at_cells: Vec<Symmetric>,
+    at_entries: Vec<Symmetric>,
+    /// The first cell of the strip of each cell.
+    first: Vec<usize>,
+}
+
+/// Refinement of the grid that stands for the exact displacement.
+const FINER: usize = 4;
+
+/// Largest number of cells of that grid; with more it is less fine, or the grid itself is.
+const MOST_CELLS: usize = 1 << 19;
+
+impl Missing {
+    /// Of the contact of a problem: against the exact displacement if it is known, and otherwise
+    /// that on a finer grid. Nothing is missing if cells do not displace each other.
+    pub fn new(
+        problem: &Problem,
+        normal: &NormalContact,
+        contact: &mut DiscreteContact,
+    ) -> Result<Self, Error> {
+        let cells = contact.patch.len();
+        if !contact.compliance.couples_cells() {
+            let nothing = vec![[0.0; 3]; cells];
+            return Ok(Self { at_cells: nothing.clone(), at_entries: nothing });
+        }
+        let exact = Exact::of(problem, normal, &contact.patch.grid)?;
+        let [mut at_cells, mut at_entries] = discrete(contact);
+        for (k, cell) in contact.patch.cells.iter().enumerate() {
+            let known = [[cell.x, cell.y], [cell.entry_x(), cell.y]].map(|at| exact.at(at));
+            for (missing, known) in [&mut at_cells[k], &mut at_entries[k]].into_iter().zip(known) {
+                *missing = std::array::from_fn(|c| known[c] - missing[c]);
+            }
+        }
+        Ok(Self { at_cells, at_entries })
+    }
+}
+
+impl Calibration {
+    /// For the cells of a patch of which `kept` carry tractions of their own.
+    pub fn new(missing: &Missing, patch: &Patch, kept: &[Range<usize>]) -> Self {
+        let mut first: Vec<usize> = (0..patch.len()).collect();
+        for cells in kept {
+            first[cells.clone()].fill(cells.start);
+        }
+        let over = |missing: &Symmetric, k: usize| missing.map(|u| u / patch.cells[k].pressure);
+        let own = missing.at_cells.iter().enumerate();
+        let entries = missing.at_entries.iter().zip(&first);
+        Self {
+            at_cells: own.map(|(k, missing)| over(missing, k)).collect(),
+            at_entries: entries.map(|(missing, first)| over(missing, *first)).collect(),
+            first,
+        }
+    }
+
+    /// Adds what is missing of the displacements relative to those at the entries under p.
+    pub fn add(&self, p: &[f64], relative: &mut [f64]) {
+        for (k, relative) in relative.chunks_exact_mut(2).enumerate() {
+            let own = product(&self.at_cells[k], p, k);
+            let entry = product(&self.at_entries[k], p, self.first[k]);
+            relative[0] += own[0] - entry[0];
+            relative[1] += own[1] - entry[1];
+        }
+    }
+}
+
+fn product([xx, yy, xy]: &Symmetric, p: &[f64], k: usize) -> [f64; 2] {
+    let [px, py] = [p[2 * k], p[2 * k + 1]];
+    [xx * px + xy * py, xy * px + yy * py]
+}
+
+/// The displacement under p = pₙ at the cells and at their entries, as it is computed; in m.
+fn discrete(contact: &mut DiscreteContact) -> [Vec<Symmetric>; 2] {
+    let mut found = [0, 1].map(|_| vec![[0.0; 3]; contact.patch.len()]);
+    let mut u = vec![0.0; 2 * contact.patch.len()];
+    for direction in 0..2 {
+        let along = |c: usize| if c == direction { 1.0 } else { 0.0 };
+        let cells = contact.patch.cells.iter();
+        let p: Vec<f64> = cells.flat_map(|cell| [0, 1].map(|c| along(c) * cell.pressure)).collect();
+        let made = contact.product(&p);
+        for (place, found) in found.iter_mut().enumerate() {
+            if place == 0 {
+                made.at_cells(&mut u)
+            } else {
+                made.at_entries(&mut u)
+            }
+            for (found, u) in found.iter_mut().zip(u.chunks_exact(2)) {
+                found[direction] = u[direction];
+                found[2] = u[1 - direction];
+            }
+        }
+    }
+    found
+}
+
+/// What is taken for the exact displacement under p = pₙ.
+enum Exact {
+    Ellipsoid(EllipsoidalTraction, f64),
+    Finer { grid: Grid, under: [VectorField; 2] },
+}
+
+impl Exact {
+    fn of(problem: &Problem, normal: &NormalContact, grid: &Grid) -> Result<Self, Error> {
+        let summary = &normal.summary;
+        let semi_axes = [summary.semi_axis_x, summary.semi_axis_y];
+        if let Pressure::Elliptic = normal.pressure
+            && let Some(known) = problem.elasticity.under_ellipsoid(semi_axes)
+        {
+            return Ok(Self::Ellipsoid(known, summary.peak_pressure));
+        }
+        let finer = (2..=FINER).rev().find(|finer| finer * finer * grid.len() <= MOST_CELLS);
+        let finer = finer.unwrap_or(1);
+        let across = [grid.columns - 2 * BORDER, grid.rows].map(|cells| finer * cells);
+        let grid = Grid::across(&normal.extent(), across[0], across[1]);
+        let patch = Patch::new(normal, grid);
+        let mut compliance = problem.elasticity.compliance(&grid)?;
+        let spread = Interpolation::new(&patch, 0.0);
+        let mut traction = VectorField::zeros(grid.len());
+        let under = [0, 1].map(|direction| {
+            let of = |pressure: f64| if direction == 0 { [pressure, 0.0] } else { [0.0, pressure] };
+            let p: Vec<f64> = patch.cells.iter().flat_map(|cell| of(cell.pressure)).collect();
+            spread.spread(&p, &mut traction);
+            let mut displacement = VectorField::zeros(grid.len());
+            compliance.displacement(&traction, &mut displacement);
+            displacement
+        });
+        Ok(Self::Finer { grid, under })
+    }
+
+    /// At a point (in m).
+    fn at(&self, point: [f64; 2]) -> Symmetric {
+        match self {
+            Self::Ellipsoid(known, peak) => known.displacement(*peak, point),
+            Self::Finer { grid, under: [along, across] } => {
+                let at = |values: &[f64]| interpolated(grid, values, point);
+                [at(&along.x), at(&across.y), at(&along.y)]
+            }
+        }
+    }
+}
+
+/// A field at a point (in m), linearly between the cells of its grid.
+fn interpolated(grid: &Grid, values: &[f64], [x, y]: [f64; 2]) -> f64 {
+    let place = |at: f64, first: f64, spacing: f64, count: usize| {
+        let position = ((at - first) / spacing).clamp(0.0, (count - 1) as f64);
+        let cell = (position as usize).min(count.saturating_sub(2));
+        (cell, (cell + 1).min(count - 1), position - cell as f64)
+    };
+    let (i, next_i, share_x) = place(x, grid.x(0), grid.spacing_x, grid.columns);
+    let (j, next_j, share_y) = place(y, grid.y(0), grid.spacing_y, grid.rows);
+    let corners = [[i, j], [next_i, j], [i, next_j], [next_i, next_j]];
+    let weights = bilinear([share_x, share_y]);
+    corners.iter().zip(weights).map(|([i, j], w)| w * values[grid.index(*i, *j)]).sum()
+}

@@ -1,0 +1,81 @@
+//! Cells at the ends of a strip that are so little loaded that they say nothing of their own.
+
+use std::ops::Range;
+
+use crate::patch::Patch;
+
+/// Pressure relative to that of the neighbour towards the middle of the strip below which a cell is
+/// a sliver, dimensionless; anything from 0.25 to 0.5 does.
+const LEAST_PRESSURE: f64 = 0.35;
+
+/// Displacement that is missing under p = pₙ, relative to that of the cell under its own traction,
+/// beyond which a cell is a sliver: its equation would be far too stiff; dimensionless.
+const MOST_EXCESS: f64 = 0.12;
+
+/// Covered part above which a cell is not partly covered, dimensionless.
+const COVERED: f64 = 0.999;
+
+/// A cell that takes the traction over the pressure of another cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sliver {
+    pub cell: usize,
+    /// The cell that it follows.
+    pub after: usize,
+    /// Ratio of its pressure to that of the other, dimensionless.
+    pub ratio: f64,
+}
+
+/// The slivers of a patch, and the other cells.
+pub(super) struct Slivers {
+    pub slivers: Vec<Sliver>,
+    /// The cells of each strip that are none, from the leading edge; never empty.
+    pub kept: Vec<Range<usize>>,
+}
+
+impl Slivers {
+    /// Of a patch, where `missing` is the displacement (in m) that the discrete one under p = pₙ
+    /// falls short of the exact one, the smaller of both components, and `own` the compliance of a
+    /// cell (in m/Pa).
+    pub fn new(patch: &Patch, missing: &[f64], own: f64) -> Self {
+        let pressure = |k: usize| patch.cells[k].pressure;
+        let is_sliver = |k: usize, next: usize| {
+            let is_stiff = missing[k] < -MOST_EXCESS * own * pressure(k);
+            pressure(k) < LEAST_PRESSURE * pressure(next)
+                || (is_stiff && patch.cells[k].covered < COVERED)
+        };
+        let mut slivers = Vec::new();
+        let mut kept = Vec::with_capacity(patch.strips.len());
+        for strip in &patch.strips {
+            let (mut first, mut last) = (strip.cells.start, strip.cells.end - 1);
+            while first < last && is_sliver(first, first + 1) {
+                first += 1;
+            }
+            while last > first && is_sliver(last, last - 1) {
+                last -= 1;
+            }
+            let follow = |after: usize| {
+                move |cell: usize| Sliver { cell, after, ratio: pressure(cell) / pressure(after) }
+            };
+            slivers.extend((strip.cells.start..first).map(follow(first)));
+            slivers.extend((last + 1..strip.cells.end).map(follow(last)));
+            kept.push(first..last + 1);
+        }
+        Self { slivers, kept }
+    }
+
+    /// Gives every sliver its traction, x and y of each cell in turn.
+    pub fn complete(&self, p: &mut [f64]) {
+        for Sliver { cell, after, ratio } in &self.slivers {
+            for c in 0..2 {
+                p[2 * cell + c] = ratio * p[2 * after + c];
+            }
+        }
+    }
+
+    /// Gives every sliver its value of something proportional to the pressure.
+    pub fn complete_scalar(&self, values: &mut [f64]) {
+        for Sliver { cell, after, ratio } in &self.slivers {
+            values[*cell] = ratio * values[*after];
+        }
+    }
+}
