@@ -9,7 +9,8 @@ use common::{cells, half_space, problem, rolling};
 use schlupf::interface::contact_law::Coulomb;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::normal::ellipse::Ellipse;
-use schlupf::{Problem, Solution, Status, unwatched};
+use schlupf::rolling::steady::SteadySolver;
+use schlupf::{Problem, Solution, Solver, Status, unwatched};
 
 /// One line of `data/contact_creep.csv`.
 struct Reference {
@@ -32,6 +33,29 @@ fn references() -> Vec<Reference> {
         }
     };
     reader.records().map(|record| line(record.unwrap())).collect()
+}
+
+/// Semi-axes (in m) with √(ab) = 5 mm.
+fn semi_axes(ratio: f64) -> [f64; 2] {
+    const MEAN: f64 = 5e-3;
+    [MEAN * ratio.sqrt(), MEAN / ratio.sqrt()]
+}
+
+/// Creepages and spin (in 1/m), single and combined, from nearly all stick to all slip.
+fn motions() -> Vec<[f64; 3]> {
+    let sizes = [0.0002, 0.0006, 0.0012, 0.002, 0.003, 0.006, 0.02];
+    let directions = [
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 600.0],
+        [0.7, 0.7, 0.0],
+        [0.7, -0.5, 200.0],
+        [0.0, 1.0, 400.0],
+        [0.0, -1.0, 400.0],
+        [1.0, 0.0, -200.0],
+    ];
+    let of_size = |size: f64| directions.map(|direction| direction.map(|part| size * part));
+    sizes.into_iter().flat_map(of_size).collect()
 }
 
 /// The contact of the validation data, 52.36 kN and μ = 0.3 between steel bodies.
@@ -103,4 +127,72 @@ fn vollebregt_2022_creep_forces_on_40_cells() {
     let [errors, products] = compare(40);
     assert_below(errors, [0.05, 0.1, 0.3]);
     assert_below(products, [30.0, 40.0, 50.0]);
+}
+
+/// Forces on few cells against those on 160, for long and for wide patches: 20 and 40 cells as
+/// accurate as against CONTACT.
+#[test]
+fn slender_patches_converge_as_fast() {
+    let (mut on_20, mut on_40) = (Vec::new(), Vec::new());
+    for ratio in [0.2, 2.0, 5.0] {
+        for motion in motions().into_iter().step_by(7) {
+            let problem = coulomb(semi_axes(ratio), motion);
+            let fine = solve(&problem, 160).normalised;
+            for (across, errors) in [(20, &mut on_20), (40, &mut on_40)] {
+                let force = solve(&problem, across).normalised;
+                let moments = [force, fine].map(|force| force.moment_z.unwrap());
+                let gap = (force.x - fine.x).hypot(force.y - fine.y);
+                errors.push(100.0 * gap.max((moments[0] - moments[1]).abs()));
+            }
+        }
+    }
+    let found = [on_20, on_40].map(quantiles);
+    println!("errors in % of slender patches: {found:.3?}");
+    assert_below(found[0], [0.15, 0.55, 1.0]);
+    assert_below(found[1], [0.05, 0.15, 0.3]);
+}
+
+/// Products of a cold solution do not depend on the grid.
+#[test]
+fn cold_work_does_not_grow_with_the_grid() {
+    for (across, step) in [(20, 1), (40, 2), (80, 5), (160, 13)] {
+        let mut products = Vec::new();
+        for ratio in [0.2, 0.5, 1.0, 2.0, 5.0] {
+            for motion in motions().into_iter().step_by(step) {
+                let solution = solve(&coulomb(semi_axes(ratio), motion), across);
+                assert_eq!(solution.status, Status::Converged, "{ratio} {motion:?}");
+                products.push(solution.work.operator_products);
+            }
+        }
+        let found = quantiles(products);
+        println!("{across} cells: products {found:.1?}");
+        assert_below(found, [30.0, 40.0, 50.0]);
+    }
+}
+
+/// Points of a creep curve start from the points before, and from their search directions.
+#[test]
+fn warm_work_along_a_creep_curve() {
+    const POINTS: u32 = 30;
+    let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
+    let base = coulomb(semi_axes(1.0), [0.0; 3]);
+    for (across, allowed) in [(20, [16.0, 18.0, 20.0]), (40, [18.0, 20.0, 22.0])] {
+        let mut products = Vec::new();
+        for direction in directions {
+            let mut solver = SteadySolver::new(&cells(across));
+            for point in 1..=POINTS {
+                let size = 0.008 * (f64::from(point) / f64::from(POINTS)).powf(1.5);
+                let [xi, eta, spin] = direction.map(|part| size * part);
+                let problem = Problem { kinematics: rolling(xi, eta, spin), ..base.clone() };
+                let solution = solver.solve(&problem, &unwatched).unwrap();
+                assert_eq!(solution.status, Status::Converged, "{direction:?} {point}");
+                if point > 1 {
+                    products.push(solution.work.operator_products);
+                }
+            }
+        }
+        let found = quantiles(products);
+        println!("{across} cells: warm products {found:.1?}");
+        assert_below(found, allowed);
+    }
 }

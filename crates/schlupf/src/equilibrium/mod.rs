@@ -4,10 +4,12 @@
 //! by the motion and history of the bodies, B the compliance.
 
 mod gmres;
+mod recycling;
 mod newton;
 
 pub(crate) use gmres::Gmres;
 pub use newton::Newton;
+pub use recycling::Directions;
 
 /// An equilibrium to be solved, F(p) = 0. The response to p is split into a linear part u = L p,
 /// which is expensive because it contains the compliance, and a local part, which is cheap.
@@ -40,6 +42,11 @@ pub trait Equilibrium: Send + Sync {
     /// one.
     fn other_guess(&mut self, _p: &mut [f64]) -> bool {
         false
+    }
+
+    /// Directions of earlier linear systems with the same L, if they are worth keeping.
+    fn directions(&mut self) -> Option<&mut Directions> {
+        None
     }
 
     /// Replaces v by an approximation to the inverse Jacobian times v, linear in v.

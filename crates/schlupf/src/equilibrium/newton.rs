@@ -174,7 +174,14 @@ impl Newton {
 
     fn direction(&mut self, system: &mut impl Equilibrium, forcing: f64) -> usize {
         let target = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
-        self.krylov.solve(system, &self.residual, forcing, target)
+        let Some(mut directions) = system.directions().map(std::mem::take) else {
+            return self.krylov.solve(system, &self.residual, forcing, target);
+        };
+        let products = directions.solve(system, &self.residual, forcing, target);
+        if let Some(kept) = system.directions() {
+            *kept = directions;
+        }
+        products
     }
 
     /// Goes along the step until the residual norm decreases sufficiently, and returns it; where

@@ -1,5 +1,6 @@
 //! One of the nested grids on which a steady state is found, from the coarsest to the finest.
 
+use crate::equilibrium::Directions;
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::normal::NormalContact;
@@ -28,6 +29,8 @@ pub(super) struct Level {
     /// Its initial guess from previous solutions alone, in Pa.
     pub predicted: Vec<f64>,
     pub workspace: Workspace,
+    /// Directions of earlier linear systems, if the law is Coulomb's: with it they are many.
+    pub directions: Option<Directions>,
 }
 
 /// Buffers for a level's part in products and preconditioning.
@@ -107,6 +110,7 @@ impl Level {
                 flux: vec![0.0; contact.patch.len()],
                 bound: vec![0.0; contact.patch.len()],
             },
+            directions: problem.contact_law.is_coulomb().then(Directions::default),
             contact,
         })
     }

@@ -56,7 +56,7 @@ fn softened(problem: &Problem) -> Vec<Problem> {
 }
 
 /// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same if
-/// only the change since an earlier solution matters.
+/// only the change since an earlier solution matters, or the coarse one must know where it sticks.
 const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
 
 /// Farthest extrapolation, as a multiple of the distance between the last two solutions.
@@ -112,7 +112,8 @@ impl Setup {
         for depth in (0..self.levels.len()).rev() {
             self.levels[depth].set_problem(problem);
             self.guess(depth, ahead);
-            let coarse = COARSE_TOLERANCE[usize::from(!self.earlier.is_empty())];
+            let is_fine = !self.earlier.is_empty() || problem.contact_law.is_coulomb();
+            let coarse = COARSE_TOLERANCE[usize::from(is_fine)];
             let limits = Limits {
                 tolerance: if depth == 0 { options.tolerance } else { coarse },
                 max_iterations: options.max_iterations,
@@ -276,9 +277,11 @@ impl Setup {
         work.operator_products += 1.0;
         friction.evaluate(problem, &contact.patch, traction, &change);
         now.slip.copy_from_slice(&friction.slip);
+        strips.take_slip(response, problem.kinematics.speed, &mut now.slip);
         now.friction_power.copy_from_slice(&friction.power);
         now.scaled_rise.copy_from_slice(&friction.scaled_rise);
         now.friction.copy_from_slice(&friction.lag.coefficient);
+        strips.complete_friction(&mut now.friction);
         let mut elements = strips.elements(&contact.patch, traction, response);
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = speed_of(friction.slip[k]);

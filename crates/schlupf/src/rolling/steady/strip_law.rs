@@ -47,6 +47,13 @@ pub(super) trait StripLaw: Send + Sync {
     /// others, in place.
     fn complete(&self, _p: &mut [f64]) {}
 
+    /// Gives such cells the coefficient of friction (dimensionless) that their traction obeys.
+    fn complete_friction(&self, _coefficient: &mut [f64]) {}
+
+    /// Replaces the slip velocity of the cells, at a rolling speed in m/s, by that of the law, if
+    /// it has one of its own.
+    fn take_slip(&self, _b: &[f64], _speed: f64, _slip: &mut [[f64; 2]]) {}
+
     /// Number of cells.
     fn len(&self) -> usize {
         self.bound().len()

@@ -20,6 +20,8 @@ pub(super) struct SlipStencil {
     pub count: usize,
     /// Their weights, dimensionless.
     pub weight: [f64; NODES],
+    /// Way into the cell from the one upstream of it, or from the entry, in m.
+    pub way: f64,
 }
 
 impl SlipStencil {
@@ -58,7 +60,7 @@ impl SlipStencil {
             count += 1;
         }
         let weight = derivative(&nodes[..total]).map(|weight| way * weight);
-        Self { count, weight }
+        Self { count, weight, way }
     }
 
     /// Applied to values at the cells, x and y of each cell in turn, at cell `k`.

@@ -78,4 +78,11 @@ impl Slivers {
             values[*cell] = ratio * values[*after];
         }
     }
+
+    /// Gives every sliver the value of the cell that it follows.
+    pub fn copy<T: Copy>(&self, values: &mut [T]) {
+        for Sliver { cell, after, .. } in &self.slivers {
+            values[*cell] = values[*after];
+        }
+    }
 }

@@ -274,6 +274,22 @@ impl StripLaw for StickSlip {
     fn complete(&self, p: &mut [f64]) {
         self.slivers.complete(p);
     }
+
+    /// Exactly zero where a cell sticks: the friction power, from mean slips over the cells, is
+    /// not.
+    fn take_slip(&self, b: &[f64], speed: f64, slip: &mut [[f64; 2]]) {
+        for k in self.kept() {
+            let per_way = speed / self.stencils[k].way;
+            let is_sliding = self.tangents[k].by_bound != [0.0; 2];
+            let sliding = if is_sliding { self.sliding(b, k) } else { [0.0; 2] };
+            slip[k] = sliding.map(|s| per_way * s);
+        }
+        self.slivers.copy(slip);
+    }
+
+    fn complete_friction(&self, coefficient: &mut [f64]) {
+        self.slivers.copy(coefficient);
+    }
 }
 
 impl StickSlip {

@@ -1,0 +1,248 @@
+//! Coulomb's law with everything that it works together with, and clear errors where it does not.
+
+mod common;
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::{cells, half_space, layer, problem, rolling};
+use schlupf::elasticity::rigid::Rigid;
+use schlupf::elasticity::winkler::Winkler;
+use schlupf::heat::Heat;
+use schlupf::heat::duhamel::Duhamel;
+use schlupf::heat::partition::Partition;
+use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::exponential::Exponential;
+use schlupf::interface::friction::memory::FrictionMemory;
+use schlupf::interface::friction::polach::Polach;
+use schlupf::interface::friction::product::Product;
+use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+use schlupf::interface::friction::{Friction, FrictionLaw};
+use schlupf::normal::ellipse::Ellipse;
+use schlupf::normal::tabulated::{PressureTable, Tabulated};
+use schlupf::rolling::marching::march;
+use schlupf::solution::Resultant;
+use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
+
+/// Creepages and spin (in 1/m) with which about half of the patch sticks.
+const MOTION: [f64; 3] = [0.0015, 0.001, 0.4];
+
+fn coulomb([xi, eta, spin]: [f64; 3]) -> Problem {
+    Problem {
+        elasticity: half_space(),
+        contact_law: Arc::new(Coulomb),
+        ..problem(rolling(xi, eta, spin))
+    }
+}
+
+fn solve(problem: &Problem, options: &Options) -> Solution {
+    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.work);
+    solution
+}
+
+/// Distance of Fx and Fy over μN, and of Mz over μN √(ab), the larger one.
+fn gap(one: &Solution, two: &Solution) -> f64 {
+    let (one, two) = (one.normalised, two.normalised);
+    let moment = one.moment_z.unwrap() - two.moment_z.unwrap();
+    (one.x - two.x).hypot(one.y - two.y).max(moment.abs())
+}
+
+/// |t| ≤ μ pₙ to the tolerance, what friction dissipates is what the creep forces put in, and
+/// there is no slip at all except along the largest traction.
+fn check_invariants(solution: &Solution) {
+    let power = solution.power.unwrap();
+    assert_relative_eq!(power.friction, power.creep, max_relative = 1e-6);
+    let fields = &solution.fields;
+    let largest = fields.pressure.iter().copied().fold(0.0, f64::max);
+    for k in 0..fields.pressure.len() {
+        let bound = fields.friction_coefficient[k] * fields.pressure[k];
+        let traction = [fields.traction_x[k], fields.traction_y[k]];
+        let slip = [fields.slip_x[k], fields.slip_y[k]];
+        let (length, speed) = (traction[0].hypot(traction[1]), slip[0].hypot(slip[1]));
+        assert!(length <= bound + 1e-4 * largest, "{length} above {bound}");
+        if length < bound - 1e-4 * largest {
+            assert_eq!(speed, 0.0);
+        } else if speed > 1e-3 {
+            let along = -(traction[0] * slip[0] + traction[1] * slip[1]) / (length * speed);
+            assert!(along > 0.999, "{along}");
+        }
+    }
+}
+
+/// Friction that falls with slip, with temperature, with both, and with a memory: the power balance
+/// closes, and the forces are those of a contact law with stiff bristles to 1.5 % of μN, which are
+/// that far off where the leading edge sticks.
+#[test]
+fn friction_laws_and_heat() {
+    let hot = || Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    let polach = || Arc::new(Polach::new(0.4, 0.4, 0.6).unwrap());
+    let laws: [Arc<dyn FrictionLaw>; 4] = [
+        Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.5, None).unwrap())),
+        polach(),
+        hot(),
+        Arc::new(Product::new(hot(), polach()).unwrap()),
+    ];
+    for law in laws {
+        for size in [0.3, 1.0, 3.0, 10.0] {
+            for memory in [None, Some(FrictionMemory::new(1e-4, 1e-6).unwrap())] {
+                let mut warm = coulomb(MOTION.map(|part| size * part));
+                warm.friction = Friction { memory, ..Friction::new(Arc::clone(&law), 20.0) };
+                warm.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+                let solution = solve(&warm, &cells(24));
+                check_invariants(&solution);
+                assert!(solution.work.operator_products < 40.0, "{law:?} {:?}", solution.work);
+                let stiff: Arc<dyn ContactLaw> = Arc::new(Incremental::new(1e9).unwrap());
+                let stiff = solve(&Problem { contact_law: stiff, ..warm }, &cells(24));
+                let gap = gap(&solution, &stiff);
+                assert!(gap < 0.015, "{law:?} {size}: {gap}");
+            }
+        }
+    }
+}
+
+/// The layer and uncoupled springs converge with the grid, too.
+#[test]
+fn other_elasticities() {
+    for elasticity in [layer(), Arc::new(Winkler::new(2e13, 2e13).unwrap())] {
+        for size in [0.3, 1.0, 3.0] {
+            let mut soft = coulomb(MOTION.map(|part| size * part));
+            soft.elasticity = Arc::clone(&elasticity);
+            let [coarse, fine] = [24, 96].map(|across| solve(&soft, &cells(across)));
+            check_invariants(&coarse);
+            let gap = gap(&coarse, &fine);
+            assert!(gap < 0.006, "{elasticity:?} {size}: {gap}");
+        }
+    }
+}
+
+/// Uncoupled springs under longitudinal creepage: the traction grows as c ξ times the distance since
+/// entry until it meets μ pₙ (Winkler's bed; here per strip, summed by hand).
+#[test]
+fn winkler_sticks_in_proportion_to_the_distance() {
+    let bedding = 2e13;
+    let mut springs = coulomb([0.001, 0.0, 0.0]);
+    springs.elasticity = Arc::new(Winkler::new(bedding, bedding).unwrap());
+    let solution = solve(&springs, &cells(40));
+    let (a, b) = (6e-3_f64, 5e-3_f64);
+    let fields = &solution.fields;
+    let mut sticking = 0;
+    for k in 0..fields.x.len() {
+        let edge = a * (1.0 - (fields.y[k] / b).powi(2)).max(0.0).sqrt();
+        let grown = bedding * 0.001 * (edge - fields.x[k]);
+        if fields.covered[k] > 0.999 && grown < 0.8 * 0.4 * fields.pressure[k] {
+            assert_relative_eq!(-fields.traction_x[k], grown, max_relative = 0.02);
+            sticking += 1;
+        }
+    }
+    assert!(sticking > 100, "{sticking}");
+}
+
+/// A table of Hertz's pressure gives the forces of the ellipse, although the displacement is then
+/// calibrated on a finer grid; and two parts one behind the other, a bean and a flat pressure are
+/// found, too.
+#[test]
+fn patches_of_any_shape() {
+    let axis: Vec<f64> = (0..161).map(|k| 8e-3 * (f64::from(k) / 80.0 - 1.0)).collect();
+    let root = |square: f64| 1e9 * (1.0 - square).max(0.0).sqrt();
+    let under = |pressure: &dyn Fn(f64, f64) -> f64, across: usize| {
+        let values = axis.iter().flat_map(|y| axis.iter().map(|x| pressure(*x, *y))).collect();
+        let table = PressureTable::new(&axis, &axis, values).unwrap();
+        let mut problem = coulomb(MOTION);
+        problem.normal = Arc::new(Tabulated::new(table, None).unwrap());
+        let solution = solve(&problem, &cells(across));
+        check_invariants(&solution);
+        solution
+    };
+    let square = |part: f64| part * part;
+    let hertz = |x: f64, y: f64| root(square(x / 5e-3) + square(y / 5e-3));
+    let mut exact = coulomb(MOTION);
+    exact.normal = Arc::new(Ellipse::from_peak_pressure(5e-3, 5e-3, 1e9).unwrap());
+    let gap_to_exact = gap(&under(&hertz, 24), &solve(&exact, &cells(24)));
+    assert!(gap_to_exact < 0.003, "{gap_to_exact}");
+    let two = |x: f64, y: f64| root(square((x.abs() - 4e-3) / 3e-3) + square(y / 4e-3));
+    let bean = |x: f64, y: f64| root(square((x + 150.0 * y * y) / 4e-3) + square(y / 6e-3));
+    let flat = |x: f64, y: f64| if x.abs() < 5e-3 && y.abs() < 3e-3 { 5e8 } else { 0.0 };
+    let shapes: [(&dyn Fn(f64, f64) -> f64, f64); 3] =
+        [(&two, 0.004), (&bean, 0.004), (&flat, 0.015)];
+    for (number, (shape, allowed)) in shapes.into_iter().enumerate() {
+        let gap = gap(&under(shape, 24), &under(shape, 80));
+        assert!(gap < allowed, "{number}: {gap}");
+    }
+}
+
+/// Exact derivatives against central differences, with the active set of the solution.
+#[test]
+fn derivatives_are_those_of_central_differences() {
+    let hot = |coefficient: f64| -> Arc<dyn FrictionLaw> {
+        Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.0).unwrap())
+    };
+    let constant = |coefficient: f64| -> Arc<dyn FrictionLaw> {
+        Arc::new(Constant::new(coefficient).unwrap())
+    };
+    let laws: [&dyn Fn(f64) -> Arc<dyn FrictionLaw>; 2] = [&constant, &hot];
+    for law in laws {
+        let at = |motion: [f64; 3], coefficient: f64, load: f64| {
+            let mut rubbing = coulomb(motion);
+            let scale = (load / 80e3).cbrt();
+            rubbing.normal =
+                Arc::new(Ellipse::from_load(6e-3 * scale, 5e-3 * scale, load).unwrap());
+            rubbing.friction.law = law(coefficient);
+            rubbing.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+            let options = Options { tolerance: 1e-11, sensitivity: true, ..cells(14) };
+            solve(&rubbing, &options)
+        };
+        let exact = at(MOTION, 0.4, 80e3).sensitivity.unwrap();
+        assert_eq!(exact.contact_stiffness, Resultant::default());
+        let check = |exact: &Resultant, plus: &Solution, minus: &Solution, h: f64| {
+            let over = |plus: f64, minus: f64| (plus - minus) / (2.0 * h);
+            let [x, y] = [over(plus.force.x, minus.force.x), over(plus.force.y, minus.force.y)];
+            let size = x.hypot(y);
+            assert!((exact.x - x).abs() < 1e-4 * size, "{exact:?} {x} {y}");
+            assert!((exact.y - y).abs() < 1e-4 * size, "{exact:?} {x} {y}");
+        };
+        let moved = |c: usize, h: f64| {
+            let mut motion = MOTION;
+            motion[c] += h;
+            at(motion, 0.4, 80e3)
+        };
+        for (c, (exact, h)) in
+            [(exact.creepage_x, 1e-8), (exact.creepage_y, 1e-8), (exact.spin, 1e-5)]
+                .into_iter()
+                .enumerate()
+        {
+            check(&exact, &moved(c, h), &moved(c, -h), h);
+        }
+        let by_friction = exact.friction_coefficient;
+        check(&by_friction, &at(MOTION, 0.4 + 1e-6, 80e3), &at(MOTION, 0.4 - 1e-6, 80e3), 1e-6);
+    }
+}
+
+/// Everything is proportional to the motion as long as next to nothing slides, and without motion
+/// there is nothing.
+#[test]
+fn the_smallest_motions() {
+    let force = |size: f64| {
+        let force = solve(&coulomb(MOTION.map(|part| size * part)), &cells(20)).normalised;
+        [force.x / size, force.y / size]
+    };
+    for (small, smaller) in force(1e-4).into_iter().zip(force(1e-9)) {
+        assert_relative_eq!(small, smaller, max_relative = 2e-2);
+    }
+    let nothing = solve(&coulomb([0.0; 3]), &cells(20));
+    assert_eq!(nothing.force.tangential(), 0.0);
+}
+
+/// Nothing but elasticity determines the traction where bodies stick, so rigid ones are refused; and
+/// marching does not know the law.
+#[test]
+fn what_is_not_possible_is_said() {
+    let mut rigid = coulomb(MOTION);
+    rigid.elasticity = Arc::new(Rigid);
+    let refused = schlupf::rolling::steady::solve(&rigid, &cells(8), &unwatched);
+    assert_eq!(refused.unwrap_err(), Error::CoulombOfRigidBodies {});
+    let marched = march(&Transient::to_steady_state(&coulomb(MOTION)), &cells(8), &unwatched);
+    assert_eq!(marched.unwrap_err(), Error::CoulombInTime {});
+}
