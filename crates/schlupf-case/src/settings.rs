@@ -331,6 +331,9 @@ impl Settings {
         if fields::companion(field.path).is_some_and(is_alone) {
             return false;
         }
+        if field.idle_with.is_some_and(|choice| self.is_chosen(choice)) {
+            return false;
+        }
         field.uses().count() == 0
             || field.uses().any(|used| self.is_chosen(used))
             || self.is_default_of_another(field.path)
@@ -389,9 +392,12 @@ impl Settings {
             let path = field.path;
             let notice =
                 |because| Notice::NoEffect { place: given.place.clone(), field: path, because };
+            let idle_with = field.idle_with.filter(|choice| self.is_chosen(*choice));
+            let uses = field.uses().filter(|_| idle_with.is_none()).chain(idle_with);
             let models: Vec<_> =
-                field.uses().map(|(model, _)| model).filter(|model| self.counts(model)).collect();
-            if models.is_empty() || field.uses().any(|used| self.is_chosen(used)) {
+                uses.map(|(model, _)| model).filter(|model| self.counts(model)).collect();
+            let is_chosen = idle_with.is_none() && field.uses().any(|used| self.is_chosen(used));
+            if models.is_empty() || is_chosen {
                 if let Some(companion) = fields::companion(path) {
                     notices.push(notice(format!("without {companion}")));
                 }

@@ -173,6 +173,23 @@ fn a_history_is_read_from_arrays_and_files_alike() {
 }
 
 #[test]
+fn coulombs_law_needs_no_stiffness() {
+    let text = "[contact_law]\nmodel = \"coulomb\"\nstiffness = \"5e6 1/m\"\n\
+                roughness.rms_height = \"1 um\"";
+    let case = read(text, &[]);
+    assert!(case.problem.contact_law.is_coulomb());
+    assert_eq!(case.law_stiffness.stiffness, f64::INFINITY);
+    assert_eq!(
+        texts(&case.notices),
+        [
+            "case.toml:3:13: contact_law.stiffness has no effect with contact_law.model = \"coulomb\"",
+            "case.toml:4:24: contact_law.roughness.rms_height has no effect with contact_law.model = \
+             \"coulomb\"",
+        ]
+    );
+}
+
+#[test]
 fn the_speed_over_time_is_read() {
     let text = "[history]\ntime = [\"0 s\", \"1 ms\"]\nspeed = [\"108 km/h\", \"20 m/s\"]";
     let history = read(text, &[]).history.unwrap();

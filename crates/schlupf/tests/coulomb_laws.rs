@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, layer, problem, rolling};
+use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
@@ -20,9 +21,12 @@ use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
+use schlupf::kalker_coefficients::creep_coefficients;
+use schlupf::material::Material;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::marching::march;
+use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::Resultant;
 use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
@@ -165,9 +169,8 @@ fn patches_of_any_shape() {
     let two = |x: f64, y: f64| root(square((x.abs() - 4e-3) / 3e-3) + square(y / 4e-3));
     let bean = |x: f64, y: f64| root(square((x + 150.0 * y * y) / 4e-3) + square(y / 6e-3));
     let flat = |x: f64, y: f64| if x.abs() < 5e-3 && y.abs() < 3e-3 { 5e8 } else { 0.0 };
-    let shapes: [(&dyn Fn(f64, f64) -> f64, f64); 3] =
-        [(&two, 0.004), (&bean, 0.004), (&flat, 0.015)];
-    for (number, (shape, allowed)) in shapes.into_iter().enumerate() {
+    let shapes: [&dyn Fn(f64, f64) -> f64; 3] = [&two, &bean, &flat];
+    for (number, (shape, allowed)) in shapes.into_iter().zip([0.004, 0.004, 0.015]).enumerate() {
         let gap = gap(&under(shape, 24), &under(shape, 80));
         assert!(gap < allowed, "{number}: {gap}");
     }
@@ -233,6 +236,29 @@ fn the_smallest_motions() {
     }
     let nothing = solve(&coulomb([0.0; 3]), &cells(20));
     assert_eq!(nothing.force.tangential(), 0.0);
+}
+
+/// Kalker 1967: at zero creepage all sticks and the slope of the creep curve is C11, here of
+/// `kalker_coefficients`, to which it tends with the cell's size; its end is saturated.
+#[test]
+fn kalker_1967_initial_slope() {
+    let mut base = coulomb([0.0; 3]);
+    base.normal = Arc::new(Ellipse::from_peak_pressure(5e-3, 5e-3, 1e9).unwrap());
+    let start = Creepages::default();
+    let path = Path::new(start, Creepages { x: 0.02, ..start }).unwrap();
+    let sampling = Sampling { points: 10, spacing: Spacing::Refined };
+    let slope_on = |across: usize| {
+        let mut solver = SteadySolver::new(&cells(across));
+        let curve = trace(&mut solver, &base, &path, &sampling, &unwatched).unwrap();
+        assert!(curve.is_converged());
+        let last = curve.points.last().unwrap();
+        assert_relative_eq!(last.normalised.x, -1.0, max_relative = 1e-3);
+        curve.initial_slope.unwrap().kalker.unwrap().x
+    };
+    let [coarse, fine] = [16, 32].map(slope_on);
+    let exact = creep_coefficients(1.0, Material::STEEL.poisson_ratio).unwrap().c11;
+    assert_relative_eq!(fine, exact, max_relative = 0.02);
+    assert_relative_eq!(2.0 * fine - coarse, exact, max_relative = 0.005);
 }
 
 /// Nothing but elasticity determines the traction where bodies stick, so rigid ones are refused; and

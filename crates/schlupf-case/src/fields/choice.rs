@@ -86,6 +86,8 @@ choices! {
         Incremental "incremental" "valid for any path of sliding";
         TotalDisplacement "total-displacement"
             "Neuhaus and Sextro 2014, for sliding in one direction";
+        Coulomb "coulomb"
+            "no sliding at all up to μ pₙ, the limit k_c → ∞; for steady states found directly";
     }
 
     /// `contact_law.roughness.form`.

@@ -43,6 +43,8 @@ pub struct Field {
     pub example: Option<&'static str>,
     /// The choices it belongs to, of which any will do.
     pub used_with: [Option<UsedWith>; 2],
+    /// The choice with which it has no effect, if there is one.
+    pub idle_with: Option<UsedWith>,
     /// Whether normal contact or elasticity may depend on it.
     pub shapes_contact: bool,
     /// Its meaning, with the symbol.
@@ -167,6 +169,7 @@ impl Field {
             example: None,
             default_with: None,
             used_with: [None; 2],
+            idle_with: None,
             shapes_contact: false,
             doc,
         }

@@ -60,6 +60,11 @@ impl Field {
         Self { default_with: Some((choice, names)), ..self }
     }
 
+    /// The same; it has no effect with these names of a choice.
+    const fn idle_with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
+        Self { idle_with: Some((choice, names)), ..self }
+    }
+
     /// The same with a choice that it belongs to, besides the one it may have.
     const fn with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
         Self { used_with: [Some((choice, names)), self.used_with[0]], ..self }

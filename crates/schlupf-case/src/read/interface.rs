@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental, TotalDisplacement};
 use schlupf::material::Material;
 
 use super::roughness::{self, OfRoughness};
@@ -11,21 +11,27 @@ use crate::fields::choice::ContactLawModel;
 use crate::law_stiffness::{LawStiffness, StiffnessOrigin};
 use crate::settings::Settings;
 
+const MODEL: &str = "contact_law.model";
 const STIFFNESS: &str = "contact_law.stiffness";
 
 /// How traction grows with sliding.
 pub fn contact_law(settings: &Settings, stiffness: f64) -> Result<Arc<dyn ContactLaw>, CaseError> {
     let explain = |error| settings.explain(&error);
-    Ok(match settings.chosen("contact_law.model")? {
+    Ok(match settings.chosen(MODEL)? {
         ContactLawModel::Incremental => Arc::new(Incremental::new(stiffness).map_err(explain)?),
         ContactLawModel::TotalDisplacement => {
             Arc::new(TotalDisplacement::new(stiffness).map_err(explain)?)
         }
+        ContactLawModel::Coulomb => Arc::new(Coulomb),
     })
 }
 
 /// k_c, or what a micro model finds it from.
 pub fn stiffness(settings: &Settings, materials: [&Material; 2]) -> Result<OfRoughness, CaseError> {
+    if settings.chosen::<ContactLawModel>(MODEL)? == ContactLawModel::Coulomb {
+        let (stiffness, origin) = (f64::INFINITY, StiffnessOrigin::Given);
+        return Ok(OfRoughness::Known(LawStiffness { stiffness, origin }));
+    }
     if let Some(stiffness) = settings.optional_number(STIFFNESS)? {
         let origin = StiffnessOrigin::Given;
         return Ok(OfRoughness::Known(LawStiffness { stiffness, origin }));

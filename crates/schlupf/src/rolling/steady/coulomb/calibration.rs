@@ -109,9 +109,9 @@ fn discrete(contact: &mut DiscreteContact) -> [Vec<Symmetric>; 2] {
         let made = contact.product(&p);
         for (place, found) in found.iter_mut().enumerate() {
             if place == 0 {
-                made.at_cells(&mut u)
+                made.at_cells(&mut u);
             } else {
-                made.at_entries(&mut u)
+                made.at_entries(&mut u);
             }
             for (found, u) in found.iter_mut().zip(u.chunks_exact(2)) {
                 found[direction] = u[direction];

@@ -63,7 +63,8 @@ impl SlipStencil {
         Self { count, weight, way }
     }
 
-    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`.
+    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`; in the unit of the
+    /// values.
     pub fn apply(&self, k: usize, values: &[f64]) -> [f64; 2] {
         let mut sum = [0.0; 2];
         for (back, weight) in self.weight[..self.count].iter().enumerate() {
