@@ -356,4 +356,4 @@ def frames(results: Sequence[Result], field: str = "traction_x", **options: Any)
         mesh.set_array((shown[k] * factor).values)
         yield mesh
 
-    return FuncAnimation(figure, draw, frames=len(results), **options)
+    return FuncAnimation(cast("Figure", ax.figure), draw, frames=len(results), **options)
