@@ -358,6 +358,11 @@ class Case:
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Result
+            Scalars as attributes, fields over x and y, the history over time.
+
         Raises
         ------
         CaseError
@@ -397,8 +402,21 @@ class Case:
             A field by its dotted path and the values that it has for the curves, such as
             ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``.
         points : int, default 41
+            Points of each curve.
         spacing : {"refined", "even"}
             Finer near zero creepage, or equal steps.
+        warn : bool, default True
+            Whether to issue the warnings of the curves.
+
+        Returns
+        -------
+        Curve
+            With ``points`` along ``point``, and along ``over`` where there are several curves.
+
+        Raises
+        ------
+        CaseError
+            If a case cannot be solved as it is, or a wheel cannot have these creepages.
         """
         if all(varied is None for varied in (creepage_x, creepage_y, spin, creepage)):
             raise TypeError("a curve needs creepage_x, creepage_y, spin or creepage: (start, end)")
@@ -457,16 +475,47 @@ class Case:
             Length of the wake, in m; by default twice the length of the contact.
         points : int, default 201
             Points of each line.
+
+        Returns
+        -------
+        Temperatures
+            With ``profile`` over the depth and ``rows`` over depth and x, in °C.
+
+        Raises
+        ------
+        CaseError
+            If the point does not lie in the contact or its wake, or the case has a history.
+
+        References
+        ----------
+        Conduction perpendicular to the surface: Carslaw and Jaeger (1959).
         """
         found = _core.temperatures(self._file, (x, y), (depth, wake, points))
         return Temperatures._new(found, warn=warn)
 
     def bulk_temperature(self, *, warn: bool = True) -> BulkTemperature:
-        """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says."""
+        """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says.
+
+        Returns
+        -------
+        BulkTemperature
+            ``temperature.wheel`` (°C), and the balance of heat in ``heat`` (W).
+
+        Raises
+        ------
+        CaseError
+            If ``cooling`` is missing, or the case has a history.
+        """
         return BulkTemperature._new(_core.bulk_temperature(self._file), warn=warn)
 
     def compare(self, *, warn: bool = True) -> Comparison:
-        """The case by all methods: the full one with each elasticity, and the fast ones."""
+        """The case by all methods: the full one with each elasticity, and the fast ones.
+
+        Returns
+        -------
+        Comparison
+            With ``methods`` along ``model``: forces, power, temperature rise, times in s.
+        """
         return Comparison._new(_core.comparison(self._file), warn=warn)
 
     def calibrate(
@@ -487,6 +536,16 @@ class Case:
             CSV files with displacements of a finite-element model, to fit to.
         cells : int, default 40
             Cells across the patch on which layer and half-space are compared.
+
+        Returns
+        -------
+        Calibration
+            Stiffnesses, and how far the layer is from the half-space.
+
+        Raises
+        ------
+        CaseError
+            If the table has no such patch, or no layer has such displacements.
         """
         paths = [Path(path) for path in displacements]
         return Calibration._new(_core.calibration(self._file, direct, paths, cells), warn=warn)
@@ -511,7 +570,15 @@ class Case:
             ``force_ratio`` or ``force_ratio_x``, ``force_ratio_y`` (-F/N), ``speed`` (m/s),
             ``load`` (N), ``standard_deviation``.
         gamma : float, default 0.45
-            γ, where ``contact_law.roughness`` is fitted.
+            γ, where ``contact_law.roughness`` is fitted: the surfaces approach by γ h_rms when the
+            pressure grows e-fold (Persson 2007).
+        max_steps : int, default 100
+            Largest number of steps.
+
+        Returns
+        -------
+        Fit
+            Estimates with intervals of 95 %, ``points``, and the ``case`` with the fitted values.
 
         Raises
         ------
@@ -535,6 +602,16 @@ class Case:
         ----------
         spots : bool, default True
             Whether pressures and gaps at the largest mean pressure are wanted, too.
+
+        Returns
+        -------
+        RoughContact
+            k_c, ``fields`` over x and y, ``spectrum``, ``loads`` and ``curves``.
+
+        Raises
+        ------
+        CaseError
+            If the case has no surface, or the surface cannot be read.
         """
         return RoughContact._new(_core.rough_contact(self._file, spots), warn=warn)
 
