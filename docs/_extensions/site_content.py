@@ -179,7 +179,52 @@ def api() -> str:
                 lines += ["   :show-inheritance:", ""] if kind == "exception" else [""]
         lines += ["```", ""]
     lines += ["## Plots of a result", "", "```{eval-rst}"]
-    lines += [".. autoclass:: schlupf._plots.ResultPlots", "   :members:", "", "```"]
+    lines += [".. autoclass:: schlupf._plots.ResultPlots", "   :members:", "", "```", ""]
+    lines += ["## Plots of a rough contact", "", "```{eval-rst}"]
+    lines += [".. autoclass:: schlupf._report_plots.RoughContactPlots", "   :members:", "", "```"]
+    return "\n".join(lines)
+
+
+#: Where the fields of a preset go, and what they are for.
+PRESETS = {
+    "materials": "Materials, for `wheel` and `rail`",
+    "roughnesses": 'Roughnesses, for `contact_law={"roughness": …}`',
+    "friction": "Friction laws with their constants, for `friction`",
+    "methods": "Fast methods with their constants, for `Case(**…)`",
+}
+
+
+def presets() -> str:
+    """Every preset with its fields and its source, group by group."""
+    lines: list[str] = []
+    for name, title in PRESETS.items():
+        lines += [f"## {title}", ""]
+        lines += ["| `schlupf.`… | what it is | fields | source |", "|---|---|---|---|"]
+        group = getattr(schlupf, name)
+        for preset, fields in ((preset, group[preset]) for preset in group):
+            given = ", ".join(f"`{path} = {value}`" for path, value in _flat(fields))
+            what = _capitalised(_cell(fields.doc))
+            source = _cell(fields.source)
+            lines.append(f"| `{name}.{preset}` | {what} | {given} | {source} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _flat(fields: dict[str, Any], parent: str = "") -> Iterator[tuple[str, Any]]:
+    for name, value in fields.items():
+        path = f"{parent}.{name}" if parent else name
+        if isinstance(value, dict):
+            yield from _flat(value, path)
+        else:
+            yield path, value
+
+
+def examples() -> str:
+    """The cases of the package with links to the gallery."""
+    lines = ["| `schlupf.examples.`… | |", "|---|---|"]
+    for name in dir(schlupf.examples):
+        title = _capitalised(_cell(getattr(schlupf.examples, name).title))
+        lines.append(f"| [`{name}`](#{_case_anchor(name)}) | {title} |")
     return "\n".join(lines)
 
 
@@ -265,9 +310,11 @@ GENERATED: dict[str, Callable[..., str]] = {
     "case-file": case_file,
     "choices": choices,
     "data": data,
+    "examples": examples,
     "fields": fields,
     "gallery": gallery,
     "included": included,
+    "presets": presets,
     "rust-example": rust_example,
     "warnings": warnings,
 }
