@@ -185,24 +185,27 @@ def api() -> str:
     return "\n".join(lines)
 
 
-#: Where the fields of a preset go, and what they are for.
+#: Kinds of presets: heading and where the fields go.
 PRESETS = {
-    "materials": "Materials, for `wheel` and `rail`",
-    "roughnesses": 'Roughnesses, for `contact_law={"roughness": …}`',
-    "friction": "Friction laws with their constants, for `friction`",
-    "methods": "Fast methods with their constants, for `Case(**…)`",
+    "materials": ("Materials", "For the sections `wheel` and `rail`."),
+    "roughnesses": ("Roughnesses", 'For `contact_law={"roughness": …}`.'),
+    "friction": ("Friction", "For the section `friction`."),
+    "methods": ("Fast methods", "For several sections: `Case(**schlupf.methods.…)`."),
 }
 
 
 def presets() -> str:
     """Every preset with its fields and its source, group by group."""
     lines: list[str] = []
-    for name, title in PRESETS.items():
-        lines += [f"## {title}", ""]
+    for name, (title, use) in PRESETS.items():
+        lines += [f"## {title}", "", use, ""]
         lines += ["| `schlupf.`… | what it is | fields | source |", "|---|---|---|---|"]
         group = getattr(schlupf, name)
         for preset, fields in ((preset, group[preset]) for preset in group):
-            given = ", ".join(f"`{path} = {value}`" for path, value in _flat(fields))
+            # Value and unit stay on one line.
+            given = "<br>".join(
+                f"`{path}` {str(value).replace(' ', chr(160))}" for path, value in _flat(fields)
+            )
             what = _capitalised(_cell(fields.doc))
             source = _cell(fields.source)
             lines.append(f"| `{name}.{preset}` | {what} | {given} | {source} |")
