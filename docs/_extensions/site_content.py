@@ -185,6 +185,8 @@ def api() -> str:
     return "\n".join(lines)
 
 
+NO_BREAK = chr(0xA0)
+
 #: Kinds of presets: heading and where the fields go.
 PRESETS = {
     "materials": ("Materials", "For the sections `wheel` and `rail`."),
@@ -204,7 +206,8 @@ def presets() -> str:
         for preset, fields in ((preset, group[preset]) for preset in group):
             # Value and unit stay on one line.
             given = "<br>".join(
-                f"`{path}` {str(value).replace(' ', chr(160))}" for path, value in _flat(fields)
+                f"`{path}`{NO_BREAK}{str(value).replace(' ', NO_BREAK)}"
+                for path, value in _flat(fields)
             )
             what = _capitalised(_cell(fields.doc))
             source = _cell(fields.source)
