@@ -7,8 +7,10 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from warnings import warn
 
 from . import _core
+from ._errors import SchlupfWarning
 from ._fields import FIELDS, SECTIONS, Field
 from ._laws import LARGEST, Law, checked, sampled
 from ._report import (
@@ -29,6 +31,9 @@ if TYPE_CHECKING:
 
     from ._forces import Solver
 
+
+#: Numbers that are taken where none is given.
+DEFAULTS = _core.defaults()
 
 #: A family as the library reads it, its field, and the values as the case has them.
 _Family = tuple[str, str, list[Any]]
@@ -230,7 +235,18 @@ class Case:
         ----------
         folder : path, optional
             Where the text is to be: relative paths in it are adapted. By default where it was.
+
+        Warns
+        -----
+        SchlupfWarning
+            If the case has functions of `with_laws`, which no text has.
         """
+        if self._laws:
+            names = ", ".join(self._laws)
+            warn(SchlupfWarning(f"functions are left out of the text: {names}"), stacklevel=2)
+        return self._toml(folder)
+
+    def _toml(self, folder: str | PathLike[str] | None = None) -> str:
         return self._file.to_toml(self._folder if folder is None else Path(folder))
 
     def with_(self, **sections: Any) -> Case:
@@ -246,7 +262,7 @@ class Case:
         extent: tuple[tuple[float, float], tuple[float, float]] | None = None,
         partition: Law | None = None,
     ) -> Case:
-        """The same case with functions in place of its laws.
+        """The same case with functions in place of its laws; those it has already stay.
 
         They are called with arrays of equal shape and return such an array; an exception that they
         raise is that of the call that solves. This is the slow path: a solution calls the friction
@@ -278,14 +294,16 @@ class Case:
         """
         if (pressure is None) != (extent is None):
             raise TypeError("pressure and extent belong together")
+        given: dict[str, Any] = {"friction": friction, "pressure": pressure, "extent": extent}
+        given["partition"] = partition
+        laws = {**self._laws, **{name: law for name, law in given.items() if law is not None}}
+        friction, partition = laws.get("friction"), laws.get("partition")
         file = self._file.with_laws(
             friction and checked("friction", friction, "finite and not negative", LARGEST),
             partition and checked("partition", partition, "from 0 to 1", 1.0),
-            None if pressure is None or extent is None else sampled(pressure, extent),
+            sampled(laws["pressure"], laws["extent"]) if "pressure" in laws else None,
         )
-        laws: dict[str, Any] = {"friction": friction, "partition": partition}
-        laws.update(pressure=pressure, extent=extent)
-        return self._of(file, self._folder, {k: law for k, law in laws.items() if law is not None})
+        return self._of(file, self._folder, laws)
 
     def given(self) -> list[str]:
         """Dotted paths of the fields that are given."""
@@ -328,8 +346,9 @@ class Case:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        given = ", ".join(f"{path}={self[path]!r}" for path in dict.fromkeys(self.given()))
-        return f"Case({given})"
+        given = [f"{path}={self[path]!r}" for path in dict.fromkeys(self.given())]
+        laws = [f"{name}={law!r}" for name, law in self._laws.items()]
+        return f"Case({', '.join(given + laws)})"
 
     def __copy__(self) -> Case:
         return self._of(self._file, self._folder, self._laws)
@@ -338,7 +357,7 @@ class Case:
         return self.__copy__()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuilt, (self.to_toml(), os.fspath(self._folder), self._laws)
+        return _rebuilt, (self._toml(), os.fspath(self._folder), self._laws)
 
     def solve(
         self,
@@ -382,7 +401,7 @@ class Case:
         creepage: tuple[float, float] | None = None,
         direction: float | str | None = None,
         over: Mapping[str, Sequence[Any]] | None = None,
-        points: int = 41,
+        points: int = DEFAULTS["curve_points"],
         spacing: str = "refined",
         warn: bool = True,
     ) -> Curve:
@@ -401,7 +420,7 @@ class Case:
         over : mapping, optional
             A field by its dotted path and the values that it has for the curves, such as
             ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``.
-        points : int, default 41
+        points : int, optional
             Points of each curve.
         spacing : {"refined", "even"}
             Finer near zero creepage, or equal steps.
@@ -460,7 +479,7 @@ class Case:
         y: float | None = None,
         depth: tuple[float, float] | None = None,
         wake: float | None = None,
-        points: int = 201,
+        points: int = DEFAULTS["line_points"],
         warn: bool = True,
     ) -> Temperatures:
         """Temperatures of wheel and rail below a point, and along its row with the wake.
@@ -473,7 +492,7 @@ class Case:
             Depths of the profile below it, in m; by default as far as heat has penetrated.
         wake : float, optional
             Length of the wake, in m; by default twice the length of the contact.
-        points : int, default 201
+        points : int, optional
             Points of each line.
 
         Returns
@@ -523,7 +542,7 @@ class Case:
         *,
         direct: bool = False,
         displacements: Sequence[str | PathLike[str]] = (),
-        cells: int = 40,
+        cells: int = DEFAULTS["calibration_cells"],
         warn: bool = True,
     ) -> Calibration:
         """Stiffnesses of the elastic layer for the patch of the case.
@@ -534,7 +553,7 @@ class Case:
             Whether to calibrate for this very patch instead of interpolating the table.
         displacements : sequence of paths
             CSV files with displacements of a finite-element model, to fit to.
-        cells : int, default 40
+        cells : int, optional
             Cells across the patch on which layer and half-space are compared.
 
         Returns
@@ -555,8 +574,8 @@ class Case:
         parameters: str | Sequence[str],
         data: str | PathLike[str] | Mapping[str, Any],
         *,
-        gamma: float = 0.45,
-        max_steps: int = 100,
+        gamma: float = DEFAULTS["gamma"],
+        max_steps: int = DEFAULTS["fit_steps"],
         warn: bool = True,
     ) -> Fit:
         """Finds parameters that fit measured creep curves, from the values of the case.
@@ -569,10 +588,10 @@ class Case:
             A CSV file, or columns of it by name: ``creepage_x``, ``creepage_y``, ``spin`` (1/m),
             ``force_ratio`` or ``force_ratio_x``, ``force_ratio_y`` (-F/N), ``speed`` (m/s),
             ``load`` (N), ``standard_deviation``.
-        gamma : float, default 0.45
+        gamma : float, optional
             γ, where ``contact_law.roughness`` is fitted: the surfaces approach by γ h_rms when the
             pressure grows e-fold (Persson 2007).
-        max_steps : int, default 100
+        max_steps : int, optional
             Largest number of steps.
 
         Returns
@@ -589,10 +608,10 @@ class Case:
         if isinstance(data, (str, os.PathLike)):
             source: tuple[Path, bytes | None] = (Path(data), None)
         else:
-            source = (Path("data"), csv(data, {"spin": "1/m", "speed": "m/s", "load": "N"}))
-        found = _core.fitted(self._file, self._folder, names, source, (gamma, max_steps))
+            source = (Path("arrays"), csv(data, {"spin": "1/m", "speed": "m/s", "load": "N"}))
+        found = _core.fitted(self._file, names, source, (self._folder, gamma, max_steps))
         result = Fit._new(found, warn=warn)
-        result._case = Case.from_toml(found.case() or "", self._folder)
+        result._case = _rebuilt(found.case() or "", os.fspath(self._folder), self._laws)
         return result
 
     def roughness(self, *, spots: bool = True, warn: bool = True) -> RoughContact:

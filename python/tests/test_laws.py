@@ -128,3 +128,15 @@ def test_a_case_with_laws_can_be_pickled():
     assert again == case
     assert again != SMALL
     assert again.solve().force.x == case.solve().force.x
+
+
+def test_laws_add_up():
+    case = SMALL.with_laws(friction=constant).with_laws(partition=lambda w, v: 0.3 + 0 * v)
+    result = case.solve()
+    expected = SMALL.with_(
+        friction={"model": "constant", "coefficient": 0.25}, heat={"partition": 0.3}
+    ).solve()
+    assert result.force.x == pytest.approx(expected.force.x, rel=1e-6)
+    assert "friction=<function constant" in repr(case)
+    with pytest.warns(schlupf.SchlupfWarning, match="left out of the text: friction, partition"):
+        case.to_toml()

@@ -28,7 +28,7 @@ def test_a_family_of_creep_curves_has_its_values_in_si_units():
     alone = SMALL.with_(kinematics={"speed": 20.0}).curve(creepage_x=(0.0, 0.01), points=4)
     np.testing.assert_allclose(points["force_x"][1], alone.points["force_x"], rtol=1e-6)
     labels = [text.get_text() for text in curves.plot().get_legend().get_texts()]
-    assert labels == ["$F_x$, 10", "$F_x$, 20"]
+    assert labels == ["$F_x$, 10 m/s", "$F_x$, 20 m/s"]
 
 
 def test_a_family_of_methods_has_names():
@@ -124,6 +124,11 @@ def test_a_fit_finds_the_friction_that_made_the_data():
     assert found.case.friction.coefficient == pytest.approx(0.31, rel=1e-4)
     np.testing.assert_allclose(found.points["fitted"], measured, atol=1e-4)
     assert len(found.plot().lines) == 2
+    # A line for each speed.
+    both = {name: np.concatenate([creepage, creepage]) for name in ("creepage_x",)}
+    both |= {"force_ratio": np.concatenate([measured, measured])}
+    both |= {"speed": np.repeat([20.0, 30.0], creepage.size)}
+    assert len(model.fit("friction.coefficient", both, warn=False).plot().lines) == 4
     with pytest.raises(schlupf.CaseError, match="did you mean `friction.coefficient`"):
         model.fit("friction.coeficient", data)
     with pytest.raises(schlupf.CaseError, match="creepge_x"):

@@ -8,7 +8,7 @@ use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf_case::identification::parameters;
 use schlupf_case::{CaseErrors, CaseFile, InputFile};
 use schlupf_output::identification::FitReport;
-use schlupf_tasks::fit::{self, Names, Plan, Request};
+use schlupf_tasks::fit::{self, MAX_STEPS, Names, Plan, Request};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -42,7 +42,7 @@ pub struct Fit {
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_GAMMA, value_parser = gamma)]
     pub gamma: f64,
     /// Maximum number of steps of the fit
-    #[arg(long, value_name = "N", default_value_t = 100,
+    #[arg(long, value_name = "N", default_value_t = MAX_STEPS,
           value_parser = clap::value_parser!(u32).range(1..))]
     pub max_steps: u32,
     /// Write the case with the fitted values, keeping comments and layout

@@ -4,7 +4,7 @@ use clap::Args;
 use schlupf::Watch;
 use schlupf_case::{CaseError, CaseErrors, CaseFile, depths, length, position};
 use schlupf_output::temperature::Temperatures;
-use schlupf_tasks::temperature::{self, Plan, Request};
+use schlupf_tasks::temperature::{self, POINTS, Plan, Request};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::curve::number_of_points;
@@ -34,7 +34,7 @@ pub struct Temperature {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub wake: Option<String>,
     /// Number of points of each line
-    #[arg(long, value_name = "N", default_value_t = 201, value_parser = number_of_points)]
+    #[arg(long, value_name = "N", default_value_t = POINTS, value_parser = number_of_points)]
     pub points: usize,
     /// Where to write the results.
     #[command(flatten)]

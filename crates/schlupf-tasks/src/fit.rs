@@ -16,6 +16,9 @@ use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::{Notice, TaskError, messages};
 
+/// Largest number of steps by default.
+pub const MAX_STEPS: u32 = 100;
+
 /// What to fit to which data.
 #[derive(Debug, Clone)]
 pub struct Request {

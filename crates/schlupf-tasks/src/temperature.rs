@@ -7,6 +7,9 @@ use schlupf_output::temperature::{Request as Positions, Temperatures};
 
 use crate::{TaskError, messages};
 
+/// Points of each line by default.
+pub const POINTS: usize = 201;
+
 /// Where to look; what is left out follows from the solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
