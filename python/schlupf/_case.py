@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 from . import _core
-from ._errors import SchlupfWarning
+from ._errors import CaseError, SchlupfWarning
 from ._fields import FIELDS, SECTIONS, Field
 from ._laws import LARGEST, Law, checked, sampled
 from ._report import (
@@ -24,6 +24,7 @@ from ._report import (
 )
 from ._result import Result
 from ._tables import csv
+from ._units import is_quantity, magnitude, plain, refused
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -41,8 +42,9 @@ _Family = tuple[str, str, list[Any]]
 
 def toml_value(field: Field | None, value: Any) -> str:
     """A value as it stands in a case file; numbers of dimensional fields are in SI units."""
-    if hasattr(value, "magnitude") and hasattr(value, "to"):
-        value = value.to(field.units if field and field.units else "").magnitude
+    path = field.path if field else "a field"
+    if is_quantity(value):
+        value = magnitude(value, field.units if field else "", path)
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, os.PathLike):
@@ -55,14 +57,16 @@ def toml_value(field: Field | None, value: Any) -> str:
         is_dimensional = field is not None and field.kind in ("quantity", "quantities")
         if not is_dimensional:
             return repr(value)
-        number = repr(float(value))
+        try:
+            number = repr(float(value))
+        except OverflowError:
+            raise refused(path, f"{path} must be a number, but is too large for one") from None
         return json.dumps(f"{number} {field.units}" if field and "n" not in number else number)
     if isinstance(value, str):
         # TOML escapes all that JSON does, and this.
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     raise TypeError(
-        f"{field.path if field else 'a field'} must be a number, text, a sequence or a quantity, "
-        f"but is a {type(value).__name__}"
+        f"{path} must be a number, text, a sequence or a quantity, but is a {type(value).__name__}"
     )
 
 
@@ -76,8 +80,64 @@ def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
             yield from assignments(value, path)
         elif value is None:
             yield from _removed(path)
+        elif path in SECTIONS and path not in FIELDS and not isinstance(value, str):
+            raise TypeError(f"{path} is a section: give its fields as a dictionary")
         else:
             yield f"{path}={toml_value(FIELDS.get(path), value)}"
+
+
+#: Fields that give the units of arguments and columns.
+_LIKE = {
+    "creepage_x": "kinematics.creepage_x",
+    "creepage_y": "kinematics.creepage_y",
+    "creepage": "kinematics.creepage_x",
+    "spin": "kinematics.spin",
+    "speed": "kinematics.speed",
+    "load": "normal.load",
+    "depth": "normal.semi_axis_x",
+    "wake": "normal.semi_axis_x",
+    "x": "normal.semi_axis_x",
+    "y": "normal.semi_axis_x",
+}
+
+
+def _data_fields() -> dict[str, Field]:
+    """The fields that columns of measured points are like."""
+    return {name: FIELDS[path] for name, path in _LIKE.items()}
+
+
+def _pair(name: str, ends: Any) -> tuple[float, float]:
+    """Start and end of a range, in SI units."""
+    field = FIELDS[_LIKE[name]]
+    try:
+        start, end = plain(ends, field, name)
+        return _number(name, field, start), _number(name, field, end)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, CaseError):
+            raise
+        raise refused(name, f"{name} must be (start, end), but is {ends!r}") from None
+
+
+def _number(name: str, field: Field, value: Any) -> float:
+    return float(plain(value, field, name))
+
+
+def _length(name: str, value: Any) -> float | None:
+    """A length in m, where there is one."""
+    if value is None:
+        return None
+    try:
+        return _number(name, FIELDS[_LIKE[name]], value)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, CaseError):
+            raise
+        raise refused(name, f"{name} must be a length in m, but is {value!r}") from None
+
+
+def _count(name: str, value: int) -> int:
+    if value < 0:
+        raise refused(name, f"{name} must not be negative, but is {value}")
+    return value
 
 
 def _removed(path: str) -> Iterator[str]:
@@ -105,7 +165,12 @@ class Section:
         object.__setattr__(self, "_case", case)
         object.__setattr__(self, "_path", path)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._case, self._path)
+
     def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
         path = f"{self._path}.{name}"
         if path in SECTIONS:
             return Section(self._case, path)
@@ -251,8 +316,9 @@ class Case:
 
     def with_(self, **sections: Any) -> Case:
         """The same case with other fields; `None` takes a field or a section out."""
-        file = self._file.with_fields(list(assignments(sections)))
-        return self._of(file, self._folder, self._laws)
+        case = self._of(self._file.with_fields(list(assignments(sections))), self._folder)
+        # A load scales the pressure of a function.
+        return case.with_laws(**self._laws) if self._laws else case
 
     def with_laws(
         self,
@@ -276,7 +342,7 @@ class Case:
             ``(0, 0, 0)`` and not negative elsewhere.
         pressure : callable, optional
             Normal pressure (Pa) of ``(x, y)`` (m, x along rolling), zero outside of the contact; it
-            is sampled at 257 × 257 places and gives the load.
+            is sampled at 257 × 257 places, and scaled to ``normal.load`` where that is given.
         extent : ((float, float), (float, float)), optional
             Ranges of x and y, in m, that contain the contact; needed with `pressure`.
         partition : callable, optional
@@ -302,6 +368,7 @@ class Case:
             friction and checked("friction", friction, "finite and not negative", LARGEST),
             partition and checked("partition", partition, "from 0 to 1", 1.0),
             sampled(laws["pressure"], laws["extent"]) if "pressure" in laws else None,
+            self["normal.load"] if "normal.load" in self.given() else None,
         )
         return self._of(file, self._folder, laws)
 
@@ -311,7 +378,24 @@ class Case:
 
     def effective(self) -> dict[str, tuple[str, bool]]:
         """The fields that have an effect: value as text, and whether it is the default."""
-        return {path: (value, default) for path, value, default in self._file.effective()}
+        fields = {path: (value, default) for path, value, default in self._file.effective()}
+        fields = {path: entry for path, entry in fields.items() if not self._is_replaced(path)}
+        return fields | {name: (repr(law), False) for name, law in self._laws.items()}
+
+    def _is_replaced(self, path: str) -> bool:
+        """Whether a function stands in place of a field."""
+        friction = path.startswith("friction.") and path != "friction.reference_temperature"
+        pressure = path.startswith("normal.") and path != "normal.load"
+        return (
+            ("friction" in self._laws and friction)
+            or ("pressure" in self._laws and pressure)
+            or ("partition" in self._laws and path == "heat.partition")
+        )
+
+    def _check_varied(self, path: str) -> None:
+        """Refuses to vary a field that has no effect."""
+        if self._is_replaced(path):
+            raise refused(path, f"{path} has no effect: a function is in place of it")
 
     def __getattr__(self, name: str) -> Any:
         if name in SECTIONS:
@@ -331,7 +415,8 @@ class Case:
         return self._file.value(path)
 
     def __setitem__(self, path: str, value: Any) -> None:
-        object.__setattr__(self, "_file", self._file.with_fields(list(assignments({path: value}))))
+        changed = self.with_(**{path: value})
+        self._set(changed._file, self._folder, changed._laws)
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *_top()]
@@ -443,16 +528,21 @@ class Case:
             raise TypeError("creepage and direction belong together")
         if creepage is not None and not (creepage_x is None and creepage_y is None):
             raise TypeError("creepage is in place of creepage_x and creepage_y")
+        ranges = {"creepage_x": creepage_x, "creepage_y": creepage_y, "spin": spin}
+        ranges["creepage"] = creepage
+        pairs = {name: _pair(name, ends) for name, ends in ranges.items() if ends is not None}
+        if all(start == end for start, end in pairs.values()):
+            raise ValueError(f"the ends must differ, but are alike: {', '.join(pairs)}")
         if spacing not in ("refined", "even"):
             raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
         angle = direction if isinstance(direction, str) else f"{direction} rad"
-        total = None if creepage is None else (creepage, angle)
+        total = None if creepage is None else (pairs["creepage"], angle)
         family = self._family(over)
         curve = _core.creep_curve(
             self._file,
-            ((creepage_x, creepage_y, spin), total),
+            (tuple(pairs.get(name) for name in ("creepage_x", "creepage_y", "spin")), total),
             None if family is None else family[0],
-            (points, spacing == "even"),
+            (_count("points", points), spacing == "even"),
         )
         result = Curve._new(curve, warn=warn)
         if family is not None:
@@ -467,6 +557,8 @@ class Case:
         ((path, values),) = over.items()
         if path not in FIELDS:
             raise KeyError(path)
+        self._check_varied(path)
+        values = [values] if isinstance(values, str) else values
         texts = [toml_value(FIELDS[path], value) for value in values]
         text = f"{path}={','.join(texts)}"
         members = [self._file.with_fields([f"{path}={entry}"]) for entry in texts]
@@ -509,7 +601,10 @@ class Case:
         ----------
         Conduction perpendicular to the surface: Carslaw and Jaeger (1959).
         """
-        found = _core.temperatures(self._file, (x, y), (depth, wake, points))
+        place = (_length("x", x), _length("y", y))
+        range_ = None if depth is None else _pair("depth", depth)
+        lines = (range_, _length("wake", wake), _count("points", points))
+        found = _core.temperatures(self._file, place, lines)
         return Temperatures._new(found, warn=warn)
 
     def bulk_temperature(self, *, warn: bool = True) -> BulkTemperature:
@@ -541,7 +636,7 @@ class Case:
         self,
         *,
         direct: bool = False,
-        displacements: Sequence[str | PathLike[str]] = (),
+        displacements: str | PathLike[str] | Sequence[str | PathLike[str]] = (),
         cells: int = DEFAULTS["calibration_cells"],
         warn: bool = True,
     ) -> Calibration:
@@ -566,8 +661,11 @@ class Case:
         CaseError
             If the table has no such patch, or no layer has such displacements.
         """
+        if isinstance(displacements, (str, os.PathLike)):
+            displacements = [displacements]
         paths = [Path(path) for path in displacements]
-        return Calibration._new(_core.calibration(self._file, direct, paths, cells), warn=warn)
+        found = _core.calibration(self._file, direct, paths, _count("cells", cells))
+        return Calibration._new(found, warn=warn)
 
     def fit(
         self,
@@ -608,8 +706,10 @@ class Case:
         if isinstance(data, (str, os.PathLike)):
             source: tuple[Path, bytes | None] = (Path(data), None)
         else:
-            source = (Path("arrays"), csv(data, {"spin": "1/m", "speed": "m/s", "load": "N"}))
-        found = _core.fitted(self._file, names, source, (self._folder, gamma, max_steps))
+            source = (Path("arrays"), csv(data, _data_fields()))
+        found = _core.fitted(
+            self._file, names, source, (self._folder, gamma, _count("max_steps", max_steps))
+        )
         result = Fit._new(found, warn=warn)
         result._case = _rebuilt(found.case() or "", os.fspath(self._folder), self._laws)
         return result

@@ -241,7 +241,7 @@ class ResultPlots:
         return ax
 
     def _arrows(self, ax: Axes, x: xr.DataArray, y: xr.DataArray) -> None:
-        step = max(1, max(x.shape) // ARROWS)
+        step = max(1, -(-max(x.shape) // ARROWS))
         part = {name: slice(step // 2, None, step) for name in ("x", "y")}
         x, y = x.isel(part), y.isel(part)
         ax.quiver(x["x"] * 1e3, x["y"] * 1e3, x, y, color="white", pivot="mid", width=0.004)
@@ -344,8 +344,12 @@ def frames(results: Sequence[Result], field: str = "traction_x", **options: Any)
     """An animation of one field over results of successive times, on one grid."""
     from matplotlib.animation import FuncAnimation
 
-    ax = axes_or_new(None)
+    if not all(hasattr(result, "fields") for result in results):
+        raise TypeError("animate takes results of successive times: [result, result, …]")
     shown = [result.fields[field] for result in results]
+    if len({values.shape for values in shown}) != 1:
+        raise ValueError("the results must be on one grid")
+    ax = axes_or_new(None)
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
     mesh = _mesh(ax, shown[0], factor, vmin=-bound * factor, vmax=bound * factor, cmap="RdBu")

@@ -126,7 +126,7 @@ def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
         own = own.sortby(name)
         color = f"C{number}"
         speed = f", {float(own['speed'][0]):g} m/s" if len(series) > 1 else ""
-        label = f"{component}{speed}, measured"
+        label = f"$F_{component}/N${speed}, measured"
         ax.plot(own[name], own["force_ratio"], "o", color=color, markersize=3, label=label)
         line(ax, own[name], own["fitted"], "fitted", {"color": color, **style})
         ax.set_xlabel(labelled(own[name]))

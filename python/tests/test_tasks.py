@@ -52,6 +52,9 @@ def test_the_total_creepage_varies_in_a_direction():
         ({}, TypeError, "a curve needs"),
         ({"creepage": (0, 0.1)}, TypeError, "belong together"),
         ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "points must be between 2 and"),
+        ({"creepage_x": (0.1, 0.1)}, ValueError, "the ends must differ"),
+        ({"creepage_x": 0.1}, schlupf.CaseError, "creepage_x must be"),
+        ({"creepage_x": (0, 0.1), "points": -1}, ValueError, "points must not be negative"),
         ({"creepage_x": (0, 0.1), "over": {"kinematics.sped": [1]}}, KeyError, "sped"),
         (
             {"creepage_x": (0, 0.1), "over": {"kinematics.creepage_x": [0.1]}},
@@ -83,6 +86,11 @@ def test_temperatures_below_the_surface_and_in_the_wake():
     np.testing.assert_allclose(ax.lines[0].get_ydata(), surface["temperature_wheel"])
     with pytest.raises(ValueError, match="y must lie in the contact"):
         case.temperature(y=0.1)
+    wrong = [{"depth": (0, -1)}, {"wake": np.inf}, {"wake": -1.0}, {"depth": (0, 1e9)}, {"x": "a"}]
+    for arguments in wrong:
+        (name,) = arguments
+        with pytest.raises(schlupf.CaseError, match=f"{name} must be"):
+            case.temperature(**arguments)
 
 
 def test_the_bulk_temperature_needs_cooling():

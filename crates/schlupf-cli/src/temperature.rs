@@ -14,6 +14,8 @@ use crate::task::{Found, Task};
 
 const X: &str = "--x";
 const Y: &str = "--y";
+const DEPTH: &str = "--depth";
+const WAKE: &str = "--wake";
 
 /// Where to look at the temperatures, and where to write them.
 #[derive(Debug, Args)]
@@ -68,16 +70,16 @@ impl Temperature {
         let place = |option, what, text: &Option<String>| {
             text.as_deref().map(|text| position(option, what, text)).transpose()
         };
-        let depth = self.depth.as_deref().map(|text| depths("--depth", text)).transpose()?;
+        let depth = self.depth.as_deref().map(|text| depths(DEPTH, text)).transpose()?;
         let wake = self.wake.as_deref();
-        let wake = wake.map(|text| length("--wake", "the length of the wake", text)).transpose()?;
+        let wake = wake.map(|text| length(WAKE, "the length of the wake", text)).transpose()?;
         Ok(Request {
             x: place(X, "the place along rolling", &self.x)?,
             y: place(Y, "the place across rolling", &self.y)?,
             depth,
             wake,
             points: self.points,
-            names: [X, Y],
+            names: [X, Y, DEPTH, WAKE],
         })
     }
 }

@@ -50,9 +50,9 @@ fn refused(py: Python<'_>, message: String) -> PyErr {
 }
 
 /// Traces creep curves of a case: start and end of ξ, η and φ (in 1/m), or `None` for that of the
-/// case; in place of ξ and η start and end of the total creepage, and its direction, such as `45 deg`. There
-/// is one curve for each value of `over`, such as `"kinematics.speed=10 m/s,20 m/s"`; each has so
-/// many points, and they are evenly spaced or not.
+/// case; in place of ξ and η start and end of the total creepage, and its direction, such as
+/// `45 deg`. There is one curve for each value of `over`, such as
+/// `"kinematics.speed=10 m/s,20 m/s"`; each has so many points, and they are evenly spaced or not.
 #[pyfunction]
 #[pyo3(signature = (case, varied, over, sampling))]
 pub fn creep_curve(
@@ -100,7 +100,8 @@ pub fn temperatures(
 ) -> PyResult<Report> {
     let ([x, y], (depth, wake, points)) = (point, lines);
     let points = checked_points(py, points)?;
-    let request = temperature::Request { x, y, depth, wake, points, names: ["x", "y"] };
+    let request =
+        temperature::Request { x, y, depth, wake, points, names: ["x", "y", "depth", "wake"] };
     report(py, case, |file, watch| {
         let found = temperature::plan(file, request, watch)?.find(watch)?;
         Ok(Found::Temperature(Box::new(found)))
