@@ -79,7 +79,7 @@ def legend_beside(ax: Axes, **options: Any) -> None:
 
 def legend_above(ax: Axes, **options: Any) -> None:
     """A legend over the axes, for several lines of text."""
-    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, **options)
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), **options)
 
 
 def line(ax: Axes, x: Any, y: Any, label: str, style: dict[str, Any]) -> None:
@@ -105,7 +105,7 @@ class ResultPlots:
     @styled
     def traction(self, ax: Axes | None = None, *, arrows: bool = True, **style: Any) -> Axes:
         """Magnitude of the traction on the wheel, with arrows and the border of the stick zone."""
-        ax = self._vectors("traction", "traction", ax, arrows, style)
+        ax = self._vectors("traction", "traction on the wheel", ax, arrows, style)
         self._stick(ax)
         return ax
 
@@ -201,6 +201,8 @@ class ResultPlots:
         ax.set_xlabel("$x$ (mm)")
         ax.set_ylabel("$y$ (mm)")
         ax.set_zlabel(labelled(values.assign_attrs(units=unit)))
+        # Its labels stand outside of the box.
+        ax.set_box_aspect(None, zoom=0.8)
         ax.set_title(self._result.title)
         return cast("Axes", ax)
 
@@ -241,6 +243,8 @@ class ResultPlots:
         return ax
 
     def _arrows(self, ax: Axes, x: xr.DataArray, y: xr.DataArray) -> None:
+        if largest(x) == largest(y) == 0.0:
+            return
         step = max(1, -(-max(x.shape) // ARROWS))
         part = {name: slice(step // 2, None, step) for name in ("x", "y")}
         x, y = x.isel(part), y.isel(part)
@@ -292,6 +296,11 @@ def _places(ax: Axes) -> None:
     ax.set_xlabel("$x$ (mm)")
     ax.set_ylabel("$y$ (mm)")
     ax.set_aspect("equal")
+    widths = {"x": np.ptp(ax.get_xlim()), "y": np.ptp(ax.get_ylim())}
+    for axis, width in widths.items():
+        # Room for the numbers of a slender patch.
+        if width < 0.4 * max(widths.values()):
+            ax.locator_params(axis=axis, nbins=1 if width < 0.2 * max(widths.values()) else 3)
 
 
 def labelled(values: xr.DataArray) -> str:

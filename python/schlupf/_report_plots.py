@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -136,6 +137,11 @@ def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
     return ax
 
 
+def _surfaces(title: str) -> str:
+    """The title of a rough contact, with the names of files alone."""
+    return " and ".join(Path(part).name for part in title.split(" and "))
+
+
 class RoughContactPlots:
     """The plots of a rough contact: ``contact.plot.spectrum()`` and others."""
 
@@ -153,7 +159,7 @@ class RoughContactPlots:
         ax.loglog(spectrum["wave_number"], spectrum["spectral_density"], **style)
         ax.set_xlabel("wave number $q$ (rad/m)")
         ax.set_ylabel("$C(q)$ (m⁴)")
-        ax.set_title(self._contact.title)
+        ax.set_title(_surfaces(self._contact.title))
         return ax
 
     @styled
@@ -182,5 +188,5 @@ class RoughContactPlots:
         ax.set_xlabel("displacement (µm)")
         ax.set_ylabel(r"$t / \mu p$")
         legend_beside(ax)
-        ax.set_title(self._contact.title)
+        ax.set_title(_surfaces(self._contact.title))
         return ax
