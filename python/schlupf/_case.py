@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 from warnings import warn
 
@@ -760,7 +761,8 @@ def _documentation() -> str:
             lines += [f"    ``{section.name}``: {section.doc}", ""]
             for field in section.fields:
                 default = f"; default: {field.default}" if field.default else ""
-                lines.append(f"    - ``{field.name}``{field.unit_text}: {field.doc}{default}")
+                text = f"- ``{field.name}``{field.unit_text}: {field.doc}{default}"
+                lines.append(fill(text, 95, initial_indent="    ", subsequent_indent="      "))
             lines.append("")
     return "\n".join(lines)
 

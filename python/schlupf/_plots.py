@@ -296,11 +296,14 @@ def _places(ax: Axes) -> None:
     ax.set_xlabel("$x$ (mm)")
     ax.set_ylabel("$y$ (mm)")
     ax.set_aspect("equal")
-    widths = {"x": np.ptp(ax.get_xlim()), "y": np.ptp(ax.get_ylim())}
-    for axis, width in widths.items():
+    from matplotlib.ticker import MaxNLocator
+
+    sides = [(ax.xaxis, np.ptp(ax.get_xlim())), (ax.yaxis, np.ptp(ax.get_ylim()))]
+    longest = max(width for _, width in sides)
+    for axis, width in sides:
         # Room for the numbers of a slender patch.
-        if width < 0.4 * max(widths.values()):
-            ax.locator_params(axis=axis, nbins=1 if width < 0.2 * max(widths.values()) else 3)
+        if width < 0.4 * longest:
+            axis.set_major_locator(MaxNLocator(1 if width < 0.2 * longest else 3))
 
 
 def labelled(values: xr.DataArray) -> str:
