@@ -82,7 +82,8 @@ impl CaseFile {
     }
 
     /// The same with functions in place of its friction law and its heat partition, and with a
-    /// pressure (in Pa) at places x and y (in m), rows along x, scaled to a load (in N) if there is one.
+    /// pressure (in Pa) at places x and y (in m), rows along x, scaled to a load (in N) if there is
+    /// one.
     #[pyo3(signature = (friction, partition, pressure, load))]
     fn with_laws(
         &self,
