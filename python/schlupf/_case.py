@@ -72,7 +72,7 @@ def toml_value(field: Field | None, value: Any) -> str:
 
 
 def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
-    """Nested values as ``section.field=value``; `None` takes a field out."""
+    """Nested values as ``section.field=value``; `None` removes a field."""
     for name, value in values.items():
         path = f"{parent}.{name}" if parent else name
         if isinstance(value, Section):
@@ -316,7 +316,7 @@ class Case:
         return self._file.to_toml(self._folder if folder is None else Path(folder))
 
     def with_(self, **sections: Any) -> Case:
-        """The same case with other fields; `None` takes a field or a section out."""
+        """The same case with other fields; `None` removes a field or a section."""
         case = self._of(self._file.with_fields(list(assignments(sections))), self._folder)
         # A load scales the pressure of a function.
         return case.with_laws(**self._laws) if self._laws else case
