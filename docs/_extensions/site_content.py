@@ -71,8 +71,6 @@ def kernels() -> Path:
     lines = [
         "c = get_config()",
         'c.IPKernelApp.log_level = "ERROR"',
-        # Not with the first figure: settings of matplotlib may be temporary ones then.
-        'c.IPKernelApp.matplotlib = "inline"',
     ]
     settings.write_text("\n".join(lines) + "\n")
     return folder
@@ -181,6 +179,55 @@ def api() -> str:
     return "\n".join(lines)
 
 
+NO_BREAK = chr(0xA0)
+
+#: Kinds of presets: heading and where the fields go.
+PRESETS = {
+    "materials": ("Materials", "For the sections `wheel` and `rail`."),
+    "roughnesses": ("Roughnesses", 'For `contact_law={"roughness": …}`.'),
+    "friction": ("Friction", "For the section `friction`."),
+    "methods": ("Fast methods", "For several sections: `Case(**schlupf.methods.…)`."),
+}
+
+
+def presets() -> str:
+    """Every preset with its fields and its source, group by group."""
+    lines: list[str] = []
+    for name, (title, use) in PRESETS.items():
+        lines += [f"## {title}", "", use, ""]
+        lines += ["| `schlupf.`… | what it is | fields | source |", "|---|---|---|---|"]
+        group = getattr(schlupf, name)
+        for preset, fields in ((preset, group[preset]) for preset in group):
+            # Value and unit stay on one line.
+            given = "<br>".join(
+                f"`{path}`{NO_BREAK}{str(value).replace(' ', NO_BREAK)}"
+                for path, value in _flat(fields)
+            )
+            what = _capitalised(_cell(fields.doc))
+            source = _cell(fields.source)
+            lines.append(f"| `{name}.{preset}` | {what} | {given} | {source} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _flat(fields: dict[str, Any], parent: str = "") -> Iterator[tuple[str, Any]]:
+    for name, value in fields.items():
+        path = f"{parent}.{name}" if parent else name
+        if isinstance(value, dict):
+            yield from _flat(value, path)
+        else:
+            yield path, value
+
+
+def examples() -> str:
+    """The cases of the package with links to the gallery."""
+    lines = ["| `schlupf.examples.`… | |", "|---|---|"]
+    for name in dir(schlupf.examples):
+        title = _capitalised(_cell(getattr(schlupf.examples, name).title))
+        lines.append(f"| [`{name}`](#{_case_anchor(name)}) | {title} |")
+    return "\n".join(lines)
+
+
 def warnings() -> str:
     """Every warning with its category in Python and its meaning."""
     rows = re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", (DOCS / "messages.md").read_text(), re.M)
@@ -263,9 +310,11 @@ GENERATED: dict[str, Callable[..., str]] = {
     "case-file": case_file,
     "choices": choices,
     "data": data,
+    "examples": examples,
     "fields": fields,
     "gallery": gallery,
     "included": included,
+    "presets": presets,
     "rust-example": rust_example,
     "warnings": warnings,
 }

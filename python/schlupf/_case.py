@@ -6,9 +6,12 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
+from warnings import warn
 
 from . import _core
+from ._errors import CaseError, SchlupfWarning
 from ._fields import FIELDS, SECTIONS, Field
 from ._laws import LARGEST, Law, checked, sampled
 from ._report import (
@@ -22,6 +25,7 @@ from ._report import (
 )
 from ._result import Result
 from ._tables import csv
+from ._units import is_quantity, magnitude, plain, refused
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -30,14 +34,18 @@ if TYPE_CHECKING:
     from ._forces import Solver
 
 
+#: Numbers that are taken where none is given.
+DEFAULTS = _core.defaults()
+
 #: A family as the library reads it, its field, and the values as the case has them.
 _Family = tuple[str, str, list[Any]]
 
 
 def toml_value(field: Field | None, value: Any) -> str:
     """A value as it stands in a case file; numbers of dimensional fields are in SI units."""
-    if hasattr(value, "magnitude") and hasattr(value, "to"):
-        value = value.to(field.units if field and field.units else "").magnitude
+    path = field.path if field else "a field"
+    if is_quantity(value):
+        value = magnitude(value, field.units if field else "", path)
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, os.PathLike):
@@ -50,19 +58,21 @@ def toml_value(field: Field | None, value: Any) -> str:
         is_dimensional = field is not None and field.kind in ("quantity", "quantities")
         if not is_dimensional:
             return repr(value)
-        number = repr(float(value))
+        try:
+            number = repr(float(value))
+        except OverflowError:
+            raise refused(path, f"{path} must be a number, but is too large for one") from None
         return json.dumps(f"{number} {field.units}" if field and "n" not in number else number)
     if isinstance(value, str):
         # TOML escapes all that JSON does, and this.
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     raise TypeError(
-        f"{field.path if field else 'a field'} must be a number, text, a sequence or a quantity, "
-        f"but is a {type(value).__name__}"
+        f"{path} must be a number, text, a sequence or a quantity, but is a {type(value).__name__}"
     )
 
 
 def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
-    """Nested values as ``section.field=value``; `None` takes a field out."""
+    """Nested values as ``section.field=value``; `None` removes a field."""
     for name, value in values.items():
         path = f"{parent}.{name}" if parent else name
         if isinstance(value, Section):
@@ -71,8 +81,64 @@ def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
             yield from assignments(value, path)
         elif value is None:
             yield from _removed(path)
+        elif path in SECTIONS and path not in FIELDS and not isinstance(value, str):
+            raise TypeError(f"{path} is a section: give its fields as a dictionary")
         else:
             yield f"{path}={toml_value(FIELDS.get(path), value)}"
+
+
+#: Fields that give the units of arguments and columns.
+_LIKE = {
+    "creepage_x": "kinematics.creepage_x",
+    "creepage_y": "kinematics.creepage_y",
+    "creepage": "kinematics.creepage_x",
+    "spin": "kinematics.spin",
+    "speed": "kinematics.speed",
+    "load": "normal.load",
+    "depth": "normal.semi_axis_x",
+    "wake": "normal.semi_axis_x",
+    "x": "normal.semi_axis_x",
+    "y": "normal.semi_axis_x",
+}
+
+
+def _data_fields() -> dict[str, Field]:
+    """The fields that columns of measured points are like."""
+    return {name: FIELDS[path] for name, path in _LIKE.items()}
+
+
+def _pair(name: str, ends: Any) -> tuple[float, float]:
+    """Start and end of a range, in SI units."""
+    field = FIELDS[_LIKE[name]]
+    try:
+        start, end = plain(ends, field, name)
+        return _number(name, field, start), _number(name, field, end)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, CaseError):
+            raise
+        raise refused(name, f"{name} must be (start, end), but is {ends!r}") from None
+
+
+def _number(name: str, field: Field, value: Any) -> float:
+    return float(plain(value, field, name))
+
+
+def _length(name: str, value: Any) -> float | None:
+    """A length in m, where there is one."""
+    if value is None:
+        return None
+    try:
+        return _number(name, FIELDS[_LIKE[name]], value)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, CaseError):
+            raise
+        raise refused(name, f"{name} must be a length in m, but is {value!r}") from None
+
+
+def _count(name: str, value: int) -> int:
+    if value < 0:
+        raise refused(name, f"{name} must not be negative, but is {value}")
+    return value
 
 
 def _removed(path: str) -> Iterator[str]:
@@ -100,7 +166,12 @@ class Section:
         object.__setattr__(self, "_case", case)
         object.__setattr__(self, "_path", path)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._case, self._path)
+
     def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
         path = f"{self._path}.{name}"
         if path in SECTIONS:
             return Section(self._case, path)
@@ -230,13 +301,25 @@ class Case:
         ----------
         folder : path, optional
             Where the text is to be: relative paths in it are adapted. By default where it was.
+
+        Warns
+        -----
+        SchlupfWarning
+            If the case has functions of `with_laws`, which no text has.
         """
+        if self._laws:
+            names = ", ".join(self._laws)
+            warn(SchlupfWarning(f"functions are left out of the text: {names}"), stacklevel=2)
+        return self._toml(folder)
+
+    def _toml(self, folder: str | PathLike[str] | None = None) -> str:
         return self._file.to_toml(self._folder if folder is None else Path(folder))
 
     def with_(self, **sections: Any) -> Case:
-        """The same case with other fields; `None` takes a field or a section out."""
-        file = self._file.with_fields(list(assignments(sections)))
-        return self._of(file, self._folder, self._laws)
+        """The same case with other fields; `None` removes a field or a section."""
+        case = self._of(self._file.with_fields(list(assignments(sections))), self._folder)
+        # A load scales the pressure of a function.
+        return case.with_laws(**self._laws) if self._laws else case
 
     def with_laws(
         self,
@@ -246,7 +329,7 @@ class Case:
         extent: tuple[tuple[float, float], tuple[float, float]] | None = None,
         partition: Law | None = None,
     ) -> Case:
-        """The same case with functions in place of its laws.
+        """The same case with functions in place of its laws; those it has already stay.
 
         They are called with arrays of equal shape and return such an array; an exception that they
         raise is that of the call that solves. This is the slow path: a solution calls the friction
@@ -260,7 +343,7 @@ class Case:
             ``(0, 0, 0)`` and not negative elsewhere.
         pressure : callable, optional
             Normal pressure (Pa) of ``(x, y)`` (m, x along rolling), zero outside of the contact; it
-            is sampled at 257 × 257 places and gives the load.
+            is sampled at 257 × 257 places, and scaled to ``normal.load`` where that is given.
         extent : ((float, float), (float, float)), optional
             Ranges of x and y, in m, that contain the contact; needed with `pressure`.
         partition : callable, optional
@@ -278,14 +361,17 @@ class Case:
         """
         if (pressure is None) != (extent is None):
             raise TypeError("pressure and extent belong together")
+        given: dict[str, Any] = {"friction": friction, "pressure": pressure, "extent": extent}
+        given["partition"] = partition
+        laws = {**self._laws, **{name: law for name, law in given.items() if law is not None}}
+        friction, partition = laws.get("friction"), laws.get("partition")
         file = self._file.with_laws(
             friction and checked("friction", friction, "finite and not negative", LARGEST),
             partition and checked("partition", partition, "from 0 to 1", 1.0),
-            None if pressure is None or extent is None else sampled(pressure, extent),
+            sampled(laws["pressure"], laws["extent"]) if "pressure" in laws else None,
+            self["normal.load"] if "normal.load" in self.given() else None,
         )
-        laws: dict[str, Any] = {"friction": friction, "partition": partition}
-        laws.update(pressure=pressure, extent=extent)
-        return self._of(file, self._folder, {k: law for k, law in laws.items() if law is not None})
+        return self._of(file, self._folder, laws)
 
     def given(self) -> list[str]:
         """Dotted paths of the fields that are given."""
@@ -293,7 +379,24 @@ class Case:
 
     def effective(self) -> dict[str, tuple[str, bool]]:
         """The fields that have an effect: value as text, and whether it is the default."""
-        return {path: (value, default) for path, value, default in self._file.effective()}
+        fields = {path: (value, default) for path, value, default in self._file.effective()}
+        fields = {path: entry for path, entry in fields.items() if not self._is_replaced(path)}
+        return fields | {name: (repr(law), False) for name, law in self._laws.items()}
+
+    def _is_replaced(self, path: str) -> bool:
+        """Whether a function stands in place of a field."""
+        friction = path.startswith("friction.") and path != "friction.reference_temperature"
+        pressure = path.startswith("normal.") and path != "normal.load"
+        return (
+            ("friction" in self._laws and friction)
+            or ("pressure" in self._laws and pressure)
+            or ("partition" in self._laws and path == "heat.partition")
+        )
+
+    def _check_varied(self, path: str) -> None:
+        """Refuses to vary a field that has no effect."""
+        if self._is_replaced(path):
+            raise refused(path, f"{path} has no effect: a function is in place of it")
 
     def __getattr__(self, name: str) -> Any:
         if name in SECTIONS:
@@ -313,7 +416,8 @@ class Case:
         return self._file.value(path)
 
     def __setitem__(self, path: str, value: Any) -> None:
-        object.__setattr__(self, "_file", self._file.with_fields(list(assignments({path: value}))))
+        changed = self.with_(**{path: value})
+        self._set(changed._file, self._folder, changed._laws)
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *_top()]
@@ -328,8 +432,9 @@ class Case:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        given = ", ".join(f"{path}={self[path]!r}" for path in dict.fromkeys(self.given()))
-        return f"Case({given})"
+        given = [f"{path}={self[path]!r}" for path in dict.fromkeys(self.given())]
+        laws = [f"{name}={law!r}" for name, law in self._laws.items()]
+        return f"Case({', '.join(given + laws)})"
 
     def __copy__(self) -> Case:
         return self._of(self._file, self._folder, self._laws)
@@ -338,7 +443,7 @@ class Case:
         return self.__copy__()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuilt, (self.to_toml(), os.fspath(self._folder), self._laws)
+        return _rebuilt, (self._toml(), os.fspath(self._folder), self._laws)
 
     def solve(
         self,
@@ -357,6 +462,11 @@ class Case:
             Whether to raise `NotConverged`; else look at ``result.status``.
         warn : bool, default True
             Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        Result
+            Scalars as attributes, fields over x and y, the history over time.
 
         Raises
         ------
@@ -377,7 +487,7 @@ class Case:
         creepage: tuple[float, float] | None = None,
         direction: float | str | None = None,
         over: Mapping[str, Sequence[Any]] | None = None,
-        points: int = 41,
+        points: int = DEFAULTS["curve_points"],
         spacing: str = "refined",
         warn: bool = True,
     ) -> Curve:
@@ -396,9 +506,22 @@ class Case:
         over : mapping, optional
             A field by its dotted path and the values that it has for the curves, such as
             ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``.
-        points : int, default 41
+        points : int, optional
+            Points of each curve.
         spacing : {"refined", "even"}
             Finer near zero creepage, or equal steps.
+        warn : bool, default True
+            Whether to issue the warnings of the curves.
+
+        Returns
+        -------
+        Curve
+            With ``points`` along ``point``, and along ``over`` where there are several curves.
+
+        Raises
+        ------
+        CaseError
+            If a case cannot be solved as it is, or a wheel cannot have these creepages.
         """
         if all(varied is None for varied in (creepage_x, creepage_y, spin, creepage)):
             raise TypeError("a curve needs creepage_x, creepage_y, spin or creepage: (start, end)")
@@ -406,16 +529,21 @@ class Case:
             raise TypeError("creepage and direction belong together")
         if creepage is not None and not (creepage_x is None and creepage_y is None):
             raise TypeError("creepage is in place of creepage_x and creepage_y")
+        ranges = {"creepage_x": creepage_x, "creepage_y": creepage_y, "spin": spin}
+        ranges["creepage"] = creepage
+        pairs = {name: _pair(name, ends) for name, ends in ranges.items() if ends is not None}
+        if all(start == end for start, end in pairs.values()):
+            raise ValueError(f"the ends must differ, but are alike: {', '.join(pairs)}")
         if spacing not in ("refined", "even"):
             raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
         angle = direction if isinstance(direction, str) else f"{direction} rad"
-        total = None if creepage is None else (creepage, angle)
+        total = None if creepage is None else (pairs["creepage"], angle)
         family = self._family(over)
         curve = _core.creep_curve(
             self._file,
-            ((creepage_x, creepage_y, spin), total),
+            (tuple(pairs.get(name) for name in ("creepage_x", "creepage_y", "spin")), total),
             None if family is None else family[0],
-            (points, spacing == "even"),
+            (_count("points", points), spacing == "even"),
         )
         result = Curve._new(curve, warn=warn)
         if family is not None:
@@ -430,6 +558,8 @@ class Case:
         ((path, values),) = over.items()
         if path not in FIELDS:
             raise KeyError(path)
+        self._check_varied(path)
+        values = [values] if isinstance(values, str) else values
         texts = [toml_value(FIELDS[path], value) for value in values]
         text = f"{path}={','.join(texts)}"
         members = [self._file.with_fields([f"{path}={entry}"]) for entry in texts]
@@ -442,7 +572,7 @@ class Case:
         y: float | None = None,
         depth: tuple[float, float] | None = None,
         wake: float | None = None,
-        points: int = 201,
+        points: int = DEFAULTS["line_points"],
         warn: bool = True,
     ) -> Temperatures:
         """Temperatures of wheel and rail below a point, and along its row with the wake.
@@ -455,26 +585,60 @@ class Case:
             Depths of the profile below it, in m; by default as far as heat has penetrated.
         wake : float, optional
             Length of the wake, in m; by default twice the length of the contact.
-        points : int, default 201
+        points : int, optional
             Points of each line.
+
+        Returns
+        -------
+        Temperatures
+            With ``profile`` over the depth and ``rows`` over depth and x, in °C.
+
+        Raises
+        ------
+        CaseError
+            If the point does not lie in the contact or its wake, or the case has a history.
+
+        References
+        ----------
+        Conduction perpendicular to the surface: Carslaw and Jaeger (1959).
         """
-        found = _core.temperatures(self._file, (x, y), (depth, wake, points))
+        place = (_length("x", x), _length("y", y))
+        range_ = None if depth is None else _pair("depth", depth)
+        lines = (range_, _length("wake", wake), _count("points", points))
+        found = _core.temperatures(self._file, place, lines)
         return Temperatures._new(found, warn=warn)
 
     def bulk_temperature(self, *, warn: bool = True) -> BulkTemperature:
-        """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says."""
+        """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says.
+
+        Returns
+        -------
+        BulkTemperature
+            ``temperature.wheel`` (°C), and the balance of heat in ``heat`` (W).
+
+        Raises
+        ------
+        CaseError
+            If ``cooling`` is missing, or the case has a history.
+        """
         return BulkTemperature._new(_core.bulk_temperature(self._file), warn=warn)
 
     def compare(self, *, warn: bool = True) -> Comparison:
-        """The case by all methods: the full one with each elasticity, and the fast ones."""
+        """The case by all methods: the full one with each elasticity, and the fast ones.
+
+        Returns
+        -------
+        Comparison
+            With ``methods`` along ``model``: forces, power, temperature rise, times in s.
+        """
         return Comparison._new(_core.comparison(self._file), warn=warn)
 
     def calibrate(
         self,
         *,
         direct: bool = False,
-        displacements: Sequence[str | PathLike[str]] = (),
-        cells: int = 40,
+        displacements: str | PathLike[str] | Sequence[str | PathLike[str]] = (),
+        cells: int = DEFAULTS["calibration_cells"],
         warn: bool = True,
     ) -> Calibration:
         """Stiffnesses of the elastic layer for the patch of the case.
@@ -485,19 +649,32 @@ class Case:
             Whether to calibrate for this very patch instead of interpolating the table.
         displacements : sequence of paths
             CSV files with displacements of a finite-element model, to fit to.
-        cells : int, default 40
+        cells : int, optional
             Cells across the patch on which layer and half-space are compared.
+
+        Returns
+        -------
+        Calibration
+            Stiffnesses, and how far the layer is from the half-space.
+
+        Raises
+        ------
+        CaseError
+            If the table has no such patch, or no layer has such displacements.
         """
+        if isinstance(displacements, (str, os.PathLike)):
+            displacements = [displacements]
         paths = [Path(path) for path in displacements]
-        return Calibration._new(_core.calibration(self._file, direct, paths, cells), warn=warn)
+        found = _core.calibration(self._file, direct, paths, _count("cells", cells))
+        return Calibration._new(found, warn=warn)
 
     def fit(
         self,
         parameters: str | Sequence[str],
         data: str | PathLike[str] | Mapping[str, Any],
         *,
-        gamma: float = 0.45,
-        max_steps: int = 100,
+        gamma: float = DEFAULTS["gamma"],
+        max_steps: int = DEFAULTS["fit_steps"],
         warn: bool = True,
     ) -> Fit:
         """Finds parameters that fit measured creep curves, from the values of the case.
@@ -510,8 +687,16 @@ class Case:
             A CSV file, or columns of it by name: ``creepage_x``, ``creepage_y``, ``spin`` (1/m),
             ``force_ratio`` or ``force_ratio_x``, ``force_ratio_y`` (-F/N), ``speed`` (m/s),
             ``load`` (N), ``standard_deviation``.
-        gamma : float, default 0.45
-            γ, where ``contact_law.roughness`` is fitted.
+        gamma : float, optional
+            γ, where ``contact_law.roughness`` is fitted: the surfaces approach by γ h_rms when the
+            pressure grows e-fold (Persson 2007).
+        max_steps : int, optional
+            Largest number of steps.
+
+        Returns
+        -------
+        Fit
+            Estimates with intervals of 95 %, ``points``, and the ``case`` with the fitted values.
 
         Raises
         ------
@@ -522,10 +707,12 @@ class Case:
         if isinstance(data, (str, os.PathLike)):
             source: tuple[Path, bytes | None] = (Path(data), None)
         else:
-            source = (Path("data"), csv(data, {"spin": "1/m", "speed": "m/s", "load": "N"}))
-        found = _core.fitted(self._file, self._folder, names, source, (gamma, max_steps))
+            source = (Path("arrays"), csv(data, _data_fields()))
+        found = _core.fitted(
+            self._file, names, source, (self._folder, gamma, _count("max_steps", max_steps))
+        )
         result = Fit._new(found, warn=warn)
-        result._case = Case.from_toml(found.case() or "", self._folder)
+        result._case = _rebuilt(found.case() or "", os.fspath(self._folder), self._laws)
         return result
 
     def roughness(self, *, spots: bool = True, warn: bool = True) -> RoughContact:
@@ -535,6 +722,16 @@ class Case:
         ----------
         spots : bool, default True
             Whether pressures and gaps at the largest mean pressure are wanted, too.
+
+        Returns
+        -------
+        RoughContact
+            k_c, ``fields`` over x and y, ``spectrum``, ``loads`` and ``curves``.
+
+        Raises
+        ------
+        CaseError
+            If the case has no surface, or the surface cannot be read.
         """
         return RoughContact._new(_core.rough_contact(self._file, spots), warn=warn)
 
@@ -564,7 +761,8 @@ def _documentation() -> str:
             lines += [f"    ``{section.name}``: {section.doc}", ""]
             for field in section.fields:
                 default = f"; default: {field.default}" if field.default else ""
-                lines.append(f"    - ``{field.name}``{field.unit_text}: {field.doc}{default}")
+                text = f"- ``{field.name}``{field.unit_text}: {field.doc}{default}"
+                lines.append(fill(text, 95, initial_indent="    ", subsequent_indent="      "))
             lines.append("")
     return "\n".join(lines)
 

@@ -18,6 +18,7 @@ __all__ = [
     "comparison",
     "conditions",
     "creep_curve",
+    "defaults",
     "field_table",
     "fitted",
     "presets",
@@ -43,6 +44,7 @@ class CaseFile:
         friction: Callable[..., NDArray[np.float64]] | None,
         partition: Callable[..., NDArray[np.float64]] | None,
         pressure: tuple[list[float], list[float], list[float]] | None,
+        load: float | None,
     ) -> CaseFile: ...
     def to_toml(self, folder: Path) -> str: ...
     def value(self, path: str) -> Any: ...
@@ -95,12 +97,12 @@ def creep_curve(
     over: str | None,
     sampling: tuple[int, bool],
 ) -> Report: ...
+def defaults() -> dict[str, Any]: ...
 def fitted(
     case: CaseFile,
-    folder: Path,
     names: str,
     data: tuple[Path, bytes | None],
-    limits: tuple[float, int],
+    options: tuple[Path, float, int],
 ) -> Report: ...
 def presets() -> list[tuple[str, str, str, str, list[tuple[str, str]]]]: ...
 def rough_contact(case: CaseFile, with_spots: bool) -> Report: ...

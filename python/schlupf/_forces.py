@@ -11,6 +11,8 @@ from . import _core
 from ._fields import FIELDS
 from ._result import Result
 from ._tables import attributes
+from ._units import plain
+from .warnings import emit
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -19,6 +21,9 @@ if TYPE_CHECKING:
 
 #: Conditions that need no other case, with their fields.
 CONDITIONS = dict(_core.conditions())
+
+#: Kinds of fields that are numbers.
+NUMBERS = ("quantity", "number", "count", "number-or-choice")
 
 #: Values of ``status``.
 STATUS = ("converged", "not-converged")
@@ -33,8 +38,10 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
         Everything that does not vary; its method may be a fast one.
     **conditions : array or DataArray
         ``creepage_x``, ``creepage_y`` (dimensionless), ``spin`` (1/m), ``speed`` (m/s), ``load``
-        (N), or any other number of the case by its path with ``__`` for the dot, such as
-        ``friction__coefficient``. They are broadcast: arrays as in NumPy, with dimensions ``dim_0``
+        (N), which change as in a history of the case; or any number of the case by its path with
+        ``__`` for the dot, such as ``friction__coefficient``, which is as in a case with that
+        field. Numbers are in SI units; text and quantities of pint have theirs. They are
+        broadcast: arrays as in NumPy, with dimensions ``dim_0``
         …, data arrays by the names of their dimensions.
 
     Returns
@@ -64,33 +71,53 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
     >>> table["force_x"].shape
     (5, 2)
     """
-    given = {name.replace("__", "."): value for name, value in conditions.items()}
-    for name in given:
-        if name not in CONDITIONS and name not in FIELDS:
+    paths = {name: name.replace("__", ".") for name in conditions}
+    for name, path in paths.items():
+        if name not in CONDITIONS and (path not in FIELDS or FIELDS[path].kind not in NUMBERS):
             known = ", ".join(CONDITIONS)
             raise TypeError(f"no condition {name}; there are {known} and the fields of the case")
+        case._check_varied(CONDITIONS.get(name, path))
+    given = {
+        name if name in CONDITIONS else paths[name]: _in_si(case, name, value)
+        for name, value in conditions.items()
+    }
     fields = {name: CONDITIONS.get(name, name) for name in given}
     if len(set(fields.values())) < len(fields):
         raise TypeError(f"a condition must be given once, but there are {', '.join(conditions)}")
     arrays = _broadcast(given)
-    # A field of a condition is that condition.
-    simple = {path: name for name, path in CONDITIONS.items()}
     flat: dict[str, NDArray[np.float64]] = {
-        simple.get(fields[name], name): np.ravel(array.values) for name, array in arrays.items()
+        name: np.ravel(array.values) for name, array in arrays.items()
     }
     template = next(iter(arrays.values()), xr.DataArray(np.array(0.0)))
+    if template.size == 0:
+        raise ValueError(f"there must be conditions, but there are none: {', '.join(conditions)}")
     columns, converged = _grouped(case, flat, template.size)
     shaped = {
         name: (template.dims, column["values"].reshape(template.shape), attributes(column))
         for name, column in columns.items()
     }
     status = {"flag_values": [0, 1], "flag_meanings": " ".join(STATUS), "long_name": "status"}
+    if not converged.all():
+        failed = f"{np.count_nonzero(~converged)} of {converged.size} conditions have not converged"
+        emit([("not-converged", "status", f"status: {failed}")], stacklevel=2)
     numbers = np.where(converged, 0, 1).astype(np.int8).reshape(template.shape)
     dataset = xr.Dataset({**shaped, "status": (template.dims, numbers, status)})
     coordinates = {
         name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given
     }
     return dataset.assign_coords(coordinates)
+
+
+def _in_si(case: Case, name: str, value: Any) -> Any:
+    """Values of a condition in the SI unit of its field; text is read as a case reads it."""
+    path = CONDITIONS.get(name, name.replace("__", "."))
+    field = FIELDS[path]
+    value = plain(value, field, name)
+    if isinstance(value, xr.DataArray) or np.asarray(value).dtype.kind != "U":
+        return value
+    texts = np.asarray(value)
+    read = [case._file.with_fields([f"{path}={text}"]).value(path) for text in texts.ravel()]
+    return np.reshape(np.asarray(read, float), texts.shape)
 
 
 def _broadcast(given: dict[str, Any]) -> dict[str, xr.DataArray]:
@@ -152,7 +179,8 @@ def _grouped(
 def _nested(path: str, value: float) -> dict[str, Any]:
     section, _, name = path.partition(".")
     kind = FIELDS[path].kind
-    number: float = int(value) if kind == "count" else value
+    # What is no whole number is refused by the case.
+    number: float = int(value) if kind == "count" and value.is_integer() else value
     return {section: {name: number} if "." not in name else _nested(name, value)}
 
 
@@ -182,6 +210,9 @@ class Solver:
         NotConverged
             If `strict` and the solution has not converged.
         """
+        several = [name for name, value in conditions.items() if np.ndim(value) > 0]
+        if several:
+            raise ValueError(f"{several[0]} must be one number: `schlupf.forces` takes arrays")
         unknown = [name for name in conditions if name not in CONDITIONS]
         if unknown:
             raise TypeError(f"no condition {unknown[0]}; there are {', '.join(CONDITIONS)}")

@@ -16,6 +16,9 @@ Law = Callable[..., Any]
 #: Values are at most this.
 LARGEST = float(np.finfo(float).max)
 
+#: Part of the largest pressure that counts as none.
+NEGLIGIBLE = 1e-4
+
 #: Points of a pressure along x and y.
 SAMPLES = 257
 
@@ -44,7 +47,21 @@ def sampled(
     pressure: Law, extent: tuple[tuple[float, float], tuple[float, float]]
 ) -> tuple[list[float], list[float], list[float]]:
     """Places x and y (m), and the pressure (Pa) there, rows along x."""
-    x, y = (np.linspace(*ends, SAMPLES) for ends in extent)
+    try:
+        (x0, x1), (y0, y1) = extent
+        x, y = np.linspace(x0, x1, SAMPLES), np.linspace(y0, y1, SAMPLES)
+    except (TypeError, ValueError):
+        raise ValueError(f"extent must be ((x0, x1), (y0, y1)), but is {extent!r}") from None
+    if not (x0 < x1 and y0 < y1):
+        raise ValueError(f"the ends of extent must increase, but it is {extent!r}")
     places = np.meshgrid(x, y)
-    values = checked("pressure", pressure, "finite and not negative", LARGEST)
-    return x.tolist(), y.tolist(), values(*places).ravel().tolist()
+    values = checked("pressure", pressure, "finite and not negative", LARGEST)(*places)
+    peak = values.max()
+    if peak <= 0.0:
+        raise ValueError("pressure must be positive somewhere within extent, but is zero")
+    border = max(values[[0, -1]].max(), values[:, [0, -1]].max())
+    if border > NEGLIGIBLE * peak:
+        raise ValueError(
+            f"extent must contain the contact, but the pressure at its border is {border:.3g} Pa"
+        )
+    return x.tolist(), y.tolist(), values.ravel().tolist()

@@ -79,7 +79,7 @@ def legend_beside(ax: Axes, **options: Any) -> None:
 
 def legend_above(ax: Axes, **options: Any) -> None:
     """A legend over the axes, for several lines of text."""
-    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, **options)
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), **options)
 
 
 def line(ax: Axes, x: Any, y: Any, label: str, style: dict[str, Any]) -> None:
@@ -105,7 +105,7 @@ class ResultPlots:
     @styled
     def traction(self, ax: Axes | None = None, *, arrows: bool = True, **style: Any) -> Axes:
         """Magnitude of the traction on the wheel, with arrows and the border of the stick zone."""
-        ax = self._vectors("traction", "traction", ax, arrows, style)
+        ax = self._vectors("traction", "traction on the wheel", ax, arrows, style)
         self._stick(ax)
         return ax
 
@@ -201,6 +201,8 @@ class ResultPlots:
         ax.set_xlabel("$x$ (mm)")
         ax.set_ylabel("$y$ (mm)")
         ax.set_zlabel(labelled(values.assign_attrs(units=unit)))
+        # Its labels stand outside of the box.
+        ax.set_box_aspect(None, zoom=0.8)
         ax.set_title(self._result.title)
         return cast("Axes", ax)
 
@@ -241,7 +243,9 @@ class ResultPlots:
         return ax
 
     def _arrows(self, ax: Axes, x: xr.DataArray, y: xr.DataArray) -> None:
-        step = max(1, max(x.shape) // ARROWS)
+        if largest(x) == largest(y) == 0.0:
+            return
+        step = max(1, -(-max(x.shape) // ARROWS))
         part = {name: slice(step // 2, None, step) for name in ("x", "y")}
         x, y = x.isel(part), y.isel(part)
         ax.quiver(x["x"] * 1e3, x["y"] * 1e3, x, y, color="white", pivot="mid", width=0.004)
@@ -292,6 +296,14 @@ def _places(ax: Axes) -> None:
     ax.set_xlabel("$x$ (mm)")
     ax.set_ylabel("$y$ (mm)")
     ax.set_aspect("equal")
+    from matplotlib.ticker import MaxNLocator
+
+    sides = [(ax.xaxis, np.ptp(ax.get_xlim())), (ax.yaxis, np.ptp(ax.get_ylim()))]
+    longest = max(width for _, width in sides)
+    for axis, width in sides:
+        # Room for the numbers of a slender patch.
+        if width < 0.4 * longest:
+            axis.set_major_locator(MaxNLocator(1 if width < 0.2 * longest else 3))
 
 
 def labelled(values: xr.DataArray) -> str:
@@ -344,8 +356,12 @@ def frames(results: Sequence[Result], field: str = "traction_x", **options: Any)
     """An animation of one field over results of successive times, on one grid."""
     from matplotlib.animation import FuncAnimation
 
-    ax = axes_or_new(None)
+    if not all(hasattr(result, "fields") for result in results):
+        raise TypeError("animate takes results of successive times: [result, result, …]")
     shown = [result.fields[field] for result in results]
+    if len({values.shape for values in shown}) != 1:
+        raise ValueError("the results must be on one grid")
+    ax = axes_or_new(None)
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
     mesh = _mesh(ax, shown[0], factor, vmin=-bound * factor, vmax=bound * factor, cmap="RdBu")
@@ -356,4 +372,4 @@ def frames(results: Sequence[Result], field: str = "traction_x", **options: Any)
         mesh.set_array((shown[k] * factor).values)
         yield mesh
 
-    return FuncAnimation(figure, draw, frames=len(results), **options)
+    return FuncAnimation(cast("Figure", ax.figure), draw, frames=len(results), **options)

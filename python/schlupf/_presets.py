@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from ._core import presets
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import ItemsView, Iterator
 
 
 class Preset(dict[str, Any]):
@@ -49,7 +49,15 @@ class Presets:
         except KeyError:
             raise AttributeError(f"no {name}; there are {', '.join(self)}") from None
 
-    __getitem__ = __getattr__
+    def __getitem__(self, name: str) -> Preset:
+        return self._presets[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._presets
+
+    def items(self) -> ItemsView[str, Preset]:
+        """Names and presets."""
+        return self._presets.items()
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._presets)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 import xarray as xr
 
+from ._fields import FIELDS
 from ._result import Record, written
 from ._tables import along, attributes, stacked
 from .warnings import emit
@@ -93,7 +94,8 @@ class Curve(Report):
             dataset = members[0]
         else:
             field, values = self._over
-            dataset = stacked(members, "over", values, {"field": field})
+            attrs = {"field": field, "units": FIELDS[field].units, "long_name": FIELDS[field].doc}
+            dataset = stacked(members, "over", values, attrs)
         return dataset.set_coords([name for name in (*self.VARIED, "speed") if name in dataset])
 
     @property

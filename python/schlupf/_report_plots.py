@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -54,7 +55,8 @@ def _member(points: xr.Dataset) -> str:
     if "over" not in points.coords:
         return ""
     value = points["over"].item()
-    return value if isinstance(value, str) else f"{value:g}"
+    text = value if isinstance(value, str) else f"{value:g}"
+    return f"{text} {points['over'].attrs['units']}".rstrip()
 
 
 @styled
@@ -93,32 +95,51 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
     return ax
 
 
+def _varied(points: xr.Dataset) -> str:
+    """The creepage that varies most over its largest value."""
+    names = ("creepage_x", "creepage_y", "spin")
+    spread = {
+        n: float(points[n].max() - points[n].min()) / (largest(points[n]) or 1) for n in names
+    }
+    return max(names, key=lambda name: spread[name])
+
+
+def _series(points: xr.Dataset) -> list[xr.Dataset]:
+    """Points of the same speed and load."""
+    conditions = np.stack([points["speed"].values, points["load"].values])
+    _, inverse = np.unique(conditions, axis=1, return_inverse=True)
+    inverse = inverse.ravel()
+    return [points.isel(point=inverse == k) for k in range(int(inverse.max()) + 1)]
+
+
 @styled
 def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
     """Measured points, and the fitted forces at their creepages."""
     ax = axes_or_new(ax)
     points = fit.points
-    for number, component in enumerate(dict.fromkeys(points["component"].values.tolist())):
-        name = "creepage_y" if component == "lateral" else "creepage_x"
-        own = points.isel(point=np.flatnonzero(points["component"].values == component))
-        if float(own[name].max() - own[name].min()) == 0.0:
-            name = "spin"
+    series = [
+        (component, member)
+        for component in dict.fromkeys(points["component"].values.tolist())
+        for member in _series(points.isel(point=points["component"].values == component))
+    ]
+    for number, (component, own) in enumerate(series):
+        name = _varied(own)
         own = own.sortby(name)
         color = f"C{number}"
-        ax.plot(
-            own[name],
-            own["force_ratio"],
-            "o",
-            color=color,
-            markersize=3,
-            label=f"{component}, measured",
-        )
+        speed = f", {float(own['speed'][0]):g} m/s" if len(series) > 1 else ""
+        label = f"$F_{component}/N${speed}, measured"
+        ax.plot(own[name], own["force_ratio"], "o", color=color, markersize=3, label=label)
         line(ax, own[name], own["fitted"], "fitted", {"color": color, **style})
         ax.set_xlabel(labelled(own[name]))
     ax.set_ylabel("force on the rail over load")
     legend_beside(ax)
     ax.set_title(fit.title)
     return ax
+
+
+def _surfaces(title: str) -> str:
+    """The title of a rough contact, with the names of files alone."""
+    return " and ".join(Path(part).name for part in title.split(" and "))
 
 
 class RoughContactPlots:
@@ -132,10 +153,13 @@ class RoughContactPlots:
         """Power spectral density of the heights over the wave number."""
         ax = axes_or_new(ax)
         spectrum = self._contact.spectrum
+        # What rounding leaves of waves that a synthetic surface does not have is none.
+        density = spectrum["spectral_density"]
+        spectrum = spectrum.isel(wave_number=(density > 1e-12 * density.max()).values)
         ax.loglog(spectrum["wave_number"], spectrum["spectral_density"], **style)
         ax.set_xlabel("wave number $q$ (rad/m)")
         ax.set_ylabel("$C(q)$ (m⁴)")
-        ax.set_title(self._contact.title)
+        ax.set_title(_surfaces(self._contact.title))
         return ax
 
     @styled
@@ -164,5 +188,5 @@ class RoughContactPlots:
         ax.set_xlabel("displacement (µm)")
         ax.set_ylabel(r"$t / \mu p$")
         legend_beside(ax)
-        ax.set_title(self._contact.title)
+        ax.set_title(_surfaces(self._contact.title))
         return ax

@@ -7,10 +7,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from ._units import plain
+
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
+
+    from ._fields import Field
 
 #: A column: values, symbol, units, long_name, vector.
 Column = dict[str, Any]
@@ -69,13 +73,16 @@ def on_grid(
     return xr.Dataset(variables, coords)
 
 
-def csv(data: Any, units: Mapping[str, str]) -> bytes:
+def csv(data: Any, fields: Mapping[str, Field]) -> bytes:
     """Columns by name (a mapping, data frame or data set) as a CSV file with units in its header.
 
-    A name that has a unit of its own, such as ``load [kN]``, keeps it.
+    Quantities are converted to SI units; a name that has a unit of its own, such as ``load [kN]``,
+    keeps it.
     """
     names = [str(name) for name in data]
-    columns = np.broadcast_arrays(*(np.asarray(data[name], float) for name in names))
+    values = (plain(data[n], fields[n], n) if n in fields else data[n] for n in names)
+    columns = np.broadcast_arrays(*(np.asarray(value, float) for value in values))
+    units = {name: field.units for name, field in fields.items() if field.units}
     heads = [f"{name} [{units[name]}]" if name in units else name for name in names]
     rows = zip(*(column.ravel().tolist() for column in columns), strict=True)
     lines = [",".join(heads), *(",".join(map(repr, row)) for row in rows)]

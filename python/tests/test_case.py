@@ -133,3 +133,23 @@ def test_a_section_can_be_taken_out():
     assert case.with_(history=None).given() == []
     with pytest.raises(schlupf.CaseError, match="unknown field `histry`"):
         case.with_(histry=None)
+
+
+def test_sections_can_be_copied():
+    case = schlupf.Case(normal={"load": 60e3})
+    assert copy.deepcopy(case.normal).load == 60e3
+
+
+def test_quantities_of_another_kind_are_refused():
+    ureg = pytest.importorskip("pint").UnitRegistry()
+    wrong = [
+        ({"friction": {"temperature_at_zero_friction": ureg.Quantity(700, "degC")}}, "difference"),
+        ({"kinematics": {"angular_velocity": ureg.Quantity(10, "Hz")}}, "a frequency"),
+        ({"normal": {"load": ureg.Quantity(1, "m")}}, "must be given in N"),
+        ({"normal": {"load": 10**400}}, "too large"),
+    ]
+    for sections, part in wrong:
+        with pytest.raises(schlupf.CaseError, match=part):
+            schlupf.Case(**sections)
+    with pytest.raises(TypeError, match="normal is a section"):
+        schlupf.Case(normal=5)

@@ -1,6 +1,5 @@
-"""Forces under many conditions: values, shapes, speed, threads, interrupts, memory."""
+"""Forces under many conditions: values, shapes, threads, interrupts, memory."""
 
-import resource
 import signal
 import subprocess
 import sys
@@ -131,7 +130,10 @@ def test_an_interrupt_ends_a_long_run():
     assert time.monotonic() - start < 30
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="units of ru_maxrss")
 def test_memory_stays_flat():
+    import resource
+
     solver = POLACH.solver()
 
     def solve(count):
@@ -143,3 +145,27 @@ def test_memory_stays_flat():
     solve(10_000)
     grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
     assert grown < 8_000, f"{grown} KiB"
+
+
+def test_conditions_have_units():
+    expected = schlupf.forces(POLACH, load=[60e3, 80e3], creepage_x=0.002)["force_x"]
+    ureg = pytest.importorskip("pint").UnitRegistry()
+    for load in (ureg.Quantity([60.0, 80.0], "kN"), ["60 kN", "80 kN"]):
+        found = schlupf.forces(POLACH, load=load, creepage_x=0.002)["force_x"]
+        np.testing.assert_allclose(found, expected)
+    kilo = xr.DataArray([60.0, 80.0], dims="load", attrs={"units": "kN"})
+    with pytest.raises(schlupf.CaseError, match="load must be in N, but its attribute `units`"):
+        schlupf.forces(POLACH, load=kilo)
+    with pytest.raises(schlupf.CaseError, match="load must be given in N, but is"):
+        schlupf.forces(POLACH, load=ureg.Quantity(1.0, "m"))
+    with pytest.raises(ValueError, match="there must be conditions"):
+        schlupf.forces(POLACH, creepage_x=[])
+
+
+def test_a_path_is_the_field_of_the_case():
+    ellipse = {"model": "ellipse", "semi_axis_x": 6e-3, "semi_axis_y": 5e-3, "load": 80e3}
+    case = POLACH.with_(normal=ellipse, kinematics={"creepage_x": 0.002})
+    found = schlupf.forces(case, normal__load=[20e3])["force_x"].item()
+    assert found == pytest.approx(case.with_(normal={"load": 20e3}).solve(warn=False).force.x)
+    with pytest.raises(schlupf.CaseError, match="grid.cells_x"):
+        schlupf.forces(schlupf.Case(), grid__cells_x=[8.7])

@@ -104,6 +104,22 @@ def test_a_pressure_in_python():
     assert result.force.x == pytest.approx(own.force.x, rel=5e-3)
     with pytest.raises(TypeError, match="belong together"):
         SMALL.with_laws(pressure=hertz)
+    with pytest.raises(ValueError, match="extent must contain the contact"):
+        SMALL.with_laws(pressure=hertz, extent=((-0.5 * a, 0.5 * a), (-b, b)))
+    with pytest.raises(ValueError, match="extent must be"):
+        SMALL.with_laws(pressure=hertz, extent=(1, 2))
+    with pytest.raises(ValueError, match="must be positive somewhere"):
+        SMALL.with_laws(pressure=lambda x, y: 0 * x, extent=((-a, a), (-b, b)))
+    assert case.with_(normal={"load": 50e3}).solve(warn=False).normal.load == pytest.approx(50e3)
+
+
+def test_what_a_law_replaces_is_not_varied():
+    case = SMALL.with_laws(friction=constant)
+    with pytest.raises(schlupf.CaseError, match="has no effect"):
+        schlupf.forces(case, friction__coefficient=[0.1, 0.5])
+    with pytest.raises(schlupf.CaseError, match="has no effect"):
+        case.curve(creepage_x=(0.0, 0.01), over={"friction.coefficient": [0.1, 0.5]})
+    assert "friction.coefficient" not in case.effective()
 
 
 def test_a_heat_partition_in_python():
@@ -128,3 +144,15 @@ def test_a_case_with_laws_can_be_pickled():
     assert again == case
     assert again != SMALL
     assert again.solve().force.x == case.solve().force.x
+
+
+def test_laws_add_up():
+    case = SMALL.with_laws(friction=constant).with_laws(partition=lambda w, v: 0.3 + 0 * v)
+    result = case.solve()
+    expected = SMALL.with_(
+        friction={"model": "constant", "coefficient": 0.25}, heat={"partition": 0.3}
+    ).solve()
+    assert result.force.x == pytest.approx(expected.force.x, rel=1e-6)
+    assert "friction=<function constant" in repr(case)
+    with pytest.warns(schlupf.SchlupfWarning, match="left out of the text: friction, partition"):
+        case.to_toml()

@@ -89,3 +89,19 @@ def test_comparison_and_animation(case, result):
     movie = schlupf.animate([result, result], "traction_x")
     movie._draw_frame(1)
     movie._draw_was_started = True
+
+
+def test_free_rolling_has_no_arrows(case):
+    rolling = case.with_(kinematics={"creepage_x": 0.0, "creepage_y": 0.0}).solve()
+    ax = rolling.plot.slip()
+    assert not any(type(entry).__name__ == "Quiver" for entry in ax.collections)
+
+
+def test_a_fit_of_lateral_forces_is_drawn_over_their_creepage(case):
+    creepage = np.array([0.001, 0.003, 0.006])
+    constant = {"friction": {"model": "constant", "coefficient": 0.3}, "heat": {"model": "none"}}
+    model = case.with_(kinematics={"creepage_x": 0.0}, **constant)
+    ratio = -schlupf.forces(model, creepage_y=creepage)["force_y"].values / 80e3
+    data = {"creepage_y": creepage, "force_ratio_y": ratio}
+    ax = model.fit("friction.coefficient", data, warn=False).plot()
+    assert ax.get_xlabel() == "lateral creepage"

@@ -120,3 +120,12 @@ def test_a_creep_curve_takes_what_does_not_vary_from_the_motion_of_the_wheel():
     points = yawed.curve(creepage_x=(0.0, 0.002), points=3).points
     # η = −sin α, docs/conventions.md.
     assert float(points["creepage_y"][0]) == pytest.approx(-np.sin(2e-3), rel=1e-12)
+
+
+@pytest.mark.filterwarnings("ignore:Consolidated metadata")
+def test_fields_are_written_to_zarr(result, tmp_path):
+    pytest.importorskip("zarr")
+    result.to_zarr(tmp_path / "fields.zarr")
+    read = xr.open_zarr(tmp_path / "fields.zarr")
+    np.testing.assert_array_equal(read["pressure"], result.fields["pressure"])
+    assert json.loads(read.attrs["result"])["force"]["x"] == result.force.x

@@ -28,7 +28,7 @@ def test_a_family_of_creep_curves_has_its_values_in_si_units():
     alone = SMALL.with_(kinematics={"speed": 20.0}).curve(creepage_x=(0.0, 0.01), points=4)
     np.testing.assert_allclose(points["force_x"][1], alone.points["force_x"], rtol=1e-6)
     labels = [text.get_text() for text in curves.plot().get_legend().get_texts()]
-    assert labels == ["$F_x$, 10", "$F_x$, 20"]
+    assert labels == ["$F_x$, 10 m/s", "$F_x$, 20 m/s"]
 
 
 def test_a_family_of_methods_has_names():
@@ -52,6 +52,9 @@ def test_the_total_creepage_varies_in_a_direction():
         ({}, TypeError, "a curve needs"),
         ({"creepage": (0, 0.1)}, TypeError, "belong together"),
         ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "points must be between 2 and"),
+        ({"creepage_x": (0.1, 0.1)}, ValueError, "the ends must differ"),
+        ({"creepage_x": 0.1}, schlupf.CaseError, "creepage_x must be"),
+        ({"creepage_x": (0, 0.1), "points": -1}, ValueError, "points must not be negative"),
         ({"creepage_x": (0, 0.1), "over": {"kinematics.sped": [1]}}, KeyError, "sped"),
         (
             {"creepage_x": (0, 0.1), "over": {"kinematics.creepage_x": [0.1]}},
@@ -83,6 +86,11 @@ def test_temperatures_below_the_surface_and_in_the_wake():
     np.testing.assert_allclose(ax.lines[0].get_ydata(), surface["temperature_wheel"])
     with pytest.raises(ValueError, match="y must lie in the contact"):
         case.temperature(y=0.1)
+    wrong = [{"depth": (0, -1)}, {"wake": np.inf}, {"wake": -1.0}, {"depth": (0, 1e9)}, {"x": "a"}]
+    for arguments in wrong:
+        (name,) = arguments
+        with pytest.raises(schlupf.CaseError, match=f"{name} must be"):
+            case.temperature(**arguments)
 
 
 def test_the_bulk_temperature_needs_cooling():
@@ -124,6 +132,11 @@ def test_a_fit_finds_the_friction_that_made_the_data():
     assert found.case.friction.coefficient == pytest.approx(0.31, rel=1e-4)
     np.testing.assert_allclose(found.points["fitted"], measured, atol=1e-4)
     assert len(found.plot().lines) == 2
+    # A line for each speed.
+    both = {name: np.concatenate([creepage, creepage]) for name in ("creepage_x",)}
+    both |= {"force_ratio": np.concatenate([measured, measured])}
+    both |= {"speed": np.repeat([20.0, 30.0], creepage.size)}
+    assert len(model.fit("friction.coefficient", both, warn=False).plot().lines) == 4
     with pytest.raises(schlupf.CaseError, match="did you mean `friction.coefficient`"):
         model.fit("friction.coeficient", data)
     with pytest.raises(schlupf.CaseError, match="creepge_x"):

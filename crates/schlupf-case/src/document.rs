@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::error::CaseError;
 use crate::fields;
-use crate::place::{Place, Source};
+use crate::place::{Place, Source, shortened};
 
 /// A value with its bytes in the text.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,15 +57,6 @@ impl Content {
             Self::Other(name) => (*name).to_owned(),
         }
     }
-}
-
-/// At most so much of a text as fits on a line.
-pub fn shortened(text: &str) -> String {
-    const MOST: usize = 60;
-    if text.chars().count() <= MOST {
-        return text.to_owned();
-    }
-    text.chars().take(MOST).chain(['…']).collect()
 }
 
 /// A field that was given.

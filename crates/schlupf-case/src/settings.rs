@@ -440,7 +440,7 @@ impl Settings {
         );
         let remove = match self.place(later) {
             Place::Override { option, text } if !overridden(earlier) => {
-                // Not every option can take a field out.
+                // Not every option can remove a field.
                 let is_assignment =
                     text.split_once('=').is_some_and(|(path, _)| path.trim() == later);
                 let or = format!(", or with {option} {earlier}=");

@@ -47,20 +47,15 @@ pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
         .summary;
     case.notices.iter().for_each(report::warn);
     let effective = case.effective();
-    let law = contact_law::of(&case);
     let mut text = format!(
         "{}\n\npatch      a = {} mm, b = {} mm, load {} kN, largest pressure {} MPa\n\
-         cells      {} x {} across the patch\n\
-         k_c        {} 1/m, {}\n{}\nfields in effect\n",
+         {}{}\nfields in effect\n",
         case.title,
         significant(normal.semi_axis_x / 1e-3),
         significant(normal.semi_axis_y / 1e-3),
         significant(normal.load / 1e3),
         significant(normal.peak_pressure / 1e6),
-        case.options.cells_x,
-        case.options.cells_y,
-        significant(law.stiffness),
-        law.from.name(),
+        resolution(&case, &effective),
         creepages(&case, &effective),
     );
     for field in effective {
@@ -76,6 +71,23 @@ pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
     }
     stdout::write(&text)?;
     Ok(SUCCESS)
+}
+
+/// Lines with the grid and the contact law, where the method has them.
+fn resolution(case: &Case, effective: &[Effective]) -> String {
+    let counts = |section: &str| effective.iter().any(|field| field.path.starts_with(section));
+    let mut lines = String::new();
+    if counts("grid.") {
+        let [x, y] = [case.options.cells_x, case.options.cells_y];
+        // Writing to a string cannot fail.
+        let _ = writeln!(lines, "cells      {x} x {y} across the patch");
+    }
+    if counts("contact_law.") {
+        let law = contact_law::of(case);
+        let (stiffness, from) = (significant(law.stiffness), law.from.name());
+        let _ = writeln!(lines, "k_c        {stiffness} 1/m, {from}");
+    }
+    lines
 }
 
 /// A line with the creepages where they follow from the motion of the wheel.

@@ -8,7 +8,7 @@ use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf_case::identification::parameters;
 use schlupf_case::{CaseErrors, CaseFile, InputFile};
 use schlupf_output::identification::FitReport;
-use schlupf_tasks::fit::{self, Names, Plan, Request};
+use schlupf_tasks::fit::{self, GAMMA, MAX_STEPS, Names, Plan, Request};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -33,8 +33,8 @@ pub struct Fit {
     /// from the case speed [m/s], load [kN]; standard_deviation where known
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub data: PathBuf,
-    /// Parameters to fit, such as friction.coefficient,contact_law.stiffness; contact_law.roughness is
-    /// the r.m.s. height of both surfaces together, in place of the stiffness
+    /// Parameters to fit, such as friction.coefficient,contact_law.stiffness; contact_law.roughness
+    /// is the r.m.s. height of both surfaces together, in place of the stiffness
     #[arg(long = "fit", value_name = "SECTION.FIELD,…")]
     pub parameters: String,
     /// γ, for contact_law.roughness: the rough surfaces approach by γ times that height when the
@@ -42,7 +42,7 @@ pub struct Fit {
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_GAMMA, value_parser = gamma)]
     pub gamma: f64,
     /// Maximum number of steps of the fit
-    #[arg(long, value_name = "N", default_value_t = 100,
+    #[arg(long, value_name = "N", default_value_t = MAX_STEPS,
           value_parser = clap::value_parser!(u32).range(1..))]
     pub max_steps: u32,
     /// Write the case with the fitted values, keeping comments and layout
@@ -55,8 +55,9 @@ pub struct Fit {
 
 /// A γ that theory or measurement may have.
 fn gamma(text: &str) -> Result<f64, String> {
-    let gamma = text.parse().ok().filter(|gamma| (0.01..=10.0).contains(gamma));
-    gamma.ok_or_else(|| "must be a number between 0.01 and 10".to_owned())
+    let gamma = text.parse().ok().filter(|gamma| GAMMA.contains(gamma));
+    let (least, largest) = (GAMMA.start(), GAMMA.end());
+    gamma.ok_or_else(|| format!("must be a number between {least} and {largest}"))
 }
 
 impl Task for Fit {

@@ -1,4 +1,4 @@
-//! The command `schlupf`, for the binary of that name and for the Python package, which has it, too.
+//! The command `schlupf`, for the binary of that name and for the Python package, which has it too.
 
 #![forbid(unsafe_code)]
 

@@ -116,7 +116,7 @@ pub fn run<T: Task>(task: &T) -> Result<u8, Failure> {
         }
     }
     drop(progress);
-    // Whether it can be printed or not, what is doubtful is said.
+    // Warnings are printed even where the results cannot be.
     let printed = print(task.outputs(), &report);
     report::warn_all(report.warnings(), report.status());
     printed?;

@@ -4,7 +4,7 @@ use clap::Args;
 use schlupf::Watch;
 use schlupf_case::{CaseError, CaseErrors, CaseFile, depths, length, position};
 use schlupf_output::temperature::Temperatures;
-use schlupf_tasks::temperature::{self, Plan, Request};
+use schlupf_tasks::temperature::{self, POINTS, Plan, Request};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::curve::number_of_points;
@@ -14,6 +14,8 @@ use crate::task::{Found, Task};
 
 const X: &str = "--x";
 const Y: &str = "--y";
+const DEPTH: &str = "--depth";
+const WAKE: &str = "--wake";
 
 /// Where to look at the temperatures, and where to write them.
 #[derive(Debug, Args)]
@@ -34,7 +36,7 @@ pub struct Temperature {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub wake: Option<String>,
     /// Number of points of each line
-    #[arg(long, value_name = "N", default_value_t = 201, value_parser = number_of_points)]
+    #[arg(long, value_name = "N", default_value_t = POINTS, value_parser = number_of_points)]
     pub points: usize,
     /// Where to write the results.
     #[command(flatten)]
@@ -68,16 +70,16 @@ impl Temperature {
         let place = |option, what, text: &Option<String>| {
             text.as_deref().map(|text| position(option, what, text)).transpose()
         };
-        let depth = self.depth.as_deref().map(|text| depths("--depth", text)).transpose()?;
+        let depth = self.depth.as_deref().map(|text| depths(DEPTH, text)).transpose()?;
         let wake = self.wake.as_deref();
-        let wake = wake.map(|text| length("--wake", "the length of the wake", text)).transpose()?;
+        let wake = wake.map(|text| length(WAKE, "the length of the wake", text)).transpose()?;
         Ok(Request {
             x: place(X, "the place along rolling", &self.x)?,
             y: place(Y, "the place across rolling", &self.y)?,
             depth,
             wake,
             points: self.points,
-            names: [X, Y],
+            names: [X, Y, DEPTH, WAKE],
         })
     }
 }

@@ -35,6 +35,19 @@ fn check_says_what_it_would_solve() {
     assert_eq!(bench.list(), ["case.toml"]);
 }
 
+/// Microwatts are not told in kilowatts.
+#[test]
+fn powers_have_a_unit_of_their_size() {
+    let small = ["--set", "grid.cells_x=8", "--set", "grid.cells_y=8", "--set"];
+    let power = |creepage: &str| {
+        let run = Bench::new().run(&[&["solve"], &small[..], &[creepage]].concat());
+        let line = run.stdout.lines().find(|line| line.starts_with("friction power"));
+        line.unwrap().split_whitespace().nth(3).unwrap().to_owned()
+    };
+    assert_eq!(power("kinematics.creepage_x=0.008"), "kW");
+    assert_eq!(power("kinematics.creepage_x=1e-6"), "µW");
+}
+
 #[test]
 fn check_shows_the_creepages_of_a_moving_wheel() {
     let bench = Bench::new();
@@ -64,6 +77,8 @@ fn check_lists_fields_with_an_effect_only() {
     bench.write("p.csv", "x [mm],y [mm],pressure [MPa]\n0,0,900\n1,0,500\n0,1,500\n1,1,300\n");
     let table = fields("normal = { model = \"tabulated\", file = \"p.csv\" }\n");
     assert!(!table.contains("normal.load") && table.contains("normal.file"), "{table}");
+    let forces = fields("solver.method = \"polach\"\n");
+    assert!(!forces.contains("\ncells ") && !forces.contains("\nk_c "), "{forces}");
     let cooled = fields("cooling = { film_coefficient = \"40 W/(m^2 K)\", area = \"1.5 m^2\" }\n");
     assert!(cooled.contains("(schlupf bulk only)"), "{cooled}");
 }

@@ -180,10 +180,15 @@ fn bad_states_are_refused() {
     assert!(run.stderr.contains("--initial-state must be"), "{}", run.stderr);
     assert_eq!(bench.run(&["solve", "case.toml", "--initial-state", "none"]).code, Some(1));
     bench.run(&["solve", "case.toml", "-q", "--final-state", "s.json"]);
-    let finer = ["solve", "case.toml", "--set", "grid.cells_x=9", "--initial-state", "s.json"];
-    let run = bench.run(&finer);
-    assert_eq!(run.code, Some(2));
-    assert!(run.stderr.contains("--initial-state s.json: "), "{}", run.stderr);
+    // A state of another grid is named as such, whichever is finer.
+    for cells in ["grid.cells_x=9", "grid.cells_x=6"] {
+        let other = ["solve", "case.toml", "--set", cells, "--initial-state", "s.json"];
+        let run = bench.run(&other);
+        assert_eq!(run.code, Some(2));
+        assert!(run.stderr.contains("--initial-state s.json: "), "{}", run.stderr);
+        assert!(run.stderr.contains("grid"), "{}", run.stderr);
+        assert!(!run.stderr.contains("element outside"), "{}", run.stderr);
+    }
 }
 
 #[test]

@@ -82,18 +82,20 @@ impl CaseFile {
     }
 
     /// The same with functions in place of its friction law and its heat partition, and with a
-    /// pressure (in Pa) at places x and y (in m), rows along x.
-    #[pyo3(signature = (friction, partition, pressure))]
+    /// pressure (in Pa) at places x and y (in m), rows along x, scaled to a load (in N) if there is
+    /// one.
+    #[pyo3(signature = (friction, partition, pressure, load))]
     fn with_laws(
         &self,
         py: Python<'_>,
         friction: Option<Py<PyAny>>,
         partition: Option<Py<PyAny>>,
         pressure: Option<[Vec<f64>; 3]>,
+        load: Option<f64>,
     ) -> PyResult<Self> {
         let source = |[x, y, pressure]: [Vec<f64>; 3]| -> Result<Arc<dyn PressureSource>, Error> {
             let table = PressureTable::new(&x, &y, pressure)?;
-            Ok(Arc::new(Tabulated::new(table, None)?))
+            Ok(Arc::new(Tabulated::new(table, load)?))
         };
         let pressure = pressure.map(source).transpose();
         let pressure = pressure.map_err(|error| PyValueError::new_err(error.to_string()))?;

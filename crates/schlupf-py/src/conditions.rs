@@ -6,15 +6,12 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use schlupf::columns::{Column, Record};
 use schlupf::kinematics::Kinematics;
 use schlupf::normal::PressureSource;
 use schlupf::normal::at_load::AtLoad;
 use schlupf::progress::Stage;
 use schlupf::simplified::FastContact;
-use schlupf::{
-    Error, Method, Problem, Progress, Quantity, Solver, Status, Watch, columns, parallel,
-};
+use schlupf::{Error, Method, Problem, Progress, Quantity, Solver, Status, Watch, parallel};
 use schlupf_case::{Case, CaseErrors, quantity_field};
 use schlupf_output::solution::SolutionReport;
 use schlupf_tasks::{contact_law, messages};
@@ -23,7 +20,7 @@ use crate::case_file::CaseFile;
 use crate::errors;
 use crate::interruptible::interruptible;
 use crate::laws::Raised;
-use crate::records;
+use crate::records::described;
 use crate::solution::Solution;
 
 /// What may vary from condition to condition without another case; the rest is that of the case.
@@ -54,7 +51,7 @@ impl Conditions {
         for (name, values) in arrays {
             let name: String = name.extract()?;
             let values: PyReadonlyArray1<'_, f64> = values.extract()?;
-            let values: Vec<f64> = values.as_array().iter().copied().collect();
+            let values = values.as_slice()?.to_vec();
             if *count.get_or_insert(values.len()) != values.len() {
                 return Err(PyValueError::new_err("arrays must have the same length"));
             }
@@ -86,27 +83,28 @@ impl Conditions {
 struct Forces {
     x: Vec<f64>,
     y: Vec<f64>,
-    moment_z: Vec<Option<f64>>,
+    /// Not a number where the method has none.
+    moment_z: Vec<f64>,
     traction_coefficient: Vec<f64>,
     status: Vec<Status>,
 }
 
-impl Record for Forces {
-    fn rows(&self) -> usize {
-        self.x.len()
-    }
-
-    fn columns() -> &'static [Column<Self>] {
-        columns! { Forces:
-            ForceX => |forces, k| forces.x[k],
-            ForceY => |forces, k| forces.y[k],
-            MomentZ => |forces, k| forces.moment_z[k],
-            TractionCoefficient => |forces, k| forces.traction_coefficient[k],
-        }
-    }
-}
-
 impl Forces {
+    /// As arrays by name, without copies.
+    fn columns(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+        let table = PyDict::new(py);
+        for (quantity, values) in [
+            (Quantity::ForceX, self.x),
+            (Quantity::ForceY, self.y),
+            (Quantity::MomentZ, self.moment_z),
+            (Quantity::TractionCoefficient, self.traction_coefficient),
+        ] {
+            let values = PyArray1::from_vec(py, values).into_any();
+            table.set_item(quantity.name(), described(py, quantity, values)?)?;
+        }
+        Ok(table)
+    }
+
     fn append(&mut self, mut other: Self) {
         self.x.append(&mut other.x);
         self.y.append(&mut other.y);
@@ -118,7 +116,7 @@ impl Forces {
     fn push(&mut self, force: &schlupf::solution::Resultant, load: f64, status: Status) {
         self.x.push(force.x);
         self.y.push(force.y);
-        self.moment_z.push(force.moment_z);
+        self.moment_z.push(force.moment_z.unwrap_or(f64::NAN));
         self.traction_coefficient.push(force.tangential() / load);
         self.status.push(status);
     }
@@ -251,7 +249,8 @@ pub fn batch<'py>(
     })?;
     let forces = found.map_err(|errors| errors::of_case(py, &errors))?;
     let converged = forces.status.iter().map(|status| *status == Status::Converged);
-    Ok((records::columns(py, &forces)?, PyArray1::from_iter(py, converged)))
+    let converged = PyArray1::from_iter(py, converged);
+    Ok((forces.columns(py)?, converged))
 }
 
 /// A solver that keeps its set-up and its earlier solutions, for callers with loops of their own.

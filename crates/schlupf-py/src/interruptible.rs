@@ -19,8 +19,8 @@ const PERIOD: Duration = Duration::from_millis(50);
 /// its main thread only.
 ///
 /// # Errors
-/// What a handler of signals raises, such as `KeyboardInterrupt`, or a function that the work calls;
-/// the work has ended then.
+/// What a handler of signals raises, such as `KeyboardInterrupt`, or a function that the work
+/// calls; the work has ended then.
 pub fn interruptible<R: Send>(
     py: Python<'_>,
     raised: &Raised,

@@ -33,7 +33,8 @@ mod _core {
     use super::solution::Solution;
     #[pymodule_export]
     use super::tasks::{
-        bulk_temperature, calibration, comparison, creep_curve, fitted, rough_contact, temperatures,
+        bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, rough_contact,
+        temperatures,
     };
 
     /// Version of the library.

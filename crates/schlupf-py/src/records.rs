@@ -16,17 +16,21 @@ pub fn columns<'py, R: Record + ?Sized>(
     let table = PyDict::new(py);
     for column in R::columns() {
         let entries = || (0..record.rows()).map(|row| (column.value)(record, row));
-        let values = if entries().any(|entry| matches!(entry, Value::Name(_))) {
-            names(entries()).into_bound_py_any(py)?
-        } else if record.rows() > 0 && entries().all(|entry| matches!(entry, Value::Flag(_))) {
-            let flags: Vec<bool> = entries().map(|entry| entry == Value::Flag(true)).collect();
-            PyArray1::from_vec(py, flags).into_any()
-        } else if record.rows() > 0 && entries().all(|entry| matches!(entry, Value::Count(_))) {
-            let counts = entries().map(|entry| entry.number().unwrap_or_default() as i64);
-            PyArray1::from_vec(py, counts.collect()).into_any()
-        } else {
-            let numbers = entries().map(|entry| entry.number().unwrap_or(f64::NAN));
-            PyArray1::from_vec(py, numbers.collect()).into_any()
+        let is_known = |entry: &Value| !matches!(entry, Value::Unknown);
+        let values = match entries().find(is_known) {
+            Some(Value::Name(_)) => names(entries()).into_bound_py_any(py)?,
+            Some(Value::Flag(_)) if entries().all(|entry| is_known(&entry)) => {
+                let flags: Vec<bool> = entries().map(|entry| entry == Value::Flag(true)).collect();
+                PyArray1::from_vec(py, flags).into_any()
+            }
+            Some(Value::Count(_)) if entries().all(|entry| is_known(&entry)) => {
+                let counts = entries().map(|entry| entry.number().unwrap_or_default() as i64);
+                PyArray1::from_vec(py, counts.collect()).into_any()
+            }
+            _ => {
+                let numbers = entries().map(|entry| entry.number().unwrap_or(f64::NAN));
+                PyArray1::from_vec(py, numbers.collect()).into_any()
+            }
         };
         table.set_item(column.name, described(py, column.quantity, values)?)?;
     }

@@ -5,8 +5,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use schlupf::Watch;
+use schlupf::calibration::CalibrationOptions;
 use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing};
+use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf_case::identification::parameters;
 use schlupf_case::{CaseError, Family, InputFile, Place, direction, read_displacements};
 use schlupf_tasks::{TaskError, bulk, calibrate, compare, curve, fit, roughness, temperature};
@@ -47,9 +50,9 @@ fn refused(py: Python<'_>, message: String) -> PyErr {
 }
 
 /// Traces creep curves of a case: start and end of ξ, η and φ (in 1/m), or `None` for that of the
-/// case; in place of ξ and η start and end of the total creepage, and its direction, such as `45 deg`. There
-/// is one curve for each value of `over`, such as `"kinematics.speed=10 m/s,20 m/s"`; each has so
-/// many points, and they are evenly spaced or not.
+/// case; in place of ξ and η start and end of the total creepage, and its direction, such as
+/// `45 deg`. There is one curve for each value of `over`, such as
+/// `"kinematics.speed=10 m/s,20 m/s"`; each has so many points, and they are evenly spaced or not.
 #[pyfunction]
 #[pyo3(signature = (case, varied, over, sampling))]
 pub fn creep_curve(
@@ -97,7 +100,8 @@ pub fn temperatures(
 ) -> PyResult<Report> {
     let ([x, y], (depth, wake, points)) = (point, lines);
     let points = checked_points(py, points)?;
-    let request = temperature::Request { x, y, depth, wake, points, names: ["x", "y"] };
+    let request =
+        temperature::Request { x, y, depth, wake, points, names: ["x", "y", "depth", "wake"] };
     report(py, case, |file, watch| {
         let found = temperature::plan(file, request, watch)?.find(watch)?;
         Ok(Found::Temperature(Box::new(found)))
@@ -142,18 +146,18 @@ pub fn calibration(
     })
 }
 
-/// Parameters that fit measured points: a CSV file, or its bytes under a name. `limits` are γ of
-/// the roughness and the largest number of steps. Paths of the case with the fitted values start in `folder`.
+/// Parameters that fit measured points: a CSV file, or its bytes under a name. The options are the
+/// folder in which paths of the case with the fitted values start, γ of the roughness, and the
+/// largest number of steps.
 #[pyfunction]
 pub fn fitted(
     py: Python<'_>,
     case: &CaseFile,
-    folder: PathBuf,
     names: &str,
     data: (PathBuf, Option<Vec<u8>>),
-    limits: (f64, usize),
+    options: (PathBuf, f64, usize),
 ) -> PyResult<Report> {
-    let (gamma, max_steps) = limits;
+    let (folder, gamma, max_steps) = options;
     let data = match data {
         (path, Some(bytes)) => {
             let name = path.display().to_string();
@@ -187,4 +191,16 @@ pub fn rough_contact(py: Python<'_>, case: &CaseFile, with_spots: bool) -> PyRes
         let found = roughness::Plan::of_case(file, with_spots, watch)?.find(watch)?;
         Ok(Found::Roughness(Box::new(found)))
     })
+}
+
+/// Numbers that are taken where none is given, by name.
+#[pyfunction]
+pub fn defaults(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let numbers = PyDict::new(py);
+    numbers.set_item("curve_points", Sampling::default().points)?;
+    numbers.set_item("line_points", temperature::POINTS)?;
+    numbers.set_item("calibration_cells", CalibrationOptions::default().cells)?;
+    numbers.set_item("fit_steps", fit::MAX_STEPS)?;
+    numbers.set_item("gamma", DEFAULT_GAMMA)?;
+    Ok(numbers)
 }

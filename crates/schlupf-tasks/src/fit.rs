@@ -1,5 +1,6 @@
 //! Parameters that fit measured creep curves.
 
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use schlupf::identification::{
@@ -15,6 +16,12 @@ use schlupf_case::{
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
 use crate::{Notice, TaskError, messages};
+
+/// Largest number of steps by default.
+pub const MAX_STEPS: u32 = 100;
+
+/// Values of γ that theory or measurement may have, dimensionless.
+pub const GAMMA: RangeInclusive<f64> = 0.01..=10.0;
 
 /// What to fit to which data.
 #[derive(Debug, Clone)]
@@ -70,6 +77,7 @@ pub struct Found {
 /// # Errors
 /// A case or data that are wrong, or that do not determine the parameters.
 pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
+    request.check_gamma()?;
     let case = file.pose(watch)?;
     let data = read_data(request.names.data, &request.data, &case.problem.kinematics)?;
     let load = case.problem.normal.normal_contact(None);
@@ -131,6 +139,15 @@ impl Plan {
 }
 
 impl Request {
+    fn check_gamma(&self) -> Result<(), TaskError> {
+        if GAMMA.contains(&self.gamma) {
+            return Ok(());
+        }
+        let (least, largest, gamma) = (GAMMA.start(), GAMMA.end(), self.gamma);
+        let message = format!("gamma must be between {least} and {largest}, but is {gamma}");
+        Err(TaskError::Request(message))
+    }
+
     /// An error of the core: of the data and what they are to determine, or of the case; with what
     /// is doubtful about the loads.
     fn explain(&self, case: &Case, error: &Error, doubt: Option<&Message>) -> TaskError {

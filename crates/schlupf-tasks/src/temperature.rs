@@ -7,6 +7,9 @@ use schlupf_output::temperature::{Request as Positions, Temperatures};
 
 use crate::{TaskError, messages};
 
+/// Points of each line by default.
+pub const POINTS: usize = 201;
+
 /// Where to look; what is left out follows from the solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
@@ -20,9 +23,12 @@ pub struct Request {
     pub wake: Option<f64>,
     /// Points of each line, at least two.
     pub points: usize,
-    /// What messages call the two places.
-    pub names: [&'static str; 2],
+    /// What messages call x, y, the depths and the wake.
+    pub names: [&'static str; 4],
 }
+
+/// Places may be so far from the middle of the patch, in m.
+const FARTHEST: f64 = 1e3;
 
 /// A case with where to look.
 #[derive(Debug)]
@@ -36,6 +42,7 @@ pub struct Plan {
 /// # Errors
 /// A case that is wrong or has a history.
 pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
+    request.check()?;
     let case = file.pose(watch)?;
     case.require_steady("temperatures below the surface and in the wake are those")?;
     Ok(Plan { case, request })
@@ -69,6 +76,30 @@ impl Plan {
 }
 
 impl Request {
+    fn check(&self) -> Result<(), TaskError> {
+        let [x, y, depth, wake] = self.names;
+        let is_place = |place: &f64| place.abs() <= FARTHEST;
+        let is_length = |length: &f64| (0.0..=FARTHEST).contains(length);
+        let wrong = |name: &str, requirement: &str, value: f64| {
+            Err(TaskError::Request(format!("{name} must be {requirement}, but is {value} m")))
+        };
+        for (name, place) in [(x, self.x), (y, self.y)] {
+            if let Some(place) = place.filter(|place| !is_place(place)) {
+                return wrong(name, "at most ±1000 m", place);
+            }
+        }
+        let lengths = [(depth, self.depth.map(|d| d[0])), (depth, self.depth.map(|d| d[1]))];
+        for (name, length) in lengths.into_iter().chain([(wake, self.wake)]) {
+            if let Some(length) = length.filter(|length| !is_length(length)) {
+                return wrong(name, "between 0 and 1000 m", length);
+            }
+        }
+        match self.depth {
+            Some([start, end]) if end <= start => wrong(depth, "a range that increases", end),
+            _ => Ok(()),
+        }
+    }
+
     /// With the defaults that the solution gives.
     fn positions(
         &self,

@@ -4,6 +4,7 @@
 
 mod allowances;
 mod circles;
+mod comment_width;
 mod loose_ends;
 mod module_order;
 mod panics;
@@ -46,7 +47,7 @@ impl fmt::Display for Finding {
     }
 }
 
-const RULES: [Rule; 8] = [
+const RULES: [Rule; 9] = [
     module_order::RULE,
     circles::RULE,
     units::RULE,
@@ -55,6 +56,7 @@ const RULES: [Rule; 8] = [
     unsafe_code::RULE,
     loose_ends::RULE,
     allowances::RULE,
+    comment_width::RULE,
 ];
 
 /// Prints the violations of the rules; an error gives their number.

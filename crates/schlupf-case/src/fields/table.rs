@@ -1,8 +1,9 @@
 //! The table.
 
 /// A section: its heading, the quantity that all of it gives if it gives one, what it is about, the
-/// only command that uses it if one alone does, and its fields. Each of these has its name, the quantities that it gives, its kind, requirement,
-/// default and meaning, and what else there is to say of it.
+/// only command that uses it if one alone does, and its fields. Each of these has its name, the
+/// quantities that it gives, its kind, requirement, default and meaning, and what else there is to
+/// say of it.
 macro_rules! section {
     (@command) => { None };
     (@command $command:literal) => { Some($command) };

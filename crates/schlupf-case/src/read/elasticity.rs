@@ -44,7 +44,7 @@ pub enum Deformation {
 
 impl Deformation {
     /// The model, or a rigid one where it is still to be found.
-    pub fn stand_in(&self) -> Arc<dyn Elasticity> {
+    pub fn provisional(&self) -> Arc<dyn Elasticity> {
         match self {
             Self::Known(model) => Arc::clone(model),
             Self::KalkerBed(_) => Arc::new(Rigid),

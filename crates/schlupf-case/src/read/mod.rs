@@ -53,9 +53,9 @@ impl Parts {
         let draft = Problem {
             kinematics: kinematics::kinematics(settings)?,
             reference: kinematics::reference(settings)?,
-            elasticity: deformation.stand_in(),
+            elasticity: deformation.provisional(),
             normal: normal::source(settings, materials[0], materials[1])?,
-            contact_law: interface::contact_law(settings, stiffness.stand_in())?,
+            contact_law: interface::contact_law(settings, stiffness.provisional())?,
             friction: friction::friction(settings)?,
             heat: heat::heat(settings)?,
             wheel,

@@ -57,7 +57,7 @@ pub enum OfRoughness {
 
 impl OfRoughness {
     /// k_c (in 1/m), or 1 where it is still to be found.
-    pub fn stand_in(&self) -> f64 {
+    pub fn provisional(&self) -> f64 {
         match self {
             Self::Known(stiffness) => stiffness.stiffness,
             Self::MicroModel(_) => 1.0,

@@ -140,7 +140,7 @@ fn baseline(middle: f64) -> f64 {
 }
 
 /// Width of a number including the space on both sides.
-fn room(text: &str) -> f64 {
+fn space(text: &str) -> f64 {
     /// Width of a digit, in font sizes.
     const DIGIT: f64 = 0.64;
     DIGIT * TICK_SIZE * text.chars().count() as f64 + 2.0 * SPACE
@@ -166,7 +166,7 @@ impl Scale {
         let mut sides = [vec![(0.0, 0.0)], vec![(0.0, 0.0)]];
         for &(value, counts) in values {
             let length = if counts && value.is_finite() { value.abs() } else { 0.0 };
-            sides[usize::from(value < 0.0)].push((length, room(&text(value))));
+            sides[usize::from(value < 0.0)].push((length, space(&text(value))));
         }
         let [right, left] = &sides;
         let pairs = right.iter().flat_map(|right| left.iter().map(move |left| (right, left)));
@@ -175,7 +175,7 @@ impl Scale {
             .map(|(right, left)| (COLUMN - right.1 - left.1) / (right.0 + left.0))
             .fold(f64::INFINITY, f64::min);
         let unit = if unit.is_finite() { unit } else { 1.0 };
-        let zero = left.iter().map(|(length, room)| length * unit + room).fold(0.0, f64::max);
+        let zero = left.iter().map(|(length, space)| length * unit + space).fold(0.0, f64::max);
         Self { zero, unit }
     }
 
@@ -246,7 +246,7 @@ impl Column {
         let end = left + scale.at(value).clamp(0.0, COLUMN);
         let edge = if value < 0.0 { left } else { left + COLUMN };
         // Rounding error must not cut the bar that sets the scale.
-        let is_long = (edge - (left + scale.at(value))) * value.signum() < room(&text) - 1e-6;
+        let is_long = (edge - (left + scale.at(value))) * value.signum() < space(&text) - 1e-6;
         let fill =
             format!(r#"fill="{}"{}"#, self.color, if is_long { r#" opacity="0.45""# } else { "" });
         let size = [(end - zero).abs(), BAR];
@@ -289,7 +289,7 @@ fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer])
     let unit = times
         .iter()
         .filter(|time| is_time(time[0]))
-        .map(|time| (COLUMN - room(&text(time[0])) - SPACE) / (time[0].log10() - low))
+        .map(|time| (COLUMN - space(&text(time[0])) - SPACE) / (time[0].log10() - low))
         .fold(COLUMN, f64::min);
     let at = |logarithm: f64| left + unit * (logarithm - low);
     for tick in powers_of_ten(low, low + COLUMN / unit, 5) {

@@ -281,16 +281,16 @@ impl<'a> Picture<'a> {
     fn legend(&self, drawing: &mut Drawing, [left, top]: [f64; 2]) {
         const SAMPLE: f64 = 26.0;
         let Some(field) = &self.family.over else { return };
-        let room = (LEGEND + RIGHT) / TICK_SIZE;
+        let space = (LEGEND + RIGHT) / TICK_SIZE;
         let style = TextStyle { color: MUTED, ..TextStyle::new(TICK_SIZE, Anchor::Start) };
-        drawing.plain_text([left, top - 9.0], &style, &marks::shortened(field, room));
+        drawing.plain_text([left, top - 9.0], &style, &marks::shortened(field, space));
         for (k, (member, color)) in self.family.members.iter().zip(&self.colors).enumerate() {
             let y = top + 18.0 + LEGEND_ROW * k as f64;
             let middle = y - 0.36 * TICK_SIZE;
             drawing.line([left, middle], [left + SAMPLE, middle], &stroke(color, ""));
             let style = TextStyle::new(TICK_SIZE, Anchor::Start);
             let text = member.value.as_deref().unwrap_or_default();
-            let text = marks::shortened(text, room - (SAMPLE + 8.0) / TICK_SIZE);
+            let text = marks::shortened(text, space - (SAMPLE + 8.0) / TICK_SIZE);
             drawing.plain_text([left + SAMPLE + 8.0, y], &style, &text);
         }
     }
@@ -476,18 +476,18 @@ impl MarkedPanel {
     /// Range of the curves including zero, with some margin for the marks; of a line, only where it
     /// begins.
     fn range(&self) -> [f64; 2] {
-        const ROOM: f64 = 0.05;
+        const CLEARANCE: f64 = 0.05;
         let curves = self.panel.curves.iter().zip(&self.are_lines);
         let points = curves.flat_map(|(curve, is_line)| {
             curve.points.iter().filter(move |point| !is_line || point[0] == 0.0)
         });
         let finite = || points.clone().map(|point| point[1]).filter(|value| value.is_finite());
         let [low, high] = [finite().fold(0.0, f64::min), finite().fold(0.0, f64::max)];
-        let room = ROOM * (high - low);
+        let space = CLEARANCE * (high - low);
         let [below, above] = self.panel.range_around([low, high]);
         [
-            if low < 0.0 { below.min(low - room) } else { below },
-            if high > 0.0 { above.max(high + room) } else { above },
+            if low < 0.0 { below.min(low - space) } else { below },
+            if high > 0.0 { above.max(high + space) } else { above },
         ]
     }
 

@@ -31,8 +31,8 @@ pub(crate) fn title_block(
 ) {
     drawing.text([MARGIN, 32.0], &TextStyle::new(19.0, Anchor::Start), title);
     let small = TextStyle { color: MUTED, ..TextStyle::new(13.0, Anchor::Start) };
-    let room = (drawing.width - 2.0 * MARGIN) / small.size;
-    drawing.plain_text([MARGIN, 54.0], &small, &shortened(case, room));
+    let space = (drawing.width - 2.0 * MARGIN) / small.size;
+    drawing.plain_text([MARGIN, 54.0], &small, &shortened(case, space));
     drawing.text([MARGIN, 74.0], &small, conditions);
     if !remark.is_empty() {
         let style = TextStyle { color: ALARM, ..TextStyle::new(15.0, Anchor::End) };
@@ -44,11 +44,11 @@ pub(crate) fn title_block(
 pub(crate) const ALARM: &str = "#b40426";
 
 /// A text truncated to a width in font sizes.
-pub(crate) fn shortened(text: &str, room: f64) -> String {
-    if label::width(text) <= room {
+pub(crate) fn shortened(text: &str, space: f64) -> String {
+    if label::width(text) <= space {
         return text.to_owned();
     }
-    let kept = (room / 0.6) as usize;
+    let kept = (space / 0.6) as usize;
     text.chars().take(kept.saturating_sub(1)).chain(['…']).collect()
 }
 

@@ -63,7 +63,7 @@ fn thin(color: &str) -> String {
 }
 
 /// Margin above and below the contents, as a fraction of the height.
-const ROOM: f64 = 0.04;
+const CLEARANCE: f64 = 0.04;
 
 impl MarkedPanel {
     /// Stroke of a computed point: dark, so that it is visible on top of the measured one.
@@ -84,8 +84,8 @@ impl MarkedPanel {
         if low >= high {
             return [-1e-3, 1e-3];
         }
-        let room = ROOM * (high - low);
-        [if low < 0.0 { low - room } else { low }, if high > 0.0 { high + room } else { high }]
+        let space = CLEARANCE * (high - low);
+        [if low < 0.0 { low - space } else { low }, if high > 0.0 { high + space } else { high }]
     }
 
     /// Draws the panel into a frame.

@@ -14,7 +14,6 @@ const LARGEST_FRICTION: f64 = 1e3;
 
 /// A march can only continue from a state on the grid on which the state was left.
 pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
-    let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
     let mut taken = vec![false; grid.len()];
     let is_sound = |element: &Element| {
         let [x, y] = element.saturation;
@@ -37,18 +36,26 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
                 .chain(&element.stretch)
                 .all(|v| v.is_finite())
     };
-    if !state.elements.iter().all(is_sound) {
-        return Err(Error::ImpossibleState {});
+    check_grid(&state.grid, grid)?;
+    if state.elements.iter().all(is_sound) {
+        Ok(state.clone())
+    } else {
+        Err(Error::ImpossibleState {})
     }
-    let fits = (state.grid.columns, state.grid.rows) == (grid.columns, grid.rows)
-        && close(state.grid.spacing_x, grid.spacing_x)
-        && close(state.grid.spacing_y, grid.spacing_y)
-        && close(state.grid.origin_x, grid.origin_x)
-        && close(state.grid.origin_y, grid.origin_y);
+}
+
+/// Elements are of the cells of a grid: on another one they mean nothing.
+fn check_grid(of_state: &Grid, grid: &Grid) -> Result<(), Error> {
+    let close = |p: f64, q: f64| (p - q).abs() <= 1e-9 * grid.spacing_x.hypot(grid.spacing_y);
+    let fits = (of_state.columns, of_state.rows) == (grid.columns, grid.rows)
+        && close(of_state.spacing_x, grid.spacing_x)
+        && close(of_state.spacing_y, grid.spacing_y)
+        && close(of_state.origin_x, grid.origin_x)
+        && close(of_state.origin_y, grid.origin_y);
     if fits {
-        return Ok(state.clone());
+        return Ok(());
     }
-    let both = [&state.grid, grid];
+    let both = [of_state, grid];
     Err(Error::StateOfAnotherGrid {
         cells: both.map(|grid| [grid.columns.saturating_sub(2 * BORDER), grid.rows]),
         spacings: both.map(|grid| [grid.spacing_x, grid.spacing_y]),

@@ -323,11 +323,11 @@ impl<'a> March<'a> {
         for strip in &patch.strips {
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
-                let mut rubbing = FrictionPoint::default();
+                let mut point = FrictionPoint::default();
                 if let Some(e) = at[cell.index] {
                     self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
                     self.now.scaled_rise[k] = old.scaled_rise[e];
-                    rubbing = FrictionPoint {
+                    point = FrictionPoint {
                         friction: old.friction.get(e).copied().unwrap_or(0.0),
                         power: old.friction_power.get(e).copied().unwrap_or(0.0),
                         bound_power: cell.pressure * self.elements[e].slip_speed,
@@ -336,7 +336,7 @@ impl<'a> March<'a> {
                 }
                 let passage = Passage::of(patch, strip, k);
                 self.now.friction[k] =
-                    rubbing.coefficient(self.problem, &self.now, &passage, &arrivals[k]);
+                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k]);
             }
         }
     }

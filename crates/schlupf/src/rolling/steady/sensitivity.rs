@@ -93,14 +93,14 @@ impl<'a> Derivatives<'a> {
     }
 
     fn all(&mut self) -> Option<Sensitivity> {
-        let [slowness_x, slowness_y] = self.problem.kinematics.contact_time_ratio_by_creepage();
+        let [time_ratio_x, time_ratio_y] = self.problem.kinematics.contact_time_ratio_by_creepage();
         let warmer = self.warmer();
         let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
         let along_y = Kinematics { creepage_y: 1.0, ..standing(self.problem) };
         let turning = Kinematics { spin: 1.0, ..standing(self.problem) };
         Some(Sensitivity {
-            creepage_x: self.by(&self.by_motion(&along_x, slowness_x, &warmer))?,
-            creepage_y: self.by(&self.by_motion(&along_y, slowness_y, &warmer))?,
+            creepage_x: self.by(&self.by_motion(&along_x, time_ratio_x, &warmer))?,
+            creepage_y: self.by(&self.by_motion(&along_y, time_ratio_y, &warmer))?,
             spin: self.by(&self.by_motion(&turning, 0.0, &warmer))?,
             load: match self.direct_by_load() {
                 Some(direct) => Some(self.by_load(&direct)?),
@@ -142,11 +142,11 @@ impl<'a> Derivatives<'a> {
     /// constant friction power.
     fn warmer(&self) -> Vec<f64> {
         let Level { contact, friction, .. } = &self.levels[0];
-        let by_slowness =
+        let by_contact_time =
             |scaled_rise: &f64| friction.conduction.contact_temperature_by_time_ratio(*scaled_rise);
-        let perpendicular = || friction.scaled_rise.iter().map(by_slowness).collect();
+        let perpendicular = || friction.scaled_rise.iter().map(by_contact_time).collect();
         friction
-            .contact_temperature_by(self.problem, &contact.patch, Scaling::Slowness)
+            .contact_temperature_by(self.problem, &contact.patch, Scaling::ContactTime)
             .unwrap_or_else(perpendicular)
     }
 

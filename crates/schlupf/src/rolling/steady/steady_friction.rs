@@ -384,7 +384,7 @@ fn conductors_along(problem: &Problem, patch: &Patch) -> Option<Conductors> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Scaling {
     /// v0/(ωR).
-    Slowness,
+    ContactTime,
     /// All lengths of the patch.
     Size,
 }

@@ -1,0 +1,57 @@
+"""Numbers in SI units from whatever gives them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ._errors import CaseError
+
+if TYPE_CHECKING:
+    from ._fields import Field
+
+
+def refused(field: str, message: str) -> CaseError:
+    """An error of a field, as the library raises it."""
+    return CaseError([{"field": field, "message": message, "place": "", "help": None}])
+
+
+def is_quantity(value: Any) -> bool:
+    """Whether it is one of pint, or like one."""
+    return hasattr(value, "magnitude") and hasattr(value, "to")
+
+
+def magnitude(value: Any, units: str, name: str) -> Any:
+    """The magnitude of a quantity of pint in the SI unit of what is called `name`.
+
+    Raises
+    ------
+    CaseError
+        If it is of another kind: temperatures are no differences, frequencies no angular
+        velocities.
+    """
+    given = str(value.units)
+    is_offset = units == "K" and ("degree_C" in given or "degree_F" in given)
+    if is_offset and not given.startswith("delta"):
+        raise refused(name, f"{name} must be a temperature difference, but is {value}")
+    if units == "rad/s" and "hertz" in given:
+        raise refused(name, f"{name} must be an angular velocity, but is {value}: a frequency")
+    try:
+        return value.to(units).magnitude
+    except Exception as error:
+        # Of pint, which need not be installed.
+        if type(error).__name__ != "DimensionalityError":
+            raise
+        raise refused(
+            name, f"{name} must be given in {units or 'no unit'}, but is {value}"
+        ) from None
+
+
+def plain(value: Any, field: Field, name: str) -> Any:
+    """Numbers or arrays in the SI unit of a field, from quantities and data arrays with units."""
+    if is_quantity(value):
+        return magnitude(value, field.units, name)
+    given = getattr(value, "attrs", {}).get("units")
+    if given not in (None, "", field.units):
+        unit = field.units or "no unit"
+        raise refused(name, f"{name} must be in {unit}, but its attribute `units` is {given!r}")
+    return value
