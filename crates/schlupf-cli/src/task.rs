@@ -134,7 +134,7 @@ fn print(outputs: &OutputArguments, report: &impl Report) -> Result<(), Failure>
     } else if outputs.quiet {
         Ok(())
     } else {
-        stdout::write(&report.summary())
+        stdout::write(&report.summary().to_string())
     }
 }
 

@@ -13,7 +13,7 @@ use crate::figures::{self, Drawing, FigureError};
 use crate::json::{self, PROGRAM};
 use crate::number::significant as number;
 use crate::report::{Report, reasons, verdict};
-use crate::summary::{entry, friction_power, line, without_noise};
+use crate::summary::{Summary, entry, friction_power, line, without_noise};
 use crate::table;
 
 /// The heat balance of a wheel, with its input.
@@ -119,8 +119,9 @@ impl Flows {
 }
 
 /// The balance as text: temperatures, heat received and lost, forces, status and warnings.
-fn text(report: &BulkReport) -> String {
-    let mut text = format!("{}\n\n", report.title);
+fn text(report: &BulkReport) -> Summary {
+    let mut text = Summary::titled(&report.title);
+    text.blank();
     temperatures(&mut text, report);
     heat(&mut text, report);
     forces(&mut text, report);
@@ -128,7 +129,7 @@ fn text(report: &BulkReport) -> String {
     text
 }
 
-fn temperatures(text: &mut String, report: &BulkReport) {
+fn temperatures(text: &mut Summary, report: &BulkReport) {
     let BulkReport { balance, cooling, .. } = report;
     let others = format!(
         "rail {} °C, air {} °C",
@@ -141,10 +142,10 @@ fn temperatures(text: &mut String, report: &BulkReport) {
     let surface = balance.solution.temperature;
     let rail = format!("of the rail {} °C", number(surface.map(|surface| surface.max_rail)));
     entry(text, "hottest surface", surface.map(|surface| surface.max_wheel), "°C", &rail);
-    text.push('\n');
+    text.blank();
 }
 
-fn heat(text: &mut String, report: &BulkReport) {
+fn heat(text: &mut Summary, report: &BulkReport) {
     let BulkReport { balance, cooling, .. } = report;
     let revolution = report.revolution();
     let mut flow = |name: &str, power: f64, remark: &str| {
@@ -157,10 +158,10 @@ fn heat(text: &mut String, report: &BulkReport) {
     flow("frictional heat", balance.frictional_heat, "");
     flow("  to the air", balance.convection, &convection);
     flow("  to the rail", balance.conduction, "through the contact");
-    text.push('\n');
+    text.blank();
 }
 
-fn forces(text: &mut String, report: &BulkReport) {
+fn forces(text: &mut Summary, report: &BulkReport) {
     let solution = &report.balance.solution;
     let x = without_noise(solution.force.x, solution.normalised.x);
     let y = without_noise(solution.force.y, solution.normalised.y);
@@ -168,10 +169,10 @@ fn forces(text: &mut String, report: &BulkReport) {
     entry(text, "longitudinal force", x / 1e3, "kN", &lateral);
     entry(text, "traction coefficient", solution.traction_coefficient, "", "|F|/N");
     friction_power(text, solution);
-    text.push('\n');
+    text.blank();
 }
 
-fn status(text: &mut String, report: &BulkReport) {
+fn status(text: &mut Summary, report: &BulkReport) {
     let balance = &report.balance;
     let verdict = verdict(balance.solution.status);
     let imbalance = balance.surplus() / 1e3;
@@ -201,7 +202,7 @@ impl Report for BulkReport {
         document(self)
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         text(self)
     }
 

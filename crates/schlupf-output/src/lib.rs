@@ -20,10 +20,11 @@ mod number;
 pub mod report;
 pub mod roughness;
 pub mod solution;
-mod summary;
+pub mod summary;
 mod table;
 pub mod temperature;
 mod vtk;
 
 pub use number::significant;
 pub use report::Report;
+pub use summary::Summary;

@@ -4,6 +4,7 @@ use schlupf::Status;
 use schlupf::message::Message;
 
 use crate::figures::{self, Drawing, Figure, FigureError};
+use crate::summary::Summary;
 
 /// A result with all its output forms.
 ///
@@ -16,7 +17,7 @@ use crate::figures::{self, Drawing, Figure, FigureError};
 /// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
 /// let (title, warnings) = ("braking".to_owned(), Vec::new());
 /// let report = SolutionReport { title, contact_law: None, solution, warnings };
-/// assert!(report.summary().starts_with("braking"));
+/// assert!(report.summary().to_string().starts_with("braking"));
 /// assert!(report.csv().is_some_and(|table| table.contains("traction_x")));
 /// # Ok::<(), schlupf::Error>(())
 /// ```
@@ -30,8 +31,8 @@ pub trait Report: Send + Sync {
     /// For other programs; an unknown number is `null`.
     fn json(&self) -> String;
 
-    /// Text summary for the terminal.
-    fn summary(&self) -> String;
+    /// Summary in engineering units, for people.
+    fn summary(&self) -> Summary;
 
     /// As a table: a comment line (`#`) with the units, a header line, then one row per record.
     /// Every number has enough digits to be read back exactly; unknown values are empty.

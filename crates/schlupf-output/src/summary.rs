@@ -1,11 +1,72 @@
 //! Lines of a text summary, in engineering units.
 
-use std::fmt::Write;
+use std::fmt::{self, Display, Formatter};
 
 use schlupf::Solution;
 use schlupf::solution::Resultant;
 
 use crate::number::significant as number;
+
+/// A text summary: its lines, in their order.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Summary {
+    /// The lines.
+    pub lines: Vec<Line>,
+}
+
+/// A line of a summary.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Line {
+    /// A quantity in an engineering unit.
+    Entry {
+        /// Its name; two spaces in front of it make it a part of the entry above.
+        name: String,
+        /// Its value as text.
+        value: String,
+        /// Its unit; may be empty.
+        unit: String,
+        /// A remark; may be empty.
+        remark: String,
+    },
+    /// Anything else; may be empty.
+    Text(String),
+}
+
+impl Display for Line {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match self {
+            Self::Entry { name, value, unit, remark } => {
+                let line = format!("{name:<22}{value:>11} {unit:<4} {remark}");
+                f.write_str(line.trim_end())
+            }
+            Self::Text(text) => f.write_str(text.trim_end()),
+        }
+    }
+}
+
+impl Display for Summary {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        self.lines.iter().try_for_each(|line| writeln!(f, "{line}"))
+    }
+}
+
+impl Summary {
+    /// Begins with a title.
+    pub(crate) fn titled(title: &str) -> Self {
+        Self { lines: vec![Line::Text(title.to_owned())] }
+    }
+
+    /// Adds an empty line.
+    pub(crate) fn blank(&mut self) {
+        self.lines.push(Line::Text(String::new()));
+    }
+
+    /// Adds lines of text.
+    pub(crate) fn text(&mut self, text: &str) {
+        self.lines.extend(text.lines().map(|line| Line::Text(line.to_owned())));
+    }
+}
 
 /// A force or moment, 0 if it is rounding noise: negligible relative to μ0 N or μ0 N √(ab).
 pub(crate) fn without_noise(value: f64, normalised: f64) -> f64 {
@@ -19,7 +80,7 @@ pub(crate) fn moment(force: &Resultant, normalised: &Resultant) -> Option<f64> {
 }
 
 /// Friction power with the power of the creep forces.
-pub(crate) fn friction_power(text: &mut String, solution: &Solution) {
+pub(crate) fn friction_power(text: &mut Summary, solution: &Solution) {
     let (watts, unit) = unit_of_power(solution);
     let power = solution.power;
     let creep = format!("creep power {} {unit}", number(power.map(|power| power.creep / watts)));
@@ -40,16 +101,16 @@ pub(crate) fn unit_of_power(solution: &Solution) -> (f64, &'static str) {
 
 /// One quantity: its name, value and unit in columns, and a remark.
 pub(crate) fn entry(
-    text: &mut String,
+    text: &mut Summary,
     name: &str,
     value: impl Into<Option<f64>>,
     unit: &str,
     remark: &str,
 ) {
-    line(text, &format!("{name:<22}{:>11} {unit:<4} {remark}", number(value)));
+    let [name, unit, remark] = [name, unit, remark].map(str::to_owned);
+    text.lines.push(Line::Entry { name, value: number(value), unit, remark });
 }
 
-pub(crate) fn line(text: &mut String, line: &str) {
-    // Writing to a String cannot fail.
-    let _ = writeln!(text, "{}", line.trim_end());
+pub(crate) fn line(text: &mut Summary, line: &str) {
+    text.lines.push(Line::Text(line.to_owned()));
 }

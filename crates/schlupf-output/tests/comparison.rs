@@ -95,7 +95,7 @@ fn the_table_marks_what_is_not_given_or_not_converged() {
     let mut comparison = comparison();
     comparison.entries[0].answer.as_mut().unwrap().solution.status = Status::NotConverged;
     assert_eq!(comparison.status(), Status::NotConverged);
-    let text = comparison.summary();
+    let text = comparison.summary().to_string();
     let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
     assert!(line("full, half-space").ends_with("NOT CONVERGED"), "{text}");
     assert_eq!(line("Polach").matches('–').count(), 2, "{text}");
@@ -125,7 +125,7 @@ fn a_method_without_an_answer_says_why() {
     assert_eq!(gap["reason"], "no \"stiffness\", anywhere");
     assert!(gap["force"]["x"].is_null() && gap["time"].is_null(), "{gap}");
     assert!(document["methods"][0]["reason"].is_null());
-    let text = comparison.summary();
+    let text = comparison.summary().to_string();
     let reason = "not available: no \"stiffness\", anywhere";
     assert!(text.lines().any(|line| line.ends_with(reason)), "{text}");
     let table = comparison.csv().unwrap();

@@ -215,7 +215,7 @@ fn the_summary_is_compact_and_says_what_it_leaves_out() {
     let copies: Vec<Point> = curve.points.iter().flat_map(|point| [*point; 5]).collect();
     curve.points = copies;
     curve.points[7].status = Status::NotConverged;
-    let text = family.summary();
+    let text = family.summary().to_string();
     assert!(text.lines().count() <= 36, "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 100));
     for part in [
@@ -240,11 +240,11 @@ fn the_summary_says_why_there_is_no_slope_and_no_maximum() {
     let curve = &mut family.members[0].curve;
     curve.initial_slope = None;
     let top = curve.maxima.pop().unwrap();
-    let text = family.summary();
+    let text = family.summary().to_string();
     assert!(text.contains("none: the curve does not reach zero creepage"), "{text}");
     assert!(text.contains("none within the range: |F|/N is largest at an end"), "{text}");
     family.members[0].curve.maxima = vec![Maximum { is_saturated: true, ..top }];
-    let text = family.summary();
+    let text = family.summary().to_string();
     assert!(text.contains("saturated: within 0.1 % from creepage_x = 0.015 on"), "{text}");
 }
 

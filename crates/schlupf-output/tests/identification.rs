@@ -121,7 +121,7 @@ fn the_table_has_a_row_for_each_force() {
 
 #[test]
 fn the_summary_shows_values_with_their_digits() {
-    let text = report(Status::NotConverged).summary();
+    let text = report(Status::NotConverged).summary().to_string();
     assert!(text.contains("0.3000      0.0060"), "{text}");
     assert!(text.contains("0.500       0.010 µm"), "{text}");
     assert!(text.contains("contact_law.stiffness = 1.2e7 1/m, with γ = 0.45"), "{text}");

@@ -122,7 +122,7 @@ fn heights_are_a_file_of_numpy() {
 fn the_summary_shows_statistics_pressures_and_warnings() {
     let mut report = report();
     report.hardness = 2.5e9;
-    let text = report.summary();
+    let text = report.summary().to_string();
     for part in [
         "a <rough> surface",
         "64 x 64 cells of 6.25 µm, 0.4 x 0.4 mm",
@@ -140,7 +140,7 @@ fn the_summary_shows_statistics_pressures_and_warnings() {
     }
     report.spots.as_mut().unwrap().is_converged = false;
     assert_eq!(report.status(), Status::NotConverged);
-    assert!(report.summary().contains("NOT CONVERGED"));
+    assert!(report.summary().to_string().contains("NOT CONVERGED"));
 }
 
 fn texts(svg: &str) -> String {

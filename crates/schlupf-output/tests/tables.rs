@@ -162,7 +162,7 @@ fn find(file: &[u8], head: &[u8]) -> usize {
 #[test]
 fn summary_fits_a_terminal() {
     let mut solution = solution(RECIPE);
-    let text = report("steel wheel", solution.clone()).summary();
+    let text = report("steel wheel", solution.clone()).summary().to_string();
     assert!(text.lines().count() <= 35);
     assert!(text.lines().all(|line| line.chars().count() <= 100));
     for part in ["steel wheel", "5.88 mm", "770 MPa", "108 km/h"] {
@@ -171,7 +171,7 @@ fn summary_fits_a_terminal() {
     solution.status = Status::NotConverged;
     let mut failed = report("", solution.clone());
     failed.warnings.push(Message::new(Message::NOT_CONVERGED, "solver", "after 9 steps"));
-    let text = failed.summary();
+    let text = failed.summary().to_string();
     assert_eq!(text.to_lowercase().matches("not converged").count(), 1, "{text}");
     assert!(text.contains("after 9 steps") && text.contains("(not settled)"), "{text}");
 }
@@ -182,7 +182,7 @@ fn rounding_noise_is_no_force_and_no_rise_has_no_place() {
     (solution.force.y, solution.normalised.y) = (3.1e-9, 1e-13);
     (solution.force.moment_z, solution.normalised.moment_z) = (Some(-2e-12), Some(-6e-15));
     solution.temperature = Some(schlupf::solution::Temperature::default());
-    let text = report("", solution.clone()).summary();
+    let text = report("", solution.clone()).summary().to_string();
     let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap();
     let words = |name: &str| line(name).split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(words("lateral force"), "lateral force 0 kN 0 μ0 N");

@@ -73,7 +73,7 @@ fn json_has_its_keys() {
 
 #[test]
 fn the_summary_shows_some_points_and_all_warnings() {
-    let text = made_up(101).summary();
+    let text = made_up(101).summary().to_string();
     for part in [
         "a <hot> wheel",
         "below x = -3 mm, y = 0 mm",
@@ -84,7 +84,7 @@ fn the_summary_shows_some_points_and_all_warnings() {
     ] {
         assert!(text.contains(part), "{part:?} is not in\n{text}");
     }
-    assert!(made_up(2).summary().contains("depth (mm)"));
+    assert!(made_up(2).summary().to_string().contains("depth (mm)"));
 }
 
 #[test]

@@ -37,16 +37,36 @@ impl CaseFile {
         raised: &Arc<Raised>,
         work: impl FnOnce(&schlupf_case::CaseFile, Watch) -> Result<R, E> + Send,
     ) -> PyResult<Result<R, E>> {
-        let Functions { friction, partition } = self.functions.clone_ref(py);
-        let own = Laws {
-            friction: friction.map(|function| laws::friction(function, raised)),
-            partition: partition.map(|function| laws::partition(function, raised)),
-            ..self.file.laws().clone()
-        };
+        let own = self.own_laws(py, raised);
         interruptible(py, raised, |watch| {
             let file = self.file.clone().with_laws(own);
             work(&file.map_err(CaseErrors::from)?, watch)
         })
+    }
+
+    /// The same with several cases.
+    pub fn run_all<R: Send, E: From<CaseErrors> + Send>(
+        files: &[PyRef<'_, Self>],
+        py: Python<'_>,
+        raised: &Arc<Raised>,
+        work: impl FnOnce(&[schlupf_case::CaseFile], Watch) -> Result<R, E> + Send,
+    ) -> PyResult<Result<R, E>> {
+        let files: Vec<_> =
+            files.iter().map(|file| (file.file.clone(), file.own_laws(py, raised))).collect();
+        interruptible(py, raised, |watch| {
+            let files = files.into_iter().map(|(file, own)| file.with_laws(own));
+            work(&files.collect::<Result<Vec<_>, _>>().map_err(CaseErrors::from)?, watch)
+        })
+    }
+
+    /// The laws of the case with its functions in place.
+    fn own_laws(&self, py: Python<'_>, raised: &Arc<Raised>) -> Laws {
+        let Functions { friction, partition } = self.functions.clone_ref(py);
+        Laws {
+            friction: friction.map(|function| laws::friction(function, raised)),
+            partition: partition.map(|function| laws::partition(function, raised)),
+            ..self.file.laws().clone()
+        }
     }
 }
 
@@ -138,15 +158,22 @@ impl CaseFile {
         Ok(fields.map(|f| (f.path, f.value, matches!(f.place, Place::Default))).collect())
     }
 
-    /// Solves the case, from a state as JSON if there is one.
-    #[pyo3(signature = (initial_state=None))]
-    fn solve(&self, py: Python<'_>, initial_state: Option<&[u8]>) -> PyResult<Solution> {
+    /// Solves the case, from a state as JSON if there is one; in time with the fields of every so
+    /// many steps.
+    #[pyo3(signature = (initial_state=None, fields_every=0))]
+    fn solve(
+        &self,
+        py: Python<'_>,
+        initial_state: Option<&[u8]>,
+        fields_every: usize,
+    ) -> PyResult<Solution> {
         let state = initial_state.map(serde_json::from_slice::<State>).transpose();
         let state = state.map_err(|error| {
             PyValueError::new_err(format!("initial_state must be a state of a result: {error}"))
         })?;
         let report = self.run(py, &Arc::default(), |file, watch| {
-            let case = file.pose(watch)?;
+            let mut case = file.pose(watch)?;
+            case.options.fields_every = fields_every;
             let rolling = case.rolling(state)?;
             solve(&case, rolling, watch).map_err(|error| CaseErrors::from(case.explain(&error)))
         })?;

@@ -67,3 +67,20 @@ pub fn interruptible<R: Send>(
         (None, Err(panic)) => resume_unwind(panic),
     }
 }
+
+/// Does work of microseconds on this thread; only exceptions of the functions that it calls stop
+/// it.
+///
+/// # Errors
+/// What such a function raises.
+pub fn brief<R: Send>(
+    py: Python<'_>,
+    raised: &Raised,
+    work: impl FnOnce(Watch) -> R + Send,
+) -> PyResult<R> {
+    let watch = |_: Progress| {
+        if raised.is_set() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let result = py.detach(|| work(&watch));
+    raised.take().map_or(Ok(result), Err)
+}

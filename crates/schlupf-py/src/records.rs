@@ -1,11 +1,14 @@
 //! Records of the library as columns for NumPy.
 
-use numpy::PyArray1;
+use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList};
 use schlupf::Quantity;
 use schlupf::columns::{Record, Value};
+use schlupf::solution::Fields;
+use schlupf_output::Summary;
+use schlupf_output::summary::Line;
 
 /// All columns of a record, by name: each a dictionary with `values` (an array, or a list of
 /// names), and what [`described`] adds.
@@ -37,7 +40,59 @@ pub fn columns<'py, R: Record + ?Sized>(
     Ok(table)
 }
 
-/// Values with `symbol`, `units`, `long_name` and `vector` of their quantity.
+/// The columns of fields at several instants, on one grid: arrays over instants, y and x; outside of
+/// the contact not a number, or false.
+pub fn on_grid<'py>(py: Python<'py>, instants: &[&Fields]) -> PyResult<Bound<'py, PyDict>> {
+    let table = PyDict::new(py);
+    for column in Fields::columns() {
+        let first = instants.iter().find(|fields| !fields.is_empty());
+        let is_flag = first.is_some_and(|f| matches!((column.value)(f, 0), Value::Flag(_)));
+        let values = if is_flag {
+            let flag = |fields: &Fields, k| (column.value)(fields, k) == Value::Flag(true);
+            filled(py, instants, false, flag)?
+        } else {
+            let number = |fields: &Fields, k| (column.value)(fields, k).number();
+            filled(py, instants, f64::NAN, |fields, k| number(fields, k).unwrap_or(f64::NAN))?
+        };
+        table.set_item(column.name, described(py, column.quantity, values)?)?;
+    }
+    Ok(table)
+}
+
+/// The values of all cells of the grid; `blank` outside of the contact.
+fn filled<'py, T: Element + Copy>(
+    py: Python<'py>,
+    instants: &[&Fields],
+    blank: T,
+    value: impl Fn(&Fields, usize) -> T,
+) -> PyResult<Bound<'py, PyAny>> {
+    let [rows, columns] =
+        instants.first().map_or([0; 2], |fields| [fields.grid.rows, fields.grid.columns]);
+    let mut values = vec![blank; instants.len() * rows * columns];
+    for (fields, values) in instants.iter().zip(values.chunks_mut((rows * columns).max(1))) {
+        for (k, [column, row]) in fields.cell.iter().enumerate() {
+            values[row * columns + column] = value(fields, k);
+        }
+    }
+    let values = PyArray1::from_vec(py, values);
+    Ok(values.reshape([instants.len(), rows, columns])?.into_any())
+}
+
+/// The lines of a summary: an entry as name, value, unit and remark, anything else as text.
+pub fn lines<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyList>> {
+    let list = PyList::empty(py);
+    for line in &summary.lines {
+        match line {
+            Line::Entry { name, value, unit, remark } => {
+                list.append((name, value, unit, remark))?
+            }
+            other => list.append(other.to_string())?,
+        }
+    }
+    Ok(list)
+}
+
+/// Values with `symbol`, `units`, `long_name`, `source` and `vector` of their quantity.
 pub fn described<'py>(
     py: Python<'py>,
     quantity: Quantity,
@@ -48,6 +103,7 @@ pub fn described<'py>(
     entry.set_item("symbol", quantity.symbol())?;
     entry.set_item("units", quantity.unit())?;
     entry.set_item("long_name", quantity.description())?;
+    entry.set_item("source", quantity.source())?;
     entry.set_item("vector", quantity.vector())?;
     Ok(entry)
 }

@@ -3,7 +3,7 @@
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList};
 use schlupf::Quantity;
 use schlupf::surface::Lattice;
 use schlupf_output::bulk_temperature::BulkReport;
@@ -14,7 +14,7 @@ use schlupf_output::identification::FitReport;
 use schlupf_output::roughness::RoughnessReport;
 use schlupf_output::temperature::{Line, Temperatures};
 
-use crate::records::{columns, described};
+use crate::records::{columns, described, lines};
 
 /// What a task has found, of any kind.
 pub enum Found {
@@ -61,7 +61,12 @@ impl Report {
 
     /// The text summary.
     fn summary(&self) -> String {
-        self.report().summary()
+        self.report().summary().to_string()
+    }
+
+    /// The same by lines: see [`lines`].
+    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        lines(py, &self.report().summary())
     }
 
     /// The table as text.
@@ -85,10 +90,11 @@ impl Report {
         self.report().drawings().map_err(|error| PyValueError::new_err(error.to_string()))
     }
 
-    /// The case with fitted values, as TOML.
+    /// The case with fitted values, or the section with the calibrated stiffnesses, as TOML.
     fn case(&self) -> Option<String> {
         match &self.found {
             Found::Fit(report) => report.case.clone(),
+            Found::Calibration(report) => Some(report.snippet()),
             _ => None,
         }
     }

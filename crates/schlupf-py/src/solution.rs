@@ -2,11 +2,14 @@
 
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyList};
 use schlupf_output::Report;
 use schlupf_output::solution::SolutionReport;
 
 use crate::records;
+
+/// Time steps, times and columns.
+type FieldHistory<'py> = (Vec<usize>, Vec<f64>, Bound<'py, PyDict>);
 
 /// A solved case.
 #[pyclass(frozen, module = "schlupf._core")]
@@ -30,23 +33,33 @@ impl Solution {
 
     /// The text summary.
     fn summary(&self) -> String {
-        self.report.summary()
+        self.report.summary().to_string()
     }
 
-    /// The cells in contact as columns.
+    /// The same by lines: see [`records::lines`].
+    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        records::lines(py, &self.report.summary())
+    }
+
+    /// The fields as columns over one instant, y and x.
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        records::columns(py, &self.report.solution.fields)
+        records::on_grid(py, &[&self.report.solution.fields])
+    }
+
+    /// Time steps, times (in s) and fields over them, y and x.
+    fn field_history<'py>(&self, py: Python<'py>) -> PyResult<FieldHistory<'py>> {
+        let history = &self.report.solution.field_history;
+        let fields: Vec<_> = history.iter().map(|at| &at.fields).collect();
+        Ok((
+            history.iter().map(|at| at.step).collect(),
+            history.iter().map(|at| at.time).collect(),
+            records::on_grid(py, &fields)?,
+        ))
     }
 
     /// The time steps as columns.
     fn history<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         records::columns(py, self.report.solution.history.as_slice())
-    }
-
-    /// Columns and rows of the cells in contact.
-    fn cells<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<i64>>; 2] {
-        let cells = &self.report.solution.fields.cell;
-        [0, 1].map(|axis| PyArray1::from_iter(py, cells.iter().map(|cell| cell[axis] as i64)))
     }
 
     /// Centres of the columns and of the rows of the grid, in m.

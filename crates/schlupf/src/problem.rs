@@ -139,6 +139,8 @@ pub struct Options {
     /// Whether to compute the derivatives of the forces, too; only for steady states found
     /// directly.
     pub sensitivity: bool,
+    /// Time steps of a march from one record of the fields to the next; 0: none but the last.
+    pub fields_every: usize,
 }
 
 impl Default for Options {
@@ -152,6 +154,7 @@ impl Default for Options {
             max_steps: 2000,
             slip_threshold: 0.95,
             sensitivity: false,
+            fields_every: 0,
         }
     }
 }

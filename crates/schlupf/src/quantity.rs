@@ -250,6 +250,30 @@ impl Quantity {
         })
     }
 
+    /// Where the equation that gives it comes from; empty for inputs, and where it is a definition.
+    pub fn source(self) -> &'static str {
+        match self {
+            Self::TractionX | Self::TractionY => "Neuhaus and Sextro (2014), Eqs. (8), (13)-(16)",
+            Self::DisplacementX | Self::DisplacementY => "Neuhaus and Sextro (2014), Eqs. (4)-(7)",
+            Self::SlipX | Self::SlipY => "Neuhaus and Sextro (2014), Eqs. (9)-(12)",
+            Self::Friction => {
+                "Neuhaus and Sextro (2014), Eq. (23), or the friction law in its place"
+            }
+            Self::FrictionPowerDensity | Self::FrictionPower => {
+                "Neuhaus and Sextro (2014), Eqs. (17), (18)"
+            }
+            Self::RiseWheel
+            | Self::RiseRail
+            | Self::MaxRise
+            | Self::MaxRiseWheel
+            | Self::MaxRiseRail => {
+                "Neuhaus and Sextro (2014), Eqs. (19)-(22), for a heat source that varies: \
+                 Carslaw and Jaeger (1959)"
+            }
+            _ => "",
+        }
+    }
+
     /// A value (in its unit, or dimensionless) with six digits and its unit.
     pub fn six_digits(self, value: f64) -> String {
         let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);

@@ -68,6 +68,9 @@ pub struct Solution {
     pub fields: Fields,
     /// Forces over time, one entry per time step.
     pub history: Vec<Instant>,
+    /// Fields at some of these instants, if a march was asked for them: see
+    /// [`Options::fields_every`](crate::problem::Options::fields_every).
+    pub field_history: Vec<FieldsAt>,
     /// Warnings for whoever uses the results.
     pub warnings: Vec<Warning>,
     /// Derivatives of forces and moment, if requested and found.
@@ -304,6 +307,18 @@ impl Fields {
     pub fn is_empty(&self) -> bool {
         self.cell.is_empty()
     }
+}
+
+/// The fields at the end of one time step.
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FieldsAt {
+    /// The time step: 1 is the first; 0 stands for a shift before the wheel rolls.
+    pub step: usize,
+    /// Time, in s.
+    pub time: f64,
+    /// The fields.
+    pub fields: Fields,
 }
 
 /// Forces at the end of one time step.

@@ -25,7 +25,11 @@ pub struct Conversion {
 impl Conversion {
     /// The value in the SI unit (degC for temperatures).
     pub fn apply(&self, number: f64) -> f64 {
-        number * self.factor + self.offset
+        // 1e-6 has no exact binary form, but 1e6 has.
+        let inverse = self.factor.recip();
+        let is_part = self.factor < 1.0 && inverse.fract() == 0.0;
+        let scaled = if is_part { number / inverse } else { number * self.factor };
+        scaled + self.offset
     }
 }
 

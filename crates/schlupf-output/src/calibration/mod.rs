@@ -16,6 +16,7 @@ use schlupf::solution::Status;
 
 use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
+use crate::summary::Summary;
 use crate::table::{Table, entry};
 
 /// Name of the figure.
@@ -104,6 +105,11 @@ struct Origin {
 }
 
 impl CalibrationReport {
+    /// The stiffnesses as a section of a case file, those that are known best.
+    pub fn snippet(&self) -> String {
+        snippet::snippet(self)
+    }
+
     /// All stiffnesses; the last ones except the uncoupled ones are those requested.
     fn origins(&self) -> Vec<Origin> {
         let layer = |name, layer: &Layer| Origin {
@@ -148,7 +154,7 @@ impl Report for CalibrationReport {
         json::document(self)
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         summary::text(self)
     }
 

@@ -7,12 +7,13 @@ use super::snippet::snippet;
 use super::{CalibrationReport, Fitted, Origin};
 use crate::number::significant as number;
 use crate::report::verdict;
-use crate::summary::{entry, line};
+use crate::summary::{Summary, entry, line};
 
 /// The patch, the stiffnesses side by side, their deviations from the data they were fitted to, and
 /// a section for a case file.
-pub(super) fn text(report: &CalibrationReport) -> String {
-    let mut text = format!("{}\n\n", report.title);
+pub(super) fn text(report: &CalibrationReport) -> Summary {
+    let mut text = Summary::titled(&report.title);
+    text.blank();
     patch(&mut text, report);
     let origins = report.origins();
     stiffnesses(&mut text, &origins);
@@ -20,27 +21,27 @@ pub(super) fn text(report: &CalibrationReport) -> String {
     if let Some(fitted) = &report.fitted {
         displacements(&mut text, fitted);
     }
-    text.push_str(&snippet(report));
-    text.push('\n');
+    text.text(&snippet(report));
+    text.blank();
     line(&mut text, verdict(report.status));
     text
 }
 
-fn patch(text: &mut String, report: &CalibrationReport) {
+fn patch(text: &mut Summary, report: &CalibrationReport) {
     let [a, b] = [report.normal.semi_axis_x, report.normal.semi_axis_y];
     let across = format!("along rolling, {} mm across, a/b = {}", number(b / 1e-3), number(a / b));
     entry(text, "semi-axes", a / 1e-3, "mm", &across);
     entry(text, "load", report.normal.load / 1e3, "kN", "");
     let poisson = format!("of both bodies, ν = {}", number(report.poisson_ratio));
     entry(text, "shear modulus", report.shear_modulus / 1e9, "GPa", &poisson);
-    text.push('\n');
+    text.blank();
 }
 
 /// Width of the names of quantities, and of a column.
 const NAME: usize = 27;
 const COLUMN: usize = 12;
 
-fn stiffnesses(text: &mut String, origins: &[Origin]) {
+fn stiffnesses(text: &mut Summary, origins: &[Origin]) {
     let names = origins.iter().map(|origin| format!("  {:>1$}", origin.name, 2 * COLUMN));
     line(text, &format!("{:NAME$}{}", "", names.collect::<String>()));
     let pair = format!("  {:>COLUMN$}{:>COLUMN$}", "along x", "along y");
@@ -61,10 +62,10 @@ fn stiffnesses(text: &mut String, origins: &[Origin]) {
     row("              across", &|s| s.coupling_along_y, "N/m");
     row("decay length along rolling", &|s| s.decay_lengths()[0] / 1e-3, "mm");
     row("              across", &|s| s.decay_lengths()[1] / 1e-3, "mm");
-    text.push('\n');
+    text.blank();
 }
 
-fn deviations(text: &mut String, origins: &[Origin]) {
+fn deviations(text: &mut Summary, origins: &[Origin]) {
     if origins.iter().all(|origin| origin.deviation.is_none()) {
         return;
     }
@@ -80,10 +81,10 @@ fn deviations(text: &mut String, origins: &[Origin]) {
     row("  with spin", |deviation| deviation.force_with_spin, "% of μN");
     row("tractions, mean", |deviation| deviation.field, "%");
     row("  with spin", |deviation| deviation.field_with_spin, "%");
-    text.push('\n');
+    text.blank();
 }
 
-fn displacements(text: &mut String, fitted: &Fitted) {
+fn displacements(text: &mut Summary, fitted: &Fitted) {
     line(text, "away from the displacements");
     for (direction, component) in ["x", "y"].into_iter().zip(&fitted.components) {
         let Some(component) = component else { continue };
@@ -95,7 +96,7 @@ fn displacements(text: &mut String, fitted: &Fitted) {
             );
         }
     }
-    text.push('\n');
+    text.blank();
 }
 
 /// A fraction in %, with two decimals.

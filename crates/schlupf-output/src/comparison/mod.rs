@@ -10,6 +10,7 @@ use schlupf::{Solution, Status, columns};
 
 use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
+use crate::summary::Summary;
 use crate::table::{Table, entries, quoted};
 
 /// Name of the figure.
@@ -124,7 +125,7 @@ impl Report for Comparison {
         json::document(self)
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         summary::text(self)
     }
 

@@ -1,12 +1,10 @@
 //! A comparison as text: one table.
 
-use std::fmt::Write;
-
 use schlupf::kinematics::ReferencePoint;
 
 use super::{Answer, Comparison};
 use crate::number::significant as number;
-use crate::summary::{moment, without_noise};
+use crate::summary::{Summary, line, moment, without_noise};
 
 /// Heading of a column, and getter of its number.
 type Column = (&'static str, fn(&Answer) -> Option<f64>);
@@ -25,8 +23,9 @@ const COLUMNS: [Column; 7] = [
 const NAMES: usize = 24;
 
 /// All methods as text: forces on the wheel, the largest temperature rise, and times.
-pub(super) fn text(comparison: &Comparison) -> String {
-    let mut text = format!("{}\n\n", comparison.title);
+pub(super) fn text(comparison: &Comparison) -> Summary {
+    let mut text = Summary::titled(&comparison.title);
+    text.blank();
     if let Some(answer) = comparison.answers().next() {
         conditions(&mut text, answer);
     }
@@ -44,13 +43,12 @@ pub(super) fn text(comparison: &Comparison) -> String {
         let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
         row(&mut text, entry.name, COLUMNS.iter().map(|(_, value)| shown(value(answer))), remark);
     }
-    text.push_str(
-        "time: with set-up; again: the forces alone, with the set-up done; –: not given\n",
-    );
+    let note = "time: with set-up; again: the forces alone, with the set-up done; –: not given";
+    line(&mut text, note);
     text
 }
 
-fn conditions(text: &mut String, answer: &Answer) {
+fn conditions(text: &mut Summary, answer: &Answer) {
     let (motion, normal) = (&answer.solution.kinematics, &answer.solution.normal);
     let mut parts = vec![
         format!("load {} kN", number(normal.load / 1e3)),
@@ -72,19 +70,10 @@ fn conditions(text: &mut String, answer: &Answer) {
         parts.push("creepages and moment at the origin of the file".to_owned());
     }
     line(text, &parts.join(", "));
-    text.push('\n');
+    text.blank();
 }
 
-fn row(text: &mut String, name: &str, entries: impl Iterator<Item = String>, remark: &str) {
-    // Writing to a String cannot fail.
-    let _ = write!(text, "{name:<NAMES$}");
-    for entry in entries {
-        let _ = write!(text, "{entry:>12}");
-    }
-    line(text, remark);
-}
-
-fn line(text: &mut String, line: &str) {
-    // Writing to a String cannot fail.
-    let _ = writeln!(text, "{}", line.trim_end());
+fn row(text: &mut Summary, name: &str, entries: impl Iterator<Item = String>, remark: &str) {
+    let entries: String = entries.map(|entry| format!("{entry:>12}")).collect();
+    line(text, &format!("{name:<NAMES$}{entries}{remark}"));
 }

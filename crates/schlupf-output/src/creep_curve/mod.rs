@@ -10,6 +10,7 @@ use schlupf::message::Message;
 
 use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
+use crate::summary::Summary;
 use crate::table::{Table, entries, entry, quoted};
 
 /// Name of the figure.
@@ -100,7 +101,7 @@ impl Report for CurveFamily {
         json::document(self)
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         summary::text(self)
     }
 

@@ -9,7 +9,7 @@ use schlupf::{Method, Status};
 
 use super::{CurveFamily, Member};
 use crate::number::significant as number;
-use crate::summary::{self, without_noise};
+use crate::summary::{self, Summary, line, without_noise};
 
 /// Remark on the reference point of creepages and moments if it is not the centre of the patch.
 const FROM_THE_FILE: &str = "creepages and moment at the origin of the file";
@@ -18,10 +18,10 @@ const FROM_THE_FILE: &str = "creepages and moment at the origin of the file";
 const MOST_ROWS: usize = 21;
 
 /// The curves as text: forces on the wheel, temperatures, slope and maximum.
-pub(super) fn text(family: &CurveFamily) -> String {
-    let mut text = format!("{}\n", family.title);
+pub(super) fn text(family: &CurveFamily) -> Summary {
+    let mut text = Summary::titled(&family.title);
     for member in &family.members {
-        text.push('\n');
+        text.blank();
         if let Some(name) = family.name(member) {
             line(&mut text, &name);
         }
@@ -30,7 +30,7 @@ pub(super) fn text(family: &CurveFamily) -> String {
     text
 }
 
-fn curve(text: &mut String, member: &Member) {
+fn curve(text: &mut Summary, member: &Member) {
     let curve = &member.curve;
     conditions(text, curve);
     table(text, curve);
@@ -47,7 +47,7 @@ fn curve(text: &mut String, member: &Member) {
     }
 }
 
-fn conditions(text: &mut String, curve: &CreepCurve) {
+fn conditions(text: &mut Summary, curve: &CreepCurve) {
     let [start, end] = [curve.path.start(), curve.path.end()];
     let speed = curve.points.first().map_or(f64::NAN, |point| point.kinematics.speed);
     let mut parts = vec![
@@ -79,7 +79,7 @@ fn conditions(text: &mut String, curve: &CreepCurve) {
 /// A column of the table: its heading, and the getter of its number.
 type Column = (String, fn(&Point) -> Option<f64>);
 
-fn table(text: &mut String, curve: &CreepCurve) {
+fn table(text: &mut Summary, curve: &CreepCurve) {
     let points = &curve.points;
     let abscissa = match curve.path.abscissa() {
         Abscissa::Spin => "spin (1/m)".to_owned(),
@@ -123,15 +123,12 @@ fn table(text: &mut String, curve: &CreepCurve) {
     }
 }
 
-fn row(text: &mut String, entries: impl Iterator<Item = String>, remark: &str) {
-    for entry in entries {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{entry:>12}");
-    }
-    line(text, remark);
+fn row(text: &mut Summary, entries: impl Iterator<Item = String>, remark: &str) {
+    let entries: String = entries.map(|entry| format!("{entry:>12}")).collect();
+    line(text, &format!("{entries}{remark}"));
 }
 
-fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
+fn slope(text: &mut Summary, slope: &InitialSlope, path: &Path) {
     let (symbol, coefficients, force_unit, moment_unit, bound) = match path.abscissa() {
         Abscissa::CreepageX => ("ξ", ["C11", "", ""], "kN", "N m", "μ0 N"),
         Abscissa::CreepageY => ("η", ["", "C22", "-C23"], "kN", "N m", "μ0 N"),
@@ -174,7 +171,7 @@ fn slope(text: &mut String, slope: &InitialSlope, path: &Path) {
     }
 }
 
-fn top(text: &mut String, maximum: &Maximum, abscissa: Abscissa) {
+fn top(text: &mut Summary, maximum: &Maximum, abscissa: Abscissa) {
     let value = number(maximum.traction_coefficient);
     let place = abscissa.quantity().equation(significant(maximum.abscissa));
     let entry = if maximum.is_saturated {
@@ -187,7 +184,7 @@ fn top(text: &mut String, maximum: &Maximum, abscissa: Abscissa) {
 }
 
 /// The position of the largest force, if that is not a maximum.
-fn largest(text: &mut String, curve: &CreepCurve) {
+fn largest(text: &mut Summary, curve: &CreepCurve) {
     let converged = curve.points.iter().filter(|point| point.status == Status::Converged);
     let largest = converged
         .max_by(|one, other| one.traction_coefficient.total_cmp(&other.traction_coefficient));
@@ -205,9 +202,4 @@ fn largest(text: &mut String, curve: &CreepCurve) {
 /// Four significant digits: positions are not known more accurately.
 fn significant(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
-}
-
-fn line(text: &mut String, line: &str) {
-    // Writing to a String cannot fail.
-    let _ = writeln!(text, "{}", line.trim_end());
 }

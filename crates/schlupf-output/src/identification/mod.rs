@@ -13,6 +13,7 @@ use schlupf::{Status, columns};
 use crate::figures::{Drawing, FigureError};
 use crate::number::significant;
 use crate::report::Report;
+use crate::summary::Summary;
 use crate::table;
 
 /// Name of the figure.
@@ -85,7 +86,7 @@ impl Report for FitReport {
         json::document(self)
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         summary::text(self)
     }
 

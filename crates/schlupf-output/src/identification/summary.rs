@@ -5,15 +5,16 @@ use schlupf::identification::Estimate;
 use super::{FitReport, in_usual_unit, with_uncertainty};
 use crate::number::significant as number;
 use crate::report::{reasons, verdict};
-use crate::summary::line;
+use crate::summary::{Summary, line};
 
 /// The parameters with their intervals and correlations, the quality of the fit, status and
 /// warnings.
-pub(super) fn text(report: &FitReport) -> String {
-    let mut text = format!("{}\n\n", report.title);
+pub(super) fn text(report: &FitReport) -> Summary {
+    let mut text = Summary::titled(&report.title);
+    text.blank();
     let fit = &report.fit;
     line(&mut text, &format!("{} measured forces of {}", fit.points.len(), report.data));
-    text.push('\n');
+    text.blank();
     line(
         &mut text,
         &format!(
@@ -35,7 +36,7 @@ pub(super) fn text(report: &FitReport) -> String {
     text
 }
 
-fn parameter(text: &mut String, estimate: &Estimate, name: &str) {
+fn parameter(text: &mut Summary, estimate: &Estimate, name: &str) {
     let parameter = estimate.parameter;
     let usual = |value| in_usual_unit(parameter, value);
     let (value, unit) = usual(estimate.value);
@@ -52,10 +53,10 @@ fn parameter(text: &mut String, estimate: &Estimate, name: &str) {
     );
 }
 
-fn correlations(text: &mut String, report: &FitReport) {
+fn correlations(text: &mut Summary, report: &FitReport) {
     let estimates = &report.fit.estimates;
     if estimates.len() < 2 {
-        text.push('\n');
+        text.blank();
         return;
     }
     let symbols = || estimates.iter().map(|estimate| estimate.parameter.quantity().symbol());
@@ -65,10 +66,10 @@ fn correlations(text: &mut String, report: &FitReport) {
         let entries: Vec<String> = row.iter().map(|entry| format!("{entry:>9.3}")).collect();
         line(text, &format!("  {symbol:<14}{}", entries.concat()));
     }
-    text.push('\n');
+    text.blank();
 }
 
-fn quality(text: &mut String, report: &FitReport) {
+fn quality(text: &mut Summary, report: &FitReport) {
     let fit = &report.fit;
     let largest = fit.points.iter().map(|point| point.residual().abs()).fold(0.0, f64::max);
     line(
@@ -87,7 +88,7 @@ fn quality(text: &mut String, report: &FitReport) {
     }
 }
 
-fn status(text: &mut String, report: &FitReport) {
+fn status(text: &mut Summary, report: &FitReport) {
     let fit = &report.fit;
     let work = match fit.work.newton_iterations {
         0 => String::new(),

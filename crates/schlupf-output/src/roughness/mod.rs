@@ -18,6 +18,7 @@ use schlupf::surface::spectrum::RadialSpectrum;
 
 use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
+use crate::summary::Summary;
 use crate::table::{Table, entries, entry};
 
 /// Names of the figures.
@@ -91,7 +92,7 @@ impl Report for RoughnessReport {
         json::document(self)
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         summary::text(self)
     }
 

@@ -7,11 +7,12 @@ use schlupf::interface::roughness::stiffness::TYPICAL_GAMMA;
 use super::RoughnessReport;
 use crate::number::significant as number;
 use crate::report::{Report, verdict};
-use crate::summary::{entry, line};
+use crate::summary::{Summary, entry, line};
 
 /// Statistics, contact area and k_c on one terminal screen.
-pub(super) fn text(report: &RoughnessReport) -> String {
-    let mut text = format!("{}\n\n", report.title);
+pub(super) fn text(report: &RoughnessReport) -> Summary {
+    let mut text = Summary::titled(&report.title);
+    text.blank();
     surface(&mut text, report);
     contact(&mut text, report);
     stiffness(&mut text, report);
@@ -23,7 +24,7 @@ pub(super) fn text(report: &RoughnessReport) -> String {
     text
 }
 
-fn surface(text: &mut String, report: &RoughnessReport) {
+fn surface(text: &mut Summary, report: &RoughnessReport) {
     let (lattice, statistics) = (report.surface.lattice(), &report.result.statistics);
     let micrometres = |value: f64| number(value / 1e-6);
     let cells = format!(
@@ -35,7 +36,7 @@ fn surface(text: &mut String, report: &RoughnessReport) {
         number(lattice.length_y() / 1e-3)
     );
     line(text, &cells);
-    let height = |text: &mut String, name: &str, value: f64, remark: &str| {
+    let height = |text: &mut Summary, name: &str, value: f64, remark: &str| {
         entry(text, name, value / 1e-6, "µm", remark);
     };
     height(text, "Sa", statistics.arithmetic_mean_height, "arithmetical mean height");
@@ -63,10 +64,10 @@ fn surface(text: &mut String, report: &RoughnessReport) {
     for remark in &report.remarks {
         line(text, remark);
     }
-    text.push('\n');
+    text.blank();
 }
 
-fn contact(text: &mut String, report: &RoughnessReport) {
+fn contact(text: &mut Summary, report: &RoughnessReport) {
     let hardness = if report.hardness.is_finite() {
         let largest = report.result.normal.largest_pressure() / 1e6;
         format!(
@@ -105,11 +106,11 @@ fn contact(text: &mut String, report: &RoughnessReport) {
         line(text, &row);
     }
     spots(text, report);
-    text.push('\n');
+    text.blank();
 }
 
 /// Pressures in the spots under the largest mean pressure.
-fn spots(text: &mut String, report: &RoughnessReport) {
+fn spots(text: &mut Summary, report: &RoughnessReport) {
     let normal = &report.result.normal;
     let Some(last) = normal.points().last() else { return };
     let gigapascal = |value: f64| number((value / 1e7).round() / 100.0);
@@ -130,7 +131,7 @@ fn spots(text: &mut String, report: &RoughnessReport) {
     );
 }
 
-fn stiffness(text: &mut String, report: &RoughnessReport) {
+fn stiffness(text: &mut Summary, report: &RoughnessReport) {
     let result = &report.result;
     let common = &result.stiffness.common;
     let percent = |value: f64| number((1e3 * value).round() / 10.0);
@@ -147,5 +148,5 @@ fn stiffness(text: &mut String, report: &RoughnessReport) {
     };
     let closed = format!("2(1 − ν)/(μ0 (2 − ν) γ h_rms) with γ = {TYPICAL_GAMMA}{gamma}");
     entry(text, "closed form", result.closed_form, "1/m", &closed);
-    text.push('\n');
+    text.blank();
 }

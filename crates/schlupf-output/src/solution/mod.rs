@@ -9,6 +9,7 @@ use crate::contact_law::ContactLaw;
 use crate::figures::{self, Drawing, FigureError};
 use crate::json::{self, Document};
 use crate::report::Report;
+use crate::summary::Summary;
 use crate::{table, vtk};
 
 /// A solution with its input.
@@ -47,7 +48,7 @@ impl Report for SolutionReport {
         json::text(&document.with_law(self.contact_law.as_ref()))
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         summary::text(self)
     }
 

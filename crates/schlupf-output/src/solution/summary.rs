@@ -7,24 +7,25 @@ use schlupf::solution::{Power, Solution, Status};
 use super::SolutionReport;
 use crate::number::significant as number;
 use crate::report::{reasons, verdict};
-use crate::summary::{entry, friction_power, line, moment, unit_of_power, without_noise};
+use crate::summary::{Summary, entry, friction_power, line, moment, unit_of_power, without_noise};
 
 /// The result on one terminal screen: forces on the wheel, temperatures, areas, work and status.
-pub(crate) fn text(report: &SolutionReport) -> String {
+pub(crate) fn text(report: &SolutionReport) -> Summary {
     let SolutionReport { title, contact_law, solution, .. } = report;
-    let mut text = format!("{title}\n\n");
+    let mut text = Summary::titled(title);
+    text.blank();
     normal_contact(&mut text, solution);
     if let Some(law) = contact_law {
         entry(&mut text, "contact stiffness", law.stiffness, "1/m", &law.remark());
     }
-    text.push('\n');
+    text.blank();
     forces(&mut text, solution);
     heat(&mut text, solution);
     work(&mut text, report);
     text
 }
 
-fn normal_contact(text: &mut String, solution: &Solution) {
+fn normal_contact(text: &mut Summary, solution: &Solution) {
     let Solution { normal, kinematics, .. } = solution;
     let (a, b) = (normal.semi_axis_x / 1e-3, normal.semi_axis_y / 1e-3);
     entry(text, "load", normal.load / 1e3, "kN", "");
@@ -56,7 +57,7 @@ fn normal_contact(text: &mut String, solution: &Solution) {
 }
 
 /// The reference point of creepages and moment, and both for the other point.
-fn reference(text: &mut String, solution: &Solution) {
+fn reference(text: &mut Summary, solution: &Solution) {
     let name = |point| match point {
         ReferencePoint::Patch => "the middle of the patch",
         ReferencePoint::File => "the origin of the file",
@@ -73,7 +74,7 @@ fn reference(text: &mut String, solution: &Solution) {
     }
 }
 
-fn forces(text: &mut String, solution: &Solution) {
+fn forces(text: &mut Summary, solution: &Solution) {
     let Solution { force, normalised, t_gamma, .. } = solution;
     let x = without_noise(force.x, normalised.x);
     let y = without_noise(force.y, normalised.y);
@@ -100,14 +101,14 @@ fn forces(text: &mut String, solution: &Solution) {
     let rail = number(into(|power| power.into_rail));
     let remark = format!("into the wheel, {rail} {unit} into the rail");
     entry(text, "  heat", into(|power| power.into_wheel), unit, &remark);
-    text.push('\n');
+    text.blank();
 }
 
-fn heat(text: &mut String, solution: &Solution) {
+fn heat(text: &mut Summary, solution: &Solution) {
     let area = &solution.area;
     let Some(temperature) = &solution.temperature else {
         entry(text, "contact area", area.contact / 1e-6, "mm²", "");
-        text.push('\n');
+        text.blank();
         return;
     };
     let mut place = String::new();
@@ -134,10 +135,10 @@ fn heat(text: &mut String, solution: &Solution) {
     let share = area.slip.map(|slip| 100.0 * slip / area.contact);
     let slides = format!("{} % slides", number(share));
     entry(text, "contact area", area.contact / 1e-6, "mm²", &slides);
-    text.push('\n');
+    text.blank();
 }
 
-fn work(text: &mut String, report: &SolutionReport) {
+fn work(text: &mut Summary, report: &SolutionReport) {
     let solution = &report.solution;
     let work = &solution.work;
     if solution.method != Method::Full {
@@ -160,7 +161,7 @@ fn work(text: &mut String, report: &SolutionReport) {
 }
 
 /// A fast method does not iterate, so nothing can fail to converge.
-fn fast_work(text: &mut String, solution: &Solution) {
+fn fast_work(text: &mut Summary, solution: &Solution) {
     let name = solution.method.name();
     let cells = solution.work.cells;
     if cells == 0 {

@@ -13,6 +13,7 @@ use schlupf::temperature_field::{Side, TemperatureField};
 
 use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
+use crate::summary::Summary;
 use crate::table::{Table, entries, entry};
 
 /// Name of the figure.
@@ -156,7 +157,7 @@ impl Report for Temperatures {
         json::document(self)
     }
 
-    fn summary(&self) -> String {
+    fn summary(&self) -> Summary {
         summary::text(self)
     }
 

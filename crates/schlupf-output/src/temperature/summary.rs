@@ -3,20 +3,21 @@
 use super::{Line, Temperatures};
 use crate::number::significant as number;
 use crate::report::{reasons, verdict};
-use crate::summary::line;
+use crate::summary::{Summary, line};
 
 /// Maximum number of points of a line in a table.
 const MOST_ROWS: usize = 11;
 
 /// The profile below the point, and the surface temperatures along its row, as text.
-pub(super) fn text(temperatures: &Temperatures) -> String {
-    let mut text = format!("{}\n\n", temperatures.title);
+pub(super) fn text(temperatures: &Temperatures) -> Summary {
+    let mut text = Summary::titled(&temperatures.title);
+    text.blank();
     let request = &temperatures.request;
     let millimetres = |value: f64| number(value / 1e-3);
     let [x, y] = request.point.map(millimetres);
     line(&mut text, &format!("below x = {x} mm, y = {y} mm"));
     table(&mut text, "depth (mm)", &temperatures.profile);
-    text.push('\n');
+    text.blank();
     let [entry, exit] = request.passage.map(millimetres);
     let row = format!("on the surface along y = {y} mm, in contact from x = {entry} to {exit} mm");
     line(&mut text, &row);
@@ -29,7 +30,7 @@ pub(super) fn text(temperatures: &Temperatures) -> String {
             &format!("largest of these: wheel {} °C, rail {} °C", largest(wheel), largest(rail)),
         );
     }
-    text.push('\n');
+    text.blank();
     let [wheel, rail] = temperatures.bulk.map(number);
     let verdict = verdict(temperatures.status);
     line(&mut text, &format!("{verdict}; bulk temperatures: wheel {wheel} °C, rail {rail} °C"));
@@ -39,7 +40,7 @@ pub(super) fn text(temperatures: &Temperatures) -> String {
     text
 }
 
-fn table(text: &mut String, position: &str, values: &Line) {
+fn table(text: &mut Summary, position: &str, values: &Line) {
     line(text, &format!("{position:>12}{:>12}{:>12}", "wheel (°C)", "rail (°C)"));
     let last = values.position.len().saturating_sub(1);
     let rows = last.clamp(1, MOST_ROWS - 1);

@@ -1,6 +1,7 @@
 //! Generalised minimal residual method (Saad and Schultz 1986), preconditioned from the right.
 
 use super::Equilibrium;
+use crate::error::Error;
 use crate::numerics::vector::{add_scaled, dot, norm};
 
 /// Workspace of the Krylov method: kept between solutions, so that only a larger Krylov space than
@@ -19,6 +20,12 @@ pub(crate) struct Gmres {
     projected: Vec<f64>,
     weights: Vec<f64>,
 }
+
+/// An error if the computation is to stop.
+pub(crate) type Continues<'a> = &'a dyn Fn() -> Result<(), Error>;
+
+/// Number of unknowns from which a system counts as large.
+const LARGE: usize = 10_000;
 
 /// Start of a column in a packed triangular matrix.
 fn start_of_column(k: usize) -> usize {
@@ -42,14 +49,18 @@ impl Gmres {
 
     /// Solves J d = −`residual` until the linear residual falls below `forcing` times its initial
     /// value. Writes d and L d (which costs no product: it is combined from those of the Krylov
-    /// space), and returns the number of products.
+    /// space), and returns the number of products. `continues` is asked before each product of a
+    /// large system; the others are solved in a moment.
+    ///
+    /// # Errors
+    /// That of `continues`.
     pub fn solve(
         &mut self,
         system: &mut impl Equilibrium,
         residual: &[f64],
         forcing: f64,
-        [step, response]: [&mut [f64]; 2],
-    ) -> usize {
+        ([step, response], continues): ([&mut [f64]; 2], Continues),
+    ) -> Result<usize, Error> {
         let start = norm(residual);
         self.prepare(system);
         for (v, r) in self.basis[0].iter_mut().zip(residual) {
@@ -60,10 +71,13 @@ impl Gmres {
             if self.projected[self.rotations.len()].abs() <= forcing * start {
                 break;
             }
+            if system.size() > LARGE {
+                continues()?;
+            }
             self.extend(system);
         }
         self.combine(system, step, response);
-        self.rotations.len()
+        Ok(self.rotations.len())
     }
 
     /// Empties the space for a new system.

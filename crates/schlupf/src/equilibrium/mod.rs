@@ -7,7 +7,7 @@ mod gmres;
 mod recycling;
 mod newton;
 
-pub(crate) use gmres::Gmres;
+pub(crate) use gmres::{Continues, Gmres};
 pub use newton::Newton;
 pub use recycling::Directions;
 

@@ -3,7 +3,7 @@
 //! 1986): near Coulomb's law F has kinks, along which a norm that must decrease in every step makes
 //! little progress.
 
-use super::{Equilibrium, Gmres, Limits, Outcome};
+use super::{Continues, Equilibrium, Gmres, Limits, Outcome};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -118,12 +118,14 @@ impl Newton {
             if outcome.converged || given_up {
                 return Ok(Solved { outcome, response: &self.u });
             }
-            let change = Some(outcome.residual);
-            let done = outcome.iterations;
-            tell(watch, Progress { change, ..Progress::count(Stage::Steady, done) })?;
+            let (change, done) = (Some(outcome.residual), outcome.iterations);
+            let progress = Progress { change, ..Progress::count(Stage::Steady, done) };
+            let continues = || tell(watch, progress);
+            continues()?;
             outcome.iterations += 1;
             let enough = ENOUGH * limits.tolerance / outcome.residual;
-            outcome.products += self.direction(system, forcing.max(enough).min(0.5));
+            let forcing_now = forcing.max(enough).min(0.5);
+            outcome.products += self.direction(system, forcing_now, &continues)?;
             let before = length;
             if !limits.is_monotone {
                 recent[outcome.iterations % MEMORY] = before;
@@ -172,16 +174,21 @@ impl Newton {
         }
     }
 
-    fn direction(&mut self, system: &mut impl Equilibrium, forcing: f64) -> usize {
+    fn direction(
+        &mut self,
+        system: &mut impl Equilibrium,
+        forcing: f64,
+        continues: Continues,
+    ) -> Result<usize, Error> {
         let target = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
         let Some(mut directions) = system.directions().map(std::mem::take) else {
-            return self.krylov.solve(system, &self.residual, forcing, target);
+            return self.krylov.solve(system, &self.residual, forcing, (target, continues));
         };
         let products = directions.solve(system, &self.residual, forcing, target);
         if let Some(kept) = system.directions() {
             *kept = directions;
         }
-        products
+        Ok(products)
     }
 
     /// Goes along the step until the residual norm decreases sufficiently, and returns it; where

@@ -162,6 +162,18 @@ impl FastContact {
         Ok(self.at.resultant_back(&force))
     }
 
+    /// What the method neglects whatever the motion is.
+    pub fn warnings(&self) -> Vec<Warning> {
+        warnings::of_any_motion(&self.at.problem, &self.contact.normal, self.method)
+    }
+
+    /// The warning about a force that [`Self::force`] has just found, if it exceeds friction.
+    /// Allocates nothing.
+    pub fn beyond_friction(&self, force: &Resultant) -> Option<Warning> {
+        let limit = friction_limit(&self.at.problem, self.contact.normal.load);
+        warnings::beyond_friction(self.method, force, limit)
+    }
+
     fn present_force(&mut self) -> Resultant {
         let (problem, contact) = (&self.at.problem, &self.contact);
         let motion = &problem.kinematics;
@@ -192,6 +204,7 @@ impl FastContact {
             status: Status::Converged,
             residual: 0.0,
             history: Vec::new(),
+            field_history: Vec::new(),
             warnings,
             sensitivity: None,
             work: Work::default(),
@@ -258,6 +271,7 @@ impl FastContact {
             area: Area { contact: contact_area, stick: None, slip: None },
             fields: Fields::default(),
             history: account.history,
+            field_history: account.field_history,
             warnings: account.warnings,
             sensitivity: None,
             work: account.work,

@@ -19,25 +19,43 @@ pub(super) fn of(
     force: &Resultant,
     limit: f64,
 ) -> Vec<Warning> {
+    let mut warnings = of_any_motion(problem, normal, method);
+    if !method.has_fields() {
+        let has_moment = force.moment_z.is_some();
+        warnings.push(Warning::ForcesOnly { method: method.name(), has_moment });
+    }
+    warnings.extend(beyond_friction(method, force, limit));
+    warnings
+}
+
+/// What the method neglects whatever the motion is.
+pub(super) fn of_any_motion(
+    problem: &Problem,
+    normal: &NormalSummary,
+    method: FastMethod,
+) -> Vec<Warning> {
     let name = method.name();
     let mut warnings = Vec::from_iter(of_slender_patch(normal, name));
     warnings.extend(of_shape(problem, name));
     if problem.friction_memory().is_some() {
         warnings.push(Warning::NoMemory { method: name });
     }
-    if method.has_fields() {
-        return warnings;
-    }
-    let has_moment = force.moment_z.is_some();
-    warnings.push(Warning::ForcesOnly { method: name, has_moment });
-    if method != FastMethod::KalkerLinear && depends_on_temperature(problem) {
+    let is_cold = !method.has_fields() && method != FastMethod::KalkerLinear;
+    if is_cold && depends_on_temperature(problem) {
         warnings.push(Warning::ColdFriction { method: name });
     }
-    let total = force.tangential();
-    if total > limit * (1.0 + ROUNDING) {
-        warnings.push(Warning::BeyondFriction { method: name, ratio: total / limit });
-    }
     warnings
+}
+
+/// A force beyond `limit` = μN, in N.
+pub(super) fn beyond_friction(
+    method: FastMethod,
+    force: &Resultant,
+    limit: f64,
+) -> Option<Warning> {
+    let total = force.tangential();
+    let is_beyond = !method.has_fields() && total > limit * (1.0 + ROUNDING);
+    is_beyond.then(|| Warning::BeyondFriction { method: method.name(), ratio: total / limit })
 }
 
 /// Beyond the table of Kalker's coefficients their error is larger.

@@ -11,8 +11,8 @@ use crate::normal::NormalSummary;
 use crate::patch::{Patch, Strip};
 use crate::problem::{Options, Problem};
 use crate::solution::{
-    Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma, Temperature,
-    Work,
+    Area, Fields, FieldsAt, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma,
+    Temperature, Work,
 };
 use crate::state::State;
 use crate::warning::Warning;
@@ -26,6 +26,7 @@ pub(crate) struct SolverReport {
     /// Relative residual, dimensionless.
     pub residual: f64,
     pub history: Vec<Instant>,
+    pub field_history: Vec<FieldsAt>,
     pub warnings: Vec<Warning>,
     pub sensitivity: Option<Sensitivity>,
     pub work: Work,
@@ -58,6 +59,7 @@ pub(crate) fn solution(
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
         history: report.history,
+        field_history: report.field_history,
         warnings: report.warnings,
         sensitivity: report.sensitivity,
         work: report.work,
@@ -219,7 +221,7 @@ fn area(patch: &Patch, now: &Snapshot, threshold: f64) -> Area {
     Area { contact: stick + slip, stick: Some(stick), slip: Some(slip) }
 }
 
-fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
+pub(crate) fn fields(patch: &Patch, now: &Snapshot, threshold: f64) -> Fields {
     let grid = patch.grid;
     let cells = &patch.cells;
     let component = |values: &[f64], c: usize, sign: f64| -> Vec<f64> {

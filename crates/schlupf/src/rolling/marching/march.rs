@@ -17,7 +17,7 @@ use crate::rolling::shared::contact::{DiscreteContact, Former};
 use crate::rolling::shared::passage::{Passage, speed_of, ways_through};
 use crate::rolling::shared::turn::{Way, with_turn};
 use crate::rolling::shared::warnings::{warnings, yielding};
-use crate::solution::{Instant, Solution, Status, Work};
+use crate::solution::{FieldsAt, Instant, Solution, Status, Work};
 use crate::state::{Element, State};
 use crate::summary::{
     self,
@@ -153,6 +153,7 @@ struct March<'a> {
     failures: usize,
     work: Work,
     instants: Vec<Instant>,
+    field_history: Vec<FieldsAt>,
 }
 
 impl<'a> March<'a> {
@@ -194,6 +195,7 @@ impl<'a> March<'a> {
             failures: 0,
             work: Work { cells: contact.patch.len(), ..Work::default() },
             instants: Vec::new(),
+            field_history: Vec::new(),
             displacement: VectorField::zeros(grid.len()),
             contact,
         };
@@ -481,6 +483,17 @@ impl<'a> March<'a> {
             creep_power: powers.creep,
             ..instant
         }));
+        self.keep_fields();
+    }
+
+    /// Keeps the fields of this step, if they are wanted.
+    fn keep_fields(&mut self) {
+        let (step, every) = (self.work.steps, self.options.fields_every);
+        if every > 0 && (step.is_multiple_of(every) || self.is_finished()) {
+            let patch = &self.contact.patch;
+            let fields = summary::fields(patch, &self.now, self.options.slip_threshold);
+            self.field_history.push(FieldsAt { step, time: self.time, fields });
+        }
     }
 
     fn progress(&self) -> Progress {
@@ -529,6 +542,7 @@ impl<'a> March<'a> {
             status,
             residual,
             history: self.instants,
+            field_history: self.field_history,
             warnings,
             sensitivity: None,
             work: self.work,

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
+use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
 
 use super::bristles::Bristles;
@@ -65,11 +66,13 @@ pub(super) fn nested(
     problem: &Problem,
     normal: &NormalContact,
     options: &Options,
+    watch: Watch,
 ) -> Result<Vec<Level>, Error> {
     let mut cells = [options.cells_x, options.cells_y];
     let mut levels: Vec<Level> = Vec::new();
     loop {
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
+        tell(watch, Progress::count(Stage::Steady, 0))?;
         let level = Level::new(problem, normal, grid)?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);

@@ -8,6 +8,7 @@
 //! difference of two kernels.
 
 use crate::equilibrium::{Equilibrium, Gmres};
+use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
 use crate::interface::friction::constants::FrictionConstant;
@@ -15,6 +16,7 @@ use crate::kinematics::Kinematics;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::patch::Cell;
 use crate::problem::Problem;
+use crate::progress::{Progress, Stage, Watch, tell};
 use crate::solution::{Resultant, Sensitivity};
 use crate::summary;
 
@@ -37,15 +39,16 @@ const MAX_SIZE: usize = 50_000_000;
 const RESTARTS: usize = 4;
 
 /// The derivatives at the solution of the first of `levels`, if all linear systems could be solved;
-/// and the number of products.
+/// and the number of products. An error if it was stopped.
 pub(super) fn sensitivity(
     problem: &Problem,
     levels: &mut [Level],
     tolerance: f64,
-) -> (Option<Sensitivity>, usize) {
-    let mut derivatives = Derivatives::new(problem, levels, tolerance);
+    watch: Watch,
+) -> Result<(Option<Sensitivity>, usize), Error> {
+    let mut derivatives = Derivatives::new(problem, levels, tolerance, watch);
     let found = derivatives.all();
-    (found, derivatives.products)
+    derivatives.finished(found)
 }
 
 /// The same with respect to some constants of the interface only, one derivative for each.
@@ -53,11 +56,11 @@ pub(super) fn by_constants(
     problem: &Problem,
     levels: &mut [Level],
     tolerance: f64,
-    constants: &[InterfaceConstant],
-) -> (Option<Vec<Resultant>>, usize) {
-    let mut derivatives = Derivatives::new(problem, levels, tolerance);
+    (constants, watch): (&[InterfaceConstant], Watch),
+) -> Result<(Option<Vec<Resultant>>, usize), Error> {
+    let mut derivatives = Derivatives::new(problem, levels, tolerance, watch);
     let found = constants.iter().map(|constant| derivatives.by_constant(*constant)).collect();
-    (found, derivatives.products)
+    derivatives.finished(found)
 }
 
 struct Derivatives<'a> {
@@ -65,6 +68,9 @@ struct Derivatives<'a> {
     levels: &'a mut [Level],
     krylov: Gmres,
     products: usize,
+    watch: Watch<'a>,
+    /// Why the last derivative was not found, if it was stopped.
+    stopped: Option<Error>,
     accuracy: f64,
     /// Derivative of the linear response with respect to the logarithm of the bristle stiffness.
     by_bristles: Option<Vec<f64>>,
@@ -74,7 +80,12 @@ struct Derivatives<'a> {
 }
 
 impl<'a> Derivatives<'a> {
-    fn new(problem: &'a Problem, levels: &'a mut [Level], tolerance: f64) -> Self {
+    fn new(
+        problem: &'a Problem,
+        levels: &'a mut [Level],
+        tolerance: f64,
+        watch: Watch<'a>,
+    ) -> Self {
         let (size, response_size) = (levels[0].size(), levels[0].response.len());
         let [least, largest] = ACCURACY_RANGE;
         let dimension = (MAX_SIZE / (size + response_size)).clamp(60, MAX_DIMENSION);
@@ -83,6 +94,8 @@ impl<'a> Derivatives<'a> {
             accuracy: (ACCURACY * tolerance).clamp(least, largest),
             products: usize::from(by_bristles.is_some()),
             by_bristles,
+            watch,
+            stopped: None,
             problem,
             levels,
             krylov: Gmres::new(dimension),
@@ -90,6 +103,11 @@ impl<'a> Derivatives<'a> {
             response_step: vec![0.0; response_size],
             change: vec![0.0; size],
         }
+    }
+
+    /// What was found with the number of products, unless it was stopped.
+    fn finished<T>(self, found: T) -> Result<(T, usize), Error> {
+        self.stopped.map_or(Ok((found, self.products)), Err)
     }
 
     fn all(&mut self) -> Option<Sensitivity> {
@@ -278,7 +296,14 @@ impl<'a> Derivatives<'a> {
             }
             let targets = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
             let forcing = (0.5 * self.accuracy * start / left).min(0.5);
-            self.products += self.krylov.solve(&mut system, &residual, forcing, targets);
+            let continues = || tell(self.watch, Progress::count(Stage::Steady, 0));
+            match self.krylov.solve(&mut system, &residual, forcing, (targets, &continues)) {
+                Ok(products) => self.products += products,
+                Err(error) => {
+                    self.stopped = Some(error);
+                    return None;
+                }
+            }
             system.tangent_product(&self.step, &self.response_step, &mut product);
             add_scaled(&mut residual, 1.0, &product);
             add_scaled(&mut self.change, 1.0, &self.step);

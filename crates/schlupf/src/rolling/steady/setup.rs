@@ -63,9 +63,9 @@ const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
 const FARTHEST: f64 = 2.5;
 
 impl Setup {
-    pub fn new(problem: &Problem, options: &Options) -> Result<Self, Error> {
+    pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
-        let levels = level::nested(problem, &normal, options)?;
+        let levels = level::nested(problem, &normal, options, watch)?;
         Ok(Self { problem: problem.clone(), levels, earlier: Vec::new() })
     }
 
@@ -305,6 +305,7 @@ impl Setup {
             status: if is_found { Status::Converged } else { Status::NotConverged },
             residual: outcome.residual,
             history: vec![summary::instant(view, [0.0; 2], &whole)],
+            field_history: Vec::new(),
             warnings,
             sensitivity: None,
             work,

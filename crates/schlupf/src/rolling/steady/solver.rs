@@ -134,7 +134,7 @@ impl SteadySolver {
         };
         let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
         let tolerance = self.options.tolerance;
-        let (found, products) = by_constants(&at.problem, levels, tolerance, constants);
+        let (found, products) = by_constants(&at.problem, levels, tolerance, (constants, watch))?;
         solution.work.sensitivity_products = products;
         Ok(found.map(|derivatives| {
             let derivatives = derivatives.iter().map(|by| at.resultant_back(by)).collect();
@@ -153,7 +153,7 @@ impl SteadySolver {
         let setup = self.setup.take().filter(|setup| setup.fits(problem));
         let mut setup = match setup {
             Some(setup) => setup,
-            None => Setup::new(problem, &self.options)?,
+            None => Setup::new(problem, &self.options, watch)?,
         };
         if problem.kinematics.is_pure_rolling() {
             // Nothing slides: no earlier solution is closer than none.
@@ -175,7 +175,7 @@ impl SteadySolver {
             let mut solution = setup.solution(problem, &self.options, &outcome, work);
             solution.warnings.extend(warning);
             if with_derivatives {
-                self.differentiate(problem, &mut setup, &mut solution);
+                self.differentiate(problem, &mut setup, &mut solution, watch)?;
             }
             Attempt::Found(Box::new(solution))
         } else if problem.contact_law.is_coulomb() {
@@ -190,13 +190,20 @@ impl SteadySolver {
     }
 
     /// Adds the derivatives to a solution that has just been found.
-    fn differentiate(&self, problem: &Problem, setup: &mut Setup, solution: &mut Solution) {
+    fn differentiate(
+        &self,
+        problem: &Problem,
+        setup: &mut Setup,
+        solution: &mut Solution,
+        watch: Watch,
+    ) -> Result<(), Error> {
         let tolerance = self.options.tolerance;
-        let (found, products) = sensitivity(problem, &mut setup.levels, tolerance);
+        let (found, products) = sensitivity(problem, &mut setup.levels, tolerance, watch)?;
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {
             solution.warnings.push(Warning::NoSensitivity {});
         }
+        Ok(())
     }
 }
