@@ -23,6 +23,7 @@ from schlupf._fields import FIELDS, SECTIONS, Field
 
 DOCS = Path(__file__).parent.parent
 ROOT = DOCS.parent
+LAWS = DOCS / "laws"
 
 #: The target directory of cargo.
 TARGET = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
@@ -148,9 +149,21 @@ def fields(*selected: str) -> str:
     return "\n".join(_field_rows(found, path=True))
 
 
-def choices(path: str) -> str:
-    """The choices of a field."""
-    rows = [f"| `{name}` | {_cell(doc)} |" for name, doc in FIELDS[path].choices]
+#: Choices that are no laws.
+_NO_LAWS = ("none", "full")
+
+
+def laws(path: str) -> str:
+    """The choices of a field, each with its page."""
+    section = path.partition(".")[0]
+    rows = []
+    for name, doc in FIELDS[path].choices:
+        stem = name.replace("-", "_")
+        pages = [page for page in (f"{stem}_{section}", stem) if (LAWS / f"{page}.md").exists()]
+        if not pages and name not in _NO_LAWS:
+            raise ValueError(f"{path} = {name} has no page in {LAWS.name}")
+        shown = f"[`{name}`](/laws/{pages[0]}.md)" if pages else f"`{name}`"
+        rows.append(f"| {shown} | {_cell(doc)} |")
     return "\n".join([f"| `{path}` | |", "|---|---|", *rows])
 
 
@@ -308,7 +321,7 @@ GENERATED: dict[str, Callable[..., str]] = {
     "alternatives": alternatives,
     "api": api,
     "case-file": case_file,
-    "choices": choices,
+    "laws": laws,
     "data": data,
     "examples": examples,
     "fields": fields,

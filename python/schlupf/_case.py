@@ -449,6 +449,7 @@ class Case:
         self,
         *,
         initial_state: bytes | None = None,
+        fields_every: int = 0,
         strict: bool = True,
         warn: bool = True,
     ) -> Result:
@@ -458,6 +459,9 @@ class Case:
         ----------
         initial_state : bytes, optional
             State of an earlier result (`Result.state`) from which rolling continues.
+        fields_every : int, optional
+            Rolling over time: time steps from one instant of `Result.field_history` to the next; by
+            default there is none.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``result.status``.
         warn : bool, default True
@@ -475,7 +479,7 @@ class Case:
         NotConverged
             If the solution has not converged; it has the result.
         """
-        solution = self._file.solve(initial_state)
+        solution = self._file.solve(initial_state, _count("fields_every", fields_every))
         return Result._new(solution, strict=strict, warn=warn)
 
     def curve(
@@ -573,6 +577,7 @@ class Case:
         depth: tuple[float, float] | None = None,
         wake: float | None = None,
         points: int = DEFAULTS["line_points"],
+        strict: bool = True,
         warn: bool = True,
     ) -> Temperatures:
         """Temperatures of wheel and rail below a point, and along its row with the wake.
@@ -587,6 +592,8 @@ class Case:
             Length of the wake, in m; by default twice the length of the contact.
         points : int, optional
             Points of each line.
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
 
         Returns
         -------
@@ -597,6 +604,8 @@ class Case:
         ------
         CaseError
             If the point does not lie in the contact or its wake, or the case has a history.
+        NotConverged
+            If the solution has not converged; it has the result.
 
         References
         ----------
@@ -606,10 +615,17 @@ class Case:
         range_ = None if depth is None else _pair("depth", depth)
         lines = (range_, _length("wake", wake), _count("points", points))
         found = _core.temperatures(self._file, place, lines)
-        return Temperatures._new(found, warn=warn)
+        return Temperatures._new(found, warn=warn, strict=strict)
 
-    def bulk_temperature(self, *, warn: bool = True) -> BulkTemperature:
+    def bulk_temperature(self, *, strict: bool = True, warn: bool = True) -> BulkTemperature:
         """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says.
+
+        Parameters
+        ----------
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
+        warn : bool, default True
+            Whether to issue the warnings of the result.
 
         Returns
         -------
@@ -620,8 +636,11 @@ class Case:
         ------
         CaseError
             If ``cooling`` is missing, or the case has a history.
+        NotConverged
+            If the balance has not converged; it has the result.
         """
-        return BulkTemperature._new(_core.bulk_temperature(self._file), warn=warn)
+        found = _core.bulk_temperature(self._file)
+        return BulkTemperature._new(found, warn=warn, strict=strict)
 
     def compare(self, *, warn: bool = True) -> Comparison:
         """The case by all methods: the full one with each elasticity, and the fast ones.
@@ -639,6 +658,7 @@ class Case:
         direct: bool = False,
         displacements: str | PathLike[str] | Sequence[str | PathLike[str]] = (),
         cells: int = DEFAULTS["calibration_cells"],
+        strict: bool = True,
         warn: bool = True,
     ) -> Calibration:
         """Stiffnesses of the elastic layer for the patch of the case.
@@ -651,22 +671,29 @@ class Case:
             CSV files with displacements of a finite-element model, to fit to.
         cells : int, optional
             Cells across the patch on which layer and half-space are compared.
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
 
         Returns
         -------
         Calibration
-            Stiffnesses, and how far the layer is from the half-space.
+            Stiffnesses, how far the layer is from the half-space, and the ``case`` with them.
 
         Raises
         ------
         CaseError
             If the table has no such patch, or no layer has such displacements.
+        NotConverged
+            If the stiffnesses have not converged; it has the result.
         """
         if isinstance(displacements, (str, os.PathLike)):
             displacements = [displacements]
         paths = [Path(path) for path in displacements]
         found = _core.calibration(self._file, direct, paths, _count("cells", cells))
-        return Calibration._new(found, warn=warn)
+        result = Calibration._new(found, warn=warn, strict=strict)
+        layer = Case.from_toml(found.case() or "").elasticity.given()
+        result._case = self.with_(elasticity=None).with_(elasticity=layer)
+        return result
 
     def fit(
         self,
@@ -675,6 +702,7 @@ class Case:
         *,
         gamma: float = DEFAULTS["gamma"],
         max_steps: int = DEFAULTS["fit_steps"],
+        strict: bool = True,
         warn: bool = True,
     ) -> Fit:
         """Finds parameters that fit measured creep curves, from the values of the case.
@@ -692,6 +720,8 @@ class Case:
             pressure grows e-fold (Persson 2007).
         max_steps : int, optional
             Largest number of steps.
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
 
         Returns
         -------
@@ -702,6 +732,8 @@ class Case:
         ------
         CaseError
             If the data do not determine the parameters, or no case can have them.
+        NotConverged
+            If the fit has not converged; it has the result.
         """
         names = parameters if isinstance(parameters, str) else ",".join(parameters)
         if isinstance(data, (str, os.PathLike)):
@@ -711,8 +743,10 @@ class Case:
         found = _core.fitted(
             self._file, names, source, (self._folder, gamma, _count("max_steps", max_steps))
         )
-        result = Fit._new(found, warn=warn)
-        result._case = _rebuilt(found.case() or "", os.fspath(self._folder), self._laws)
+        result = Fit._new(found, warn=warn, strict=strict)
+        text = found.case()
+        folder = os.fspath(self._folder)
+        result._case = None if text is None else _rebuilt(text, folder, self._laws)
         return result
 
     def roughness(self, *, spots: bool = True, warn: bool = True) -> RoughContact:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ._report import Report
     from ._result import Result
 
 
@@ -47,24 +48,35 @@ class CaseFileError(CaseError, OSError):
     """A file that a case names cannot be read."""
 
 
-class CaseNotConverged(CaseError):
-    """A case cannot be posed, because its normal contact or its micro model does not converge."""
-
-
 class NotConverged(RuntimeError):
     """A solution has not converged.
 
     Attributes
     ----------
-    result : Result
-        What was found, with its residual.
+    result : Result, Report or None
+        What was found, with its residual; nothing where the case could not even be posed.
     """
 
-    def __init__(self, result: Result) -> None:
-        self.result = result
+    def __init__(self, result: Result | Report) -> None:
+        self.result: Result | Report | None = result
         reasons = [text for code, _, text in result.messages if code == "not-converged"]
-        residual = f"residual {result.residual:.2e}"
-        super().__init__("; ".join(reasons) or f"not converged: {residual}")
+        super().__init__("; ".join(reasons) or _verdict(result))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.result,)
+
+
+def _verdict(result: Result | Report) -> str:
+    residual = result.to_dict().get("residual")
+    return "not converged" if residual is None else f"not converged: residual {residual:.2e}"
+
+
+class CaseNotConverged(CaseError, NotConverged):
+    """A case cannot be posed, because its normal contact or its micro model does not converge."""
+
+    def __init__(self, errors: Sequence[dict[str, Any]]) -> None:
+        CaseError.__init__(self, errors)
+        self.result = None
 
 
 class SchlupfWarning(UserWarning):

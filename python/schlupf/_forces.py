@@ -60,13 +60,14 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
     -----
     Solutions of the full method start from that of the condition before, so neighbours should be
     alike. Fixed blocks of conditions have a solver each: results do not depend on the number of
-    cores. Other numbers than those named need a solver for each value.
+    cores. Other numbers than those named need a solver for each value. A warning that several
+    conditions have is issued once; conditions are counted from 0.
 
     Examples
     --------
     >>> import numpy as np
     >>> import schlupf
-    >>> case = schlupf.Case(solver={"method": "polach"})
+    >>> case = schlupf.Case(friction={"model": "constant"}, solver={"method": "polach"})
     >>> table = schlupf.forces(case, creepage_x=np.linspace(0, 0.01, 5)[:, None], load=[60e3, 80e3])
     >>> table["force_x"].shape
     (5, 2)
@@ -91,7 +92,7 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
     template = next(iter(arrays.values()), xr.DataArray(np.array(0.0)))
     if template.size == 0:
         raise ValueError(f"there must be conditions, but there are none: {', '.join(conditions)}")
-    columns, converged = _grouped(case, flat, template.size)
+    columns, converged, messages = _found(case, flat, template.size)
     shaped = {
         name: (template.dims, column["values"].reshape(template.shape), attributes(column))
         for name, column in columns.items()
@@ -100,12 +101,25 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
     if not converged.all():
         failed = f"{np.count_nonzero(~converged)} of {converged.size} conditions have not converged"
         emit([("not-converged", "status", f"status: {failed}")], stacklevel=2)
+    emit(_of_conditions(messages, template.size), stacklevel=2)
     numbers = np.where(converged, 0, 1).astype(np.int8).reshape(template.shape)
     dataset = xr.Dataset({**shaped, "status": (template.dims, numbers, status)})
     coordinates = {
         name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given
     }
     return dataset.assign_coords(coordinates)
+
+
+def _of_conditions(
+    messages: list[tuple[str, str, str, int, int]], size: int
+) -> list[tuple[str, str, str]]:
+    """Warnings with the conditions that they are about, where not all have them."""
+    return [
+        (code, quantity, text)
+        if count == size
+        else (code, quantity, f"{text} ({count} of {size} conditions; this is number {first})")
+        for code, quantity, text, count, first in messages
+    ]
 
 
 def _in_si(case: Case, name: str, value: Any) -> Any:
@@ -146,34 +160,31 @@ def _coordinate(name: str, path: str, given: Any, array: xr.DataArray) -> xr.Dat
     return array.isel(index, drop=True).assign_attrs(attrs)
 
 
-def _grouped(
+def _found(
     case: Case, flat: dict[str, NDArray[np.float64]], size: int
-) -> tuple[dict[str, dict[str, Any]], NDArray[np.bool_]]:
-    """The forces, with a case for each combination of other numbers."""
+) -> tuple[dict[str, dict[str, Any]], NDArray[np.bool_], list[tuple[str, str, str, int, int]]]:
+    """Columns, whether each condition has converged, and warnings."""
     own = {name: np.ascontiguousarray(flat[name]) for name in flat if name in CONDITIONS}
     others = {name: values for name, values in flat.items() if name not in CONDITIONS}
     if not others:
-        columns, converged = _core.batch(case._file, own)
-        if not own:
-            return {k: {**c, "values": c["values"][:size]} for k, c in columns.items()}, converged
-        return columns, converged
-    rows, inverse = np.unique(np.stack(list(others.values()), axis=1), axis=0, return_inverse=True)
-    inverse = inverse.ravel()
-    found: dict[str, dict[str, Any]] = {}
-    converged = np.zeros(size, bool)
-    for k, row in enumerate(rows):
-        where = np.flatnonzero(inverse == k)
+        return _core.batch([case._file], [size], None, own)
+    # A case for each combination of numbers that are no conditions, with its conditions in a row.
+    rows, which = np.unique(np.stack(list(others.values()), axis=1), axis=0, return_inverse=True)
+    members = []
+    for row in rows:
         member = case
         for path, value in zip(others, row, strict=True):
             member = member.with_(**_nested(path, float(value)))
-        part, fine = _core.batch(
-            member._file, {name: np.ascontiguousarray(array[where]) for name, array in own.items()}
-        )
-        converged[where] = fine
-        for name, column in part.items():
-            entry = found.setdefault(name, {**column, "values": np.full(size, np.nan)})
-            entry["values"][where] = column["values"]
-    return found, converged
+        members.append(member._file)
+    which = which.ravel()
+    order = np.argsort(which, kind="stable")
+    counts = np.bincount(which, minlength=len(rows)).tolist()
+    sorted_ = {name: values[order] for name, values in own.items()}
+    columns, converged, messages = _core.batch(members, counts, order.tolist(), sorted_)
+    back = np.argsort(order)
+    for column in columns.values():
+        column["values"] = column["values"][back]
+    return columns, converged[back], messages
 
 
 def _nested(path: str, value: float) -> dict[str, Any]:

@@ -10,15 +10,19 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 import numpy as np
 
 from ._prefixes import scaled
+from ._result import Record
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Sequence
 
     import xarray as xr
     from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
     from matplotlib.collections import QuadMesh
     from matplotlib.figure import Figure
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+    from numpy.typing import NDArray
 
     from ._result import Result
 
@@ -130,6 +134,7 @@ class ResultPlots:
         colors = ["#4477aa", "#ee6677"]
         sliding = fields["sliding"].where(fields["contact"])
         _mesh(ax, sliding, 1.0, cmap=ListedColormap(colors), vmin=0, vmax=1, **style)
+        self._cut_to_patch(ax)
         labels = zip(colors, ("stick", "slip"), strict=True)
         legend_beside(ax, handles=[Patch(color=color, label=label) for color, label in labels])
         _patch_axes(ax, self._result.title)
@@ -226,10 +231,26 @@ class ResultPlots:
         legend_above(ax)
         return ax
 
+    def animation(self, field: str = "traction_x", **options: Any) -> FuncAnimation:
+        """A film of a field, where the case was solved with ``fields_every``; see `animate`."""
+        return frames(self._result, field, **options)
+
     def _map(self, values: xr.DataArray, label: str, ax: Axes | None, **style: Any) -> Axes:
         ax = colored_map(values, label, ax, **style)
+        self._cut_to_patch(ax)
         _patch_axes(ax, self._result.title)
         return ax
+
+    def _cut_to_patch(self, ax: Axes) -> None:
+        """Cuts the last map along the edge of the contact, where cells are half covered."""
+        covered = self._fields()["covered"].fillna(0.0)
+        edge = _outline(covered)
+        mesh = ax.collections[-1]
+        mesh.set_clip_path(edge, ax.transData)
+        ax.add_patch(_line_along(edge))
+        # Room for the line.
+        ax.use_sticky_edges = False
+        ax.margins(0.03)
 
     def _vectors(
         self, name: str, label: str, ax: Axes | None, arrows: bool, style: dict[str, Any]
@@ -271,6 +292,31 @@ class ResultPlots:
         buffer = io.BytesIO()
         figure.savefig(buffer, format="png")
         return base64.b64encode(buffer.getvalue()).decode("ascii")
+
+
+def _outline(covered: xr.DataArray) -> Path:
+    """The edge of the contact in mm, from the covered parts of the cells."""
+    from contourpy import contour_generator
+    from matplotlib.path import Path
+
+    # Cells around the grid, in which there is no contact.
+    padded = np.pad(covered.values, 1)
+    x, y = (
+        np.concatenate(([axis[0] - step], axis, [axis[-1] + step]))
+        for axis, step in (_with_step(covered[name].values * 1e3) for name in ("x", "y"))
+    )
+    lines = contour_generator(x, y, padded).lines(0.5)
+    return Path.make_compound_path(*(Path(cast("Any", line), closed=True) for line in lines))
+
+
+def _with_step(axis: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    return axis, float(axis[1] - axis[0]) if len(axis) > 1 else 1.0
+
+
+def _line_along(edge: Path) -> PathPatch:
+    from matplotlib.patches import PathPatch
+
+    return PathPatch(edge, fill=False, edgecolor="black", linewidth=0.5)
 
 
 def _magnitude(x: xr.DataArray, y: xr.DataArray) -> xr.DataArray:
@@ -352,24 +398,50 @@ def comparison(
 
 
 @styled
-def frames(results: Sequence[Result], field: str = "traction_x", **options: Any) -> FuncAnimation:
-    """An animation of one field over results of successive times, on one grid."""
+def frames(
+    results: Result | Sequence[Result], field: str = "traction_x", **options: Any
+) -> FuncAnimation:
+    """An animation of one field over time.
+
+    Parameters
+    ----------
+    results : Result or sequence of Result
+        A result with a `Result.field_history`, or results of successive times on one grid.
+    field : str
+        Variable of their fields.
+    **options
+        Of `matplotlib.animation.FuncAnimation`, such as ``interval`` (ms).
+    """
     from matplotlib.animation import FuncAnimation
 
-    if not all(hasattr(result, "fields") for result in results):
-        raise TypeError("animate takes results of successive times: [result, result, …]")
-    shown = [result.fields[field] for result in results]
+    shown, titles = _over_time(results, field)
     if len({values.shape for values in shown}) != 1:
         raise ValueError("the results must be on one grid")
     ax = axes_or_new(None)
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
-    mesh = _mesh(ax, shown[0], factor, vmin=-bound * factor, vmax=bound * factor, cmap="RdBu")
+    is_signed = any(float(values.min()) < 0.0 for values in shown)
+    colors = {"vmin": -bound * factor, "cmap": "RdBu"} if is_signed else {"vmin": 0.0}
+    mesh = _mesh(ax, shown[0], factor, vmax=bound * factor, **colors)
     _color_bar(mesh, ax, labelled(shown[0].assign_attrs(units=unit)))
-    _patch_axes(ax, results[0].title)
+    _patch_axes(ax, titles[0])
 
-    def draw(k: int) -> Iterator[QuadMesh]:
+    def draw(k: int) -> list[QuadMesh]:
         mesh.set_array((shown[k] * factor).values)
-        yield mesh
+        ax.set_title(titles[k])
+        return [mesh]
 
-    return FuncAnimation(cast("Figure", ax.figure), draw, frames=len(results), **options)
+    return FuncAnimation(cast("Figure", ax.figure), draw, frames=len(shown), **options)
+
+
+def _over_time(
+    results: Result | Sequence[Result], field: str
+) -> tuple[list[xr.DataArray], list[str]]:
+    """A field at successive times, with a title for each."""
+    if isinstance(results, Record):
+        values = results.field_history[field]
+        shown = [values.isel(time=k) for k in range(values.sizes["time"])]
+        return shown, [f"{results.title}, {float(v['time']) * 1e3:.4g} ms" for v in shown]
+    if not all(hasattr(result, "fields") for result in results):
+        raise TypeError("animate takes a result, or results of successive times")
+    return [result.fields[field] for result in results], [result.title for result in results]

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 import xarray as xr
 
+from ._errors import NotConverged
 from ._fields import FIELDS
-from ._result import Record, written
+from ._result import Record, Saved, restored, table, written
 from ._tables import along, attributes, stacked
 from .warnings import emit
 
@@ -33,10 +34,15 @@ class Report(Record):
 
     _report: _core.Report
 
+    #: What a pickled one keeps besides.
+    _OWN = ("_case", "_over")
+
     @classmethod
-    def _new(cls: type[R], report: _core.Report, *, warn: bool) -> R:
+    def _new(cls: type[R], report: _core.Report, *, warn: bool, strict: bool = False) -> R:
         result = cls(json.loads(report.json()))
         result._report = report
+        if strict and not result.converged:
+            raise NotConverged(result)
         if warn:
             emit(result.messages, stacklevel=3)
         return result
@@ -70,8 +76,13 @@ class Report(Record):
     def __repr__(self) -> str:
         return self.summary().rstrip()
 
+    def _repr_html_(self) -> str:
+        """The summary as a table."""
+        return table(self._report.lines())
+
     def __reduce__(self) -> Any:
-        raise TypeError(f"a {type(self).__name__} cannot be pickled; use to_json")
+        own = {name: self.__dict__[name] for name in self._OWN if name in self.__dict__}
+        return restored, (type(self), {"_report": Saved.of(self._report), **own})
 
 
 class Curve(Report):
@@ -150,6 +161,13 @@ class BulkTemperature(Report):
 class Calibration(Report):
     """Stiffnesses of the elastic layer for a patch."""
 
+    _case: Case
+
+    @property
+    def case(self) -> Case:
+        """The case with the calibrated layer as its elasticity."""
+        return self._case
+
 
 class Comparison(Report):
     """A case by all methods."""
@@ -172,7 +190,7 @@ class Comparison(Report):
 class Fit(Report):
     """Parameters that fit measured creep curves."""
 
-    _case: Case
+    _case: Case | None
 
     @cached_property
     def points(self) -> xr.Dataset:
@@ -181,7 +199,15 @@ class Fit(Report):
 
     @property
     def case(self) -> Case:
-        """The case with the fitted values."""
+        """The case with the fitted values.
+
+        Raises
+        ------
+        ValueError
+            If there is none, because the fit has not converged.
+        """
+        if self._case is None:
+            raise ValueError("no case can have the values of this fit, which has not converged")
         return self._case
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import html
+import itertools
 import json
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ._errors import NotConverged
-from ._tables import along, on_grid
+from ._tables import along, attributes, on_grid
 from .warnings import emit
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
     from os import PathLike
 
     import pandas as pd
@@ -117,8 +118,34 @@ class Result(Record):
         Values are means over whole cells, not a number where there is no contact. ``covered`` is
         the part of a cell that is in contact, and ``centroid_x``, ``centroid_y`` its centroid.
         """
-        dataset = on_grid(self._solution.fields(), self._solution.cells(), self._solution.axes())
-        return dataset.assign_attrs(title=self._values["title"], source=self._values["program"])
+        dataset = on_grid(self._solution.fields(), self._solution.axes()).isel(time=0)
+        return dataset.assign_attrs(self._origin())
+
+    @cached_property
+    def field_history(self) -> xr.Dataset:
+        """The same over ``time`` (s), where the case was solved with ``fields_every``.
+
+        The coordinate ``step`` counts time steps, as `history` has them.
+
+        Raises
+        ------
+        ValueError
+            If there are no such fields.
+        """
+        steps, times, columns = self._solution.field_history()
+        if not steps:
+            raise ValueError(
+                "there are no fields over time: give the case a history, or marching as its "
+                "driver, and `solve` a `fields_every`"
+            )
+        units = attributes(self._solution.history()["time"])
+        dataset = on_grid(columns, self._solution.axes())
+        step = ("time", steps, {"long_name": "time step", "units": ""})
+        dataset = dataset.assign_coords(time=("time", times, units), step=step)
+        return dataset.assign_attrs(self._origin())
+
+    def _origin(self) -> dict[str, str]:
+        return {"title": self._values["title"], "source": self._values["program"]}
 
     @cached_property
     def history(self) -> xr.Dataset:
@@ -174,16 +201,69 @@ class Result(Record):
         return self.summary().rstrip()
 
     def __reduce__(self) -> Any:
-        raise TypeError("a result cannot be pickled; use to_json, to_netcdf or to_zarr")
+        return restored, (type(self), {"_solution": Saved.of(self._solution)})
 
     def _repr_html_(self) -> str:
         """Summary and a small map of the traction."""
-        text = f"<pre>{html.escape(self.summary().rstrip())}</pre>"
+        text = table(self._solution.lines())
         picture = self.plot._thumbnail() if len(self.fields["x"]) else None
         if picture is None:
             return text
         image = f'<img alt="traction" src="data:image/png;base64,{picture}">'
         return f'<div style="display:flex;gap:1em;flex-wrap:wrap">{text}{image}</div>'
+
+
+class Saved:
+    """All answers of an object of the library, which itself cannot be pickled."""
+
+    def __init__(self, answers: dict[str, Any]) -> None:
+        self.answers = answers
+
+    @classmethod
+    def of(cls, source: Any) -> Saved:
+        """Asks for them."""
+        if isinstance(source, Saved):
+            return source
+        names = [name for name in dir(source) if not name.startswith("_")]
+        return cls({name: getattr(source, name)() for name in names})
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            answer = self.__dict__["answers"][name]
+        except KeyError:
+            raise AttributeError(name) from None
+        return lambda: answer
+
+
+def restored(kind: type[Record], attributes: dict[str, Any]) -> Record:
+    """A pickled result: what it had, the answers of the library among it."""
+    (saved,) = (value for value in attributes.values() if isinstance(value, Saved))
+    record = kind(json.loads(saved.json()))
+    record.__dict__.update(attributes)
+    return record
+
+
+def table(lines: Sequence[tuple[str, str, str, str] | str]) -> str:
+    """A summary as HTML: entries in columns, other lines as they are."""
+    rows = []
+    for is_text, group in itertools.groupby(lines, lambda line: isinstance(line, str)):
+        if is_text:
+            text = html.escape("\n".join(map(str, group)).strip("\n"))
+            pre = f'<pre style="margin:0">{text}</pre>'
+            rows.append(f'<tr><td colspan="4" style="text-align:left">{pre}</td></tr>')
+        else:
+            rows += [_row(line) for line in group if not isinstance(line, str)]
+    return f"<table>{''.join(rows)}</table>"
+
+
+def _row(entry: tuple[str, str, str, str]) -> str:
+    """Name, value, unit and remark as a row."""
+    name, value, unit, remark = entry
+    indent = "padding-left:1.5em;" if name.startswith(" ") else ""
+    cells = [(name.strip(), f"{indent}text-align:left"), (value, "text-align:right")]
+    cells += [(unit, "text-align:left"), (remark, "text-align:left")]
+    columns = (f'<td style="{style}">{html.escape(cell)}</td>' for cell, style in cells)
+    return f"<tr>{''.join(columns)}</tr>"
 
 
 def written(text: str, path: str | PathLike[str] | None) -> str:

@@ -21,8 +21,8 @@ Column = dict[str, Any]
 
 
 def attributes(column: Column) -> dict[str, str]:
-    """Attributes of a variable (CF conventions): units, long_name, symbol."""
-    names = ("long_name", "units", "symbol")
+    """Attributes of a variable (CF conventions): units, long_name, symbol, source."""
+    names = ("long_name", "units", "symbol", "source")
     return {name: column[name] for name in names if column[name] or name == "units"}
 
 
@@ -48,24 +48,21 @@ def stacked(
 
 
 def on_grid(
-    columns: Mapping[str, Column],
-    cells: tuple[NDArray[np.int64], NDArray[np.int64]],
-    axes: tuple[NDArray[np.float64], NDArray[np.float64]],
+    columns: Mapping[str, Column], axes: tuple[NDArray[np.float64], NDArray[np.float64]]
 ) -> xr.Dataset:
-    """Cells in contact on the grid over x and y; not a number outside of the contact."""
-    column, row = cells
-    shape = (len(axes[1]), len(axes[0]))
+    """Fields over ``time``, y and x; not a number outside of the contact."""
+    dimensions = ("time", "y", "x")
     coordinates = {"x": columns["x"], "y": columns["y"]}
-    variables = {}
-    for name, entry in columns.items():
-        is_flag = np.asarray(entry["values"]).dtype == bool
-        values = np.zeros(shape, bool) if is_flag else np.full(shape, np.nan)
-        values[row, column] = entry["values"]
-        name = f"centroid_{name}" if name in coordinates else name
-        variables[name] = (("y", "x"), values, attributes(entry))
-    contact = np.zeros(shape, bool)
-    contact[row, column] = True
-    variables["contact"] = (("y", "x"), contact, {"long_name": "cell in contact", "units": ""})
+    variables = {
+        f"centroid_{name}" if name in coordinates else name: (
+            dimensions,
+            column["values"],
+            attributes(column),
+        )
+        for name, column in columns.items()
+    }
+    contact = ~np.isnan(columns["covered"]["values"])
+    variables["contact"] = (dimensions, contact, {"long_name": "cell in contact", "units": ""})
     coords = {
         name: (name, axis, attributes(coordinates[name]))
         for name, axis in zip(("x", "y"), axes, strict=True)

@@ -1,7 +1,7 @@
-"""A category for each code of a warning, such as ``FewCells`` for ``few-cells``.
+"""A category for each code of a warning, such as ``FewCellsWarning`` for ``few-cells``.
 
 >>> import schlupf
->>> schlupf.warnings.FewCells.code
+>>> schlupf.warnings.FewCellsWarning.code
 'few-cells'
 """
 
@@ -17,14 +17,16 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 
-def _category(code: str) -> type[SchlupfWarning]:
-    name = "".join(part.capitalize() for part in code.split("-"))
-    attributes = {"code": code, "__module__": __name__, "__doc__": f"Code ``{code}``."}
+def _category(code: str, meaning: str) -> type[SchlupfWarning]:
+    name = "".join(part.capitalize() for part in code.split("-")) + "Warning"
+    attributes = {"code": code, "__module__": __name__, "__doc__": f"``{code}``: {meaning}"}
     return type(name, (SchlupfWarning,), attributes)
 
 
 #: Categories by code.
-BY_CODE: dict[str, type[SchlupfWarning]] = {code: _category(code) for code in warning_codes()}
+BY_CODE: dict[str, type[SchlupfWarning]] = {
+    code: _category(code, meaning) for code, meaning in warning_codes()
+}
 
 globals().update({category.__name__: category for category in BY_CODE.values()})
 

@@ -1,5 +1,6 @@
 """Forces under many conditions: values, shapes, threads, interrupts, memory."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import xarray as xr
 
 import schlupf
 
-POLACH = schlupf.Case(solver={"method": "polach"})
+POLACH = schlupf.Case(friction={"model": "constant"}, solver={"method": "polach"})
 
 
 def test_conditions_are_broadcast_as_in_numpy():
@@ -145,6 +146,56 @@ def test_memory_stays_flat():
     solve(10_000)
     grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
     assert grown < 8_000, f"{grown} KiB"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="units of ru_maxrss")
+def test_memory_stays_flat_with_fields_and_many_conditions():
+    import resource
+
+    case = schlupf.Case(grid={"cells_x": 8, "cells_y": 8}, kinematics={"creepage_x": 0.002})
+    creepages = np.linspace(0.0, 0.02, 10_000)
+
+    def work(count):
+        for _ in range(count):
+            assert case.solve(warn=False).fields["pressure"].sizes["x"] > 8
+            schlupf.forces(POLACH, creepage_x=creepages)
+
+    work(20)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    work(300)
+    grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+    assert grown < 8_000, f"{grown} KiB"
+
+
+@pytest.mark.skipif("SCHLUPF_MANY_FORCES" not in os.environ, reason="`cargo xtask test` builds it")
+def test_many_forces_are_as_fast_as_in_rust():
+    """A million forces in an array take as long as in examples/many_forces.rs, by a quarter."""
+    creepages = np.linspace(0.0, 0.02, 1_000_000)
+
+    def in_rust():
+        done = subprocess.run(
+            [os.environ["SCHLUPF_MANY_FORCES"]], capture_output=True, text=True, check=True
+        )
+        return float(done.stdout)
+
+    def in_python():
+        start = time.perf_counter()
+        schlupf.forces(POLACH, creepage_x=creepages)
+        return time.perf_counter() - start
+
+    # Other programs may disturb either; the fastest of each says what it takes.
+    times = [(in_rust(), min(in_python() for _ in range(5))) for _ in range(4)]
+    rust, python = (min(column) for column in zip(*times, strict=True))
+    print(f"a million forces: Rust {rust:.3f} s, Python {python:.3f} s")
+    assert rust >= 0.8 * python
+
+
+def test_a_warning_of_conditions_is_issued_once():
+    linear = schlupf.Case(solver={"method": "kalker-linear"})
+    with pytest.warns(schlupf.warnings.BeyondFrictionWarning) as caught:
+        schlupf.forces(linear, creepage_x=[0.0, 1e-3, 0.02, 0.04])
+    assert len(caught) == 1 and caught[0].filename == __file__
+    assert "(2 of 4 conditions; this is number 2)" in str(caught[0].message)
 
 
 def test_conditions_have_units():

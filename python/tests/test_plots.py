@@ -91,6 +91,34 @@ def test_comparison_and_animation(case, result):
     movie._draw_was_started = True
 
 
+def test_a_transient_is_animated_from_its_case(case):
+    history = {"time": [0.0, 1e-3], "creepage_x": [0.0, 0.004]}
+    result = case.with_(kinematics={"creepage_x": None, "speed": "10 m/s"}, history=history).solve(
+        fields_every=2
+    )
+    animation = result.plot.animation("pressure", interval=20)
+    ax = animation._fig.axes[0]
+    count = result.field_history.sizes["time"]
+    assert animation._save_count == count > 3
+    animation._init_draw()
+    animation._draw_frame(count - 1)
+    shown = ax.collections[0].get_array().reshape(result.fields["pressure"].shape)
+    np.testing.assert_allclose(
+        np.ma.filled(shown, np.nan), result.fields["pressure"] * 1e-9, rtol=1e-12
+    )
+    assert ax.get_title().endswith("1 ms")
+
+
+def test_a_map_ends_at_the_edge_of_the_patch(result):
+    ax = result.plot.pressure()
+    edge = ax.patches[0].get_path().vertices
+    a, b = result.normal.semi_axis_x * 1e3, result.normal.semi_axis_y * 1e3
+    radii = np.hypot(edge[:, 0] / a, edge[:, 1] / b)
+    # A tenth of a cell of twelve.
+    assert np.abs(radii - 1.0).max() < 0.1 * 2 / 12
+    assert ax.collections[0].get_clip_path() is not None
+
+
 def test_free_rolling_has_no_arrows(case):
     rolling = case.with_(kinematics={"creepage_x": 0.0, "creepage_y": 0.0}).solve()
     ax = rolling.plot.slip()

@@ -1,6 +1,8 @@
 """Results: scalars, data sets, files, warnings."""
 
 import json
+import pickle
+import re
 import warnings
 
 import numpy as np
@@ -30,6 +32,7 @@ def test_fields_add_up_to_the_forces(result):
     assert float(fields["pressure"].sum() * area) == pytest.approx(result.normal.load, rel=1e-9)
     assert fields["pressure"].attrs["units"] == "Pa"
     assert fields["pressure"].attrs["long_name"] == "normal pressure"
+    assert "Eqs. (8), (13)-(16)" in fields["traction_x"].attrs["source"]
     assert fields["x"].attrs["units"] == "m"
     assert int(fields["contact"].sum()) == result.work.cells
     assert bool(np.isnan(fields["pressure"].where(~fields["contact"])).all())
@@ -52,7 +55,52 @@ def test_files(result, tmp_path):
 
 def test_notebooks_show_a_summary_and_a_map(result):
     shown = result._repr_html_()
-    assert "longitudinal force" in shown and "data:image/png;base64," in shown
+    assert "data:image/png;base64," in shown
+    cells = re.findall(r"<td[^>]*>([^<]*)</td>", shown)
+    row = cells[cells.index("longitudinal force") :]
+    assert float(row[1]) == pytest.approx(result.force.x / 1e3, rel=1e-4) and row[2] == "kN"
+    assert shown.count("<tr>") > 10
+    assert "<table>" in polach_curve()._repr_html_()
+
+
+def polach_curve():
+    return schlupf.Case(solver={"method": "polach"}).curve(
+        creepage_x=(0, 0.01), points=3, warn=False
+    )
+
+
+def test_results_can_be_pickled(result):
+    for found in (result, polach_curve()):
+        again = pickle.loads(pickle.dumps(found))
+        assert type(again) is type(found) and again.to_json() == found.to_json()
+        assert again.summary() == found.summary() and again.messages == found.messages
+        # A second time as well.
+        assert pickle.loads(pickle.dumps(again)).to_dict() == found.to_dict()
+    again = pickle.loads(pickle.dumps(result))
+    xr.testing.assert_identical(again.fields, result.fields)
+    assert again.state == result.state
+    curve = polach_curve()
+    xr.testing.assert_identical(pickle.loads(pickle.dumps(curve)).points, curve.points)
+
+
+def test_fields_over_time(case):
+    history = {"time": [0.0, 2e-3], "creepage_x": [0.0, 0.004]}
+    moving = case.with_(kinematics={"creepage_x": None}, history=history)
+    result = moving.solve(fields_every=3)
+    fields, table = result.field_history, result.history
+    assert fields["traction_x"].dims == ("time", "y", "x")
+    steps = fields["step"].values
+    assert (np.diff(steps)[:-1] == 3).all() and steps[-1] == result.work.steps
+    # Step 1 is the first of the table.
+    np.testing.assert_array_equal(fields["time"], table["time"].values[steps - 1])
+    area = float(fields["x"].diff("x")[0] * fields["y"].diff("y")[0])
+    forces = fields["traction_x"].sum(("x", "y")) * area
+    np.testing.assert_allclose(forces, table["force_x"].values[steps - 1], rtol=1e-9, atol=1e-6)
+    xr.testing.assert_allclose(fields.isel(time=-1, drop=True), result.fields)
+    with pytest.raises(ValueError, match="no fields over time"):
+        _ = moving.solve().field_history
+    with pytest.raises(ValueError, match="fields_every must not be negative"):
+        moving.solve(fields_every=-1)
 
 
 def test_a_history_is_over_time_and_can_be_carried_on(case):
@@ -81,7 +129,7 @@ def test_a_warning_has_the_category_of_its_code():
     linear = schlupf.Case(solver={"method": "kalker-linear"}, kinematics={"creepage_x": 0.02})
     with pytest.warns(schlupf.SchlupfWarning) as caught:
         result = linear.solve()
-    assert schlupf.warnings.ForcesOnly in {warning.category for warning in caught}
+    assert schlupf.warnings.ForcesOnlyWarning in {warning.category for warning in caught}
     codes = {warning.message.code for warning in caught}
     assert codes == {code for code, _, _ in result.messages}
     assert all(warning.filename == __file__ for warning in caught)
@@ -96,7 +144,7 @@ def test_a_fast_method_has_no_fields():
     assert result.temperature.max_rise is None and result.force.moment_z is None
     with pytest.raises(ValueError, match="polach"):
         result.plot.traction()
-    assert "<pre>" in result._repr_html_()
+    assert "by the fast method" in result._repr_html_() and "<img" not in result._repr_html_()
 
 
 def test_a_creep_curve(case):

@@ -121,6 +121,29 @@ def test_a_calibration_of_the_layer():
         SMALL.calibrate(cells=5)
 
 
+def test_a_calibration_makes_a_case():
+    found = SMALL.calibrate()
+    layer = found.case.elasticity
+    assert layer.model == "elastic-layer"
+    assert layer.bedding_x == pytest.approx(found.table.x.bedding, rel=1e-3)
+    assert found.case.kinematics.given() == SMALL.kinematics.given()
+
+
+def test_a_fit_that_does_not_converge_is_raised_with_its_result():
+    model = SMALL.with_(heat={"model": "none"}, friction={"model": "constant"})
+    truth = model.with_(friction={"coefficient": 0.31}, contact_law={"stiffness": 3e6})
+    creepage = np.array([0.001, 0.002, 0.004, 0.006, 0.01])
+    measured = -schlupf.forces(truth, creepage_x=creepage)["force_x"].values / 80e3
+    data = {"creepage_x": creepage, "force_ratio": measured, "load": 80e3}
+    parameters = ["friction.coefficient", "contact_law.stiffness"]
+    with pytest.raises(schlupf.NotConverged) as caught:
+        model.fit(parameters, data, max_steps=2)
+    assert isinstance(caught.value.result, schlupf.Fit)
+    found = model.fit(parameters, data, max_steps=2, strict=False, warn=False)
+    assert not found.converged
+    assert found.case.friction.coefficient == pytest.approx(0.31, rel=0.05)
+
+
 def test_a_fit_finds_the_friction_that_made_the_data():
     creepage = np.array([0.001, 0.002, 0.004, 0.006, 0.01])
     model = SMALL.with_(heat={"model": "none"}, friction={"model": "constant"})

@@ -111,7 +111,7 @@ impl Part {
             Self::Test => vec![Step::cargo("test --workspace")],
             Self::Doc => {
                 let doc = Step::cargo("doc --workspace --no-deps");
-                vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings")), ..doc }]
+                vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings".to_owned())), ..doc }]
             }
             Self::Sources | Self::Python | Self::Site => Vec::new(),
             // The build of the tests includes the examples; building them alone would be another
@@ -135,7 +135,7 @@ impl Part {
             Self::Oldest => vec![Step {
                 program: "rustup".into(),
                 arguments: format!("run {} cargo check --workspace", oldest(workspace)?),
-                variable: Some(("CARGO_TARGET_DIR", "target/oldest")),
+                variable: Some(("CARGO_TARGET_DIR", "target/oldest".to_owned())),
             }],
             Self::Long => vec![
                 // The profile of tests is optimised; another one would take longer to build than

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::environment::Environment;
+use crate::step::Step;
 
 /// What the tests of the package need.
 const REQUIREMENTS: &str = "python/requirements-test.txt";
@@ -11,13 +12,22 @@ const REQUIREMENTS: &str = "python/requirements-test.txt";
 pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     let environment = Environment::prepare(workspace, target.join("python"), REQUIREMENTS)?;
     environment.install_package(workspace, target)?;
+    let steps = ["ruff check --quiet python", "ruff format --quiet --diff python"];
+    steps.iter().try_for_each(|module| environment.python(module).run(workspace))?;
+    let variable = many_forces(target).map(|program| ("SCHLUPF_MANY_FORCES", program));
+    Step { variable, ..environment.python("pytest --quiet") }.run(workspace)?;
     let steps = [
-        "ruff check --quiet python",
-        "ruff format --quiet --diff python",
-        "pytest --quiet",
         "pytest --quiet --doctest-modules --pyargs schlupf",
         "mypy",
         "mypy.stubtest schlupf._core",
     ];
     steps.iter().try_for_each(|module| environment.python(module).run(workspace))
+}
+
+/// The program that computes many forces, with which those of Python are compared: an example, which
+/// the build of the tests has made.
+fn many_forces(target: &Path) -> Option<String> {
+    let file = format!("many_forces{}", std::env::consts::EXE_SUFFIX);
+    let program = target.join("debug/examples").join(file);
+    program.exists().then(|| program.display().to_string())
 }

@@ -11,7 +11,7 @@ pub struct Step {
     /// Separated by blanks.
     pub arguments: String,
     /// A variable of its environment.
-    pub variable: Option<(&'static str, &'static str)>,
+    pub variable: Option<(&'static str, String)>,
 }
 
 impl Step {
@@ -36,7 +36,7 @@ impl Step {
         eprintln!("  > {self}");
         let mut command = Command::new(&self.program);
         command.args(self.arguments.split_whitespace()).current_dir(workspace);
-        command.envs(self.variable);
+        command.envs(self.variable.clone());
         match command.status() {
             Ok(status) if status.success() => Ok(()),
             Ok(status) => Err(format!("{self}: {status}")),
@@ -47,7 +47,7 @@ impl Step {
 
 impl fmt::Display for Step {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some((name, value)) = self.variable {
+        if let Some((name, value)) = &self.variable {
             write!(f, "{name}=\"{value}\" ")?;
         }
         let program = self.program.file_stem().unwrap_or_default().to_string_lossy();

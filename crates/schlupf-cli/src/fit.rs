@@ -86,7 +86,11 @@ impl Task for Fit {
             max_steps: self.max_steps as usize,
             curve_points: if self.outputs.figures.is_some() { CURVE_POINTS } else { 0 },
             fitted_case: self.write_case.clone(),
-            names: Names { data: DATA, parameters: FIT, given: self.parameters.clone() },
+            names: Names {
+                data: DATA,
+                parameters: FIT,
+                given: format!("{} {DATA}", self.parameters),
+            },
         };
         Ok(fit::plan(&file, request, watch)?)
     }

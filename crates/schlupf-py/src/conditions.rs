@@ -13,6 +13,7 @@ use schlupf::normal::PressureSource;
 use schlupf::normal::at_load::AtLoad;
 use schlupf::progress::Stage;
 use schlupf::simplified::FastContact;
+use schlupf::solution::Resultant;
 use schlupf::{Error, Method, Problem, Progress, Quantity, Solver, Status, Watch, parallel};
 use schlupf_case::{Case, CaseErrors, quantity_field};
 use schlupf_output::solution::SolutionReport;
@@ -40,12 +41,6 @@ pub fn conditions() -> Vec<(&'static str, &'static str)> {
 struct Conditions([Option<Vec<f64>>; VARIED.len()]);
 
 impl Conditions {
-    /// The value of a quantity in a condition, if it varies.
-    fn value(&self, quantity: Quantity, k: usize) -> Option<f64> {
-        let slot = VARIED.iter().position(|varied| *varied == quantity)?;
-        self.0[slot].as_ref().map(|values| values[k])
-    }
-
     /// Copies arrays of equal length, by name.
     fn read(arrays: &Bound<'_, PyDict>) -> PyResult<Self> {
         let mut conditions = Self::default();
@@ -66,31 +61,34 @@ impl Conditions {
     }
 
     fn kinematics(&self, k: usize, own: &Kinematics) -> Kinematics {
-        let of = |quantity, own| self.value(quantity, k).unwrap_or(own);
+        let [creepage_x, creepage_y, spin, speed, _] = &self.0;
+        let of = |values: &Option<Vec<f64>>, own| values.as_ref().map_or(own, |values| values[k]);
         Kinematics {
-            creepage_x: of(Quantity::CreepageX, own.creepage_x),
-            creepage_y: of(Quantity::CreepageY, own.creepage_y),
-            spin: of(Quantity::Spin, own.spin),
-            speed: of(Quantity::Speed, own.speed),
+            creepage_x: of(creepage_x, own.creepage_x),
+            creepage_y: of(creepage_y, own.creepage_y),
+            spin: of(spin, own.spin),
+            speed: of(speed, own.speed),
         }
     }
 
     fn load(&self, k: usize) -> Option<f64> {
-        self.value(Quantity::Load, k)
+        let [.., load] = &self.0;
+        load.as_ref().map(|values| values[k])
     }
 }
 
 /// Forces on the wheel, one row for each condition.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Forces {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    /// Not a number where the method has none.
-    moment_z: Vec<f64>,
-    traction_coefficient: Vec<f64>,
-    status: Vec<Status>,
+    /// Forces along x and y, the moment (not a number where the method has none), and |F|/N.
+    values: [Vec<f64>; COLUMNS.len()],
+    converged: Vec<bool>,
     warnings: Vec<Repeated>,
 }
+
+/// The quantities of its columns.
+const COLUMNS: [Quantity; 4] =
+    [Quantity::ForceX, Quantity::ForceY, Quantity::MomentZ, Quantity::TractionCoefficient];
 
 /// A warning that several conditions may have.
 #[derive(Debug)]
@@ -102,77 +100,30 @@ struct Repeated {
 }
 
 impl Forces {
-    /// Room for a number of conditions.
-    fn blank(count: usize) -> Self {
-        let blank = || vec![f64::NAN; count];
-        Self {
-            x: blank(),
-            y: blank(),
-            moment_z: blank(),
-            traction_coefficient: blank(),
-            status: vec![Status::NotConverged; count],
-            warnings: Vec::new(),
-        }
-    }
-
     /// As arrays by name, without copies.
     fn columns(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let table = PyDict::new(py);
-        for (quantity, values) in [
-            (Quantity::ForceX, self.x),
-            (Quantity::ForceY, self.y),
-            (Quantity::MomentZ, self.moment_z),
-            (Quantity::TractionCoefficient, self.traction_coefficient),
-        ] {
+        for (quantity, values) in COLUMNS.into_iter().zip(self.values) {
             let values = PyArray1::from_vec(py, values).into_any();
             table.set_item(quantity.name(), described(py, quantity, values)?)?;
         }
         Ok(table)
     }
+}
 
-    /// Takes over the forces of some conditions.
-    fn fill(&mut self, places: &[usize], part: Self) {
-        for (k, place) in places.iter().enumerate() {
-            self.x[*place] = part.x[k];
-            self.y[*place] = part.y[k];
-            self.moment_z[*place] = part.moment_z[k];
-            self.traction_coefficient[*place] = part.traction_coefficient[k];
-            self.status[*place] = part.status[k];
-        }
-        for warning in part.warnings {
-            self.note(warning);
-        }
-    }
-
-    fn push(&mut self, force: &schlupf::solution::Resultant, load: f64, status: Status) {
-        self.x.push(force.x);
-        self.y.push(force.y);
-        self.moment_z.push(force.moment_z.unwrap_or(f64::NAN));
-        self.traction_coefficient.push(force.tangential() / load);
-        self.status.push(status);
-    }
-
-    /// Warnings of a condition, apart from those that the table shows.
-    fn warn(&mut self, condition: usize, messages: impl IntoIterator<Item = Message>) {
-        for message in messages {
-            if !SHOWN.contains(&message.code) {
-                self.note(Repeated { message, first: condition, count: 1 });
-            }
-        }
-    }
-
-    /// Counts a warning together with those that are alike.
-    fn note(&mut self, new: Repeated) {
-        let is_alike = |old: &&mut Repeated| {
-            old.message.code == new.message.code && old.message.quantity == new.message.quantity
-        };
-        match self.warnings.iter_mut().find(is_alike) {
-            None => self.warnings.push(new),
-            Some(old) => {
-                old.count += new.count;
-                if new.first < old.first {
-                    (old.first, old.message) = (new.first, new.message);
-                }
+/// Counts a warning together with those that are alike; of a condition only what the table does not
+/// show.
+fn note(warnings: &mut Vec<Repeated>, new: Repeated) {
+    let is_alike = |old: &&mut Repeated| {
+        old.message.code == new.message.code && old.message.quantity == new.message.quantity
+    };
+    match warnings.iter_mut().find(is_alike) {
+        _ if SHOWN.contains(&new.message.code) => {}
+        None => warnings.push(new),
+        Some(old) => {
+            old.count += new.count;
+            if new.first < old.first {
+                (old.first, old.message) = (new.first, new.message);
             }
         }
     }
@@ -189,95 +140,125 @@ const FULL_BLOCK: usize = 64;
 /// An error with the condition that it is about.
 type Failure = (usize, CaseErrors);
 
-/// Some conditions of a case, which one solver takes one after the other.
+/// Successive conditions of a case, which one solver takes one after the other, and their results.
 struct Block<'a> {
     case: &'a Case,
     conditions: &'a Conditions,
-    places: &'a [usize],
+    start: usize,
+    values: [&'a mut [f64]; COLUMNS.len()],
+    converged: &'a mut [bool],
 }
 
-/// The forces of all conditions on all threads. Each case has its conditions.
+/// Cuts the first entries off.
+fn cut<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let (head, tail) = std::mem::take(rest).split_at_mut(count);
+    *rest = tail;
+    head
+}
+
+/// The forces of all conditions on all threads: case by case as many as `counts` says.
 fn forces(
     files: &[schlupf_case::CaseFile],
-    places: &[Vec<usize>],
+    counts: &[usize],
     conditions: &Conditions,
     watch: Watch,
-) -> Result<Forces, CaseErrors> {
+) -> Result<Forces, Failure> {
     let posed = parallel::try_map(files.iter().collect(), |file| {
         let case = file.pose(watch)?;
         case.require_steady("forces under many conditions are those")?;
         Ok::<_, CaseErrors>(case)
-    })?;
-    let blocks = posed.iter().zip(places).flat_map(|(case, places)| {
-        let size = if case.method == Method::Full { FULL_BLOCK } else { FAST_BLOCK };
-        places.chunks(size).map(move |places| Block { case, conditions, places })
     });
-    let found = parallel::try_map(blocks.collect(), |block| {
-        let found = match block.case.method {
-            Method::Fast(method) => block.fast(method, watch),
-            Method::Full => block.full(watch),
-        };
-        Ok::<_, CaseErrors>((block.places, found.map_err(|(place, error)| help(place, error))?))
-    })?;
-    let mut forces = Forces::blank(places.iter().map(Vec::len).sum());
-    for (places, part) in found {
-        forces.fill(places, part);
-    }
-    for (case, places) in posed.iter().zip(places) {
-        if let Some(first) = places.first() {
-            for message in case.notices.iter().cloned() {
-                forces.note(Repeated { message, first: *first, count: places.len() });
-            }
+    let posed = posed.map_err(|errors| (0, errors))?;
+    let total = counts.iter().sum();
+    let mut values = COLUMNS.map(|_| vec![0.0; total]);
+    let mut converged = vec![false; total];
+    let mut warnings = Vec::new();
+    let mut blocks = Vec::new();
+    let mut rest = values.each_mut().map(Vec::as_mut_slice);
+    let mut rest_converged = converged.as_mut_slice();
+    let mut start = 0;
+    for (case, count) in posed.iter().zip(counts) {
+        for message in case.notices.iter().cloned() {
+            note(&mut warnings, Repeated { message, first: start, count: *count });
+        }
+        let size = if case.method == Method::Full { FULL_BLOCK } else { FAST_BLOCK };
+        let end = start + count;
+        while start < end {
+            let size = size.min(end - start);
+            let values = rest.each_mut().map(|rest| cut(rest, size));
+            let converged = cut(&mut rest_converged, size);
+            blocks.push(Block { case, conditions, start, values, converged });
+            start += size;
         }
     }
-    Ok(forces)
+    let found = parallel::try_map(blocks, |block| match block.case.method {
+        Method::Fast(method) => block.fast(method, watch),
+        Method::Full => block.full(watch),
+    })?;
+    for warning in found.into_iter().flatten() {
+        note(&mut warnings, warning);
+    }
+    Ok(Forces { values, converged, warnings })
 }
 
 impl Block<'_> {
-    fn fast(&self, method: FastMethod, watch: Watch) -> Result<Forces, Failure> {
-        let Self { case, conditions, places } = *self;
-        let start = places[0];
-        let explain = |place, error: &Error| (place, CaseErrors::from(case.explain(error)));
+    /// Finds the forces; returns the warnings.
+    fn fast(mut self, method: FastMethod, watch: Watch) -> Result<Vec<Repeated>, Failure> {
+        let Self { case, conditions, start, .. } = self;
+        let explain = |k, error: &Error| (k, CaseErrors::from(case.explain(error)));
         let contact = FastContact::new(&case.problem, method, &case.options);
         let mut contact = contact.map_err(|error| explain(start, &error))?;
         if watch(Progress::count(Stage::Curve, start)).is_break() {
             return Err(explain(start, &Error::Stopped {}));
         }
-        let mut forces = Forces::default();
+        let mut warnings = Vec::new();
         for message in messages(&contact.warnings()) {
-            forces.note(Repeated { message, first: start, count: places.len() });
+            note(&mut warnings, Repeated { message, first: start, count: self.converged.len() });
         }
         let own = case.problem.kinematics;
         let mut load = contact.contact().normal.load;
-        for k in places.iter().copied() {
+        for k in start..start + self.converged.len() {
             let explain = |error| explain(k, &error);
             if let Some(wanted) = conditions.load(k).filter(|wanted| *wanted != load) {
                 contact.set_load(wanted).map_err(explain)?;
                 load = wanted;
             }
             let force = contact.force(&conditions.kinematics(k, &own)).map_err(explain)?;
-            forces.push(&force, load, Status::Converged);
-            if let Some(warning) = contact.beyond_friction(&force) {
-                forces.warn(k, messages(&[warning]));
+            self.set(k, &force, load, Status::Converged);
+            for message in messages(contact.beyond_friction(&force).as_slice()) {
+                note(&mut warnings, Repeated { message, first: k, count: 1 });
             }
         }
-        Ok(forces)
+        Ok(warnings)
     }
 
-    fn full(&self, watch: Watch) -> Result<Forces, Failure> {
-        let Self { case, conditions, places } = *self;
-        let mut forces = Forces::default();
+    /// The same by the full method.
+    fn full(mut self, watch: Watch) -> Result<Vec<Repeated>, Failure> {
+        let Self { case, conditions, start, .. } = self;
+        let mut warnings = Vec::new();
         let mut solver = LoadedSolver::new(case);
-        for k in places.iter().copied() {
+        for k in start..start + self.converged.len() {
             let explain = |error| (k, CaseErrors::from(case.explain(&error)));
             let kinematics = conditions.kinematics(k, &case.problem.kinematics);
             let problem = solver.problem(case, kinematics, conditions.load(k), watch);
             let problem = problem.map_err(explain)?;
             let solution = solver.solver.solve(&problem, watch).map_err(explain)?;
-            forces.push(&solution.force, solution.normal.load, solution.status);
-            forces.warn(k, messages(&solution.warnings));
+            self.set(k, &solution.force, solution.normal.load, solution.status);
+            for message in messages(&solution.warnings) {
+                note(&mut warnings, Repeated { message, first: k, count: 1 });
+            }
         }
-        Ok(forces)
+        Ok(warnings)
+    }
+
+    fn set(&mut self, k: usize, force: &Resultant, load: f64, status: Status) {
+        let k = k - self.start;
+        let moment = force.moment_z.unwrap_or(f64::NAN);
+        let row = [force.x, force.y, moment, force.tangential() / load];
+        for (column, value) in self.values.iter_mut().zip(row) {
+            column[k] = value;
+        }
+        self.converged[k] = status == Status::Converged;
     }
 }
 
@@ -312,39 +293,37 @@ impl LoadedSolver {
     }
 }
 
-/// An error with its condition.
-fn help(place: usize, errors: CaseErrors) -> CaseErrors {
-    errors.first.help(format!("in condition {place}, counted from 0")).into()
-}
-
 /// Warnings as code, quantity, text, number of conditions, and the first of them.
 type Warnings = Vec<(String, String, String, usize, usize)>;
 
 /// Forces on the wheel under many conditions: columns by name, whether each converged, and
-/// warnings. Condition k is one of the case `which[k]`.
+/// warnings. The conditions are those of the first case, as many as `counts` says, then those of
+/// the second and so on; `places` are their numbers in messages, if they have others.
 #[pyfunction]
 pub fn batch<'py>(
     py: Python<'py>,
     cases: Vec<PyRef<'py, CaseFile>>,
-    which: PyReadonlyArray1<'py, i64>,
+    counts: Vec<usize>,
+    places: Option<Vec<usize>>,
     arrays: &Bound<'py, PyDict>,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<bool>>, Warnings)> {
     let conditions = Conditions::read(arrays)?;
-    let mut places = vec![Vec::new(); cases.len()];
-    for (k, case) in which.as_array().iter().enumerate() {
-        places[*case as usize].push(k);
-    }
+    let place = |k: usize| places.as_ref().map_or(k, |places| places[k]);
     let found = CaseFile::run_all(&cases, py, &Arc::default(), |files, watch| {
-        forces(files, &places, &conditions, watch)
+        forces(files, &counts, &conditions, watch).map_err(|(k, errors)| {
+            let advice = errors.first.help.clone();
+            let here = format!("in condition {}, counted from 0", place(k));
+            let help = advice.map_or_else(|| here.clone(), |advice| format!("{advice}; {here}"));
+            CaseErrors::from(errors.first.help(help))
+        })
     })?;
     let mut forces = found.map_err(|errors| errors::of_case(py, &errors))?;
     let warnings = std::mem::take(&mut forces.warnings).into_iter();
     let warnings = warnings.map(|Repeated { message, first, count }| {
-        (message.code.to_owned(), message.quantity, message.text, count, first)
+        (message.code.to_owned(), message.quantity, message.text, count, place(first))
     });
     let warnings = warnings.collect();
-    let converged = forces.status.iter().map(|status| *status == Status::Converged);
-    let converged = PyArray1::from_iter(py, converged);
+    let converged = PyArray1::from_slice(py, &forces.converged);
     Ok((forces.columns(py)?, converged, warnings))
 }
 

@@ -69,10 +69,14 @@ fn kind(kind: Kind) -> &'static str {
     }
 }
 
-/// The codes of all warnings.
+/// The codes of all warnings and what they mean.
 #[pyfunction]
-pub fn warning_codes() -> Vec<&'static str> {
-    [schlupf::Warning::CODES, schlupf_case::Notice::CODES, schlupf_tasks::Notice::CODES].concat()
+pub fn warning_codes() -> Vec<(&'static str, &'static str)> {
+    use schlupf_case::Notice as OfCase;
+    use schlupf_tasks::Notice as OfTask;
+    let codes = [schlupf::Warning::CODES, OfCase::CODES, OfTask::CODES].concat();
+    let meanings = [schlupf::Warning::MEANINGS, OfCase::MEANINGS, OfTask::MEANINGS].concat();
+    codes.into_iter().zip(meanings.into_iter().map(str::trim)).collect()
 }
 
 /// Constants to start with: group, name, what it is, its source, and its fields with values as

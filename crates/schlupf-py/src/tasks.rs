@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use schlupf::Watch;
 use schlupf::calibration::CalibrationOptions;
 use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing};
 use schlupf::identification::roughness::DEFAULT_GAMMA;
+use schlupf::{Status, Watch};
 use schlupf_case::identification::parameters;
 use schlupf_case::{CaseError, Family, InputFile, Place, direction, read_displacements};
 use schlupf_tasks::{TaskError, bulk, calibrate, compare, curve, fit, roughness, temperature};
@@ -173,13 +173,14 @@ pub fn fitted(
         max_steps,
         curve_points: 0,
         fitted_case: Some(folder.join("fitted case")),
-        names: fit::Names { data: "data", parameters: "fit", given: names.to_owned() },
+        names: fit::Names { data: "data", parameters: "fit", given: format!("{names} to") },
     };
     report(py, case, |file, watch| {
         let fit::Found { report, failure } = fit::plan(file, request, watch)?.find(watch)?;
         match failure {
-            None => Ok(Found::Fit(Box::new(report))),
-            Some(errors) => Err(errors.into()),
+            // That it has not converged explains more.
+            Some(errors) if report.fit.status == Status::Converged => Err(errors.into()),
+            _ => Ok(Found::Fit(Box::new(report))),
         }
     })
 }

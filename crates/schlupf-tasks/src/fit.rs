@@ -11,7 +11,7 @@ use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, read_data};
 use schlupf_case::{
-    Case, CaseError, CaseErrors, CaseFile, FieldNames, Folder, InputFile, Overrides, Place,
+    Case, CaseError, CaseErrors, CaseFile, Cause, FieldNames, Folder, InputFile, Overrides, Place,
 };
 use schlupf_output::identification::{FitReport, FittedRoughness};
 
@@ -49,7 +49,7 @@ pub struct Names {
     pub data: &'static str,
     /// The parameters.
     pub parameters: &'static str,
-    /// The parameters as they were given.
+    /// The parameters as they were given, with what stands between them and the data.
     pub given: String,
 }
 
@@ -160,11 +160,12 @@ impl Request {
         if !is_fitted && !is_of_data {
             return case.explain(error).into();
         }
-        let Names { data, parameters, given } = &self.names;
-        let text = format!("{given} {data} {}", self.data.path().display());
+        let Names { parameters, given, .. } = &self.names;
+        let text = format!("{given} {}", self.data.path().display());
         let place = Place::Override { option: (*parameters).into(), text };
+        let cause = if error.is_of_convergence() { Cause::NotConverged } else { Cause::Input };
         let error = CaseError::new("", error.text(&FieldNames::CASE), place);
-        error.help(doubt.map(|doubt| doubt.text.clone())).into()
+        CaseError { cause, ..error }.help(doubt.map(|doubt| doubt.text.clone())).into()
     }
 }
 

@@ -88,7 +88,7 @@ macro_rules! messages {
     (
         $(#[$about:meta])*
         $name:ident of $about_what:ty: $(
-            $(#[$doc:meta])*
+            $(#[doc = $doc:literal])*
             $code:literal $([$inner:ident])? $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
             $quantity:expr, |$subject:ident, $words:ident| $text:expr;
         )*
@@ -97,13 +97,16 @@ macro_rules! messages {
         #[derive(Debug, Clone, PartialEq)]
         #[non_exhaustive]
         pub enum $name {
-            $($(#[$doc])* $kind { $($(#[$field_doc])* $field: $type),* }),*
+            $($(#[doc = $doc])* $kind { $($(#[$field_doc])* $field: $type),* }),*
         }
 
         #[allow(unused_variables, unreachable_code, clippy::use_self)]
         impl $name {
             /// The codes of all kinds, in the order of their declaration.
             pub const CODES: &[&str] = &[$($code),*];
+
+            /// What each of them means, in Markdown.
+            pub const MEANINGS: &[&str] = &[$(concat!($($doc),*)),*];
 
             /// Which kind it is, as a word that stays the same in every version.
             pub fn code(&self) -> &'static str {

@@ -261,8 +261,8 @@ fn kalker_1967_initial_slope() {
     assert_relative_eq!(2.0 * fine - coarse, exact, max_relative = 0.005);
 }
 
-/// Nothing but elasticity determines the traction where bodies stick, so rigid ones are refused; and
-/// marching does not know the law.
+/// Nothing but elasticity determines the traction where bodies stick, so rigid ones are refused;
+/// and marching does not know the law.
 #[test]
 fn what_is_not_possible_is_said() {
     let mut rigid = coulomb(MOTION);

@@ -39,6 +39,7 @@ const OPTIONS: Options = Options {
     max_steps: 2000,
     slip_threshold: 0.95,
     sensitivity: false,
+    fields_every: 0,
 };
 
 /// Hertz's pressure with a = 6 mm, b = 5 mm, p0 = 1 GPa on a lattice whose origin is such that the

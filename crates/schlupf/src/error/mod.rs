@@ -532,7 +532,12 @@ impl From<FitError> for Error {
 impl Error {
     /// Whether the input may be right, but what follows from it was not found.
     pub fn is_of_convergence(&self) -> bool {
-        matches!(self, Self::NormalNotConverged { .. } | Self::ContactNotFound { .. })
+        matches!(
+            self,
+            Self::NormalNotConverged { .. }
+                | Self::ContactNotFound { .. }
+                | Self::Fit { error: FitError::FitStuck { .. } }
+        )
     }
 }
 

@@ -33,6 +33,7 @@ use crate::solution::{Area, Fields, Instant, Power, Resultant, Solution, Status,
 use crate::solver::Solver;
 use crate::state::State;
 use crate::summary::{self, snapshot::View};
+use crate::warning::Warning;
 
 pub use elliptic_contact::{EllipticContact, friction_state};
 
@@ -47,6 +48,8 @@ pub struct FastContact {
     options: Options,
     contact: EllipticContact,
     kernel: Kernel,
+    /// μN at the motion of the last force (in N), where the method has one for the whole contact.
+    limit: f64,
 }
 
 /// Data of a method in addition to the ellipse of the contact.
@@ -104,7 +107,7 @@ impl FastContact {
         let normal = at.problem.normal.normal_contact(None)?;
         let kernel = Kernel::new(method, &at.problem, options, &normal)?;
         let contact = EllipticContact::of(&at.problem, normal.summary)?;
-        Ok(Self { at, method, options: options.clone(), contact, kernel })
+        Ok(Self { at, method, options: options.clone(), contact, kernel, limit: f64::INFINITY })
     }
 
     /// The contact in the representation of the method.
@@ -170,16 +173,21 @@ impl FastContact {
     /// The warning about a force that [`Self::force`] has just found, if it exceeds friction.
     /// Allocates nothing.
     pub fn beyond_friction(&self, force: &Resultant) -> Option<Warning> {
-        let limit = friction_limit(&self.at.problem, self.contact.normal.load);
-        warnings::beyond_friction(self.method, force, limit)
+        warnings::beyond_friction(self.method, force, self.limit)
     }
 
     fn present_force(&mut self) -> Resultant {
         let (problem, contact) = (&self.at.problem, &self.contact);
         let motion = &problem.kinematics;
-        let limit = || friction_limit(problem, contact.normal.load);
+        let mut limit = || {
+            self.limit = friction_limit(problem, contact.normal.load);
+            self.limit
+        };
         match &mut self.kernel {
-            Kernel::KalkerLinear => contact.linear_force(motion),
+            Kernel::KalkerLinear => {
+                limit();
+                contact.linear_force(motion)
+            }
             Kernel::ShenHedrickElkins => shen_hedrick_elkins::force(contact, motion, limit()),
             Kernel::Polach(reduction) => polach::force(contact, motion, limit(), *reduction),
             Kernel::Fastsim(fastsim) => fastsim.force(problem, contact),

@@ -1,0 +1,37 @@
+//! A million creep forces by a fast method, in blocks on all cores with the feature `rayon`; prints
+//! the time in s of the fastest of some rounds.
+
+use std::time::Instant;
+
+use schlupf::kinematics::Kinematics;
+use schlupf::method::{AreaReduction, FastMethod};
+use schlupf::simplified::FastContact;
+use schlupf::solution::Resultant;
+use schlupf::{Error, Options, Problem, parallel};
+
+const COUNT: usize = 1_000_000;
+const BLOCK: usize = 4096;
+const ROUNDS: usize = 5;
+
+fn main() -> Result<(), Error> {
+    let problem = Problem::builder().load(80e3).build()?;
+    let own = problem.kinematics;
+    let creepages: Vec<f64> = (0..COUNT).map(|k| 0.02 * k as f64 / COUNT as f64).collect();
+    let mut fastest = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        let start = Instant::now();
+        let blocks = creepages.chunks(BLOCK).collect();
+        let forces: Vec<Vec<Resultant>> = parallel::try_map(blocks, |block: &[f64]| {
+            let method = FastMethod::Polach(AreaReduction::DRY);
+            let mut contact = FastContact::new(&problem, method, &Options::default())?;
+            let force =
+                |creepage: &f64| contact.force(&Kinematics { creepage_x: *creepage, ..own });
+            block.iter().map(force).collect::<Result<_, Error>>()
+        })?;
+        fastest = fastest.min(start.elapsed().as_secs_f64());
+        // The wheel is braked.
+        assert!(forces.iter().flatten().skip(1).all(|force| force.x < 0.0));
+    }
+    println!("{fastest}");
+    Ok(())
+}
