@@ -350,6 +350,8 @@ def _places(ax: Axes) -> None:
         # Room for the numbers of a slender patch.
         if width < 0.4 * longest:
             axis.set_major_locator(MaxNLocator(1 if width < 0.2 * longest else 3))
+    if sides[0][1] < 0.2 * longest:
+        ax.tick_params(axis="x", labelrotation=90)
 
 
 def labelled(values: xr.DataArray) -> str:

@@ -205,6 +205,15 @@ impl Case {
         self.file.with(option, assignments)?.pose_like(self.micro_contact(), watch)
     }
 
+    /// The value of a field with its SI unit (temperatures in degC), which may be empty, if it is a
+    /// number: see [`CaseFile::value`].
+    pub fn number(&self, path: &str) -> Option<(f64, &'static str)> {
+        match self.file.value(path)? {
+            Setting::Number(number) => Some((number, fields::find(path)?.kind.unit())),
+            _ => None,
+        }
+    }
+
     /// The micro model of its roughness, if it has one.
     pub fn micro_contact(&self) -> Option<&Arc<MicroContact>> {
         match &self.law_stiffness.origin {

@@ -89,6 +89,7 @@ fn over_x(from: f64, to: f64) -> Path {
 fn family_of(path: Path, values: &[&str]) -> CurveFamily {
     let member = |(k, value): (usize, Option<&str>)| Member {
         value: value.map(str::to_owned),
+        number: None,
         warnings: vec![Message::new("beware", "spin", "a warning")],
         curve: made_up(path, 0.4 / (1.0 + 0.1 * k as f64)),
     };
@@ -198,6 +199,19 @@ fn csv_reads_back_to_the_same_numbers() {
     assert_eq!(rows[41][2].parse::<f64>().unwrap(), point.abscissa);
     assert_eq!(rows[41][5].parse::<f64>().unwrap(), point.force.x);
     assert_eq!(&rows[41][21], "converged");
+}
+
+/// Numbers stand in the CSV in their SI unit.
+#[test]
+fn csv_has_the_numbers_of_a_family_in_si_units() {
+    let mut family = family_of(over_x(0.0, 0.05), &["36 km/h", "72 km/h"]);
+    for (member, speed) in family.members.iter_mut().zip([10.0, 20.0]) {
+        member.number = Some((speed, "m/s"));
+    }
+    let text = family.csv().unwrap();
+    assert!(text.starts_with("# units: m/s, m/s, 1, "), "{text}");
+    assert!(text.lines().nth(2).unwrap().starts_with("1e1,"));
+    assert!(text.lines().last().unwrap().starts_with("2e1,"));
 }
 
 #[test]

@@ -65,6 +65,7 @@ pub struct Plan {
 #[derive(Debug)]
 struct Member {
     value: Option<String>,
+    number: Option<(f64, &'static str)>,
     case: Case,
     path: Path,
 }
@@ -108,7 +109,8 @@ impl Request {
     fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Member>, TaskError> {
         let member = |value: Option<&String>, case: Case| {
             let path = self.varied.path(&case).map_err(|error| self.failure(&case, &error))?;
-            Ok(Member { value: value.cloned(), case, path })
+            let number = self.over.as_ref().and_then(|family| case.number(family.field));
+            Ok(Member { value: value.cloned(), number, case, path })
         };
         let Some(family) = &self.over else {
             return Ok(vec![member(None, case.clone())?]);
@@ -176,7 +178,7 @@ impl Member {
         let curve = self.trace(sampling, watch)?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
         let warnings = self.case.notices.iter().cloned().chain(of_curve).collect();
-        Ok(Found { value: self.value.clone(), warnings, curve })
+        Ok(Found { value: self.value.clone(), number: self.number, warnings, curve })
     }
 
     fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, CaseErrors> {

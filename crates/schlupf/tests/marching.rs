@@ -50,6 +50,29 @@ fn winkler_is_the_layer_without_coupling() {
     assert_relative_eq!(one.moment_z.unwrap(), two.moment_z.unwrap(), max_relative = 1e-4);
 }
 
+/// Fields over time are those of the steps that the history has, the last step always among them.
+#[test]
+fn fields_over_time_add_up_to_the_forces_of_their_steps() {
+    let options = Options { fields_every: 7, max_steps: 40, ..cells(12) };
+    let moving = Transient::to_steady_state(&problem(rolling(0.001, 0.0005, 0.2)));
+    let solution = march(&moving, &options, &unwatched).unwrap();
+    let steps: Vec<usize> = solution.field_history.iter().map(|at| at.step).collect();
+    let mut expected: Vec<usize> = (7..=solution.work.steps).step_by(7).collect();
+    if !solution.work.steps.is_multiple_of(7) {
+        expected.push(solution.work.steps);
+    }
+    assert_eq!(steps, expected);
+    for at in &solution.field_history {
+        let instant = &solution.history[at.step - 1];
+        assert_eq!(at.time, instant.time);
+        let force = at.fields.traction_x.iter().sum::<f64>() * at.fields.grid.cell_area();
+        assert_relative_eq!(force, instant.force.x, max_relative = 1e-12);
+    }
+    let last = &solution.field_history.last().unwrap().fields;
+    assert_eq!(last.traction_y, solution.fields.traction_y);
+    assert_eq!(last.slip_x, solution.fields.slip_x);
+}
+
 /// From rest the force grows, and is steady after about one passage of the patch.
 #[test]
 fn rolling_from_rest_is_steady_after_a_passage() {

@@ -19,7 +19,7 @@ use schlupf::progress::Watch;
 use schlupf::rolling::marching::{march, shift};
 use schlupf::rolling::steady::{self, SteadySolver};
 use schlupf::surface::{HeightMap, Lattice};
-use schlupf::{Error, Method, Problem, Solver, Transient, unwatched};
+use schlupf::{Error, Method, Options, Problem, Solver, Transient, unwatched};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -70,6 +70,23 @@ fn rolling_stops() {
     stops("shift", |watch| shift(&hot, [1e-6, 0.0], &options, watch));
     let fast = Method::Fast(FastMethod::ShenHedrickElkins);
     stops("fast", |watch| fast.solver(&options).solve(&hot, watch));
+}
+
+/// On large grids whoever watches is asked before each product, also of the derivatives.
+#[test]
+fn large_grids_and_their_derivatives_stop() {
+    let hot = hot();
+    let plain = cells(84);
+    let (questions, result) = watched(usize::MAX, |watch| steady::solve(&hot, &plain, watch));
+    let products = result.unwrap().work.operator_products;
+    assert!(questions as f64 > 0.5 * products, "{questions} questions, {products} products");
+    let options = Options { sensitivity: true, ..plain };
+    let (with_derivatives, result) =
+        watched(usize::MAX, |watch| steady::solve(&hot, &options, watch));
+    let work = result.unwrap().work;
+    let asked = with_derivatives - questions;
+    assert!(2 * asked > work.sensitivity_products, "{asked} questions, {work:?}");
+    stops("derivatives", |watch| steady::solve(&hot, &options, watch));
 }
 
 #[test]

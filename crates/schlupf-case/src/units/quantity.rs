@@ -137,6 +137,15 @@ mod tests {
         assert_relative_eq!(value, expected, max_relative = 1e-14);
     }
 
+    /// 10 · 1e-6 is 9.999999999999999e-6.
+    #[test]
+    fn parts_of_units_are_the_nearest_numbers() {
+        let value = |text, measure| parse_quantity(text, measure).unwrap();
+        assert_eq!(value("10 um", &Measure::LENGTH), 1e-5);
+        assert_eq!(value("0.7 mm", &Measure::LENGTH), 0.7e-3);
+        assert_eq!(value("3 ms", &Measure::TIME), 3e-3);
+    }
+
     #[test]
     fn quantities_of_the_interface_are_read() {
         assert_value("108 km/h", &Measure::SPEED, 30.0);

@@ -36,6 +36,9 @@ pub struct CurveFamily {
 pub struct Member {
     /// The value of the field, as written; `None` for a single curve.
     pub value: Option<String>,
+    /// The same as a number with its SI unit (temperatures in degC), which may be empty; `None` for
+    /// what is no number.
+    pub number: Option<(f64, &'static str)>,
     /// Warnings for whoever uses the curve.
     pub warnings: Vec<Message>,
     /// The curve.
@@ -105,21 +108,29 @@ impl Report for CurveFamily {
         summary::text(self)
     }
 
-    /// The first column is the field in which the curves differ, if there is one; then follows the
+    /// The first column is the field in which the curves differ, if there is one, in its SI unit if
+    /// it is a number, otherwise as given; then follows the
     /// total creepage if the curves have a fixed direction.
     fn csv(&self) -> Option<String> {
         let total = self.abscissa().filter(|a| matches!(a, Abscissa::Total { .. }));
         let mut table = Table::default();
+        let numbers: Option<Vec<_>> = self.members.iter().map(|member| member.number).collect();
         if let Some(over) = &self.over {
-            table = table.with(over, "as given");
+            let unit = numbers.as_ref().and_then(|numbers| Some(numbers.first()?.1));
+            table = table.with(
+                over,
+                unit.map_or("as given", |unit| if unit.is_empty() { "1" } else { unit }),
+            );
         }
         if let Some(total) = total {
             table = table.with(total.quantity().name(), "1");
         }
         let mut table = table.with_columns::<CreepCurve>();
-        for Member { value, curve, .. } in &self.members {
+        for Member { value, number, curve, .. } in &self.members {
             for (row, point) in curve.points.iter().enumerate() {
-                let value = value.as_deref().map(quoted);
+                let number = number.filter(|_| numbers.is_some());
+                let number = number.map(|(number, _)| entry(number.into()));
+                let value = number.or_else(|| value.as_deref().map(quoted));
                 let total = total.map(|_| entry(point.abscissa.into()));
                 table.push(value.into_iter().chain(total).chain(entries(curve, row)));
             }
