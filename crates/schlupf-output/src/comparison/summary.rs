@@ -74,6 +74,6 @@ fn conditions(text: &mut Summary, answer: &Answer) {
 }
 
 fn row(text: &mut Summary, name: &str, entries: impl Iterator<Item = String>, remark: &str) {
-    let entries: String = entries.map(|entry| format!("{entry:>12}")).collect();
+    let entries = entries.map(|entry| format!("{entry:>12}")).collect::<Vec<_>>().concat();
     line(text, &format!("{name:<NAMES$}{entries}{remark}"));
 }

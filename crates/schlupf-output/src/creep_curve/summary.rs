@@ -124,7 +124,7 @@ fn table(text: &mut Summary, curve: &CreepCurve) {
 }
 
 fn row(text: &mut Summary, entries: impl Iterator<Item = String>, remark: &str) {
-    let entries: String = entries.map(|entry| format!("{entry:>12}")).collect();
+    let entries = entries.map(|entry| format!("{entry:>12}")).collect::<Vec<_>>().concat();
     line(text, &format!("{entries}{remark}"));
 }
 
