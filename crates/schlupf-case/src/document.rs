@@ -37,6 +37,27 @@ pub enum Content {
 }
 
 impl Content {
+    /// A value of a TOML document.
+    pub fn of(value: &DeValue<'_>) -> Self {
+        match value {
+            DeValue::String(text) => Self::Text(text.to_string()),
+            DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+                .map_or(Self::Other("a number of too many digits"), Self::Integer),
+            DeValue::Float(digits) => {
+                digits.as_str().parse().map_or(Self::Other("a number"), Self::Float)
+            }
+            DeValue::Boolean(flag) => Self::Flag(*flag),
+            DeValue::Datetime(_) => Self::Other("a date"),
+            DeValue::Table(_) => Self::Other("a table"),
+            DeValue::Array(entries) => Self::Array(
+                entries
+                    .iter()
+                    .map(|entry| Value { content: Self::of(entry.get_ref()), span: entry.span() })
+                    .collect(),
+            ),
+        }
+    }
+
     /// The number, where it is one.
     pub fn number(&self) -> Option<f64> {
         match self {
@@ -150,7 +171,7 @@ impl Flat {
             }
             _ => path,
         };
-        let value = Value { content: convert(value.get_ref()), span: value.span() };
+        let value = Value { content: Content::of(value.get_ref()), span: value.span() };
         self.entries.push(Entry { path, key: key.span(), value, origin: self.origin.clone() });
     }
 }
@@ -168,26 +189,6 @@ fn unknown_section(path: &str, place: Place) -> CaseError {
         None => format!("the sections are {}", names().collect::<Vec<_>>().join(", ")),
     };
     CaseError::new(path, format!("unknown section `{path}`"), place).help(help)
-}
-
-fn convert(value: &DeValue<'_>) -> Content {
-    match value {
-        DeValue::String(text) => Content::Text(text.to_string()),
-        DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
-            .map_or(Content::Other("a number of too many digits"), Content::Integer),
-        DeValue::Float(digits) => {
-            digits.as_str().parse().map_or(Content::Other("a number"), Content::Float)
-        }
-        DeValue::Boolean(flag) => Content::Flag(*flag),
-        DeValue::Datetime(_) => Content::Other("a date"),
-        DeValue::Table(_) => Content::Other("a table"),
-        DeValue::Array(entries) => Content::Array(
-            entries
-                .iter()
-                .map(|entry| Value { content: convert(entry.get_ref()), span: entry.span() })
-                .collect(),
-        ),
-    }
 }
 
 /// Puts an override `path=value`, given by an option, in place of what the file says. An empty
@@ -226,7 +227,7 @@ pub fn assign(entries: &mut Vec<Entry>, origin: Origin, path: &str, value: &str)
 
 /// The value of an override: TOML if it is, else plain text, as shells eat quotes.
 fn override_content(path: &str, text: &str) -> Content {
-    let parsed = DeValue::parse(text).map(|value| convert(value.get_ref()));
+    let parsed = DeValue::parse(text).map(|value| Content::of(value.get_ref()));
     let wants_text = fields::find(path).is_some_and(|field| field.kind.is_text());
     match parsed {
         Ok(Content::Text(text)) => Content::Text(text),
@@ -237,7 +238,7 @@ fn override_content(path: &str, text: &str) -> Content {
 
 /// A text without the quotes of TOML around it, if it has any.
 pub fn without_quotes(text: &str) -> String {
-    match DeValue::parse(text).map(|value| convert(value.get_ref())) {
+    match DeValue::parse(text).map(|value| Content::of(value.get_ref())) {
         Ok(Content::Text(text)) => text,
         _ => text.to_owned(),
     }

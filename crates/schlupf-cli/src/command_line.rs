@@ -13,6 +13,7 @@ use crate::fit::Fit;
 use crate::roughness::Roughness;
 use crate::solve::Solve;
 use crate::stdout;
+use crate::sweep::{Merge, Sweep};
 use crate::temperature::Temperature;
 
 const EXIT_CODES: &str = "\
@@ -70,6 +71,12 @@ pub enum Command {
     /// Fit constants of friction and contact law to measured creep forces
     #[command(after_help = EXIT_CODES)]
     Fit(Box<Fit>),
+    /// Solve a study: many states of a case, a row of results each
+    #[command(after_help = EXIT_CODES)]
+    Sweep(Sweep),
+    /// Put the tables of all shards of a study together
+    #[command(after_help = EXIT_CODES)]
+    Merge(Merge),
     /// Validate a case file and show what would be solved
     Check(CaseArguments),
     /// Write a commented case file to start from

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use schlupf_case::{CaseErrors, Cause};
 use schlupf_output::figures::FigureError;
+use schlupf_study::StudyError;
 use schlupf_tasks::TaskError;
 
 /// Exit code of what was done.
@@ -40,6 +41,16 @@ impl From<TaskError> for Failure {
         match error {
             TaskError::Case(errors) => Self::Case(errors),
             TaskError::Request(message) => Self::Arguments(message),
+        }
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Input(errors) => Self::Case(errors),
+            StudyError::File { path, cause } => Self::File { path, cause },
+            other => Self::Arguments(other.to_string()),
         }
     }
 }

@@ -16,10 +16,16 @@ pub struct Unfinished {
     directories: Vec<PathBuf>,
     /// Whether all files of the command are in their places.
     is_written: bool,
+    /// Whether what is done is kept for the next run of the command.
+    keeps_parts: bool,
 }
 
-static UNFINISHED: Mutex<Unfinished> =
-    Mutex::new(Unfinished { files: Vec::new(), directories: Vec::new(), is_written: false });
+static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
+    files: Vec::new(),
+    directories: Vec::new(),
+    is_written: false,
+    keeps_parts: false,
+});
 
 /// What is unfinished now. While this is held, no interruption takes place: files that are put in
 /// their places are all there, or none is.
@@ -36,6 +42,11 @@ impl Unfinished {
     /// Notes a directory that was made.
     pub fn directory(&mut self, path: &Path) {
         self.directories.push(path.to_owned());
+    }
+
+    /// What is done stays: the same command goes on from there.
+    pub fn keep_parts(&mut self) {
+        self.keeps_parts = true;
     }
 
     /// All is in its place, if there was anything to write.
@@ -59,8 +70,11 @@ pub fn listen() {
     let _ = ctrlc::set_handler(|| {
         let unfinished = unfinished();
         unfinished.remove();
-        let what =
-            if unfinished.is_written { "the files are written" } else { "no file was written" };
+        let what = match (unfinished.is_written, unfinished.keeps_parts) {
+            (true, _) => "the files are written",
+            (false, true) => "what is done is kept; the same command goes on from there",
+            (false, false) => "no file was written",
+        };
         let cut = if stdout::is_writing() { "; standard output is incomplete" } else { "" };
         let _ = writeln!(std::io::stderr(), "interrupted: {what}{cut}");
         std::process::exit(INTERRUPTED);

@@ -19,6 +19,7 @@ mod report;
 mod roughness;
 mod solve;
 mod stdout;
+mod sweep;
 mod task;
 mod temperature;
 
@@ -54,6 +55,8 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Roughness(arguments) => task::run(&*arguments),
         Command::Compare(arguments) => task::run(&*arguments),
         Command::Fit(arguments) => task::run(&*arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Merge(arguments) => sweep::merge(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

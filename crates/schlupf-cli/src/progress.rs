@@ -110,6 +110,6 @@ fn residual(change: Option<f64>) -> String {
 }
 
 fn style_of_known_length() -> ProgressStyle {
-    ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}")
+    ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {per_sec} {eta}")
         .unwrap_or_else(|_| ProgressStyle::default_bar())
 }

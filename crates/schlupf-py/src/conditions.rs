@@ -9,14 +9,13 @@ use pyo3::types::PyDict;
 use schlupf::kinematics::Kinematics;
 use schlupf::message::Message;
 use schlupf::method::FastMethod;
-use schlupf::normal::PressureSource;
-use schlupf::normal::at_load::AtLoad;
 use schlupf::progress::Stage;
 use schlupf::simplified::FastContact;
 use schlupf::solution::Resultant;
-use schlupf::{Error, Method, Problem, Progress, Quantity, Solver, Status, Watch, parallel};
+use schlupf::{Error, Method, Progress, Quantity, Status, Watch, parallel};
 use schlupf_case::{Case, CaseErrors, quantity_field};
 use schlupf_output::solution::SolutionReport;
+use schlupf_tasks::loaded_solver::LoadedSolver;
 use schlupf_tasks::{contact_law, messages};
 
 use crate::case_file::CaseFile;
@@ -240,9 +239,8 @@ impl Block<'_> {
         for k in start..start + self.converged.len() {
             let explain = |error| (k, CaseErrors::from(case.explain(&error)));
             let kinematics = conditions.kinematics(k, &case.problem.kinematics);
-            let problem = solver.problem(case, kinematics, conditions.load(k), watch);
-            let problem = problem.map_err(explain)?;
-            let solution = solver.solver.solve(&problem, watch).map_err(explain)?;
+            let solution = solver.solve(case, kinematics, conditions.load(k), watch);
+            let solution = solution.map_err(explain)?;
             self.set(k, &solution.force, solution.normal.load, solution.status);
             for message in messages(&solution.warnings) {
                 note(&mut warnings, Repeated { message, first: k, count: 1 });
@@ -259,37 +257,6 @@ impl Block<'_> {
             column[k] = value;
         }
         self.converged[k] = status == Status::Converged;
-    }
-}
-
-/// A solver with the normal contact of the latest load.
-struct LoadedSolver {
-    solver: Box<dyn Solver>,
-    normal: Arc<dyn PressureSource>,
-    load: Option<f64>,
-}
-
-impl LoadedSolver {
-    fn new(case: &Case) -> Self {
-        Self { solver: case.solver(), normal: Arc::clone(&case.problem.normal), load: None }
-    }
-
-    /// The problem under these conditions.
-    fn problem(
-        &mut self,
-        case: &Case,
-        kinematics: Kinematics,
-        load: Option<f64>,
-        watch: Watch,
-    ) -> Result<Problem, Error> {
-        let own = &case.problem.normal;
-        if let Some(load) = load.filter(|load| self.load != Some(*load)) {
-            self.normal = Arc::new(AtLoad::new(Arc::clone(own), load)?);
-            self.normal.prepare(None, watch)?;
-            self.load = Some(load);
-        }
-        let normal = if load.is_some() { Arc::clone(&self.normal) } else { Arc::clone(own) };
-        Ok(Problem { kinematics, normal, ..case.problem.clone() })
     }
 }
 
@@ -359,8 +326,7 @@ impl BatchSolver {
             let mut solver = self.solver.lock().unwrap_or_else(PoisonError::into_inner);
             let case = &self.case;
             let kinematics = conditions.kinematics(0, &case.problem.kinematics);
-            let problem = solver.problem(case, kinematics, conditions.load(0), watch)?;
-            solver.solver.solve(&problem, watch)
+            solver.solve(case, kinematics, conditions.load(0), watch)
         };
         let solved = match self.case.method {
             Method::Full => interruptible(py, &self.raised, work)?,

@@ -7,7 +7,7 @@ use crate::creep_curve::CreepCurve;
 use crate::interface::roughness::load_curve::LoadCurve;
 use crate::interface::roughness::tangential_curve::TangentialCurve;
 use crate::quantity::Quantity;
-use crate::solution::{Fields, Instant, Power, Status, Temperature};
+use crate::solution::{Fields, Instant, Power, Solution, Status, Temperature};
 use crate::surface::spectrum::RadialSpectrum;
 
 /// An entry of a column.
@@ -139,6 +139,69 @@ impl Record for Fields {
             RiseRail => |fields, k| fields.temperature_rise_rail[k],
             Covered => |fields, k| fields.covered[k],
             Sliding => |fields, k| fields.sliding[k],
+        }
+    }
+}
+
+/// The scalars of a solution, one row, under the dotted names that they have in JSON.
+impl Record for Solution {
+    fn rows(&self) -> usize {
+        1
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Solution:
+            Load "normal.load" => |solution, _| solution.normal.load,
+            SemiAxisX "normal.semi_axis_x" => |solution, _| solution.normal.semi_axis_x,
+            SemiAxisY "normal.semi_axis_y" => |solution, _| solution.normal.semi_axis_y,
+            PeakPressure "normal.peak_pressure" => |solution, _| solution.normal.peak_pressure,
+            Approach "normal.approach" => |solution, _| solution.normal.approach,
+            Speed "kinematics.speed" => |solution, _| solution.kinematics.speed,
+            CreepageX "kinematics.creepage_x" => |solution, _| solution.kinematics.creepage_x,
+            CreepageY "kinematics.creepage_y" => |solution, _| solution.kinematics.creepage_y,
+            Spin "kinematics.spin" => |solution, _| solution.kinematics.spin,
+            ForceX "force.x" => |solution, _| solution.force.x,
+            ForceY "force.y" => |solution, _| solution.force.y,
+            MomentZ "force.moment_z" => |solution, _| solution.force.moment_z,
+            NormalisedX "normalised.x" => |solution, _| solution.normalised.x,
+            NormalisedY "normalised.y" => |solution, _| solution.normalised.y,
+            NormalisedMomentZ "normalised.moment_z" => |solution, _| solution.normalised.moment_z,
+            TractionCoefficient => |solution, _| solution.traction_coefficient,
+            FrictionPower "power.friction" => |solution, _| solution.power.map(|p| p.friction),
+            CreepPower "power.creep" => |solution, _| solution.power.map(|p| p.creep),
+            ReturnedPower "power.returned" => |solution, _| solution.power.map(|p| p.returned),
+            HeatIntoWheel "power.into_wheel" => |solution, _| solution.power.map(|p| p.into_wheel),
+            HeatIntoRail "power.into_rail" => |solution, _| solution.power.map(|p| p.into_rail),
+            HeatExchanged "power.exchanged" => |solution, _| solution.power.and_then(|p| p.exchanged),
+            WearNumber "t_gamma.without_spin" => |solution, _| solution.t_gamma.without_spin,
+            WearNumber "t_gamma.with_spin" => |solution, _| solution.t_gamma.with_spin,
+            MaxRise "temperature.max_rise" => |solution, _| solution.temperature.map(|t| t.max_rise),
+            MaxRiseWheel "temperature.max_rise_wheel" => |solution, _| {
+                solution.temperature.map(|t| t.max_rise_wheel)
+            },
+            MaxRiseRail "temperature.max_rise_rail" => |solution, _| {
+                solution.temperature.map(|t| t.max_rise_rail)
+            },
+            MaxTemperatureWheel "temperature.max_wheel" => |solution, _| {
+                solution.temperature.map(|t| t.max_wheel)
+            },
+            MaxTemperatureRail "temperature.max_rail" => |solution, _| {
+                solution.temperature.map(|t| t.max_rail)
+            },
+            X "temperature.x" => |solution, _| solution.temperature.map(|t| t.x),
+            Y "temperature.y" => |solution, _| solution.temperature.map(|t| t.y),
+            PecletNumber "temperature.peclet_wheel" => |solution, _| solution.peclet[0],
+            PecletNumber "temperature.peclet_rail" => |solution, _| solution.peclet[1],
+            ContactArea "area.contact" => |solution, _| solution.area.contact,
+            StickArea "area.stick" => |solution, _| solution.area.stick,
+            SlipArea "area.slip" => |solution, _| solution.area.slip,
+            Residual => |solution, _| solution.residual,
+            NewtonIterations "work.newton_iterations" => |solution, _| {
+                solution.work.newton_iterations
+            },
+            OperatorProducts "work.operator_products" => |solution, _| {
+                solution.work.operator_products
+            },
         }
     }
 }

@@ -24,6 +24,8 @@ pub enum Stage {
     Fit,
     /// Motions that a calibration has solved.
     Calibration,
+    /// States of a study.
+    Study,
 }
 
 impl Stage {
@@ -38,6 +40,7 @@ impl Stage {
             Self::BulkTemperature => "steady states",
             Self::Fit => "fitting, forces",
             Self::Calibration => "calibrating, motions",
+            Self::Study => "states",
         }
     }
 }

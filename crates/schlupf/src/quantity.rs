@@ -191,6 +191,8 @@ quantities! {
     HeatIntoWheel "heat_into_wheel" "" "W" "part of the heat that goes into the wheel"
     HeatIntoRail "heat_into_rail" "" "W" "part of the heat that goes into the rail"
     HeatExchanged "heat_exchanged" "" "W" "heat from the wheel into the rail as their bulk temperatures differ"
+    WearNumber "t_gamma" "Tγ" "N" "wear number, frictional energy per distance rolled"
+    PecletNumber "peclet" "v a/κ" "" "Péclet number"
     StoredEnergy "stored_energy" "E" "J" "elastic energy of the tangential deformation"
     Distance "distance" "s" "m" "distance rolled"
     MaxRise "max_rise" "ΔT" "K" "largest temperature rise"

@@ -1,0 +1,116 @@
+//! `schlupf sweep` and `schlupf merge`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use schlupf_study::run::Report;
+use schlupf_study::{Study, merge, run};
+
+use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
+use crate::interrupt;
+use crate::outputs::{self, Input, Output};
+use crate::progress::Progress;
+use crate::stdout;
+
+const OUTPUT: &str = "--output";
+
+/// Which study, and where to write its table.
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// Study file (TOML): a case and what varies over it
+    pub study: PathBuf,
+    /// Where to write the table, a row for each state: .csv or .parquet; run again, it resumes
+    #[arg(long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Solve one share of so many only, such as 1/8; `schlupf merge` puts them together
+    #[arg(long, value_name = "I/N", value_parser = shard, default_value = "1/1")]
+    pub shard: Shard,
+    /// Print no summary
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Which tables, and where to write the whole.
+#[derive(Debug, Args)]
+pub struct Merge {
+    /// Tables of all shards of a study
+    #[arg(required = true)]
+    pub tables: Vec<PathBuf>,
+    /// Where to write the table of the whole study: .csv or .parquet
+    #[arg(long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Print no summary
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// A share, counted from 1, and of how many.
+#[derive(Debug, Clone, Copy)]
+pub struct Shard([usize; 2]);
+
+fn shard(text: &str) -> Result<Shard, String> {
+    let parts = text.split_once('/');
+    let parts = parts.and_then(|(i, n)| Some([i.trim().parse().ok()?, n.trim().parse().ok()?]));
+    let shard = parts.filter(|[i, n]| (1..=*n).contains(i));
+    shard.map(Shard).ok_or_else(|| "must be I/N with I from 1 to N, such as 2/8".to_owned())
+}
+
+/// Solves a study.
+pub fn sweep(arguments: &Sweep) -> Result<u8, Failure> {
+    let progress = Progress::start();
+    check(&arguments.output)?;
+    progress.stage("reading the study");
+    let study = Study::from_path(&arguments.study)?;
+    let input =
+        |path: &PathBuf| Input { what: "the study".to_owned(), path: path.clone(), except: None };
+    let inputs: Vec<Input> = study.inputs().iter().map(input).collect();
+    outputs::refuse_inputs(&[output(&arguments.output)], None, &inputs)?;
+    interrupt::unfinished().keep_parts();
+    let report = run::run(&study, arguments.shard.0, &arguments.output, &progress.watch())?;
+    drop(progress);
+    told(&report, &arguments.output, arguments.quiet)
+}
+
+/// Puts the tables of shards together.
+pub fn merge(arguments: &Merge) -> Result<u8, Failure> {
+    check(&arguments.output)?;
+    let input = |path: &PathBuf| Input {
+        what: "the tables to merge".to_owned(),
+        path: path.clone(),
+        except: None,
+    };
+    let inputs: Vec<Input> = arguments.tables.iter().map(input).collect();
+    outputs::refuse_inputs(&[output(&arguments.output)], None, &inputs)?;
+    let report = merge::merge(&arguments.tables, &arguments.output)?;
+    told(&report, &arguments.output, arguments.quiet)
+}
+
+fn output(path: &Path) -> Output {
+    Output { option: OUTPUT, path: path.to_owned() }
+}
+
+fn check(path: &Path) -> Result<(), Failure> {
+    outputs::check(&[output(path)], None)
+}
+
+/// Prints what was done.
+fn told(report: &Report, path: &Path, is_quiet: bool) -> Result<u8, Failure> {
+    if !is_quiet {
+        let Report { rows, resumed, not_converged, failed, .. } = report;
+        let solved = rows - failed - not_converged;
+        let mut text = format!("{}\n\n{rows} states, {solved} converged", path.display());
+        let parts = [(*not_converged, "not converged"), (*failed, "failed")];
+        for (count, what) in parts.into_iter().filter(|(count, _)| *count > 0) {
+            text.push_str(&format!(", {count} {what}"));
+        }
+        if *resumed > 0 {
+            text.push_str(&format!("; {resumed} were there already"));
+        }
+        text.push('\n');
+        if let Some((row, reason)) = &report.first_failure {
+            text.push_str(&format!("first failure: row {row}: {reason}\n"));
+        }
+        stdout::write(&text)?;
+    }
+    Ok(if report.is_converged() { SUCCESS } else { NOT_CONVERGED })
+}

@@ -1,0 +1,257 @@
+//! States of a file: a row each, with columns named as fields, such as `normal.load [kN]`.
+
+use std::fs::File;
+use std::path::Path;
+use std::sync::Arc;
+
+use schlupf_case::fields::{self, Field, Kind};
+use schlupf_case::units::{Conversion, Measure, parse_unit};
+use schlupf_case::{CaseError, LARGEST_FILE, Place, Source, read_up_to};
+
+use super::{Carried, Design, Values, Varied};
+use crate::error::StudyError;
+use crate::table::{Cells, Format, read_parquet_columns};
+
+/// Columns that are carried along: name and what they measure.
+const CARRIED: [(&str, &Measure); 2] = [("time", &Measure::TIME), ("distance", &Measure::LENGTH)];
+
+/// Reads the states of a file.
+///
+/// # Errors
+/// A file that cannot be read, columns that are no fields or lack their unit, and cells that are no
+/// numbers where there should be.
+pub(crate) fn read(path: &Path) -> Result<Design, StudyError> {
+    let columns = match Format::of(path)? {
+        Format::Csv => from_csv(path)?,
+        Format::Parquet => {
+            let columns = read_parquet_columns(path)?;
+            let place = Place::File { name: path.display().to_string() };
+            let heads = columns.iter().map(|(name, _)| Head::read(name, &place));
+            let heads = heads.collect::<Result<Vec<_>, _>>()?;
+            heads.into_iter().zip(columns).map(|(head, (_, cells))| (head, cells)).collect()
+        }
+    };
+    design(path, columns)
+}
+
+fn design(path: &Path, columns: Vec<(Head, Cells)>) -> Result<Design, StudyError> {
+    let refused = |message: String| {
+        let place = Place::File { name: path.display().to_string() };
+        StudyError::from(CaseError::new("", message, place))
+    };
+    let (mut varied, mut carried): (Vec<Varied>, Vec<Carried>) = (Vec::new(), Vec::new());
+    for (Head { what, convert }, cells) in columns {
+        let convert = |number: f64| convert.map_or(number, |convert| convert.apply(number));
+        let wrong = |name: &str| refused(format!("{name} must be numbers, but is text"));
+        match (what, cells) {
+            (What::Carried(name, unit), Cells::Numbers(numbers)) => {
+                let values = numbers.into_iter().map(convert).collect();
+                carried.push(Carried { name, unit, values });
+            }
+            (What::Carried(name, _), _) => return Err(wrong(name)),
+            (What::Field(field), cells) => {
+                if varied.iter().any(|other| other.field.path == field.path) {
+                    return Err(refused(format!("there are two columns {}", field.path)));
+                }
+                let values = match (field.kind, cells) {
+                    (kind, Cells::Texts(texts)) if !is_number(kind) => Values::Texts(texts),
+                    (kind, Cells::Numbers(numbers)) if is_number(kind) => {
+                        Values::Numbers(numbers.into_iter().map(convert).collect())
+                    }
+                    (Kind::Count, Cells::Numbers(numbers)) => {
+                        Values::Texts(numbers.iter().map(ToString::to_string).collect())
+                    }
+                    (kind, _) if is_number(kind) => return Err(wrong(field.path)),
+                    _ => return Err(refused(format!("{} must be text, but is not", field.path))),
+                };
+                varied.push(Varied { field, values });
+            }
+        }
+    }
+    if varied.is_empty() {
+        return Err(refused("a file of states needs columns named as fields".to_owned()));
+    }
+    Ok(Design::Rows(varied, carried))
+}
+
+/// Whether the values of a field are numbers that may have a unit.
+fn is_number(kind: Kind) -> bool {
+    matches!(kind, Kind::Quantity(_) | Kind::Number)
+}
+
+/// The head of a column.
+struct Head {
+    what: What,
+    convert: Option<Conversion>,
+}
+
+enum What {
+    Field(&'static Field),
+    /// Name and unit.
+    Carried(&'static str, &'static str),
+}
+
+impl Head {
+    /// Reads `name [unit]`.
+    fn read(text: &str, place: &Place) -> Result<Self, CaseError> {
+        let refused = |message: String| CaseError::new("", message, place.clone());
+        let (name, unit) = match text.split_once('[') {
+            Some((name, unit)) => (name.trim(), Some(unit.trim_end().trim_end_matches(']'))),
+            None => (text.trim(), None),
+        };
+        let carried = CARRIED.iter().find(|(carried, _)| *carried == name);
+        let (what, measure) = match (carried, fields::find(name)) {
+            (Some((name, measure)), _) => (What::Carried(name, measure.unit), Some(*measure)),
+            (None, Some(field)) => {
+                let measure = match field.kind {
+                    Kind::Quantity(measure) => Some(measure),
+                    Kind::Quantities(_) | Kind::Numbers => {
+                        return Err(refused(format!("{name} is a list and cannot vary")));
+                    }
+                    _ => None,
+                };
+                (What::Field(field), measure)
+            }
+            (None, None) => {
+                let help =
+                    fields::closest_path(name).map(|meant| format!("did you mean `{meant}`?"));
+                let error =
+                    refused(format!("unknown column `{name}`: columns are named as fields"));
+                return Err(error.help(help));
+            }
+        };
+        let convert = match (measure, unit) {
+            (Some(measure), Some(unit)) => {
+                let convert = parse_unit(unit, measure);
+                Some(convert.map_err(|error| refused(format!("{name} [{unit}]: {error}")))?)
+            }
+            (Some(measure), None) => {
+                let unit = measure.unit;
+                let message = format!("{name} needs a unit in the header, such as {name} [{unit}]");
+                return Err(refused(message));
+            }
+            (None, Some(unit)) => {
+                return Err(refused(format!("{name} has no unit, but the header gives [{unit}]")));
+            }
+            (None, None) => None,
+        };
+        Ok(Self { what, convert })
+    }
+
+    fn is_number(&self) -> bool {
+        match self.what {
+            What::Carried(..) => true,
+            What::Field(field) => is_number(field.kind),
+        }
+    }
+}
+
+fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
+    let bytes = File::open(path).and_then(|file| read_up_to(LARGEST_FILE, file));
+    let bytes = bytes.map_err(|cause| StudyError::file(path, cause))?;
+    let name = path.display().to_string();
+    let text = String::from_utf8(bytes).map_err(|_| {
+        let place = Place::File { name: name.clone() };
+        CaseError::new("", "states must be text in UTF-8, but are not", place)
+    })?;
+    let text = text.trim_start_matches('\u{feff}').to_owned();
+    let source = Arc::new(Source { name, text });
+    let at_line = |line: usize| Place::line(&source, line);
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .has_headers(false)
+        .from_reader(source.text.as_bytes());
+    let mut record = csv::StringRecord::new();
+    let mut columns: Vec<(Head, Cells)> = Vec::new();
+    let mut has_header = false;
+    loop {
+        let is_record = reader.read_record(&mut record).map_err(|error| {
+            let line = error.position().map_or(1, |position| position.line() as usize);
+            let count = columns.len();
+            let message = match error.kind() {
+                csv::ErrorKind::UnequalLengths { len, .. } => {
+                    format!("a row must have {count} cells, but has {len}")
+                }
+                other => format!("{other:?}"),
+            };
+            CaseError::new("", message, at_line(line))
+        })?;
+        if !is_record {
+            break;
+        }
+        let line = record.position().map_or(1, |position| position.line() as usize);
+        if !has_header {
+            has_header = true;
+            for head in &record {
+                let head = Head::read(head, &at_line(line))?;
+                let cells = if head.is_number() {
+                    Cells::Numbers(Vec::new())
+                } else {
+                    Cells::Texts(Vec::new())
+                };
+                columns.push((head, cells));
+            }
+            continue;
+        }
+        for ((head, cells), text) in columns.iter_mut().zip(&record) {
+            match cells {
+                Cells::Numbers(numbers) => numbers.push(text.parse().map_err(|_| {
+                    let name = match head.what {
+                        What::Field(field) => field.path,
+                        What::Carried(name, _) => name,
+                    };
+                    let message = format!("{name} must be a number, but is {text:?}");
+                    CaseError::new("", message, at_line(line))
+                })?),
+                Cells::Texts(texts) => texts.push(text.to_owned()),
+                Cells::Counts(_) => {}
+            }
+        }
+    }
+    Ok(columns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Entry;
+
+    fn states(text: &str) -> Result<Design, String> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("states.csv");
+        std::fs::write(&path, text).unwrap();
+        read(&path).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn columns_are_fields_with_units() {
+        let design = states(
+            "# a run\ntime [ms], normal.load [kN], kinematics.creepage_x, solver.method\n\
+             1, 60, 0.001, full\n2, 80, 0.002, polach\n",
+        );
+        let design = design.unwrap();
+        assert_eq!(design.rows(), Some(2));
+        let polach = Entry::Text("polach".to_owned());
+        assert_eq!(design.row(1), [Entry::Number(8e4), Entry::Number(0.002), polach]);
+        assert_eq!(design.carried()[0].values, [1e-3, 2e-3]);
+    }
+
+    #[test]
+    fn wrong_columns_and_cells_are_named_with_their_line() {
+        let refused = |text: &str| states(text).unwrap_err();
+        let misnamed = refused("normal.laod [N]\n1\n");
+        assert!(misnamed.contains("normal.laod") && misnamed.contains("normal.load"), "{misnamed}");
+        assert!(refused("normal.load\n1\n").contains("needs a unit in the header"));
+        assert!(refused("normal.load [m]\n1\n").contains("normal.load [m]"));
+        assert!(refused("kinematics.creepage_x [m]\n1\n").contains("has no unit"));
+        let cell = refused("normal.load [N]\n1\nx\n");
+        assert!(cell.contains("states.csv:3:1") && cell.contains("\"x\""), "{cell}");
+        let short = refused("normal.load [N],kinematics.creepage_x\n1\n");
+        assert!(short.contains("must have 2 cells, but has 1"), "{short}");
+        assert!(refused("history.time [s]\n1\n").contains("is a list"));
+        assert!(refused("time [s]\n1\n").contains("needs columns named as fields"));
+        let twice = refused("normal.load [N],normal.load [kN]\n1,2\n");
+        assert!(twice.contains("two columns normal.load"));
+    }
+}

@@ -1,0 +1,22 @@
+//! Studies: many states of a case, each a row of results in one table.
+//!
+//! A [`Study`] is a case and what varies over it. [`run`](run::run) solves its rows in batches on
+//! all threads and writes each batch as soon as it is done, so that a run that ends early goes on
+//! where it was; [`merge`](merge::merge) puts the shares of several machines together. The table is
+//! the same, byte for byte, however the work was divided.
+
+#![forbid(unsafe_code)]
+
+mod batch;
+mod columns;
+pub mod design;
+mod error;
+pub mod merge;
+mod order;
+mod parts;
+pub mod run;
+mod study;
+pub mod table;
+
+pub use error::StudyError;
+pub use study::Study;

@@ -1,0 +1,123 @@
+//! Tables as CSV: a comment with what they are of, one with units, a header, then a row a line.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+use super::{Cells, Column, Contents, Kind, Rows};
+use crate::error::StudyError;
+
+/// What the first line begins with.
+const MARK: &str = "# schlupf study ";
+
+/// Writes a table.
+pub struct CsvWriter {
+    path: PathBuf,
+    file: BufWriter<File>,
+}
+
+impl CsvWriter {
+    pub fn create(path: &Path, contents: &Contents) -> Result<Self, StudyError> {
+        let fail = |cause| StudyError::file(path, cause);
+        let file = File::create(path).map_err(fail)?;
+        let mut file = BufWriter::new(file);
+        let about = serde_json::to_string(contents).map_err(|error| fail(error.into()))?;
+        let unit = |column: &Column| match (column.kind, column.unit.as_str()) {
+            (Kind::Text, _) => "text".to_owned(),
+            (_, "") => "1".to_owned(),
+            (_, unit) => unit.to_owned(),
+        };
+        let units: Vec<String> = contents.columns.iter().map(unit).collect();
+        let names: Vec<&str> = contents.columns.iter().map(|column| column.name.as_str()).collect();
+        let head = format!("{MARK}{about}\n# units: {}\n{}\n", units.join(", "), names.join(","));
+        file.write_all(head.as_bytes()).map_err(fail)?;
+        Ok(Self { path: path.to_owned(), file })
+    }
+
+    pub fn append(&mut self, rows: &Rows) -> Result<(), StudyError> {
+        write_rows(&mut self.file, rows).map_err(|cause| StudyError::file(&self.path, cause))
+    }
+
+    pub fn finish(self) -> Result<(), StudyError> {
+        let Self { path, file } = self;
+        let synced = file.into_inner().map_err(|error| error.into_error());
+        synced.and_then(|file| file.sync_all()).map_err(|cause| StudyError::file(&path, cause))
+    }
+}
+
+/// Writes rows without a header.
+pub fn write_rows(file: &mut impl Write, rows: &Rows) -> std::io::Result<()> {
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(file);
+    let count = rows.first().map_or(0, Cells::len);
+    for row in 0..count {
+        let cells = rows.iter().map(|cells| match cells {
+            Cells::Numbers(numbers) if numbers[row].is_nan() => String::new(),
+            // 0 for −0.
+            Cells::Numbers(numbers) => format!("{:e}", numbers[row] + 0.0),
+            Cells::Counts(counts) => counts[row].to_string(),
+            Cells::Texts(texts) => texts[row].clone(),
+        });
+        writer.write_record(cells)?;
+    }
+    writer.flush()
+}
+
+/// Reads rows without a header, up to `most`; why not, if a cell is wrong.
+pub fn read_rows(
+    reader: &mut csv::Reader<impl Read>,
+    columns: &[Column],
+    most: usize,
+) -> Result<Rows, String> {
+    let mut rows: Rows = columns.iter().map(|column| Cells::empty(column.kind)).collect();
+    let mut record = csv::StringRecord::new();
+    for _ in 0..most {
+        if !reader.read_record(&mut record).map_err(|error| error.to_string())? {
+            break;
+        }
+        if record.len() != columns.len() {
+            let (found, wanted) = (record.len(), columns.len());
+            return Err(format!("a row has {found} cells, but there are {wanted} columns"));
+        }
+        for ((cells, text), column) in rows.iter_mut().zip(&record).zip(columns) {
+            let wrong = || format!("{} must be a number, but is {text:?}", column.name);
+            match cells {
+                Cells::Numbers(numbers) if text.is_empty() => numbers.push(f64::NAN),
+                Cells::Numbers(numbers) => numbers.push(text.parse().map_err(|_| wrong())?),
+                Cells::Counts(counts) => counts.push(text.parse().map_err(|_| wrong())?),
+                Cells::Texts(texts) => texts.push(text.to_owned()),
+            }
+        }
+    }
+    Ok(rows)
+}
+
+/// Reads a table.
+pub struct CsvReader {
+    path: PathBuf,
+    reader: csv::Reader<BufReader<File>>,
+    batches: Box<dyn Iterator<Item = usize> + Send>,
+}
+
+impl CsvReader {
+    pub fn open(path: &Path) -> Result<(Contents, Self), StudyError> {
+        let fail = |cause| StudyError::file(path, cause);
+        let mut file = BufReader::new(File::open(path).map_err(fail)?);
+        let mut lines = [const { String::new() }; 3];
+        for line in &mut lines {
+            file.read_line(line).map_err(fail)?;
+        }
+        let about = lines[0].strip_prefix(MARK).and_then(|about| serde_json::from_str(about).ok());
+        let contents: Contents =
+            about.ok_or_else(|| StudyError::table(path, "it is no table of a study"))?;
+        let batches = Box::new(contents.own_batches());
+        let reader = csv::ReaderBuilder::new().has_headers(false).from_reader(file);
+        Ok((contents, Self { path: path.to_owned(), reader, batches }))
+    }
+
+    pub fn next_batch(&mut self, contents: &Contents) -> Result<Option<Rows>, StudyError> {
+        let Some(batch) = self.batches.next() else { return Ok(None) };
+        let rows = read_rows(&mut self.reader, &contents.columns, contents.rows_of(batch).len());
+        let rows = rows.map_err(|reason| StudyError::table(&self.path, reason))?;
+        Ok((!rows.iter().all(Cells::is_empty)).then_some(rows))
+    }
+}

@@ -1,0 +1,305 @@
+//! The table of a study: a row for each state, in batches, as CSV or Parquet.
+
+mod csv_file;
+mod parquet_file;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::StudyError;
+use csv_file::{CsvReader, CsvWriter};
+use parquet_file::{ParquetReader, ParquetWriter};
+
+pub(crate) use csv_file::{read_rows, write_rows};
+pub(crate) use parquet_file::read_columns as read_parquet_columns;
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Kind {
+    /// Numbers in the unit of the column; NaN where there is none.
+    Number,
+    /// Whole numbers.
+    Count,
+    /// Text; empty where there is none.
+    Text,
+}
+
+/// A column of a table.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Column {
+    /// Its name, such as `force.x`.
+    pub name: String,
+    /// The SI unit of its numbers, temperatures in degC; empty if they have none.
+    pub unit: String,
+    /// What it holds.
+    pub kind: Kind,
+}
+
+impl Column {
+    /// A column.
+    pub fn new(name: &str, unit: &str, kind: Kind) -> Self {
+        Self { name: name.to_owned(), unit: unit.to_owned(), kind }
+    }
+}
+
+/// Values of a column.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Cells {
+    /// Numbers; NaN where there is none.
+    Numbers(Vec<f64>),
+    /// Whole numbers.
+    Counts(Vec<i64>),
+    /// Text; empty where there is none.
+    Texts(Vec<String>),
+}
+
+impl Cells {
+    /// None yet, for a column of some kind.
+    pub fn empty(kind: Kind) -> Self {
+        match kind {
+            Kind::Number => Self::Numbers(Vec::new()),
+            Kind::Count => Self::Counts(Vec::new()),
+            Kind::Text => Self::Texts(Vec::new()),
+        }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.len(),
+            Self::Counts(values) => values.len(),
+            Self::Texts(values) => values.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Some rows of a table: cells for each of its columns.
+pub type Rows = Vec<Cells>;
+
+/// What a table is of.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Contents {
+    /// The program that made it.
+    pub program: String,
+    /// Digest of the study.
+    pub study: String,
+    /// Rows of the whole study.
+    pub rows: usize,
+    /// Rows of a batch.
+    pub batch: usize,
+    /// Which share of the batches it has, from 1, and of how many.
+    pub shard: [usize; 2],
+    /// Its columns.
+    pub columns: Vec<Column>,
+}
+
+impl Contents {
+    /// Number of batches of the whole study.
+    pub fn batches(&self) -> usize {
+        self.rows.div_ceil(self.batch)
+    }
+
+    /// The batches of its share, in order.
+    pub fn own_batches(&self) -> impl Iterator<Item = usize> + use<> {
+        let [shard, shards] = self.shard;
+        (shard - 1..self.batches()).step_by(shards)
+    }
+
+    /// The rows of a batch.
+    pub fn rows_of(&self, batch: usize) -> std::ops::Range<usize> {
+        let start = batch * self.batch;
+        start..(start + self.batch).min(self.rows)
+    }
+}
+
+/// Format of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Format {
+    /// Comma-separated values.
+    Csv,
+    /// Apache Parquet, compressed with Snappy.
+    Parquet,
+}
+
+impl Format {
+    /// That of a file by the ending of its name.
+    ///
+    /// # Errors
+    /// Another ending.
+    pub fn of(path: &Path) -> Result<Self, StudyError> {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        match ending.to_ascii_lowercase().as_str() {
+            "csv" => Ok(Self::Csv),
+            "parquet" => Ok(Self::Parquet),
+            _ => Err(StudyError::table(path, "a table must be a .csv or .parquet file")),
+        }
+    }
+}
+
+/// Writes a table batch by batch.
+pub(crate) enum Writer {
+    Csv(CsvWriter),
+    Parquet(Box<ParquetWriter>),
+}
+
+impl Writer {
+    /// Begins a table at a path.
+    pub fn create(path: &Path, format: Format, contents: &Contents) -> Result<Self, StudyError> {
+        Ok(match format {
+            Format::Csv => Self::Csv(CsvWriter::create(path, contents)?),
+            Format::Parquet => Self::Parquet(Box::new(ParquetWriter::create(path, contents)?)),
+        })
+    }
+
+    /// Adds the rows of a batch.
+    pub fn append(&mut self, rows: &Rows) -> Result<(), StudyError> {
+        match self {
+            Self::Csv(writer) => writer.append(rows),
+            Self::Parquet(writer) => writer.append(rows),
+        }
+    }
+
+    /// Ends the table; it is on the disk then.
+    pub fn finish(self) -> Result<(), StudyError> {
+        match self {
+            Self::Csv(writer) => writer.finish(),
+            Self::Parquet(writer) => writer.finish(),
+        }
+    }
+}
+
+/// Reads a table batch by batch.
+pub struct Reader {
+    contents: Contents,
+    source: Source,
+}
+
+enum Source {
+    Csv(CsvReader),
+    Parquet(Box<ParquetReader>),
+}
+
+impl Reader {
+    /// Opens a table that a study has made.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or is no such table.
+    pub fn open(path: &Path) -> Result<Self, StudyError> {
+        let (contents, source) = match Format::of(path)? {
+            Format::Csv => {
+                let (contents, reader) = CsvReader::open(path)?;
+                (contents, Source::Csv(reader))
+            }
+            Format::Parquet => {
+                let (contents, reader) = ParquetReader::open(path)?;
+                (contents, Source::Parquet(Box::new(reader)))
+            }
+        };
+        let [shard, shards] = contents.shard;
+        if shard == 0 || shard > shards || contents.batch == 0 {
+            return Err(StudyError::table(path, "what it says about its shard is wrong"));
+        }
+        Ok(Self { contents, source })
+    }
+
+    /// What the table is of.
+    pub fn contents(&self) -> &Contents {
+        &self.contents
+    }
+
+    /// The rows of the next batch; `None` at the end.
+    ///
+    /// # Errors
+    /// A file that cannot be read further.
+    pub fn next_batch(&mut self) -> Result<Option<Rows>, StudyError> {
+        match &mut self.source {
+            Source::Csv(reader) => reader.next_batch(&self.contents),
+            Source::Parquet(reader) => reader.next_batch(&self.contents),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn contents(rows: usize) -> Contents {
+        let columns = vec![
+            Column::new("index", "", Kind::Count),
+            Column::new("force.x", "N", Kind::Number),
+            Column::new("error", "", Kind::Text),
+        ];
+        let (program, study) = ("schlupf".to_owned(), "abc".to_owned());
+        Contents { program, study, rows, batch: 2, shard: [1, 1], columns }
+    }
+
+    fn rows(start: i64, numbers: &[f64], texts: &[&str]) -> Rows {
+        vec![
+            Cells::Counts((start..start + numbers.len() as i64).collect()),
+            Cells::Numbers(numbers.to_vec()),
+            Cells::Texts(texts.iter().map(|text| (*text).to_owned()).collect()),
+        ]
+    }
+
+    /// What is written is read back, number for number, batch for batch.
+    #[test]
+    fn tables_survive() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["table.csv", "table.parquet"] {
+            let path = folder.path().join(name);
+            let format = Format::of(&path).unwrap();
+            let contents = contents(3);
+            let batches = [
+                rows(0, &[0.1 + 0.2, -1e-300], &["", "a, \"b\"\n# c"]),
+                rows(2, &[f64::INFINITY], &["µ"]),
+            ];
+            let mut writer = Writer::create(&path, format, &contents).unwrap();
+            batches.iter().for_each(|batch| writer.append(batch).unwrap());
+            writer.finish().unwrap();
+            let mut reader = Reader::open(&path).unwrap();
+            assert_eq!(*reader.contents(), contents);
+            for batch in &batches {
+                assert_eq!(reader.next_batch().unwrap().as_ref(), Some(batch), "{name}");
+            }
+            assert_eq!(reader.next_batch().unwrap(), None);
+        }
+    }
+
+    #[test]
+    fn missing_numbers_are_not_numbers() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["table.csv", "table.parquet"] {
+            let path = folder.path().join(name);
+            let mut writer =
+                Writer::create(&path, Format::of(&path).unwrap(), &contents(1)).unwrap();
+            writer.append(&rows(0, &[f64::NAN], &[""])).unwrap();
+            writer.finish().unwrap();
+            let batch = Reader::open(&path).unwrap().next_batch().unwrap().unwrap();
+            let Cells::Numbers(numbers) = &batch[1] else { panic!("{name}") };
+            assert!(numbers[0].is_nan());
+        }
+    }
+
+    #[test]
+    fn what_is_no_table_of_a_study_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let refused = |name: &str, bytes: &[u8]| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, bytes).unwrap();
+            Reader::open(&path).err().unwrap().to_string()
+        };
+        assert!(refused("a.csv", b"x,y\n1,2\n").contains("no table of a study"));
+        assert!(refused("a.parquet", b"PAR1").contains("Parquet"));
+        assert!(refused("a.txt", b"").contains(".csv or .parquet"));
+    }
+}
