@@ -32,7 +32,7 @@ def over_slip_speed(laws: dict[str, dict[str, Any]], largest: float = 3.0) -> No
     speeds = np.linspace(0.01, largest, 80)
     for label, friction in laws.items():
         case = _rigid(friction).with_(kinematics={"speed": 30.0})
-        forces = schlupf.forces(case, creepage_x=speeds / 30.0)
+        forces = schlupf.forces(case, creepage_x=speeds / 30.0, warn=False)
         ax.plot(speeds, forces["traction_coefficient"], label=label)
     ax.set(xlabel="slip speed (m/s)", ylabel="μ", ylim=(0.0, None))
     ax.legend()
@@ -89,7 +89,7 @@ def creep_curves(methods: list[str]) -> None:
     _, axes = plt.subplots(1, 2, figsize=(7.0, 2.8), sharex=True)
     for label in ["half-space", *methods]:
         case = half_space if label == "half-space" else base.with_(solver={"method": label})
-        forces = schlupf.forces(case, creepage_x=creepages)
+        forces = schlupf.forces(case, creepage_x=creepages, warn=False)
         style = "k:" if label == "half-space" else "-"
         for ax, name in zip(axes, ("force_x", "force_y"), strict=True):
             ax.plot(creepages, -forces[name] / (0.3 * 80e3), style, label=label)

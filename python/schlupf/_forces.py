@@ -29,13 +29,17 @@ NUMBERS = ("quantity", "number", "count", "number-or-choice")
 STATUS = ("converged", "not-converged")
 
 
-def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
+def forces(
+    case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataArray
+) -> xr.Dataset:
     """Forces on the wheel under many conditions, on all cores.
 
     Parameters
     ----------
     case : Case
         Everything that does not vary; its method may be a fast one.
+    warn : bool, default True
+        Whether to issue the warnings of the results.
     **conditions : array or DataArray
         ``creepage_x``, ``creepage_y`` (dimensionless), ``spin`` (1/m), ``speed`` (m/s), ``load``
         (N), which change as in a history of the case; or any number of the case by its path with
@@ -98,10 +102,11 @@ def forces(case: Case, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
         for name, column in columns.items()
     }
     status = {"flag_values": [0, 1], "flag_meanings": " ".join(STATUS), "long_name": "status"}
-    if not converged.all():
+    if warn and not converged.all():
         failed = f"{np.count_nonzero(~converged)} of {converged.size} conditions have not converged"
         emit([("not-converged", "status", f"status: {failed}")], stacklevel=2)
-    emit(_of_conditions(messages, template.size), stacklevel=2)
+    if warn:
+        emit(_of_conditions(messages, template.size), stacklevel=2)
     numbers = np.where(converged, 0, 1).astype(np.int8).reshape(template.shape)
     dataset = xr.Dataset({**shaped, "status": (template.dims, numbers, status)})
     coordinates = {

@@ -1,0 +1,271 @@
+//! Studies: rows as solved one by one, tables that are the same however the work was divided, and
+//! what is wrong said in words.
+
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use schlupf::unwatched;
+use schlupf_case::{CaseFile, Folder, Overrides};
+use schlupf_study::merge::merge;
+use schlupf_study::run::{Report, run};
+use schlupf_study::table::{Cells, Reader};
+use schlupf_study::{Study, StudyError};
+use schlupf_tasks::solve::solve;
+
+const CASE: &str = "title = \"braking\"\nelasticity.model = \"half-space\"\n\
+                    [grid]\ncells_x = 8\ncells_y = 8\n";
+
+/// A folder with a case and a study of it.
+struct Bench(tempfile::TempDir);
+
+impl Bench {
+    fn new(study: &str) -> Self {
+        let bench = Self(tempfile::tempdir().unwrap());
+        bench.write("case.toml", CASE);
+        bench.write("study.toml", &format!("case = \"case.toml\"\n{study}"));
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).unwrap();
+    }
+
+    fn study(&self) -> Result<Study, StudyError> {
+        Study::from_path(&self.path("study.toml"))
+    }
+
+    fn run(&self, shard: [usize; 2], output: &str) -> Result<Report, StudyError> {
+        run(&self.study()?, shard, &self.path(output), &unwatched)
+    }
+
+    fn bytes(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).unwrap()
+    }
+}
+
+const FACTORIAL: &str = "batch = 4\n[vary]\n\
+    \"normal.load\" = [\"60 kN\", \"80 kN\"]\n\
+    kinematics.creepage_x = [0.0, 0.001, 0.004]\n\
+    \"friction.model\" = [\"constant\", \"temperature-linear\"]\n";
+
+/// Numbers of a column of a table.
+fn numbers(path: &Path, name: &str) -> Vec<f64> {
+    let mut reader = Reader::open(path).unwrap();
+    let place = reader.contents().columns.iter().position(|column| column.name == name).unwrap();
+    let mut all = Vec::new();
+    while let Some(rows) = reader.next_batch().unwrap() {
+        match &rows[place] {
+            Cells::Numbers(numbers) => all.extend(numbers),
+            Cells::Counts(counts) => all.extend(counts.iter().map(|count| *count as f64)),
+            _ => panic!("{name} is text"),
+        }
+    }
+    all
+}
+
+/// Every row is what its case gives when it is solved alone.
+#[test]
+fn rows_are_those_of_single_cases() {
+    let bench = Bench::new(FACTORIAL);
+    let report = bench.run([1, 1], "table.parquet").unwrap();
+    assert_eq!((report.rows, report.failed, report.not_converged), (12, 0, 0));
+    let table = bench.path("table.parquet");
+    let found = numbers(&table, "force.x");
+    assert_eq!(numbers(&table, "index"), (0..12).map(f64::from).collect::<Vec<_>>());
+    let mut row = 0;
+    for load in ["60 kN", "80 kN"] {
+        for creepage in [0.0, 0.001, 0.004] {
+            for friction in ["constant", "temperature-linear"] {
+                let assignments = &[
+                    format!("normal.load={load}"),
+                    format!("kinematics.creepage_x={creepage}"),
+                    format!("friction.model={friction}"),
+                ];
+                let overrides = Overrides { option: "set", assignments };
+                let file = CaseFile::from_str(CASE, "case", Folder::new(""), overrides).unwrap();
+                let case = file.pose(&unwatched).unwrap();
+                let rolling = case.rolling(None).unwrap();
+                let alone = solve(&case, rolling, &unwatched).unwrap().solution;
+                let limit = 1e-5 * alone.normal.load;
+                assert!((found[row] - alone.force.x).abs() < limit, "row {row}");
+                row += 1;
+            }
+        }
+    }
+    assert_eq!(numbers(&table, "normal.load")[6..8], [8e4, 8e4]);
+}
+
+/// Shards, runs that are stopped at any time, and formats: one table.
+#[test]
+fn the_table_does_not_depend_on_how_it_was_made() {
+    let bench = Bench::new(FACTORIAL);
+    for ending in ["csv", "parquet"] {
+        let whole = format!("whole.{ending}");
+        bench.run([1, 1], &whole).unwrap();
+        assert!(!bench.path(&format!("{whole}.parts")).exists());
+        let shards = [2, 1, 3].map(|shard| format!("{shard}.{ending}"));
+        for (name, shard) in shards.iter().zip([2, 1, 3]) {
+            bench.run([shard, 3], name).unwrap();
+        }
+        let shards: Vec<PathBuf> = shards.iter().map(|name| bench.path(name)).collect();
+        let merged = format!("merged.{ending}");
+        let report = merge(&shards, &bench.path(&merged)).unwrap();
+        assert_eq!(report.rows, 12);
+        assert_eq!(bench.bytes(&merged), bench.bytes(&whole), "{ending}");
+        for last in 1..40 {
+            let (output, asked) = (format!("stopped.{ending}"), AtomicUsize::new(0));
+            let stop = |_| {
+                let is_over = asked.fetch_add(1, Ordering::Relaxed) >= last * 5;
+                if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            match run(&bench.study().unwrap(), [1, 1], &bench.path(&output), &stop) {
+                Ok(report) => {
+                    assert_eq!(bench.bytes(&output), bench.bytes(&whole));
+                    assert!(last > 1 && report.resumed > 0, "{last}: {report:?}");
+                    break;
+                }
+                Err(StudyError::Stopped) => assert!(!bench.path(&output).exists()),
+                Err(other) => panic!("{other}"),
+            }
+        }
+        assert!(bench.path(&format!("stopped.{ending}")).exists());
+    }
+}
+
+#[test]
+fn a_table_that_is_there_is_not_computed_again_nor_written_over() {
+    let bench = Bench::new(FACTORIAL);
+    bench.run([1, 1], "table.csv").unwrap();
+    let before = bench.bytes("table.csv");
+    let again = bench.run([1, 1], "table.csv").unwrap();
+    assert_eq!((again.resumed, again.rows), (12, 12));
+    bench.write("case.toml", &format!("{CASE}\n[friction]\ncoefficient = 0.3\n"));
+    let error = bench.run([1, 1], "table.csv").unwrap_err().to_string();
+    assert!(error.contains("table of another study"), "{error}");
+    assert_eq!(bench.bytes("table.csv"), before);
+}
+
+#[test]
+fn batches_of_another_study_are_not_mixed_in() {
+    let bench = Bench::new(FACTORIAL);
+    let asked = AtomicUsize::new(0);
+    let stop = |_| {
+        let is_over = asked.fetch_add(1, Ordering::Relaxed) > 3;
+        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let stopped = run(&bench.study().unwrap(), [1, 1], &bench.path("table.csv"), &stop);
+    assert!(matches!(stopped, Err(StudyError::Stopped)));
+    bench.write("study.toml", &bench_text(&FACTORIAL.replace("0.004", "0.005")));
+    let error = bench.run([1, 1], "table.csv").unwrap_err().to_string();
+    assert!(error.contains("batches of another study"), "{error}");
+}
+
+fn bench_text(study: &str) -> String {
+    format!("case = \"case.toml\"\n{study}")
+}
+
+#[test]
+fn what_fails_is_a_row_with_its_reason() {
+    let bench = Bench::new("[vary]\n\"kinematics.creepage_x\" = [0.001, 1.5]\n");
+    let report = bench.run([1, 1], "table.csv").unwrap();
+    assert_eq!((report.rows, report.failed), (2, 1));
+    let (row, reason) = report.first_failure.unwrap();
+    assert_eq!(row, 1);
+    assert!(reason.contains("kinematics.creepage_x") && reason.contains("1.5"), "{reason}");
+    let forces = numbers(&bench.path("table.csv"), "force.x");
+    assert!(forces[0] < 0.0 && forces[1].is_nan());
+}
+
+#[test]
+fn states_of_a_file_are_rows_with_their_time() {
+    let bench = Bench::new("[states]\nfile = \"run.csv\"\n");
+    bench.write(
+        "run.csv",
+        "time [ms],normal.load [kN],kinematics.creepage_x,kinematics.spin [1/m]\n\
+         0,60,0.001,0.1\n10,70,0.002,0.2\n20,65,0.001,-0.1\n",
+    );
+    bench.run([1, 1], "table.parquet").unwrap();
+    let table = bench.path("table.parquet");
+    assert_eq!(numbers(&table, "time"), [0.0, 0.01, 0.02]);
+    assert_eq!(numbers(&table, "normal.load"), [6e4, 7e4, 6.5e4]);
+    // A table of one study can be the states of another.
+    bench.write("study.toml", &bench_text("[states]\nfile = \"again.csv\"\n"));
+    bench.write("again.csv", "kinematics.creepage_x\n0.001\n");
+    bench.run([1, 1], "other.csv").unwrap();
+}
+
+#[test]
+fn samples_fill_their_ranges() {
+    let bench = Bench::new(
+        "[sample]\nmethod = \"sobol\"\ncount = 32\nseed = 5\n[sample.range]\n\
+         kinematics.creepage_x = [-0.01, 0.01]\n\"normal.load\" = [\"60 kN\", \"80 kN\"]\n",
+    );
+    bench.write("case.toml", "solver.method = \"polach\"\nfriction.model = \"constant\"\n");
+    bench.run([1, 1], "table.csv").unwrap();
+    let loads = numbers(&bench.path("table.csv"), "normal.load");
+    let mut intervals: Vec<usize> = loads.iter().map(|n| ((n - 6e4) / 625.0) as usize).collect();
+    intervals.sort_unstable();
+    assert_eq!(intervals, (0..32).collect::<Vec<_>>());
+}
+
+#[test]
+fn wrong_studies_are_refused_with_field_and_place() {
+    let refused = |study: &str| {
+        let bench = Bench::new(study);
+        bench.write("run.csv", "kinematics.creepage_x\n");
+        bench.study().unwrap_err().to_string()
+    };
+    let sample = "[sample]\nmethod = \"sobol\"\ncount = 4\n";
+    for (study, parts) in [
+        ("", &["needs one of [vary], [sample] and [states]"][..]),
+        ("[vray]\n", &["study.toml:2:2", "vray", "did you mean `vary`"]),
+        ("[vary]\n\"normal.laod\" = [1]\n", &["study.toml:3:1", "normal.laod", "normal.load"]),
+        ("[vary]\n\"normal.load\" = [\"60 m\"]\n", &["study.toml:3:", "normal.load", "60 m"]),
+        ("[vary]\n\"normal.load\" = 60\n", &["normal.load must be a list"]),
+        ("[vary]\n\"normal.load\" = []\n", &["normal.load must have values"]),
+        ("[vary]\n\"normal.load\" = [\"1 kN\", \"1000 N\"]\n", &["\"1000 N\" is repeated"]),
+        ("[vary]\n\"history.time\" = [[1.0]]\n", &["history.time"]),
+        ("[vary]\n[states]\nfile = \"run.csv\"\n", &["one of [vary] and [states]"]),
+        ("[states]\nfile = \"missing.csv\"\n", &["missing.csv", "No such file"]),
+        ("[states]\nfile = \"run.csv\"\n", &["must have rows, but has none"]),
+        (sample, &["sample.range is missing"]),
+        (&format!("{sample}[sample.range]\n\"normal.load\" = [\"2 N\", \"1 N\"]\n"), &[
+            "the range of normal.load must increase",
+        ]),
+        (&format!("{sample}[sample.range]\n\"solver.method\" = [\"full\", \"polach\"]\n"), &[
+            "solver.method must be a range of numbers",
+        ]),
+        ("batch = 0\n[vary]\n\"normal.load\" = [\"1 kN\"]\n", &["batch must be a whole number"]),
+        ("[vary\n", &["study.toml:2:", "not TOML"]),
+    ] {
+        let message = refused(study);
+        assert!(parts.iter().all(|part| message.contains(part)), "{study}: {message}");
+    }
+}
+
+#[test]
+fn shards_that_do_not_belong_together_are_refused() {
+    let bench = Bench::new(FACTORIAL);
+    bench.run([1, 2], "1.csv").unwrap();
+    bench.run([2, 2], "2.csv").unwrap();
+    bench.run([1, 3], "of_three.csv").unwrap();
+    let refused = |names: &[&str]| {
+        let paths: Vec<PathBuf> = names.iter().map(|name| bench.path(name)).collect();
+        let error = merge(&paths, &bench.path("merged.csv")).unwrap_err().to_string();
+        assert!(!bench.path("merged.csv").exists());
+        error
+    };
+    assert!(refused(&["1.csv"]).contains("shard 2/2 is missing"));
+    assert!(refused(&["1.csv", "1.csv", "2.csv"]).contains("it is shard 1/2, as"));
+    assert!(refused(&["1.csv", "of_three.csv"]).contains("not of the same study"));
+    let text = String::from_utf8(bench.bytes("2.csv")).unwrap();
+    let cut: Vec<&str> = text.lines().take(text.lines().count() - 1).collect();
+    bench.write("2.csv", &(cut.join("\n") + "\n"));
+    assert!(refused(&["1.csv", "2.csv"]).contains("it lacks rows from 4 on"));
+}
