@@ -115,6 +115,9 @@ impl Newton {
                 outcome.residual = (system.defect(p, &self.u) / scale).max(outcome.residual);
                 outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
             }
+            if outcome.iterations == 0 {
+                outcome.first_residual = outcome.residual;
+            }
             if outcome.converged || given_up {
                 return Ok(Solved { outcome, response: &self.u });
             }
