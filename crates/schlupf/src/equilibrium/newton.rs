@@ -139,6 +139,11 @@ impl Newton {
         }
     }
 
+    /// L p of the last solution, in m.
+    pub fn response(&self) -> &[f64] {
+        &self.u
+    }
+
     fn prepare(&mut self, system: &impl Equilibrium) {
         let [p, u, residual] = &mut self.trial;
         for vector in [p, residual, &mut self.residual, &mut self.step] {

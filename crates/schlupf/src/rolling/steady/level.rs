@@ -8,8 +8,8 @@ use crate::problem::{Options, Problem};
 use crate::rolling::shared::contact::DiscreteContact;
 
 use super::bristles::Bristles;
-use super::coulomb::StickSlip;
 use super::steady_friction::SteadyFriction;
+use super::stick_slip::StickSlip;
 use super::strip_law::StripLaw;
 use super::transfer::Transfer;
 

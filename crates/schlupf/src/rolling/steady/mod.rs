@@ -6,7 +6,7 @@ mod lag;
 mod steady_friction;
 mod strip_law;
 mod bristles;
-mod coulomb;
+mod stick_slip;
 mod level;
 mod steady_state;
 mod sensitivity;

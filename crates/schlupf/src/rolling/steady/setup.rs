@@ -311,6 +311,11 @@ impl Setup {
         let mut made = contact.product(traction);
         made.at_cells(&mut now.displacement);
         now.stored_energy = made.stored_energy();
+        let mut relative = vec![0.0; traction.len()];
+        made.at_entries(&mut relative);
+        for (entry, u) in relative.iter_mut().zip(&now.displacement) {
+            *entry = u - *entry;
+        }
         let mut change = vec![0.0; traction.len()];
         made.change_in_passing(&mut change);
         work.operator_products += 1.0;
@@ -321,7 +326,7 @@ impl Setup {
         now.scaled_rise.copy_from_slice(&friction.scaled_rise);
         now.friction.copy_from_slice(&friction.lag.coefficient);
         strips.complete_friction(&mut now.friction);
-        let mut elements = strips.elements(&contact.patch, traction, response);
+        let mut elements = strips.elements(&contact.patch, traction, response, &relative);
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = speed_of(friction.slip[k]);
             element.scaled_rise = friction.scaled_rise[k];

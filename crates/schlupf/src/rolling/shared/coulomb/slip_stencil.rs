@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::patch::Patch;
 
 /// Number of nodes of the polynomial: of third order.
-const NODES: usize = 4;
+pub(in crate::rolling) const NODES: usize = 4;
 
 /// A node nearer than this part of the way into the cell is left out, dimensionless: its weight
 /// would be large.
@@ -15,7 +15,7 @@ const NEAREST: f64 = 0.3;
 /// values at the cell and at those upstream of it; the entry, where the value is zero, is a node
 /// too. The first cell of a strip is thus of first order, the second one of second order.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct SlipStencil {
+pub(in crate::rolling) struct SlipStencil {
     /// Number of cells: the cell itself and those upstream of it, one after another.
     pub count: usize,
     /// Their weights, dimensionless.
@@ -40,31 +40,15 @@ impl SlipStencil {
 
     /// At the last of the cells of a strip up to it, with their distances since entry (in m).
     fn at(distances: &[f64]) -> Self {
-        let last = distances.len() - 1;
-        let own = distances[last];
-        let way = if last == 0 { own } else { own - distances[last - 1] };
-        let mut nodes = [own, 0.0, 0.0, 0.0];
-        let mut count = 1;
-        let mut total = 1;
-        while total < NODES {
-            let upstream = if count <= last { distances[last - count] } else { 0.0 };
-            let is_near = nodes[total - 1] - upstream < NEAREST * way;
-            if total > 1 && is_near {
-                break;
-            }
-            nodes[total] = upstream;
-            total += 1;
-            if count > last {
-                break;
-            }
-            count += 1;
-        }
-        let weight = derivative(&nodes[..total]).map(|weight| way * weight);
-        Self { count, weight, way }
+        let Some((own, upstream)) = distances.split_last() else { return Self::default() };
+        let backs = upstream.iter().rev().chain(&[0.0]).map(|node| own - node);
+        let way = own - upstream.last().unwrap_or(&0.0);
+        let (weight, nodes) = through(backs);
+        Self { count: nodes.min(distances.len()), weight, way }
     }
 
-    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`; in the unit of the
-    /// values.
+    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`; in the unit of
+    /// the values.
     pub fn apply(&self, k: usize, values: &[f64]) -> [f64; 2] {
         let mut sum = [0.0; 2];
         for (back, weight) in self.weight[..self.count].iter().enumerate() {
@@ -74,6 +58,26 @@ impl SlipStencil {
         }
         sum
     }
+}
+
+/// Weights (dimensionless) of the derivative at a place, times the way to the nearest node, of the
+/// polynomial through it and nodes at some distances behind it (in m), and their number. The nodes
+/// end where one is too near to the one before. Without a way it is the difference to the nearest.
+pub(in crate::rolling) fn through(backs: impl Iterator<Item = f64>) -> ([f64; NODES], usize) {
+    let mut nodes = [0.0; NODES];
+    let mut count = 1;
+    for back in backs.take(NODES - 1) {
+        if count > 1 && back + nodes[count - 1] < NEAREST * -nodes[1] {
+            break;
+        }
+        nodes[count] = -back;
+        count += 1;
+    }
+    let way = -nodes[1];
+    if way <= 0.0 {
+        return ([1.0, -1.0, 0.0, 0.0], count.min(2));
+    }
+    (derivative(&nodes[..count]).map(|weight| way * weight), count)
 }
 
 /// Weights of the derivative at the first of some nodes of the polynomial through all of them.
