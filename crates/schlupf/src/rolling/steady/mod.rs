@@ -6,6 +6,7 @@ mod lag;
 mod steady_friction;
 mod strip_law;
 mod bristles;
+mod strip_factors;
 mod stick_slip;
 mod level;
 mod steady_state;

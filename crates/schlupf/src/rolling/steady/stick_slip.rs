@@ -14,6 +14,7 @@ use crate::rolling::shared::passage::pair;
 use crate::state::{Element, TrackPoint};
 
 use super::steady_friction::SteadyFriction;
+use super::strip_factors::StripFactors;
 use super::strip_law::{Cause, Changed, StripLaw};
 
 /// Coulomb's law along the strips of a patch, and its tangent at the last residual.
@@ -23,6 +24,7 @@ pub(super) struct StickSlip {
     bound: Vec<f64>,
     contact: CoulombContact,
     stencils: Vec<SlipStencil>,
+    factors: StripFactors,
     /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
     /// Rigid sliding since entry, and over the way into each cell, in m.
@@ -31,9 +33,7 @@ pub(super) struct StickSlip {
     slopes: Vec<Slope>,
     /// Inverse of the local Jacobian of each cell.
     inverses: Vec<Matrix>,
-    /// Displacements (in m) and changes of the heat flux (in W/m²) during a pass of the
-    /// preconditioner down the strips.
-    displaced: Vec<f64>,
+    /// Changes of the heat flux (in W/m²) during a pass of the preconditioner down the strips.
     flux_changes: Vec<f64>,
 }
 
@@ -50,7 +50,10 @@ impl StickSlip {
         discrete: &mut DiscreteContact,
     ) -> Result<Self, Error> {
         let contact = CoulombContact::new(problem, normal, discrete)?;
+        let row = discrete.row_compliances();
         let patch = &discrete.patch;
+        let ratio = normal.summary.semi_axis_x / normal.summary.semi_axis_y;
+        let stencils = SlipStencil::of(patch, &contact.slivers.kept, ratio);
         let cells = patch.len();
         let mut is_first = vec![false; cells];
         for strip in &patch.strips {
@@ -59,13 +62,13 @@ impl StickSlip {
         Ok(Self {
             gamma: 0.0,
             bound: vec![0.0; cells],
-            stencils: SlipStencil::of(patch, &contact.slivers.kept),
+            factors: StripFactors::new(patch, &contact, &stencils, &row),
+            stencils,
             is_first,
             rigid_since_entry: vec![0.0; 2 * cells],
             rigid: vec![0.0; 2 * cells],
             slopes: vec![Slope::default(); cells],
             inverses: vec![Matrix::default(); cells],
-            displaced: vec![0.0; 2 * cells],
             flux_changes: vec![0.0; cells],
             contact,
         })
@@ -83,15 +86,9 @@ impl StickSlip {
     }
 
     fn inverse(&self, k: usize) -> Matrix {
-        let weight = self.gamma * self.stencils[k].weight[0];
+        let weight = self.gamma * self.stencils[k].own();
         let stiffening = self.contact.local[k].map(|row| row.map(|entry| weight * entry));
         inverse_2x2(self.slopes[k].jacobian(&stiffening))
-    }
-
-    /// Sliding at a cell due to the displacements of the cells that the preconditioner has passed;
-    /// its own is still zero. In m.
-    fn slid_upstream(&self, k: usize) -> [f64; 2] {
-        self.stencils[k].apply(k, &self.displaced)
     }
 
     /// The places of the path of an element to a cell from which the next slip follows, the latest
@@ -167,6 +164,8 @@ impl StripLaw for StickSlip {
                     residual[2 * k + c] = p[2 * k + c] - onto[c];
                 }
             }
+            let Self { factors, slopes, contact, gamma, .. } = self;
+            factors.factorise(&contact.slivers.kept[strip], slopes, *gamma);
         }
     }
 
@@ -187,23 +186,20 @@ impl StripLaw for StickSlip {
         }
     }
 
+    /// Strip by strip, and then what friction that depends on the heat from upstream adds in each
+    /// cell, without what this does to its neighbours.
     fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
-        self.displaced.fill(0.0);
-        self.flux_changes.fill(0.0);
-        for strip in 0..self.contact.slivers.kept.len() {
-            for k in self.contact.slivers.kept[strip].clone() {
-                let slid = times(&self.slopes[k].by_pull, self.slid_upstream(k));
-                let rest = [0, 1].map(|c| v[2 * k + c] - self.gamma * slid[c]);
-                let (inverse, by_bound) = (&self.inverses[k], &self.slopes[k].by_bound);
-                let mut traction = times(inverse, rest);
-                if let Some(friction) = friction {
-                    let by_bound = times(inverse, *by_bound);
-                    let raised = friction.raised_bound(k, &self.flux_changes, traction, by_bound);
-                    traction = [0, 1].map(|c| traction[c] + raised * by_bound[c]);
-                    self.flux_changes[k] = friction.flux_change(k, traction);
-                }
-                let displaced = times(&self.contact.local[k], traction);
-                self.displaced[2 * k..2 * k + 2].copy_from_slice(&displaced);
+        for strip in &self.contact.slivers.kept {
+            self.factors.solve(strip, v);
+        }
+        if let Some(friction) = friction {
+            self.flux_changes.fill(0.0);
+            for k in self.contact.kept() {
+                let by_bound = times(&self.inverses[k], self.slopes[k].by_bound);
+                let traction = pair(v, k);
+                let raised = friction.raised_bound(k, &self.flux_changes, traction, by_bound);
+                let traction = [0, 1].map(|c| traction[c] + raised * by_bound[c]);
+                self.flux_changes[k] = friction.flux_change(k, traction);
                 v[2 * k..2 * k + 2].copy_from_slice(&traction);
             }
         }

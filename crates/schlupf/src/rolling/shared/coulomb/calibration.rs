@@ -29,7 +29,7 @@ pub(in crate::rolling) struct Missing {
 /// The same over the pressure of the cell, or of the first one of the strip that is kept; in m/Pa.
 pub(in crate::rolling) struct Calibration {
     pub at_cells: Vec<Symmetric>,
-    at_entries: Vec<Symmetric>,
+    pub at_entries: Vec<Symmetric>,
     /// The first cell of the strip of each cell.
     first: Vec<usize>,
 }
