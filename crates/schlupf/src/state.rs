@@ -31,6 +31,9 @@ pub struct Element {
     /// Elastic part of the sliding on the path into the cell, divided by the length of that path,
     /// dimensionless.
     pub stretch: [f64; 2],
+    /// Earlier places of its path, the latest first; empty unless the law is Coulomb's.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub track: Vec<TrackPoint>,
     /// Temperature rise times effusivity in the cell, in W √s/m².
     #[cfg_attr(feature = "serde", serde(rename = "rise"))]
     pub scaled_rise: f64,
@@ -40,6 +43,16 @@ pub struct Element {
     pub friction_on_leaving: Option<f64>,
     /// Heat received from entry until it leaves the cell, the latest step first.
     pub heat: Vec<HeatStep>,
+}
+
+/// A place that an element has passed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct TrackPoint {
+    /// Way from there to the element, in m.
+    pub distance: f64,
+    /// Sliding distance from entry to there, in m.
+    pub sliding: [f64; 2],
 }
 
 impl State {

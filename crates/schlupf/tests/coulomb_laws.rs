@@ -25,10 +25,9 @@ use schlupf::kalker_coefficients::creep_coefficients;
 use schlupf::material::Material;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::Resultant;
-use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
+use schlupf::{Error, Options, Problem, Solution, Status, unwatched};
 
 /// Creepages and spin (in 1/m) with which about half of the patch sticks.
 const MOTION: [f64; 3] = [0.0015, 0.001, 0.4];
@@ -122,8 +121,8 @@ fn other_elasticities() {
     }
 }
 
-/// Uncoupled springs under longitudinal creepage: the traction grows as c ξ times the distance since
-/// entry until it meets μ pₙ (Winkler's bed; here per strip, summed by hand).
+/// Uncoupled springs under longitudinal creepage: the traction grows as c ξ times the distance
+/// since entry until it meets μ pₙ (Winkler's bed; here per strip, summed by hand).
 #[test]
 fn winkler_sticks_in_proportion_to_the_distance() {
     let bedding = 2e13;
@@ -261,14 +260,11 @@ fn kalker_1967_initial_slope() {
     assert_relative_eq!(2.0 * fine - coarse, exact, max_relative = 0.005);
 }
 
-/// Nothing but elasticity determines the traction where bodies stick, so rigid ones are refused;
-/// and marching does not know the law.
+/// Nothing but elasticity determines the traction where bodies stick, so rigid ones are refused.
 #[test]
-fn what_is_not_possible_is_said() {
+fn rigid_bodies_are_refused() {
     let mut rigid = coulomb(MOTION);
     rigid.elasticity = Arc::new(Rigid);
     let refused = schlupf::rolling::steady::solve(&rigid, &cells(8), &unwatched);
     assert_eq!(refused.unwrap_err(), Error::CoulombOfRigidBodies {});
-    let marched = march(&Transient::to_steady_state(&coulomb(MOTION)), &cells(8), &unwatched);
-    assert_eq!(marched.unwrap_err(), Error::CoulombInTime {});
 }

@@ -10,7 +10,7 @@ use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental, TotalDisplacement};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::marching::march;
@@ -143,6 +143,47 @@ fn warm_work_along_a_creep_curve() {
             println!("{:?} {cells_across}: {counts:.1?}", base.elasticity);
             for [mean, largest] in counts {
                 assert!(mean < allowed[0] && largest < allowed[1], "{mean} {largest}");
+            }
+        }
+    }
+}
+
+/// Products of four solutions by one solver, each with a motion larger by a part of the first one.
+fn of_four_solutions(base: &Problem, options: &Options, growth: f64) -> [f64; 4] {
+    let mut solver = SteadySolver::new(options);
+    [0.0, 1.0, 2.0, 3.0].map(|point| {
+        let part = 1.0 + growth * point;
+        let [xi, eta, spin] =
+            [base.kinematics.creepage_x, base.kinematics.creepage_y, base.kinematics.spin]
+                .map(|motion| part * motion);
+        let moved = Problem { kinematics: rolling(xi, eta, spin), ..base.clone() };
+        let solution = solver.solve(&moved, &unwatched).unwrap();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+        solution.work.operator_products
+    })
+}
+
+/// The same state again costs next to nothing, also the second time: what a cold solution leaves
+/// undone on the coarse grids is made up for first. Nor does it count as a change where the motion
+/// hardly changes.
+#[test]
+fn the_second_solution_is_as_warm_as_the_third() {
+    let bristles =
+        |stiffness: f64| -> Arc<dyn ContactLaw> { Arc::new(Incremental::new(stiffness).unwrap()) };
+    let laws: [Arc<dyn ContactLaw>; 3] = [bristles(5e6), bristles(1e8), Arc::new(Coulomb)];
+    for (elasticity, laws) in [(common::layer(), &laws[..2]), (half_space(), &laws[..])] {
+        for (law, across) in laws.iter().flat_map(|law| [(law, 20), (law, 40)]) {
+            for (xi, eta, spin) in MOTIONS {
+                let base = Problem {
+                    elasticity: Arc::clone(&elasticity),
+                    contact_law: Arc::clone(law),
+                    ..problem(rolling(xi, eta, spin))
+                };
+                let [first, second, third, fourth] = of_four_solutions(&base, &cells(across), 0.0);
+                assert!(second < 0.25 * first, "{law:?} {across}: {second} of {first}");
+                assert!(third < 2.5 && fourth < 2.5, "{law:?} {across}: {third} {fourth}");
+                let near = of_four_solutions(&base, &cells(across), 1e-4);
+                assert!(near[1] < 0.75 * first && near[3] < 0.75 * first, "{law:?} {near:?}");
             }
         }
     }

@@ -3,49 +3,26 @@
 
 mod common;
 
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
+use common::transients::{
+    self, LIMIT, LOAD, constant, contact, force_at, largest_difference, swinging,
+};
 use common::{cells, half_space, layer, problem, rolling, solve_over};
 use schlupf::elasticity::calibrated_layer::CalibratedLayer;
-use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
 use schlupf::interface::contact_law::Incremental;
-use schlupf::interface::friction::{constant::Constant, temperature_linear::TemperatureLinear};
+use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
-use schlupf::normal::hertz::Hertz;
 use schlupf::{Problem, Solution, Warning, unwatched};
 
-/// Load of the reference, in N, and μ N.
-const LOAD: f64 = 75_398.224;
-const LIMIT: f64 = 0.3 * LOAD;
-
-/// E = 210 GPa, ν = 0.28, a = b = 6 mm, p0 = 1 GPa, μ = 0.3, ξ = 0.0011: CONTACT's transients in
-/// `data/contact_transient.csv`. At 1 m/s a second is a metre.
+/// With bristles that are nearly rigid.
 fn reference() -> Problem {
-    let steel = Material { young_modulus: 210e9, poisson_ratio: 0.28, ..Material::STEEL };
-    let modulus = 0.5 * 210e9 / (1.0 - 0.28 * 0.28);
-    let radius = 2.0 * 6e-3 * modulus / (0.5 * TAU * 1e9);
-    let curvature = 0.5 / radius;
-    let kinematics = Kinematics { speed: 1.0, ..rolling(0.0011, 0.0, 0.0) };
-    let mut reference = problem(kinematics);
-    reference.normal =
-        Arc::new(Hertz::from_curvatures(curvature, curvature, modulus, LOAD).unwrap());
-    reference.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
-    reference.contact_law = Arc::new(Incremental::new(1e8).unwrap());
-    reference.friction.law = Arc::new(Constant::new(0.3).unwrap());
-    reference
-}
-
-/// The load N0 (1 + swing sin(2π s/wave)) up to a distance, lengths in m.
-fn swinging(swing: f64, wave: f64, distance: f64) -> History {
-    let time: Vec<f64> = (0..=2000).map(|k| distance * f64::from(k) / 2000.0).collect();
-    let load = time.iter().map(|s| LOAD * (1.0 + swing * (TAU * s / wave).sin())).collect();
-    History { time, load: Some(load), ..History::default() }
+    transients::reference(Arc::new(Incremental::new(1e8).unwrap()))
 }
 
 /// The reference is what CONTACT was given.
@@ -56,39 +33,8 @@ fn the_reference_patch_is_a_circle() {
     assert_relative_eq!(contact.peak_pressure, 1e9, max_relative = 1e-6);
 }
 
-/// No change over a distance, in m.
-fn constant(distance: f64) -> History {
-    History { time: vec![0.0, distance], ..History::default() }
-}
-
 fn run(history: History, across: usize) -> Solution {
     solve_over(&reference(), history, &cells(across))
-}
-
-/// −Fx/(μ N0) after a distance, in m.
-fn force_at(solution: &Solution, distance: f64) -> f64 {
-    let history = &solution.history;
-    let after = history.partition_point(|i| i.distance < distance - 1e-12).min(history.len() - 1);
-    let (start, from) = match after.checked_sub(1) {
-        Some(before) => (history[before].distance, history[before].force.x),
-        None => (0.0, 0.0),
-    };
-    let share = (distance - start) / (history[after].distance - start);
-    -(from + share * (history[after].force.x - from)) / LIMIT
-}
-
-/// Forces of one case of CONTACT over the distance (in m), on its finer grid.
-fn contact(case: &str) -> Vec<[f64; 2]> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/contact_transient.csv");
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
-    let lines = reader.records().map(Result::unwrap).filter(|line| &line[0] == case);
-    let number = |line: &csv::StringRecord, k: usize| line[k].parse::<f64>().unwrap();
-    lines.map(|line| [1e-3 * number(&line, 1), -number(&line, 6)]).collect()
-}
-
-fn largest_difference(solution: &Solution, reference: &[[f64; 2]]) -> f64 {
-    let off = reference.iter().map(|[s, force]| (force_at(solution, *s) - force).abs());
-    off.fold(0.0, f64::max)
 }
 
 /// From rest (T1) and under a load that swings by 30 % over 36 mm (T4), forces are those of CONTACT

@@ -72,6 +72,8 @@ pub struct Outcome {
     pub converged: bool,
     /// Ratio of defect to scale reached, dimensionless.
     pub residual: f64,
+    /// The same of the initial guess, dimensionless.
+    pub first_residual: f64,
     /// Newton steps.
     pub iterations: usize,
     /// Products with the compliance.

@@ -115,6 +115,9 @@ impl Newton {
                 outcome.residual = (system.defect(p, &self.u) / scale).max(outcome.residual);
                 outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
             }
+            if outcome.iterations == 0 {
+                outcome.first_residual = outcome.residual;
+            }
             if outcome.converged || given_up {
                 return Ok(Solved { outcome, response: &self.u });
             }
@@ -136,6 +139,11 @@ impl Newton {
             };
             forcing = (0.9 * (length / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
         }
+    }
+
+    /// L p of the last solution, in m.
+    pub fn response(&self) -> &[f64] {
+        &self.u
     }
 
     fn prepare(&mut self, system: &impl Equilibrium) {

@@ -3,8 +3,8 @@
 //! The expensive part of the Jacobian is linear and the same in every Newton step: with a direction
 //! z and its response L z, J z costs no product, whatever the tangent is now. So each system first
 //! minimises its residual over the directions of those before it, and only then asks for new ones,
-//! the preconditioned residuals (generalised conjugate residuals, Eisenstat, Elman and Schultz 1983;
-//! recycling: Parks et al. 2006). Without earlier directions this is GMRES.
+//! the preconditioned residuals (generalised conjugate residuals, Eisenstat, Elman and Schultz
+//! 1983; recycling: Parks et al. 2006). Without earlier directions this is GMRES.
 
 use super::Equilibrium;
 use crate::numerics::vector::{add_scaled, dot, norm};

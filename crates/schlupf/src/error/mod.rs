@@ -389,12 +389,6 @@ messages! {
         words.word(Quantity::ContactLaw)
     );
 
-    /// Coulomb's law where only laws with bristles are known.
-    "coulomb-in-time" CoulombInTime {} Quantity::ContactLaw, |name, words| format!(
-        "{name}: Coulomb's law is available for steady states found directly, not for marching, \
-         histories and shifts"
-    );
-
     /// A history over which the wheel rolls too far.
     "history-too-long" HistoryTooLong {
         /// First and last time, in s.

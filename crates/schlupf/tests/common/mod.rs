@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test file uses its part of it")]
 
+pub mod transients;
+
 use std::sync::Arc;
 
 use schlupf::elasticity::Elasticity;

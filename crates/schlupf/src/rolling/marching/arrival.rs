@@ -19,7 +19,7 @@ use crate::interface::contact_law::Slide;
 use crate::patch::{Cell, Patch, Strip};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
-use crate::state::Element;
+use crate::state::{Element, TrackPoint};
 
 use super::moving_edge::{Motion, motions};
 use super::past::{Departure, Past};
@@ -32,6 +32,8 @@ pub(super) struct Arrival {
     /// Length of its last path (in m) and the elastic part of the sliding along it divided by that
     /// length (dimensionless); if it has come from a cell.
     pub stretch: Option<(f64, [f64; 2])>,
+    /// Places that it has passed, with their distances from the cell, the latest first.
+    pub places: Vec<TrackPoint>,
     /// The known part of the displacement with which A p of its new cell is compared, in m.
     pub displacement: [f64; 2],
     /// Length of its path in contact within the step, in m.
@@ -100,6 +102,7 @@ impl Place<'_> {
         let over_edge = self.entered.filter(|_| leads);
         Arrival {
             displacement: over_edge.unwrap_or(here).map(|u| in_contact * u),
+            places: vec![TrackPoint { distance: way, ..TrackPoint::default() }],
             way,
             in_contact,
             in_place: over_edge.is_none(),
@@ -126,6 +129,7 @@ impl Place<'_> {
                 ..Slide::default()
             },
             stretch: Some((departure.way, element.stretch)),
+            places: passed(element, way),
             displacement: [compared(0), compared(1)],
             way,
             in_contact,
@@ -139,6 +143,16 @@ impl Place<'_> {
     fn part_of_step(&self, way: f64) -> f64 {
         (way / self.grid.spacing_x).clamp(0.0, 1.0)
     }
+}
+
+/// The places that an element has passed when it has moved on by a way, in m. Without a track it
+/// has passed at least the place where it is.
+fn passed(element: &Element, way: f64) -> Vec<TrackPoint> {
+    if element.track.is_empty() {
+        return vec![TrackPoint { distance: way, sliding: element.sliding }];
+    }
+    let on = |place: &TrackPoint| TrackPoint { distance: place.distance + way, ..*place };
+    element.track.iter().map(on).collect()
 }
 
 /// Longest path into a cell relative to its size: anything longer is noise of edges that move with

@@ -1,11 +1,14 @@
-//! The state from which a march continues: its validity, and its elements in the cells of the
-//! patch.
+//! What a march starts from: its grid, the state from which it continues, its validity, and its
+//! elements in the cells of the patch.
 
 use crate::error::Error;
 use crate::grid::{BORDER, Grid};
 use crate::heat::HeatStep;
+use crate::normal::NormalContact;
 use crate::patch::Patch;
+use crate::problem::Options;
 use crate::state::{Element, State};
+use crate::transient::Transient;
 
 use super::arrival::positions;
 
@@ -71,4 +74,11 @@ pub(super) fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
         .iter()
         .map(|c| at[c.index].map_or(blank(c.index), |e| elements[e].clone()))
         .collect()
+}
+
+/// A single grid over the largest patch.
+pub(super) fn grid_over_history(transient: &Transient, options: &Options) -> Result<Grid, Error> {
+    let largest = transient.history.largest_load();
+    let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;
+    Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
 }

@@ -2,11 +2,11 @@
 
 use crate::equilibrium::{Limits, Newton, Outcome, measure};
 use crate::error::{Error, require_finite};
-use crate::grid::{Grid, VectorField};
+use crate::grid::VectorField;
 use crate::history::History;
+use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
-use crate::normal::NormalContact;
 use crate::numerics::vector::norm;
 use crate::patch::Cell;
 use crate::problem::{Options, Problem};
@@ -27,12 +27,16 @@ use crate::transient::Transient;
 use crate::warning::{Unconverged, Warning};
 
 use super::arrival::{Arrival, carry_over, positions};
+use super::change::{largest_change, relative_change};
 use super::friction_heat::{FrictionInput, FrictionPoint, lagging, set_temperatures};
-use super::initial_state::{fitting, on_patch};
+use super::initial_state::{fitting, grid_over_history, on_patch};
+use super::moved::Moved;
 use super::past::Past;
 use super::shift::{AT_REST, Shift};
+use super::step::Step;
 use super::step_power::{Start, StepPower};
-use super::time_step::{Prescribed, TimeStep};
+use super::step_response::Prescribed;
+use super::stick_slip_step::{Coulomb, calibrate};
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -123,6 +127,8 @@ struct March<'a> {
     history: &'a History,
     options: &'a Options,
     contact: DiscreteContact,
+    /// If the law is Coulomb's.
+    coulomb: Option<Coulomb>,
     /// A p of the present traction on the whole grid, in m.
     displacement: VectorField,
     time: f64,
@@ -130,6 +136,8 @@ struct March<'a> {
     /// The elements, in the order of the patch.
     elements: Vec<Element>,
     past: Past,
+    /// What the material did in the last step.
+    moved: Vec<Moved>,
     newton: Newton,
     outcome: Outcome,
     /// Powers over the last step.
@@ -159,13 +167,10 @@ struct March<'a> {
 impl<'a> March<'a> {
     fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
         let Transient { problem, history, initial_state } = transient;
-        if problem.contact_law.is_coulomb() {
-            return Err(Error::CoulombInTime {});
-        }
         let [start, _] = history.span();
         let grid = grid_over_history(transient, options)?;
         let normal = problem.normal.normal_contact(history.load(start))?;
-        let contact = DiscreteContact::new(problem, &normal, grid)?;
+        let mut contact = DiscreteContact::new(problem, &normal, grid)?;
         let state = match initial_state {
             Some(state) => fitting(state, &grid)?,
             None => State::at_rest(&contact.patch),
@@ -181,6 +186,7 @@ impl<'a> March<'a> {
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
             elements: on_patch(&contact.patch, &state.elements),
             past: Past::default(),
+            moved: Vec::new(),
             newton: Newton::default(),
             outcome: Outcome::default(),
             powers: None,
@@ -197,6 +203,7 @@ impl<'a> March<'a> {
             instants: Vec::new(),
             field_history: Vec::new(),
             displacement: VectorField::zeros(grid.len()),
+            coulomb: Coulomb::of(problem, &normal, &mut contact)?,
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
@@ -268,6 +275,7 @@ impl<'a> March<'a> {
             contact: &mut self.contact,
             displacement: &self.displacement,
             law: self.problem.contact_law.as_ref(),
+            coulomb: self.coulomb.as_mut(),
             bound: &bound,
             elements: &mut self.elements,
         };
@@ -308,7 +316,9 @@ impl<'a> March<'a> {
         };
         self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
         let normal = self.problem.normal.normal_contact(Some(load))?;
-        self.contact.set_normal(&normal).map(Some)
+        let former = self.contact.set_normal(&normal)?;
+        self.coulomb = Coulomb::of(self.problem, &normal, &mut self.contact)?;
+        Ok(Some(former))
     }
 
     /// Quantities that stay in place while the material moves: the previous traction is the initial
@@ -345,11 +355,47 @@ impl<'a> March<'a> {
 
     /// Newton–Raphson on Eq. (13).
     fn find_equilibrium(&mut self, arrivals: &[Arrival], watch: Watch) -> Result<(), Error> {
-        let patch = &self.contact.patch;
-        let bound = self.now.bound(patch);
+        let bound = self.now.bound(&self.contact.patch);
+        let (limits, watch) = (self.limits(), within(watch, self.progress()));
+        let (prescribed, slides) = self.histories(arrivals);
+        let old_traction = self.now.traction.clone();
+        let step = Step {
+            contact: &mut self.contact,
+            law: self.problem.contact_law.as_ref(),
+            coulomb: self.coulomb.as_mut(),
+            bound: &bound,
+            prescribed,
+            slides,
+            places: arrivals.iter().map(|arrival| arrival.places.clone()).collect(),
+            largest: self.largest_traction,
+        };
+        let traction = &mut self.now.traction;
+        let (outcome, moved) = step.solve(&mut self.newton, traction, &limits, &watch)?;
+        self.outcome = outcome;
+        self.displace();
+        self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
+        let scale = measure(norm(&bound), self.largest_traction);
+        self.change = relative_change(&old_traction, &self.now.traction, scale);
+        let element = |(k, moved): (usize, &Moved)| Element {
+            index: self.contact.patch.cells[k].index,
+            traction: self.now.traction_at(k),
+            saturation: moved.saturation,
+            sliding: moved.sliding,
+            stretch: self.stretch(k, arrivals[k].way, moved.increment),
+            track: moved.track.clone(),
+            ..Element::default()
+        };
+        self.elements = moved.iter().enumerate().map(element).collect();
+        self.past = self.record(arrivals.iter().map(|arrival| arrival.way));
+        self.moved = moved;
+        Ok(())
+    }
+
+    /// What is known of a step when the elements have arrived, and their histories.
+    fn histories(&self, arrivals: &[Arrival]) -> (Prescribed, Vec<Slide>) {
         let mut prescribed = Prescribed::default();
-        let mut slides = Vec::with_capacity(bound.len());
-        for (cell, arrival) in patch.cells.iter().zip(arrivals) {
+        let mut slides = Vec::with_capacity(arrivals.len());
+        for (cell, arrival) in self.contact.patch.cells.iter().zip(arrivals) {
             let rigid = rigid_slip(cell, arrival.way, &self.now.over_step);
             prescribed.sliding.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
             prescribed.in_contact.push(arrival.in_contact);
@@ -357,31 +403,7 @@ impl<'a> March<'a> {
             let way = Way { distance: arrival.way, rigid };
             slides.push(with_turn(arrival.slide, &self.now.over_step, &way, arrival.stretch));
         }
-        let limits = self.limits();
-        let watch = within(watch, self.progress());
-        let law = self.problem.contact_law.as_ref();
-        let old_traction = self.now.traction.clone();
-        let step = TimeStep::new(&mut self.contact, law, &bound, &prescribed, slides);
-        let mut step = step.measured_against(self.largest_traction);
-        let traction = &mut self.now.traction;
-        self.outcome = step.solve(&mut self.newton, traction, &limits, &watch)?;
-        let (slides, responses) = (step.slides, step.responses);
-        self.displace();
-        self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
-        let scale = measure(norm(&bound), self.largest_traction);
-        self.change = relative_change(&old_traction, &self.now.traction, scale);
-        let element = |k: usize| Element {
-            index: self.contact.patch.cells[k].index,
-            traction: self.now.traction_at(k),
-            saturation: responses[k].traction,
-            sliding: [0, 1].map(|c| slides[k].distance[c] + slides[k].increment[c]),
-            stretch: self.stretch(k, arrivals[k].way, slides[k].increment),
-            ..Element::default()
-        };
-        self.elements = (0..slides.len()).map(element).collect();
-        let ways = arrivals.iter().map(|arrival| arrival.way);
-        self.past = Past::of(&self.contact, &self.displacement, ways);
-        Ok(())
+        (prescribed, slides)
     }
 
     /// Elastic part of the sliding along a path (in m) into a cell, divided by its length.
@@ -411,8 +433,16 @@ impl<'a> March<'a> {
 
     /// The record of an instant whose elements have moved by whole cells.
     fn past_in_place(&self) -> Past {
-        let ways = self.contact.patch.cells.iter().map(|cell| cell.path_in.distance);
-        Past::of(&self.contact, &self.displacement, ways)
+        self.record(self.contact.patch.cells.iter().map(|cell| cell.path_in.distance))
+    }
+
+    /// The record of the present instant, with the lengths of the paths into the cells, in m.
+    fn record(&self, ways: impl Iterator<Item = f64>) -> Past {
+        let mut past = Past::of(&self.contact, &self.displacement, ways);
+        if let Some(coulomb) = &self.coulomb {
+            calibrate(&mut past, coulomb, &self.contact.patch, &self.now.traction);
+        }
+        past
     }
 
     /// Friction power and temperatures, Eqs. (17)–(22).
@@ -432,6 +462,10 @@ impl<'a> March<'a> {
         }
         self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
         self.remember_friction(&remembered);
+        if let Some(coulomb) = &self.coulomb {
+            coulomb.contact.slivers.copy(&mut self.now.friction);
+            coulomb.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
+        }
     }
 
     /// The coefficients of friction with which the elements leave their cells.
@@ -574,24 +608,4 @@ impl<'a> March<'a> {
 fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
     let part = way / cell.path_in.distance;
     cell.path_in.rigid_slip(kinematics).map(|slip| part * slip)
-}
-
-/// Largest change over the largest new value.
-fn largest_change(old: &[f64], new: &[f64]) -> f64 {
-    let largest = new.iter().copied().fold(0.0, f64::max);
-    let difference = |(new, old): (&f64, &f64)| (new - old).abs();
-    let changed = new.iter().zip(old).map(difference).fold(0.0, f64::max);
-    if largest > 0.0 { changed / largest } else { 0.0 }
-}
-
-fn relative_change(old: &[f64], new: &[f64], scale: f64) -> f64 {
-    let moved: Vec<f64> = new.iter().zip(old).map(|(new, old)| new - old).collect();
-    if scale > 0.0 { norm(&moved) / scale } else { 0.0 }
-}
-
-/// A single grid over the largest patch.
-fn grid_over_history(transient: &Transient, options: &Options) -> Result<Grid, Error> {
-    let largest = transient.history.largest_load();
-    let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;
-    Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
 }

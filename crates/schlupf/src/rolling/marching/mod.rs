@@ -3,8 +3,13 @@
 //! itself, and the slip speed of the previous step: if it falls steeply with the slip speed, a
 //! march may oscillate indefinitely, which is reported.
 
+mod change;
+mod moved;
+mod step_response;
 mod time_step;
 mod past;
+mod stick_slip_step;
+mod step;
 mod moving_edge;
 mod arrival;
 mod initial_state;

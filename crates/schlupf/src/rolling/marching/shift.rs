@@ -13,7 +13,9 @@ use crate::progress::Watch;
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::state::Element;
 
-use super::time_step::{Prescribed, TimeStep};
+use super::step::Step;
+use super::step_response::Prescribed;
+use super::stick_slip_step::Coulomb;
 
 /// Speed and creepages of bodies that do not roll.
 pub(super) const AT_REST: Kinematics =
@@ -27,6 +29,7 @@ pub(super) struct Shift<'a> {
     /// A p of the previous traction on the whole grid, in m.
     pub displacement: &'a VectorField,
     pub law: &'a dyn ContactLaw,
+    pub coulomb: Option<&'a mut Coulomb>,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
     /// The elements in the order of the patch.
@@ -45,6 +48,9 @@ impl Shift<'_> {
     ) -> Result<Outcome, Error> {
         let mut before = vec![0.0; p.len()];
         self.contact.interpolation.gather(self.displacement, &mut before);
+        if let Some(coulomb) = &self.coulomb {
+            coulomb.contact.calibration.add_at_cells(p, &mut before);
+        }
         let sliding = before.chunks_exact(2);
         let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
         let cells = self.elements.len();
@@ -55,14 +61,22 @@ impl Shift<'_> {
             distance: element.sliding,
             ..Slide::default()
         };
-        let slides = self.elements.iter().map(past).collect();
-        let mut step = TimeStep::new(self.contact, self.law, self.bound, &prescribed, slides);
-        let outcome = step.solve(newton, p, limits, watch)?;
-        for (k, element) in self.elements.iter_mut().enumerate() {
-            let slide = &step.slides[k];
+        let step = Step {
+            slides: self.elements.iter().map(past).collect(),
+            places: vec![Vec::new(); cells],
+            contact: self.contact,
+            law: self.law,
+            coulomb: self.coulomb,
+            bound: self.bound,
+            prescribed,
+            largest: 0.0,
+        };
+        let (outcome, moved) = step.solve(newton, p, limits, watch)?;
+        for (k, (element, moved)) in self.elements.iter_mut().zip(moved).enumerate() {
             element.traction = [p[2 * k], p[2 * k + 1]];
-            element.saturation = step.responses[k].traction;
-            element.sliding = [0, 1].map(|c| slide.distance[c] + slide.increment[c]);
+            element.saturation = moved.saturation;
+            element.sliding = moved.sliding;
+            element.track.clear();
         }
         Ok(outcome)
     }

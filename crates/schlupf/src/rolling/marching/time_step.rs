@@ -9,74 +9,49 @@
 //! softest law to Coulomb's. With γ ≤ 1/‖A‖ the step p ← p − F(p) is a forward–backward splitting
 //! (Lions and Mercier 1979) of 0 = A p − D + law⁻¹(p), which never leads away from the solution.
 
-use crate::equilibrium::{self, Equilibrium, Limits, Newton, Outcome};
-use crate::error::Error;
+use crate::equilibrium::{self, Equilibrium};
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
 use crate::numerics::vector::norm;
-use crate::progress::Watch;
 use crate::rolling::shared::cell::{CellSolver, inverse_2x2, solve_2x2, times};
-use crate::rolling::shared::contact::DiscreteContact;
 
-/// Known data of a time step, cell by cell.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Prescribed {
-    /// D: sliding of each cell if the displacement were zero now, x and y in turn, in m.
-    pub sliding: Vec<f64>,
-    /// λ: fraction of the step that its material has spent in contact, dimensionless.
-    pub in_contact: Vec<f64>,
-    /// Whether its material came into contact in place, not over the leading edge.
-    pub in_place: Vec<bool>,
-}
+use super::moved::Moved;
+use super::step_response::StepResponse;
 
 /// The equilibrium of one instant: p = μ pₙ law(D − B p), where each cell has its own history.
-///
-/// Material that came into contact within the step is compared with the displacement where and when
-/// it entered: B = A − diag(1 − λ) A_lead, where A_lead p is the present displacement at its place
-/// of entry: at the leading edge, or, if it came into contact in place, the displacement caused
-/// there by the tractions of the other cells.
 pub(super) struct TimeStep<'a> {
-    contact: &'a mut DiscreteContact,
+    response: StepResponse<'a>,
     cell: CellSolver<'a>,
     /// μ pₙ of each cell, in Pa.
     bound: &'a [f64],
-    prescribed: &'a Prescribed,
     /// History of each cell; the increment is that of the last evaluation.
-    pub slides: Vec<Slide>,
+    slides: Vec<Slide>,
     /// Response of each cell at the last evaluation.
-    pub responses: Vec<Response>,
+    responses: Vec<Response>,
     /// s of each cell.
     sliding: Vec<[f64; 2]>,
     /// ∂(μ pₙ law)/∂(p + γ (D − A p)) of each cell.
     yielding: Vec<[[f64; 2]; 2]>,
     /// Ratio of displacement to traction of the patch as a whole, for each component, in m/Pa.
     patch_compliance: [f64; 2],
-    /// Whether entering material is displaced by the material in contact.
-    is_coupled: bool,
-    /// A p where the material of each cell entered, in m.
-    at_entry: Vec<f64>,
     /// Largest ‖p‖₂ of the previous steps, in Pa.
     largest: f64,
 }
 
 impl<'a> TimeStep<'a> {
     pub fn new(
-        contact: &'a mut DiscreteContact,
+        response: StepResponse<'a>,
         law: &'a dyn ContactLaw,
         bound: &'a [f64],
-        prescribed: &'a Prescribed,
         slides: Vec<Slide>,
     ) -> Self {
         let cells = slides.len();
+        let contact = &mut *response.contact;
         let (gamma, patch_compliance) = (contact.safe_stiffness(), contact.patch_compliance());
-        let is_coupled = contact.compliance.couples_cells();
         Self {
-            contact,
+            response,
             cell: CellSolver { law, gamma },
             bound,
-            prescribed,
             slides,
-            is_coupled,
-            at_entry: vec![0.0; 2 * cells],
             responses: vec![Response::default(); cells],
             sliding: vec![[0.0; 2]; cells],
             yielding: vec![[[0.0; 2]; 2]; cells],
@@ -91,21 +66,21 @@ impl<'a> TimeStep<'a> {
         Self { largest, ..self }
     }
 
-    /// Solves for the traction on the rail p, starting from the given one.
-    pub fn solve(
-        &mut self,
-        newton: &mut Newton,
-        p: &mut [f64],
-        limits: &Limits,
-        watch: Watch,
-    ) -> Result<Outcome, Error> {
-        Ok(newton.solve(self, p, limits, watch)?.outcome)
+    /// What the material of the cells has done, at the last evaluation.
+    pub fn moved(&self) -> Vec<Moved> {
+        let moved = |(slide, response): (&Slide, &Response)| Moved {
+            saturation: response.traction,
+            sliding: [0, 1].map(|c| slide.distance[c] + slide.increment[c]),
+            increment: slide.increment,
+            ..Moved::default()
+        };
+        self.slides.iter().zip(&self.responses).map(moved).collect()
     }
 }
 
 impl Equilibrium for TimeStep<'_> {
     fn size(&self) -> usize {
-        self.prescribed.sliding.len()
+        2 * self.slides.len()
     }
 
     fn scale(&self, p: &[f64]) -> f64 {
@@ -113,24 +88,14 @@ impl Equilibrium for TimeStep<'_> {
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
-        let made = self.contact.product(p);
-        made.at_cells(u);
-        made.at_entries(&mut self.at_entry);
-        let own = self.contact.cell_compliance();
-        let Prescribed { in_contact, in_place, .. } = self.prescribed;
-        for (at, u) in u.iter_mut().enumerate() {
-            let k = at / 2;
-            let is_moved = in_place[k] && self.is_coupled;
-            let entry = if is_moved { *u - own * p[at] } else { self.at_entry[at] };
-            *u -= (1.0 - in_contact[k]) * entry;
-        }
+        self.response.product(None, p, u);
     }
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
         let mut squares = 0.0;
         for k in 0..self.slides.len() {
             self.slides[k].increment =
-                [0, 1].map(|c| self.prescribed.sliding[2 * k + c] - u[2 * k + c]);
+                [0, 1].map(|c| self.response.prescribed.sliding[2 * k + c] - u[2 * k + c]);
             self.responses[k] = self.cell.law.respond(&self.slides[k]);
             let traction = self.responses[k].traction.map(|q| self.bound[k] * q);
             squares += (p[2 * k] - traction[0]).powi(2) + (p[2 * k + 1] - traction[1]).powi(2);
@@ -141,7 +106,8 @@ impl Equilibrium for TimeStep<'_> {
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
         let gamma = self.cell.gamma;
         for k in 0..self.slides.len() {
-            let increment = [0, 1].map(|c| self.prescribed.sliding[2 * k + c] - u[2 * k + c]);
+            let increment =
+                [0, 1].map(|c| self.response.prescribed.sliding[2 * k + c] - u[2 * k + c]);
             let target = [0, 1].map(|c| p[2 * k + c] + gamma * increment[c]);
             self.slides[k].increment = self.sliding[k];
             let response = self.cell.solve(&mut self.slides[k], self.bound[k], target);
@@ -168,7 +134,8 @@ impl Equilibrium for TimeStep<'_> {
     /// Each cell separately, on a bedding as stiff as the patch as a whole.
     fn precondition(&mut self, v: &mut [f64]) {
         for (k, [[xx, xy], [yx, yy]]) in self.yielding.iter().enumerate() {
-            let share = if self.is_coupled { self.prescribed.in_contact[k] } else { 1.0 };
+            let share =
+                if self.response.is_coupled { self.response.prescribed.in_contact[k] } else { 1.0 };
             let bedding = self.cell.gamma * share;
             let [wx, wy] = self.patch_compliance.map(|a| 1.0 - bedding * a);
             let matrix = [[1.0 - xx * wx, -xy * wy], [-yx * wx, 1.0 - yy * wy]];

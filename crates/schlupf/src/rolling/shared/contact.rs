@@ -152,10 +152,25 @@ impl DiscreteContact {
 
     /// Ratio of displacement to traction of the middle cell in each direction, in m/Pa.
     pub fn cell_compliances(&mut self) -> [f64; 2] {
+        let [own, ..] = self.row_compliances();
+        own
+    }
+
+    /// Displacement of the cells at a distance of 0, 1, … columns in a row under a unit traction in
+    /// each direction, in m/Pa.
+    pub fn row_compliances(&mut self) -> [[f64; 2]; 6] {
         let (p, middle) = self.lone_cell();
+        let index = self.patch.cells[middle].index;
         let mut u = vec![0.0; p.len()];
-        self.product(&p).at_cells(&mut u);
-        [u[2 * middle], u[2 * middle + 1]]
+        let made = self.product(&p);
+        made.at_cells(&mut u);
+        let field = made.field();
+        let at = |values: &[f64], back: usize| {
+            index.checked_sub(back).and_then(|index| values.get(index)).copied().unwrap_or(0.0)
+        };
+        let mut row = std::array::from_fn(|back| [at(&field.x, back), at(&field.y, back)]);
+        row[0] = [u[2 * middle], u[2 * middle + 1]];
+        row
     }
 
     /// A p, with the traction given in each cell.

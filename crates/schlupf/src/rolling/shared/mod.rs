@@ -4,4 +4,5 @@ pub(crate) mod contact;
 pub(crate) mod cell;
 pub(crate) mod turn;
 pub(crate) mod passage;
+pub(in crate::rolling) mod coulomb;
 pub(crate) mod warnings;

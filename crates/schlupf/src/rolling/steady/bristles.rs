@@ -353,7 +353,7 @@ impl StripLaw for Bristles {
         }
     }
 
-    fn elements(&self, patch: &Patch, p: &[f64], b: &[f64]) -> Vec<Element> {
+    fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], _relative: &[f64]) -> Vec<Element> {
         let mut elements = Vec::with_capacity(self.len());
         self.follow(b, |k, slide, response| {
             let way = &self.ways[k];

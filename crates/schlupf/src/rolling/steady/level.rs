@@ -9,8 +9,8 @@ use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
 
 use super::bristles::Bristles;
-use super::coulomb::StickSlip;
 use super::steady_friction::SteadyFriction;
+use super::stick_slip::StickSlip;
 use super::strip_law::StripLaw;
 use super::transfer::Transfer;
 
@@ -29,6 +29,8 @@ pub(super) struct Level {
     pub earlier: [Vec<f64>; 2],
     /// Its initial guess from previous solutions alone, in Pa.
     pub predicted: Vec<f64>,
+    /// Whether its solution differs from what was predicted by more than is left undone.
+    pub has_news: bool,
     pub workspace: Workspace,
     /// Directions of earlier linear systems, if the law is Coulomb's: with it they are many.
     pub directions: Option<Directions>,
@@ -108,6 +110,7 @@ impl Level {
             response: Vec::new(),
             earlier: [zeros(), zeros()],
             predicted: zeros(),
+            has_news: true,
             workspace: Workspace {
                 at_entry: zeros(),
                 flux: vec![0.0; contact.patch.len()],

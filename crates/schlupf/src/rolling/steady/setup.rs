@@ -59,6 +59,11 @@ fn softened(problem: &Problem) -> Vec<Problem> {
 /// only the change since an earlier solution matters, or the coarse one must know where it sticks.
 const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
 
+/// Defect of a coarse grid's prediction from earlier solutions up to which its solution tells a
+/// finer one nothing new, dimensionless: such a change is hardly more than what the coarse
+/// solutions leave undone.
+const LEAST_NEWS: f64 = 1.5e-2;
+
 /// Farthest extrapolation, as a multiple of the distance between the last two solutions.
 const FARTHEST: f64 = 2.5;
 
@@ -103,33 +108,24 @@ impl Setup {
         problem: &Problem,
         search: &mut Search,
     ) -> Result<Outcome, Error> {
-        let Search { options, newton, work, watch } = search;
         let cells = self.levels[0].contact.patch.len();
-        (work.cells, work.outer_iterations) = (cells, 1);
+        (search.work.cells, search.work.outer_iterations) = (cells, 1);
+        let is_coulomb = problem.contact_law.is_coulomb();
+        if self.earlier.len() == 1 && !is_coulomb {
+            self.finish_coarse(search)?;
+        }
         let ahead = self.extrapolation(problem);
         self.problem = problem.clone();
+        let is_fine = !self.earlier.is_empty() || is_coulomb;
+        let coarse = COARSE_TOLERANCE[usize::from(is_fine)];
         let mut outcome = Outcome::default();
         for depth in (0..self.levels.len()).rev() {
             self.levels[depth].set_problem(problem);
             self.guess(depth, ahead);
-            let is_fine = !self.earlier.is_empty() || problem.contact_law.is_coulomb();
-            let coarse = COARSE_TOLERANCE[usize::from(is_fine)];
-            let limits = Limits {
-                tolerance: if depth == 0 { options.tolerance } else { coarse },
-                max_iterations: options.max_iterations,
-                is_monotone: branches::may_be_several(problem, &self.levels[depth], false),
-            };
-            let mut traction = std::mem::take(&mut self.levels[depth].traction);
-            let mut system = SteadyState::new(problem, &mut self.levels[depth..]);
-            let solved = newton.solve(&mut system, &mut traction, &limits, *watch);
-            self.levels[depth].traction = traction;
-            let solved = solved?;
-            self.levels[depth].response.clear();
-            self.levels[depth].response.extend_from_slice(solved.response);
-            outcome = solved.outcome;
-            let share = self.levels[depth].strips.len() as f64 / cells as f64;
-            work.newton_iterations += outcome.iterations;
-            work.operator_products += share * outcome.products as f64;
+            let tolerance = if depth == 0 { search.options.tolerance } else { coarse };
+            outcome = self.solve_level(depth, tolerance, search)?;
+            let is_new = self.earlier.is_empty() || outcome.first_residual > LEAST_NEWS;
+            self.levels[depth].has_news = is_new;
         }
         if outcome.converged {
             let is_at_rest = self.levels[0].traction.iter().all(|p| *p == 0.0);
@@ -138,6 +134,49 @@ impl Setup {
             self.earlier.clear();
         }
         Ok(outcome)
+    }
+
+    /// Solves the coarser grids of the previous problem as accurately as those of the next one will
+    /// be: what a cold solution left undone on them is no change from one problem to the next.
+    fn finish_coarse(&mut self, search: &mut Search) -> Result<(), Error> {
+        let problem = self.problem.clone();
+        let [_, tolerance] = COARSE_TOLERANCE;
+        for depth in (1..self.levels.len()).rev() {
+            let level = &mut self.levels[depth];
+            level.set_problem(&problem);
+            level.traction.copy_from_slice(&level.earlier[0]);
+            self.solve_level(depth, tolerance, search)?;
+            let level = &mut self.levels[depth];
+            level.earlier[0].copy_from_slice(&level.traction);
+        }
+        Ok(())
+    }
+
+    /// Newton's method for the present problem on one level, from its initial guess.
+    fn solve_level(
+        &mut self,
+        depth: usize,
+        tolerance: f64,
+        search: &mut Search,
+    ) -> Result<Outcome, Error> {
+        let Search { options, newton, work, watch } = search;
+        let problem = &self.problem;
+        let limits = Limits {
+            tolerance,
+            max_iterations: options.max_iterations,
+            is_monotone: branches::may_be_several(problem, &self.levels[depth], false),
+        };
+        let mut traction = std::mem::take(&mut self.levels[depth].traction);
+        let mut system = SteadyState::new(problem, &mut self.levels[depth..]);
+        let solved = newton.solve(&mut system, &mut traction, &limits, *watch);
+        self.levels[depth].traction = traction;
+        let solved = solved?;
+        self.levels[depth].response.clear();
+        self.levels[depth].response.extend_from_slice(solved.response);
+        let of_all = self.levels[depth].strips.len() as f64 / self.levels[0].strips.len() as f64;
+        work.newton_iterations += solved.outcome.iterations;
+        work.operator_products += of_all * solved.outcome.products as f64;
+        Ok(solved.outcome)
     }
 
     /// Follows the creepage to a problem from high slip and from low slip, the requested branch
@@ -215,7 +254,7 @@ impl Setup {
         level.clip();
         level.predicted.copy_from_slice(&level.traction);
         if let (Some(Descent { transfer, carried, .. }), Some(next)) =
-            (&mut level.descent, coarser.first())
+            (&mut level.descent, coarser.first().filter(|next| next.has_news))
         {
             let pairs = next.traction.iter().zip(&next.predicted);
             for (news, (found, predicted)) in carried.iter_mut().zip(pairs) {
@@ -272,6 +311,11 @@ impl Setup {
         let mut made = contact.product(traction);
         made.at_cells(&mut now.displacement);
         now.stored_energy = made.stored_energy();
+        let mut relative = vec![0.0; traction.len()];
+        made.at_entries(&mut relative);
+        for (entry, u) in relative.iter_mut().zip(&now.displacement) {
+            *entry = u - *entry;
+        }
         let mut change = vec![0.0; traction.len()];
         made.change_in_passing(&mut change);
         work.operator_products += 1.0;
@@ -282,7 +326,7 @@ impl Setup {
         now.scaled_rise.copy_from_slice(&friction.scaled_rise);
         now.friction.copy_from_slice(&friction.lag.coefficient);
         strips.complete_friction(&mut now.friction);
-        let mut elements = strips.elements(&contact.patch, traction, response);
+        let mut elements = strips.elements(&contact.patch, traction, response, &relative);
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = speed_of(friction.slip[k]);
             element.scaled_rise = friction.scaled_rise[k];

@@ -19,8 +19,7 @@ use super::setup::{Search, Setup};
 
 /// Solves a problem for its steady state.
 ///
-/// Where Newton's method fails, the solver marches to the state instead, and a warning says so; with
-/// Coulomb's law the solution is then the last iterate, and its status tells.
+/// Where Newton's method fails, the solver marches to the state instead, and a warning says so.
 ///
 /// ```
 /// use schlupf::{Options, Problem, rolling, unwatched};
@@ -52,8 +51,6 @@ pub struct SteadySolver {
 /// Outcome of an attempt to find the steady state directly.
 enum Attempt {
     Found(Box<Solution>),
-    /// The last iterate, where there is no other way to the state.
-    Unfinished(Box<Solution>),
     /// How far Newton's method got from a cold start, and an additional warning.
     Failed(Outcome, Option<Warning>),
 }
@@ -62,7 +59,7 @@ impl Attempt {
     fn found(self) -> Option<Solution> {
         match self {
             Self::Found(solution) => Some(*solution),
-            Self::Unfinished(_) | Self::Failed(..) => None,
+            Self::Failed(..) => None,
         }
     }
 }
@@ -80,9 +77,7 @@ impl Solver for SteadySolver {
         let at = AtPatch::new(problem, watch)?;
         let attempt = self.attempt(&at.problem, self.options.sensitivity, watch)?;
         let (outcome, warning) = match attempt {
-            Attempt::Found(solution) | Attempt::Unfinished(solution) => {
-                return Ok(at.back(*solution));
-            }
+            Attempt::Found(solution) => return Ok(at.back(*solution)),
             Attempt::Failed(outcome, warning) => (outcome, warning),
         };
         let mut marched = march(&Transient::to_steady_state(problem), &self.options, watch)?;
@@ -178,10 +173,6 @@ impl SteadySolver {
                 self.differentiate(problem, &mut setup, &mut solution, watch)?;
             }
             Attempt::Found(Box::new(solution))
-        } else if problem.contact_law.is_coulomb() {
-            let mut solution = setup.solution(problem, &self.options, &outcome, work);
-            solution.warnings.extend(warning);
-            Attempt::Unfinished(Box::new(solution))
         } else {
             Attempt::Failed(outcome, warning)
         };

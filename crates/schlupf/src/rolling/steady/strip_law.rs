@@ -40,8 +40,9 @@ pub(super) trait StripLaw: Send + Sync {
     /// strip. If `friction` depends on the heat from upstream, this is included.
     fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>);
 
-    /// The elements of the steady state with the traction p, without their heat.
-    fn elements(&self, patch: &Patch, p: &[f64], b: &[f64]) -> Vec<Element>;
+    /// The elements of the steady state with the traction p, without their heat, given also the
+    /// displacements at the cells relative to those where their material entered, in m.
+    fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], relative: &[f64]) -> Vec<Element>;
 
     /// Gives the cells that have no equation of their own the traction that follows from the
     /// others, in place.

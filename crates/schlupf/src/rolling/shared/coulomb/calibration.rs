@@ -3,8 +3,8 @@
 //! Constant tractions in the cells do not represent the root-like traction at the edge of a patch
 //! well: the displacement there is that of an edge shifted by a part of a cell. Under p = pₙ it is
 //! known exactly, or at least much better on a finer grid. As p/pₙ is smooth at the edge, what is
-//! missing of the displacement under any p is, to leading order, what is missing under pₙ times p/pₙ
-//! of the cell itself, and at the entry times that of the first cell of the strip.
+//! missing of the displacement under any p is, to leading order, what is missing under pₙ times
+//! p/pₙ of the cell itself, and at the entry times that of the first cell of the strip.
 
 use std::ops::Range;
 
@@ -18,18 +18,18 @@ use crate::problem::Problem;
 use crate::rolling::shared::contact::DiscreteContact;
 
 /// Displacement of a point under tractions along both axes: xx, yy and xy, in m or in m/Pa.
-pub(super) type Symmetric = [f64; 3];
+pub(in crate::rolling) type Symmetric = [f64; 3];
 
 /// What is missing of the displacement under p = pₙ, in m.
-pub(super) struct Missing {
+pub(in crate::rolling) struct Missing {
     pub at_cells: Vec<Symmetric>,
     pub at_entries: Vec<Symmetric>,
 }
 
 /// The same over the pressure of the cell, or of the first one of the strip that is kept; in m/Pa.
-pub(super) struct Calibration {
+pub(in crate::rolling) struct Calibration {
     pub at_cells: Vec<Symmetric>,
-    at_entries: Vec<Symmetric>,
+    pub at_entries: Vec<Symmetric>,
     /// The first cell of the strip of each cell.
     first: Vec<usize>,
 }
@@ -82,7 +82,25 @@ impl Calibration {
         }
     }
 
-    /// Adds what is missing of the displacements relative to those at the entries under p.
+    /// Adds what is missing of the displacements at the cells under p.
+    pub fn add_at_cells(&self, p: &[f64], u: &mut [f64]) {
+        for (k, u) in u.chunks_exact_mut(2).enumerate() {
+            let own = product(&self.at_cells[k], p, k);
+            u[0] += own[0];
+            u[1] += own[1];
+        }
+    }
+
+    /// Adds what is missing of those where the material of each cell entered.
+    pub fn add_at_entries(&self, p: &[f64], u: &mut [f64]) {
+        for (k, u) in u.chunks_exact_mut(2).enumerate() {
+            let entry = product(&self.at_entries[k], p, self.first[k]);
+            u[0] += entry[0];
+            u[1] += entry[1];
+        }
+    }
+
+    /// Adds what is missing of the displacements relative to those at the entries.
     pub fn add(&self, p: &[f64], relative: &mut [f64]) {
         for (k, relative) in relative.chunks_exact_mut(2).enumerate() {
             let own = product(&self.at_cells[k], p, k);

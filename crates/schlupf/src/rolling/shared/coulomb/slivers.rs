@@ -17,7 +17,7 @@ const COVERED: f64 = 0.999;
 
 /// A cell that takes the traction over the pressure of another cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Sliver {
+pub(in crate::rolling) struct Sliver {
     pub cell: usize,
     /// The cell that it follows.
     pub after: usize,
@@ -26,10 +26,12 @@ pub(super) struct Sliver {
 }
 
 /// The slivers of a patch, and the other cells.
-pub(super) struct Slivers {
-    pub slivers: Vec<Sliver>,
+pub(in crate::rolling) struct Slivers {
+    all: Vec<Sliver>,
     /// The cells of each strip that are none, from the leading edge; never empty.
     pub kept: Vec<Range<usize>>,
+    /// Whether a cell is a sliver between the leading edge and those cells.
+    pub leads: Vec<bool>,
 }
 
 impl Slivers {
@@ -43,8 +45,9 @@ impl Slivers {
             pressure(k) < LEAST_PRESSURE * pressure(next)
                 || (is_stiff && patch.cells[k].covered < COVERED)
         };
-        let mut slivers = Vec::new();
+        let mut all = Vec::new();
         let mut kept = Vec::with_capacity(patch.strips.len());
+        let mut leads = vec![false; patch.len()];
         for strip in &patch.strips {
             let (mut first, mut last) = (strip.cells.start, strip.cells.end - 1);
             while first < last && is_sliver(first, first + 1) {
@@ -56,16 +59,17 @@ impl Slivers {
             let follow = |after: usize| {
                 move |cell: usize| Sliver { cell, after, ratio: pressure(cell) / pressure(after) }
             };
-            slivers.extend((strip.cells.start..first).map(follow(first)));
-            slivers.extend((last + 1..strip.cells.end).map(follow(last)));
+            leads[strip.cells.start..first].fill(true);
+            all.extend((strip.cells.start..first).map(follow(first)));
+            all.extend((last + 1..strip.cells.end).map(follow(last)));
             kept.push(first..last + 1);
         }
-        Self { slivers, kept }
+        Self { all, kept, leads }
     }
 
     /// Gives every sliver its traction, x and y of each cell in turn.
     pub fn complete(&self, p: &mut [f64]) {
-        for Sliver { cell, after, ratio } in &self.slivers {
+        for Sliver { cell, after, ratio } in &self.all {
             for c in 0..2 {
                 p[2 * cell + c] = ratio * p[2 * after + c];
             }
@@ -74,14 +78,14 @@ impl Slivers {
 
     /// Gives every sliver its value of something proportional to the pressure.
     pub fn complete_scalar(&self, values: &mut [f64]) {
-        for Sliver { cell, after, ratio } in &self.slivers {
+        for Sliver { cell, after, ratio } in &self.all {
             values[*cell] = ratio * values[*after];
         }
     }
 
     /// Gives every sliver the value of the cell that it follows.
     pub fn copy<T: Copy>(&self, values: &mut [T]) {
-        for Sliver { cell, after, .. } in &self.slivers {
+        for Sliver { cell, after, .. } in &self.all {
             values[*cell] = values[*after];
         }
     }

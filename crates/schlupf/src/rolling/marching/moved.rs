@@ -1,0 +1,18 @@
+//! What the material of a cell has done within a time step.
+
+use crate::state::TrackPoint;
+
+/// The result of a step, for the element of a cell.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Moved {
+    /// Traction on the rail over μ pₙ, dimensionless.
+    pub saturation: [f64; 2],
+    /// Sliding distance since entry, in m.
+    pub sliding: [f64; 2],
+    /// Its change in the step, in m.
+    pub increment: [f64; 2],
+    /// Earlier places of the path, the latest first, with Coulomb's law.
+    pub track: Vec<TrackPoint>,
+    /// With Coulomb's law, its slip velocity over the rolling speed, dimensionless.
+    pub slip: [f64; 2],
+}

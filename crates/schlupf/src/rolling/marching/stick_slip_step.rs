@@ -1,0 +1,272 @@
+//! A time step under Coulomb's law: p = P(p + γ s) for every cell, as in steady rolling, with s the
+//! sliding at the end of the step along the path of its material.
+//!
+//! s is the derivative of the sliding since entry along the path, by the polynomial through its
+//! present value and those at up to three earlier steps. It is thus of third order once the
+//! material has been in contact for three steps, of lower order after entry and after a shift. The
+//! end of a march is the steady state of the direct solver.
+
+use crate::equilibrium::{self, Directions, Equilibrium};
+use crate::error::Error;
+use crate::normal::NormalContact;
+use crate::numerics::vector::norm;
+use crate::patch::Patch;
+use crate::problem::Problem;
+use crate::rolling::shared::cell::{inverse_2x2, times};
+use crate::rolling::shared::contact::DiscreteContact;
+use crate::rolling::shared::coulomb::{CoulombContact, NODES, Slope, reduced, saturation, through};
+use crate::rolling::shared::passage::pair;
+use crate::state::TrackPoint;
+
+use super::moved::Moved;
+use super::past::Past;
+use super::step_response::{Prescribed, StepResponse};
+
+/// Coulomb's law on a patch, kept from step to step.
+pub(super) struct Coulomb {
+    pub contact: CoulombContact,
+    directions: Directions,
+    /// λ of the cells, and which material entered in place: the linear response of the directions.
+    of: (Vec<f64>, Vec<bool>),
+}
+
+impl Coulomb {
+    /// Of a problem, if the law is Coulomb's.
+    pub fn of(
+        problem: &Problem,
+        normal: &NormalContact,
+        contact: &mut DiscreteContact,
+    ) -> Result<Option<Self>, Error> {
+        if !problem.contact_law.is_coulomb() {
+            return Ok(None);
+        }
+        let contact = CoulombContact::new(problem, normal, contact)?;
+        Ok(Some(Self { contact, directions: Directions::default(), of: Default::default() }))
+    }
+
+    /// An admissible traction near the given one, in place.
+    pub fn admit(&self, p: &mut [f64], bound: &[f64]) {
+        for k in self.contact.kept() {
+            let onto = reduced(pair(p, k), bound[k]);
+            p[2 * k..2 * k + 2].copy_from_slice(&onto);
+        }
+        self.contact.slivers.complete(p);
+    }
+
+    /// Replaces the slip velocity of the cells by that of the last step, at a rolling speed in m/s.
+    pub fn take_slip(&self, moved: &[Moved], speed: f64, slip: &mut [[f64; 2]]) {
+        for k in self.contact.kept() {
+            slip[k] = moved[k].slip.map(|s| speed * s);
+        }
+        self.contact.slivers.copy(slip);
+    }
+}
+
+/// How the sliding at a cell follows from its change in the step: weight · change + known.
+#[derive(Debug, Clone, Default)]
+struct PathSlip {
+    weight: f64,
+    /// In m.
+    known: [f64; 2],
+    /// Way from the nearest place, in m.
+    way: f64,
+}
+
+/// Earlier places of the path of the material in a cell.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Track {
+    /// Sliding since entry before the step, in m.
+    pub sliding: [f64; 2],
+    /// Places with their distances from the cell, the latest first.
+    pub places: Vec<TrackPoint>,
+}
+
+impl Track {
+    fn slip(&self) -> PathSlip {
+        let (weights, count) = through(self.places.iter().map(|place| place.distance));
+        let mut known = self.sliding.map(|s| weights[0] * s);
+        if self.places.is_empty() {
+            known = [0.0; 2];
+        }
+        for (weight, place) in weights[1..].iter().zip(&self.places).take(count - 1) {
+            known = [0, 1].map(|c| known[c] + weight * place.sliding[c]);
+        }
+        let way = self.places.first().map_or(0.0, |place| place.distance);
+        PathSlip { weight: weights[0], known, way }
+    }
+}
+
+/// The equilibrium of one instant under Coulomb's law.
+pub(super) struct StickSlipStep<'a> {
+    response: StepResponse<'a>,
+    law: &'a mut Coulomb,
+    gamma: f64,
+    /// μ pₙ of each cell, in Pa.
+    bound: Vec<f64>,
+    tracks: Vec<Track>,
+    slips: Vec<PathSlip>,
+    slopes: Vec<Slope>,
+    /// Inverse of the local Jacobian of each cell.
+    inverses: Vec<[[f64; 2]; 2]>,
+    /// Largest ‖p‖₂ of the previous steps, in Pa.
+    largest: f64,
+}
+
+impl<'a> StickSlipStep<'a> {
+    /// With residuals measured relative to a traction (‖p‖₂ in Pa) if that of this step is smaller.
+    pub fn new(
+        response: StepResponse<'a>,
+        law: &'a mut Coulomb,
+        bound: &[f64],
+        tracks: Vec<Track>,
+        largest: f64,
+    ) -> Self {
+        let Prescribed { in_contact, in_place, .. } = response.prescribed;
+        if law.of.0 != *in_contact || law.of.1 != *in_place {
+            law.directions = Directions::default();
+            law.of = (in_contact.clone(), in_place.clone());
+        }
+        let mut bound = bound.to_vec();
+        law.contact.slivers.complete_scalar(&mut bound);
+        Self {
+            gamma: response.contact.cell_stiffness(),
+            slips: tracks.iter().map(Track::slip).collect(),
+            slopes: vec![Slope::default(); tracks.len()],
+            inverses: vec![[[0.0; 2]; 2]; tracks.len()],
+            response,
+            law,
+            bound,
+            tracks,
+            largest,
+        }
+    }
+
+    /// Reduces γ by a factor.
+    pub fn soften(&mut self, factor: f64) {
+        self.gamma *= factor;
+    }
+
+    /// Sliding at a cell, in m.
+    fn sliding(&self, u: &[f64], k: usize) -> [f64; 2] {
+        let PathSlip { weight, known, .. } = &self.slips[k];
+        let change = self.change(u, k);
+        [0, 1].map(|c| weight * change[c] + known[c])
+    }
+
+    /// Change of the sliding since entry in the step, in m.
+    fn change(&self, u: &[f64], k: usize) -> [f64; 2] {
+        let sliding = &self.response.prescribed.sliding;
+        [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
+    }
+
+    fn pull(&self, p: &[f64], u: &[f64], k: usize) -> [f64; 2] {
+        let sliding = self.sliding(u, k);
+        [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c])
+    }
+
+    fn inverse(&self, k: usize) -> [[f64; 2]; 2] {
+        let weight = self.gamma * self.slips[k].weight;
+        let stiffening = self.law.contact.local[k].map(|row| row.map(|entry| weight * entry));
+        inverse_2x2(self.slopes[k].jacobian(&stiffening))
+    }
+
+    /// What the material of the cells has done in the step that ends with the traction p.
+    pub fn moved(&self, p: &[f64], u: &[f64]) -> Vec<Moved> {
+        let moved = |(k, track): (usize, &Track)| {
+            let increment = self.change(u, k);
+            let sliding = [0, 1].map(|c| track.sliding[c] + increment[c]);
+            let here = TrackPoint { distance: 0.0, sliding };
+            // Slivers at the leading edge say nothing of their own.
+            let here = (!self.law.contact.slivers.leads[k]).then_some(here);
+            let slides = self.slopes[k].is_sliding() && self.slips[k].way > 0.0;
+            let slip = if slides { self.sliding(u, k) } else { [0.0; 2] };
+            Moved {
+                saturation: saturation(pair(p, k), self.bound[k]),
+                sliding,
+                increment,
+                track: here.into_iter().chain(track.places.clone()).take(NODES - 1).collect(),
+                slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / self.slips[k].way }),
+            }
+        };
+        self.tracks.iter().enumerate().map(moved).collect()
+    }
+}
+
+impl Equilibrium for StickSlipStep<'_> {
+    fn size(&self) -> usize {
+        2 * self.bound.len()
+    }
+
+    fn scale(&self, p: &[f64]) -> f64 {
+        equilibrium::measure(norm(&self.bound), norm(p).max(self.largest))
+    }
+
+    fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
+        self.response.product(Some(&self.law.contact.calibration), p, u);
+    }
+
+    fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
+        let square = |k: usize| {
+            let onto = reduced(self.pull(p, u, k), self.bound[k]);
+            (p[2 * k] - onto[0]).powi(2) + (p[2 * k + 1] - onto[1]).powi(2)
+        };
+        self.law.contact.kept().map(square).sum::<f64>().sqrt()
+    }
+
+    fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
+        residual.fill(0.0);
+        for strip in 0..self.law.contact.slivers.kept.len() {
+            for k in self.law.contact.slivers.kept[strip].clone() {
+                let q = self.pull(p, u, k);
+                let onto = reduced(q, self.bound[k]);
+                self.slopes[k] = Slope::at(q, self.bound[k]);
+                self.inverses[k] = self.inverse(k);
+                for c in 0..2 {
+                    residual[2 * k + c] = p[2 * k + c] - onto[c];
+                }
+            }
+        }
+    }
+
+    fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]) {
+        product.fill(0.0);
+        for k in self.law.contact.kept() {
+            let weight = self.gamma * self.slips[k].weight;
+            let pulled = [0, 1].map(|c| v[2 * k + c] - weight * response[2 * k + c]);
+            let answer = times(&self.slopes[k].by_pull, pulled);
+            for c in 0..2 {
+                product[2 * k + c] = v[2 * k + c] - answer[c];
+            }
+        }
+    }
+
+    fn directions(&mut self) -> Option<&mut Directions> {
+        Some(&mut self.law.directions)
+    }
+
+    /// Each cell separately.
+    fn precondition(&mut self, v: &mut [f64]) {
+        for k in self.law.contact.kept() {
+            let solved = times(&self.inverses[k], pair(v, k));
+            v[2 * k..2 * k + 2].copy_from_slice(&solved);
+        }
+        self.law.contact.slivers.complete(v);
+    }
+}
+
+/// The record of an instant with the displacements calibrated.
+pub(super) fn calibrate(past: &mut Past, coulomb: &Coulomb, patch: &Patch, p: &[f64]) {
+    let calibration = &coulomb.contact.calibration;
+    let zeros = || vec![0.0; p.len()];
+    let (mut at_cells, mut at_entries) = (zeros(), zeros());
+    calibration.add_at_cells(p, &mut at_cells);
+    calibration.add_at_entries(p, &mut at_entries);
+    for (k, cell) in patch.cells.iter().enumerate() {
+        if let Some((_, departure)) = &mut past.cells[cell.index] {
+            for c in 0..2 {
+                departure.displacement[c] += at_cells[2 * k + c];
+                departure.at_entry[c] += at_entries[2 * k + c];
+            }
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Coulomb's law itself, and not a contact law with stiff bristles: where a cell sticks it does not
+//! slide at all, where it slides |p| = μ pₙ along the slip.
+//!
+//! Behind a leading edge that sticks, the traction follows from an equation of the first kind,
+//! whose accuracy on few cells rests on three things: the displacement is calibrated with a
+//! traction for which it is known ([`calibration`]), the slip is of third order ([`slip_stencil`]),
+//! and cells that are hardly loaded take the traction of their neighbours ([`slivers`]).
+
+mod slivers;
+mod calibration;
+mod slip_stencil;
+mod reduction;
+mod contact;
+
+pub(in crate::rolling) use calibration::Calibration;
+pub(in crate::rolling) use contact::CoulombContact;
+pub(in crate::rolling) use reduction::{Matrix, Slope, product_2x2, reduced, saturation};
+pub(in crate::rolling) use slip_stencil::{NODES, SlipStencil, through};
