@@ -98,18 +98,18 @@ fn told(report: &Report, path: &Path, is_quiet: bool) -> Result<u8, Failure> {
     if !is_quiet {
         let Report { rows, resumed, not_converged, failed, .. } = report;
         let solved = rows - failed - not_converged;
-        let mut text = format!("{}\n\n{rows} states, {solved} converged", path.display());
-        let parts = [(*not_converged, "not converged"), (*failed, "failed")];
-        for (count, what) in parts.into_iter().filter(|(count, _)| *count > 0) {
-            text.push_str(&format!(", {count} {what}"));
-        }
+        let parts = [(*not_converged, "not converged"), (*failed, "failed")].into_iter();
+        let parts = parts.filter(|(count, _)| *count > 0);
+        let mut parts: Vec<String> =
+            parts.map(|(count, what)| format!(", {count} {what}")).collect();
         if *resumed > 0 {
-            text.push_str(&format!("; {resumed} were there already"));
+            parts.push(format!("; {resumed} were there already"));
         }
-        text.push('\n');
         if let Some((row, reason)) = &report.first_failure {
-            text.push_str(&format!("first failure: row {row}: {reason}\n"));
+            parts.push(format!("\nfirst failure: row {row}: {reason}"));
         }
+        let parts = parts.concat();
+        let text = format!("{}\n\n{rows} states, {solved} converged{parts}\n", path.display());
         stdout::write(&text)?;
     }
     Ok(if report.is_converged() { SUCCESS } else { NOT_CONVERGED })

@@ -148,13 +148,6 @@ struct Block<'a> {
     converged: &'a mut [bool],
 }
 
-/// Cuts the first entries off.
-fn cut<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
-    let (head, tail) = std::mem::take(rest).split_at_mut(count);
-    *rest = tail;
-    head
-}
-
 /// The forces of all conditions on all threads: case by case as many as `counts` says.
 fn forces(
     files: &[schlupf_case::CaseFile],
@@ -184,8 +177,8 @@ fn forces(
         let end = start + count;
         while start < end {
             let size = size.min(end - start);
-            let values = rest.each_mut().map(|rest| cut(rest, size));
-            let converged = cut(&mut rest_converged, size);
+            let values = rest.each_mut().map(|rest| rest.split_off_mut(..size).unwrap_or_default());
+            let converged = rest_converged.split_off_mut(..size).unwrap_or_default();
             blocks.push(Block { case, conditions, start, values, converged });
             start += size;
         }

@@ -68,9 +68,8 @@ impl Group<'_> {
         outcomes: &mut HashMap<usize, Outcome>,
     ) -> Result<(), StudyError> {
         let Some(first) = self.members.first() else { return Ok(()) };
-        let case = match self.pose(*first, start, watch)? {
-            Ok(case) => case,
-            Err(_) => return self.alone(start, watch, outcomes),
+        let Ok(case) = self.pose(*first, start, watch)? else {
+            return self.alone(start, watch, outcomes);
         };
         // What the case makes of its creepages, say for another reference, it makes of each row.
         if self.kinematics(*first, &case.problem.kinematics) != case.problem.kinematics {

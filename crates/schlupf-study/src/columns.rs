@@ -1,7 +1,7 @@
 //! The columns of a study's table, and a row of it.
 
-use schlupf::Solution;
 use schlupf::columns::{Column as ResultColumn, Record, Value};
+use schlupf::{Solution, Warning};
 
 use crate::design::{Design, Entry, Values};
 use crate::table::{Cells, Column, Kind, Rows};
@@ -82,7 +82,9 @@ pub(crate) fn push(rows: &mut Rows, columns: &[Column], row: &Row) {
         }
     };
     put(Put::Count(*index as i64));
-    carried.iter().for_each(|number| put(Put::Number(*number)));
+    for number in carried {
+        put(Put::Number(*number));
+    }
     for entry in *entries {
         put(match entry {
             Entry::Number(number) => Put::Number(*number),
@@ -101,7 +103,7 @@ pub(crate) fn push(rows: &mut Rows, columns: &[Column], row: &Row) {
         put(Put::Number(value.number().unwrap_or(f64::NAN)));
     }
     let codes = solution.map_or_else(Vec::new, |solution| {
-        let mut codes: Vec<&str> = solution.warnings.iter().map(|w| w.code()).collect();
+        let mut codes: Vec<&str> = solution.warnings.iter().map(Warning::code).collect();
         codes.dedup();
         codes
     });

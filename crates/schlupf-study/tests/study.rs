@@ -235,12 +235,14 @@ fn wrong_studies_are_refused_with_field_and_place() {
         ("[states]\nfile = \"missing.csv\"\n", &["missing.csv", "No such file"]),
         ("[states]\nfile = \"run.csv\"\n", &["must have rows, but has none"]),
         (sample, &["sample.range is missing"]),
-        (&format!("{sample}[sample.range]\n\"normal.load\" = [\"2 N\", \"1 N\"]\n"), &[
-            "the range of normal.load must increase",
-        ]),
-        (&format!("{sample}[sample.range]\n\"solver.method\" = [\"full\", \"polach\"]\n"), &[
-            "solver.method must be a range of numbers",
-        ]),
+        (
+            &format!("{sample}[sample.range]\n\"normal.load\" = [\"2 N\", \"1 N\"]\n"),
+            &["the range of normal.load must increase"],
+        ),
+        (
+            &format!("{sample}[sample.range]\n\"solver.method\" = [\"full\", \"polach\"]\n"),
+            &["solver.method must be a range of numbers"],
+        ),
         ("batch = 0\n[vary]\n\"normal.load\" = [\"1 kN\"]\n", &["batch must be a whole number"]),
         ("[vary\n", &["study.toml:2:", "not TOML"]),
     ] {

@@ -40,7 +40,7 @@ impl CsvWriter {
 
     pub fn finish(self) -> Result<(), StudyError> {
         let Self { path, file } = self;
-        let synced = file.into_inner().map_err(|error| error.into_error());
+        let synced = file.into_inner().map_err(std::io::IntoInnerError::into_error);
         synced.and_then(|file| file.sync_all()).map_err(|cause| StudyError::file(&path, cause))
     }
 }

@@ -185,7 +185,7 @@ pub struct Reader {
 }
 
 enum Source {
-    Csv(CsvReader),
+    Csv(Box<CsvReader>),
     Parquet(Box<ParquetReader>),
 }
 
@@ -198,7 +198,7 @@ impl Reader {
         let (contents, source) = match Format::of(path)? {
             Format::Csv => {
                 let (contents, reader) = CsvReader::open(path)?;
-                (contents, Source::Csv(reader))
+                (contents, Source::Csv(Box::new(reader)))
             }
             Format::Parquet => {
                 let (contents, reader) = ParquetReader::open(path)?;
@@ -264,7 +264,9 @@ mod tests {
                 rows(2, &[f64::INFINITY], &["µ"]),
             ];
             let mut writer = Writer::create(&path, format, &contents).unwrap();
-            batches.iter().for_each(|batch| writer.append(batch).unwrap());
+            for batch in &batches {
+                writer.append(batch).unwrap();
+            }
             writer.finish().unwrap();
             let mut reader = Reader::open(&path).unwrap();
             assert_eq!(*reader.contents(), contents);
