@@ -84,7 +84,7 @@ pub fn lines<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyL
     for line in &summary.lines {
         match line {
             Line::Entry { name, value, unit, remark } => {
-                list.append((name, value, unit, remark))?
+                list.append((name, value, unit, remark))?;
             }
             other => list.append(other.to_string())?,
         }
