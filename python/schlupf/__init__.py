@@ -33,6 +33,7 @@ from ._report import (
 )
 from ._report_plots import RoughContactPlots
 from ._result import Record, Result
+from ._study import Sweep, merge, read_table, sweep
 
 __all__ = [
     "BulkTemperature",
@@ -55,6 +56,7 @@ __all__ = [
     "SchlupfWarning",
     "Section",
     "Solver",
+    "Sweep",
     "Temperatures",
     "__version__",
     "animate",
@@ -62,8 +64,11 @@ __all__ = [
     "forces",
     "friction",
     "materials",
+    "merge",
     "methods",
     "plot_comparison",
+    "read_table",
     "roughnesses",
+    "sweep",
     "warnings",
 ]

@@ -10,6 +10,8 @@ __all__ = [
     "CaseFile",
     "Report",
     "Solution",
+    "Study",
+    "StudyRun",
     "__version__",
     "batch",
     "bulk_temperature",
@@ -21,7 +23,9 @@ __all__ = [
     "defaults",
     "field_table",
     "fitted",
+    "merge",
     "presets",
+    "read_table",
     "rough_contact",
     "temperatures",
     "warning_codes",
@@ -84,6 +88,24 @@ class BatchSolver:
     def __new__(cls, case: CaseFile) -> BatchSolver: ...
     def solve(self, arrays: dict[str, NDArray[np.float64]]) -> Solution: ...
 
+_Counts = tuple[int, int, int, int, tuple[int, str] | None]
+
+@final
+class Study:
+    def __new__(cls, path: Path) -> Study: ...
+    def rows(self) -> int: ...
+    def run(self, shard: list[int], output: Path) -> _Counts: ...
+    def solve(self, batch: int) -> str: ...
+
+@final
+class StudyRun:
+    def __new__(cls, study: Study, output: Path) -> StudyRun: ...
+    def left(self) -> list[int]: ...
+    def keep(self, batch: int, text: str) -> None: ...
+    def finish(self) -> _Counts: ...
+
+def merge(shards: list[Path], output: Path) -> _Counts: ...
+def read_table(path: Path) -> _Columns: ...
 def batch(
     cases: list[CaseFile],
     counts: list[int],

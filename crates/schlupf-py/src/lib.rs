@@ -14,6 +14,7 @@ mod laws;
 mod records;
 mod report;
 mod solution;
+mod study;
 mod tasks;
 
 use pyo3::prelude::pymodule;
@@ -36,6 +37,9 @@ mod _core {
         bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, rough_contact,
         temperatures,
     };
+
+    #[pymodule_export]
+    use super::study::{Study, StudyRun, merge, read_table};
 
     /// Version of the library.
     #[pymodule_export]

@@ -34,51 +34,148 @@ pub struct Report {
 /// same, byte for byte, on any number of threads and after any number of runs that ended early.
 ///
 /// # Errors
-/// A study that has no case in any row, files that cannot be written, a file or batches of another
-/// study in their place, and [`StudyError::Stopped`]. What is done is kept.
+/// Files that cannot be written, a file or batches of another study in their place, and
+/// [`StudyError::Stopped`]. What is done is kept.
 pub fn run(
     study: &Study,
     shard: [usize; 2],
     output: &Path,
     watch: Watch,
 ) -> Result<Report, StudyError> {
-    let format = Format::of(output)?;
-    let contents = study.contents(shard);
-    if output.exists() {
-        return existing(output, &contents);
-    }
-    let parts = Parts::of(output, &contents)?;
-    let (done, left): (Vec<usize>, Vec<usize>) =
-        contents.own_batches().partition(|batch| parts.has(*batch));
-    let rows_of = |batches: &[usize]| batches.iter().map(|b| contents.rows_of(*b).len()).sum();
-    let (resumed, rest): (usize, usize) = (rows_of(&done), rows_of(&left));
-    let (solved, total) = (AtomicUsize::new(0), resumed + rest);
-    let tell = |done: usize| {
-        let progress = Progress::count(Stage::Study, 0).of(resumed + done, total);
-        if watch(progress).is_break() { Err(StudyError::Stopped) } else { Ok(()) }
+    let run = match Run::start(study, shard, output)? {
+        Started::Done(report) => return Ok(report),
+        Started::Open(run) => run,
     };
-    tell(0)?;
-    parallel::try_map(left, |batch| {
+    let (solved, total) = (AtomicUsize::new(0), run.resumed + run.rows_of(&run.left));
+    let told =
+        |solved: usize| watch(Progress::count(Stage::Study, 0).of(run.resumed + solved, total));
+    if told(0).is_break() {
+        return Err(StudyError::Stopped);
+    }
+    parallel::try_map(run.left.clone(), |batch| {
         // Progress is that of the study, but whoever watches may stop each solution.
-        let within = |_| {
-            watch(
-                Progress::count(Stage::Study, 0)
-                    .of(resumed + solved.load(Ordering::Relaxed), total),
-            )
-        };
-        let rows = batch::solve(study, &contents, batch, &within)?;
-        parts.keep(batch, &rows)?;
-        let count = contents.rows_of(batch).len();
-        tell(solved.fetch_add(count, Ordering::Relaxed) + count)
+        let within = |_| told(solved.load(Ordering::Relaxed));
+        run.keep(batch, &solve(study, batch, &within)?)?;
+        let count = run.contents.rows_of(batch).len();
+        let solved = solved.fetch_add(count, Ordering::Relaxed) + count;
+        if told(solved).is_break() { Err(StudyError::Stopped) } else { Ok(()) }
     })?;
-    let mut report = Report { resumed, ..Report::default() };
-    assemble(output, format, &contents, &mut |batch| {
-        let rows = parts.rows(batch, &contents)?;
-        report.add(&contents, &rows);
-        Ok(rows)
-    })?;
-    parts.remove();
-    Ok(report)
+    run.finish()
+}
+
+/// Rows of a batch, to be kept by a [`Run`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solved(Rows);
+
+/// Solves a batch of a study: on any machine the same.
+///
+/// # Errors
+/// [`StudyError::Stopped`].
+pub fn solve(study: &Study, batch: usize, watch: Watch) -> Result<Solved, StudyError> {
+    batch::solve(study, &study.contents([1, 1]), batch, watch).map(Solved)
+}
+
+impl Solved {
+    /// The rows as text, from which [`Self::from_text`] makes them again.
+    ///
+    /// # Errors
+    /// None that can happen in memory.
+    pub fn to_text(&self) -> Result<String, StudyError> {
+        let mut bytes = Vec::new();
+        let fail = |cause| StudyError::file(Path::new("a batch"), cause);
+        crate::table::write_rows(&mut bytes, &self.0).map_err(fail)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    /// The rows of a batch of a study from their text.
+    ///
+    /// # Errors
+    /// A text that is not that of the batch.
+    pub fn from_text(study: &Study, batch: usize, text: &str) -> Result<Self, StudyError> {
+        let contents = study.contents([1, 1]);
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+        let wanted = contents.rows_of(batch).len();
+        let rows = crate::table::read_rows(&mut reader, &contents.columns, wanted);
+        let wrong = |reason: String| StudyError::table(Path::new("a batch"), reason);
+        let rows = rows.map_err(wrong)?;
+        if rows.first().map_or(0, Cells::len) != wanted {
+            return Err(wrong(format!("it should have {wanted} rows")));
+        }
+        Ok(Self(rows))
+    }
+}
+
+/// What there is at the start.
+#[derive(Debug)]
+pub enum Started {
+    /// The table is there already.
+    Done(Report),
+    /// Batches are to be solved.
+    Open(Run),
+}
+
+/// A run of a study whose batches are solved by the caller, say on other machines.
+#[derive(Debug)]
+pub struct Run {
+    contents: Contents,
+    format: Format,
+    output: PathBuf,
+    parts: Parts,
+    left: Vec<usize>,
+    resumed: usize,
+}
+
+impl Run {
+    /// Begins a run, or goes on with one; see [`run`](fn@run).
+    ///
+    /// # Errors
+    /// Files that cannot be written, and a file or batches of another study in their place.
+    pub fn start(study: &Study, shard: [usize; 2], output: &Path) -> Result<Started, StudyError> {
+        let format = Format::of(output)?;
+        let contents = study.contents(shard);
+        if output.exists() {
+            return existing(output, &contents).map(Started::Done);
+        }
+        let parts = Parts::of(output, &contents)?;
+        let (done, left): (Vec<usize>, Vec<usize>) =
+            contents.own_batches().partition(|batch| parts.has(*batch));
+        let mut run = Self { contents, format, output: output.to_owned(), parts, left, resumed: 0 };
+        run.resumed = run.rows_of(&done);
+        Ok(Started::Open(run))
+    }
+
+    /// The batches that are left, for [`solve`].
+    pub fn left(&self) -> &[usize] {
+        &self.left
+    }
+
+    /// Keeps a batch: it is on the disk then.
+    ///
+    /// # Errors
+    /// Files that cannot be written.
+    pub fn keep(&self, batch: usize, solved: &Solved) -> Result<(), StudyError> {
+        self.parts.keep(batch, &solved.0)
+    }
+
+    /// Writes the table, when all batches are kept.
+    ///
+    /// # Errors
+    /// A batch that is missing, and files that cannot be read or written.
+    pub fn finish(self) -> Result<Report, StudyError> {
+        let Self { contents, format, output, parts, resumed, .. } = self;
+        let mut report = Report { resumed, ..Report::default() };
+        assemble(&output, format, &contents, &mut |batch| {
+            let rows = parts.rows(batch, &contents)?;
+            report.add(&contents, &rows);
+            Ok(rows)
+        })?;
+        parts.remove();
+        Ok(report)
+    }
+
+    fn rows_of(&self, batches: &[usize]) -> usize {
+        batches.iter().map(|batch| self.contents.rows_of(*batch).len()).sum()
+    }
 }
 
 /// A table that is there already.

@@ -67,6 +67,16 @@ impl Cells {
         }
     }
 
+    /// Adds others behind them; of another kind, they are left out.
+    pub fn append(&mut self, other: Self) {
+        match (self, other) {
+            (Self::Numbers(all), Self::Numbers(mut part)) => all.append(&mut part),
+            (Self::Counts(all), Self::Counts(mut part)) => all.append(&mut part),
+            (Self::Texts(all), Self::Texts(mut part)) => all.append(&mut part),
+            _ => {}
+        }
+    }
+
     /// How many there are.
     pub fn len(&self) -> usize {
         match self {

@@ -167,11 +167,7 @@ pub fn read_columns(path: &Path) -> Result<Vec<(String, Cells)>, StudyError> {
         let mut all = Cells::empty(kind);
         for group in 0..reader.num_row_groups() {
             let read = || read_column(&*reader.get_row_group(group)?, k, kind);
-            match (&mut all, read().map_err(|error| failure(path, &error))?) {
-                (Cells::Numbers(all), Cells::Numbers(mut part)) => all.append(&mut part),
-                (Cells::Texts(all), Cells::Texts(mut part)) => all.append(&mut part),
-                _ => {}
-            }
+            all.append(read().map_err(|error| failure(path, &error))?);
         }
         columns.push((column.path().string().trim_matches('"').to_owned(), all));
     }
