@@ -139,6 +139,9 @@ pub struct Options {
     /// Whether to compute the derivatives of the forces, too; only for steady states found
     /// directly.
     pub sensitivity: bool,
+    /// Whether to extrapolate the forces from this grid and one half as fine, too; only for steady
+    /// states found directly.
+    pub extrapolate: bool,
 }
 
 impl Default for Options {
@@ -152,6 +155,7 @@ impl Default for Options {
             max_steps: 2000,
             slip_threshold: 0.95,
             sensitivity: false,
+            extrapolate: false,
         }
     }
 }

@@ -24,6 +24,7 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
         max_steps: settings.count("solver.max_steps")?,
         slip_threshold: settings.number("solver.slip_threshold")?,
         sensitivity: settings.flag("solver.sensitivity")?,
+        extrapolate: settings.flag("solver.extrapolate")?,
     })
 }
 

@@ -260,6 +260,7 @@ impl FastContact {
             history: account.history,
             warnings: account.warnings,
             sensitivity: None,
+            extrapolation: None,
             work: account.work,
             state: account.state,
         }

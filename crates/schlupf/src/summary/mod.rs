@@ -60,6 +60,7 @@ pub(crate) fn solution(
         history: report.history,
         warnings: report.warnings,
         sensitivity: report.sensitivity,
+        extrapolation: None,
         work: report.work,
         state: report.state,
     }
