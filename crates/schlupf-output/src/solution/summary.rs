@@ -14,7 +14,9 @@ pub(crate) fn text(report: &SolutionReport) -> String {
     let SolutionReport { title, contact_law, solution, .. } = report;
     let mut text = format!("{title}\n\n");
     normal_contact(&mut text, solution);
-    if let Some(law) = contact_law {
+    if let Some(law) = contact_law.as_ref().filter(|law| law.is_coulomb()) {
+        line(&mut text, &format!("{:<22}{}", "contact law", law.remark()));
+    } else if let Some(law) = contact_law {
         entry(&mut text, "contact stiffness", law.stiffness, "1/m", &law.remark());
     }
     text.push('\n');
