@@ -7,7 +7,8 @@ use crate::number::significant as number;
 /// k_c and its origin.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactLaw {
-    /// k_c, in 1/m.
+    /// k_c, in 1/m; infinite with Coulomb's law, and then left out.
+    #[serde(skip_serializing_if = "is_infinite")]
     pub stiffness: f64,
     /// Its origin.
     pub from: Origin,
@@ -34,6 +35,8 @@ pub enum Origin {
     ClosedForm,
     /// The micro model of a rough surface.
     MicroModel,
+    /// There is none, because the law is Coulomb's.
+    Coulomb,
 }
 
 impl Origin {
@@ -44,6 +47,7 @@ impl Origin {
             Self::Default => "default",
             Self::ClosedForm => "closed form",
             Self::MicroModel => "micro model",
+            Self::Coulomb => "Coulomb's law",
         }
     }
 }
@@ -66,7 +70,17 @@ pub struct Fit {
     pub closed_form: f64,
 }
 
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+fn is_infinite(stiffness: &f64) -> bool {
+    stiffness.is_infinite()
+}
+
 impl ContactLaw {
+    /// Whether there are no bristles.
+    pub fn is_coulomb(&self) -> bool {
+        self.from == Origin::Coulomb
+    }
+
     /// The origin of k_c, in words.
     pub(crate) fn remark(&self) -> String {
         let height = number(self.rms_height.unwrap_or(0.0) / 1e-6);
@@ -78,8 +92,31 @@ impl ContactLaw {
             (None, Some(factor)) => {
                 format!("k_c, closed form: h_rms = {height} µm, γ = {}", number(factor))
             }
+            (None, None) if self.is_coulomb() => "Coulomb's law: no bristles".to_owned(),
             (None, None) if self.from == Origin::Default => "k_c, the default".to_owned(),
             (None, None) => "k_c, as given".to_owned(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An infinite k_c has no number; the law is named instead.
+    #[test]
+    fn coulombs_law_is_named() {
+        let law = |stiffness: f64, from: Origin| ContactLaw {
+            stiffness,
+            from,
+            rms_height: None,
+            slope_factor: None,
+            fit: None,
+        };
+        let json = |law: &ContactLaw| serde_json::to_string(law).unwrap();
+        let coulomb = law(f64::INFINITY, Origin::Coulomb);
+        assert_eq!(json(&coulomb), r#"{"from":"coulomb"}"#);
+        assert_eq!(coulomb.remark(), "Coulomb's law: no bristles");
+        assert_eq!(json(&law(5e6, Origin::Given)), r#"{"stiffness":5000000.0,"from":"given"}"#);
     }
 }

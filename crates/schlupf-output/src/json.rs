@@ -11,7 +11,8 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{
-    Area, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma, Temperature, Work,
+    Area, Extrapolation, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma,
+    Temperature, Work,
 };
 
 use crate::contact_law::ContactLaw;
@@ -86,6 +87,8 @@ pub(crate) struct Document<'a> {
     temperature: Temperatures<'a>,
     area: &'a Area,
     sensitivity: Option<&'a Sensitivity>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    extrapolation: Option<&'a Extrapolation>,
     history: Arrays<'a, [Instant]>,
     warnings: &'a [Message],
     residual: f64,
@@ -158,6 +161,7 @@ impl<'a> Document<'a> {
             },
             area: &solution.area,
             sensitivity: solution.sensitivity.as_ref(),
+            extrapolation: solution.extrapolation.as_ref(),
             history: Arrays(&solution.history),
             warnings,
             residual: solution.residual,

@@ -9,6 +9,7 @@ pub fn of(case: &Case) -> ContactLaw {
     let plain =
         |from| ContactLaw { stiffness, from, rms_height: None, slope_factor: None, fit: None };
     match &case.law_stiffness.origin {
+        StiffnessOrigin::Given if stiffness.is_infinite() => plain(Origin::Coulomb),
         StiffnessOrigin::Given => plain(Origin::Given),
         StiffnessOrigin::Default => plain(Origin::Default),
         StiffnessOrigin::ClosedForm { rms_height, slope_factor } => ContactLaw {

@@ -141,6 +141,9 @@ pub struct Options {
     pub sensitivity: bool,
     /// Time steps of a march from one record of the fields to the next; 0: none but the last.
     pub fields_every: usize,
+    /// Whether to extrapolate the forces from this grid and one half as fine, too; only for steady
+    /// states found directly.
+    pub extrapolate: bool,
 }
 
 impl Default for Options {
@@ -155,6 +158,7 @@ impl Default for Options {
             slip_threshold: 0.95,
             sensitivity: false,
             fields_every: 0,
+            extrapolate: false,
         }
     }
 }

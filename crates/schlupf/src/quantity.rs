@@ -126,6 +126,7 @@ quantities! {
     MaxSteps "max_steps" "" "" "largest number of time steps"
     SlipThreshold "slip_threshold" "" "" "part of the friction limit above which a cell counts as sliding"
     Sensitivities "sensitivity" "" "" "derivatives of the forces"
+    Extrapolate "extrapolate" "" "" "forces extrapolated from two grids"
     InitialState "initial_state" "" "" "state to start from"
     PolachAreaAdhesion "polach_area_adhesion" "k_A" "" "Polach's reduction in the area of adhesion"
     PolachAreaSlip "polach_area_slip" "k_S" "" "Polach's reduction in the area of slip"

@@ -10,7 +10,7 @@ use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::progress::Watch;
-use crate::solution::{Instant, Resultant, Solution};
+use crate::solution::{Extrapolation, Instant, Resultant, Solution};
 use crate::summary;
 use crate::transient::Transient;
 
@@ -92,7 +92,13 @@ impl AtPatch {
             force: instant.force.about(place),
             ..instant
         };
+        let extrapolated = |extrapolation: Extrapolation| {
+            let force = extrapolation.force.about(place);
+            let normalised = summary::normalised(&self.problem, &solution.normal, &force);
+            Extrapolation { force, normalised, error: extrapolation.error.about(place) }
+        };
         Solution {
+            extrapolation: solution.extrapolation.map(extrapolated),
             reference: self.reference,
             kinematics,
             force,

@@ -75,6 +75,8 @@ pub struct Solution {
     pub warnings: Vec<Warning>,
     /// Derivatives of forces and moment, if requested and found.
     pub sensitivity: Option<Sensitivity>,
+    /// Forces extrapolated from two grids, if requested and there are two.
+    pub extrapolation: Option<Extrapolation>,
     /// Amount of work.
     pub work: Work,
     /// The state at the end, from which rolling can continue.
@@ -153,6 +155,19 @@ impl Resultant {
             moment_z: self.moment_z.zip(other.moment_z).map(|(one, two)| one + factor * two),
         }
     }
+}
+
+/// Forces and moment extrapolated to cells of no size, from this grid and one half as fine, with
+/// errors that fall as the square of the size of the cells (Richardson 1911).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Extrapolation {
+    /// Extrapolated, in N and N m.
+    pub force: Resultant,
+    /// F/(μ0 N) and Mz/(μ0 N √(ab)) of that, dimensionless.
+    pub normalised: Resultant,
+    /// Estimated error of the forces on this grid, which are those of the result, in N and N m.
+    pub error: Resultant,
 }
 
 /// Derivatives of the steady forces and moment on the wheel, everything else held constant. At a

@@ -87,9 +87,9 @@ messages! {
         /// Friction power, in W.
         friction: f64,
     } Quantity::ContactStiffness, |name, words| format!(
-        "{name}: the bristles return {returned:.3e} W of {friction:.3e} W friction power; that part \
-         is discarded: it neither heats nor cools. Where it is large in steady rolling, the grid \
-         is too coarse for the contact law"
+        "{name}: {returned:.3e} W of {friction:.3e} W friction power are returned, by the bristles \
+         or, with Coulomb's law, by the error of the grid; that part is discarded: it neither heats \
+         nor cools. Where it is large in steady rolling, the grid is too coarse for the contact law"
     );
 
     /// Bodies whose pressure displaces their surfaces tangentially against each other.

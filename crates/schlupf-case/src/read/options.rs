@@ -25,6 +25,7 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
         slip_threshold: settings.number("solver.slip_threshold")?,
         sensitivity: settings.flag("solver.sensitivity")?,
         fields_every: 0,
+        extrapolate: settings.flag("solver.extrapolate")?,
     })
 }
 

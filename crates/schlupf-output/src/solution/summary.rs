@@ -15,7 +15,9 @@ pub(crate) fn text(report: &SolutionReport) -> Summary {
     let mut text = Summary::titled(title);
     text.blank();
     normal_contact(&mut text, solution);
-    if let Some(law) = contact_law {
+    if let Some(law) = contact_law.as_ref().filter(|law| law.is_coulomb()) {
+        line(&mut text, &format!("{:<22}{}", "contact law", law.remark()));
+    } else if let Some(law) = contact_law {
         entry(&mut text, "contact stiffness", law.stiffness, "1/m", &law.remark());
     }
     text.blank();

@@ -83,6 +83,7 @@ pub fn solution(recipe: Recipe) -> Solution {
         area: Area { contact: 194.7e-6, stick: Some(60e-6), slip: Some(134.7e-6) },
         field_history: Vec::new(),
         history: history(recipe, force, hottest),
+        extrapolation: None,
         sensitivity: Some(Sensitivity {
             creepage_x: Resultant::new(-2.5e6, 1e3, -3.0),
             load: None,

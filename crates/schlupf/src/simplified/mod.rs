@@ -282,6 +282,7 @@ impl FastContact {
             field_history: account.field_history,
             warnings: account.warnings,
             sensitivity: None,
+            extrapolation: None,
             work: account.work,
             state: account.state,
         }

@@ -62,6 +62,7 @@ pub(crate) fn solution(
         field_history: report.field_history,
         warnings: report.warnings,
         sensitivity: report.sensitivity,
+        extrapolation: None,
         work: report.work,
         state: report.state,
     }

@@ -50,6 +50,10 @@ section! {
     "sensitivity" [Sensitivities] Kind::Flag, Finite, Text("true"),
         "whether to compute the derivatives of the forces, with the steady driver",
         with(METHOD, FULL);
+    "extrapolate" [Extrapolate] Kind::Flag, Finite, Text("false"),
+        "whether to extrapolate the forces from this grid and one half as fine, with the steady \
+         driver",
+        with(METHOD, FULL);
     "slip_threshold" [SlipThreshold] Kind::Number, AboveUpTo(0.0, 0.999), Text("0.95"),
         "a cell slides where |t| ≥ this · μ p_n", with(METHOD, CELLS);
     "polach_area_adhesion" [PolachAreaAdhesion] Kind::Number, PART, Text("1.0"),

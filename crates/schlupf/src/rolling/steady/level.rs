@@ -31,6 +31,8 @@ pub(super) struct Level {
     pub predicted: Vec<f64>,
     /// Whether its solution differs from what was predicted by more than is left undone.
     pub has_news: bool,
+    /// Whether it is accurate to the tolerance that was asked for.
+    pub is_found: bool,
     pub workspace: Workspace,
     /// Directions of earlier linear systems, if the law is Coulomb's: with it they are many.
     pub directions: Option<Directions>,
@@ -111,6 +113,7 @@ impl Level {
             earlier: [zeros(), zeros()],
             predicted: zeros(),
             has_news: true,
+            is_found: false,
             workspace: Workspace {
                 at_entry: zeros(),
                 flux: vec![0.0; contact.patch.len()],

@@ -13,7 +13,7 @@ use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::shared::passage::speed_of;
 use crate::rolling::shared::warnings::warnings;
-use crate::solution::{Resultant, Solution, Status, Work};
+use crate::solution::{Extrapolation, Resultant, Solution, Status, Work};
 use crate::state::State;
 use crate::summary::{
     self,
@@ -63,6 +63,12 @@ const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
 /// finer one nothing new, dimensionless: such a change is hardly more than what the coarse
 /// solutions leave undone.
 const LEAST_NEWS: f64 = 1.5e-2;
+
+/// Tolerance of the next coarser grid over that of the finest, if forces are extrapolated from both.
+const EXTRAPOLATED: f64 = 10.0;
+
+/// Least ratio of the sizes of their cells, dimensionless.
+const LEAST_COARSER: f64 = 1.5;
 
 /// Farthest extrapolation, as a multiple of the distance between the last two solutions.
 const FARTHEST: f64 = 2.5;
@@ -122,10 +128,17 @@ impl Setup {
         for depth in (0..self.levels.len()).rev() {
             self.levels[depth].set_problem(problem);
             self.guess(depth, ahead);
-            let tolerance = if depth == 0 { search.options.tolerance } else { coarse };
+            let tolerance = match depth {
+                0 => search.options.tolerance,
+                1 if search.options.extrapolate => {
+                    coarse.min(EXTRAPOLATED * search.options.tolerance)
+                }
+                _ => coarse,
+            };
             outcome = self.solve_level(depth, tolerance, search)?;
             let is_new = self.earlier.is_empty() || outcome.first_residual > LEAST_NEWS;
             self.levels[depth].has_news = is_new;
+            self.levels[depth].is_found = outcome.converged;
         }
         if outcome.converged {
             let is_at_rest = self.levels[0].traction.iter().all(|p| *p == 0.0);
@@ -342,6 +355,13 @@ impl Setup {
         let is_found =
             outcome.converged && now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
         let warnings = warnings(problem, options, contact, &now);
+        let forces = summary::force(&contact.patch, &now);
+        let extrapolation = if options.extrapolate && is_found {
+            self.extrapolated(problem, &forces)
+        } else {
+            None
+        };
+        let Level { contact, .. } = &self.levels[0];
         let view = View { normal: &contact.normal, patch: &contact.patch, now: &now };
         let whole = Outcome { iterations: work.newton_iterations, ..*outcome };
         let account = summary::SolverReport {
@@ -355,6 +375,24 @@ impl Setup {
             work,
             state: State { grid: contact.patch.grid, time: 0.0, elements },
         };
-        summary::solution(problem, options, view, account)
+        let solution = summary::solution(problem, options, view, account);
+        Solution { extrapolation, ..solution }
+    }
+
+    /// Forces for cells of no size, from those on the finest grid and on the next coarser one, if
+    /// there is one that is coarser in both directions.
+    fn extrapolated(&self, problem: &Problem, force: &Resultant) -> Option<Extrapolation> {
+        let [fine, coarse, ..] = self.levels.as_slice() else { return None };
+        let (grid, coarser) = (&fine.contact.patch.grid, &coarse.contact.patch.grid);
+        let ratios = [coarser.spacing_x / grid.spacing_x, coarser.spacing_y / grid.spacing_y];
+        if !coarse.is_found || ratios.iter().any(|ratio| *ratio < LEAST_COARSER) {
+            return None;
+        }
+        let on_coarse = summary::resultant(&coarse.contact.patch, &coarse.traction);
+        let share = (ratios[0] * ratios[1] - 1.0).recip();
+        let error = on_coarse.plus(-1.0, force).scaled(share, share);
+        let force = force.plus(-1.0, &error);
+        let normalised = summary::normalised(problem, &fine.contact.normal, &force);
+        Some(Extrapolation { force, normalised, error })
     }
 }
