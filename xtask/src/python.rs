@@ -24,8 +24,8 @@ pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     steps.iter().try_for_each(|module| environment.python(module).run(workspace))
 }
 
-/// The program that computes many forces, with which those of Python are compared: an example, which
-/// the build of the tests has made.
+/// The program that computes many forces, with which those of Python are compared: an example,
+/// which the build of the tests has made.
 fn many_forces(target: &Path) -> Option<String> {
     let file = format!("many_forces{}", std::env::consts::EXE_SUFFIX);
     let program = target.join("debug/examples").join(file);

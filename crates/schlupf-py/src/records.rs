@@ -40,8 +40,8 @@ pub fn columns<'py, R: Record + ?Sized>(
     Ok(table)
 }
 
-/// The columns of fields at several instants, on one grid: arrays over instants, y and x; outside of
-/// the contact not a number, or false.
+/// The columns of fields at several instants, on one grid: arrays over instants, y and x; outside
+/// of the contact not a number, or false.
 pub fn on_grid<'py>(py: Python<'py>, instants: &[&Fields]) -> PyResult<Bound<'py, PyDict>> {
     let table = PyDict::new(py);
     for column in Fields::columns() {

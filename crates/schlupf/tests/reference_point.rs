@@ -40,6 +40,7 @@ const OPTIONS: Options = Options {
     slip_threshold: 0.95,
     sensitivity: false,
     fields_every: 0,
+    extrapolate: false,
 };
 
 /// Hertz's pressure with a = 6 mm, b = 5 mm, p0 = 1 GPa on a lattice whose origin is such that the

@@ -16,6 +16,7 @@
 use crate::grid::{Grid, VectorField};
 use crate::heat::HeatStep;
 use crate::interface::contact_law::Slide;
+use crate::kinematics::Kinematics;
 use crate::patch::{Cell, Patch, Strip};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
@@ -173,4 +174,11 @@ pub(super) fn positions(patch: &Patch, elements: &[Element]) -> Vec<Option<usize
         at[element.index] = Some(e);
     }
     at
+}
+
+/// Rigid slip (in m) along a path in contact (in m) into a cell, which is the whole path from its
+/// upstream neighbour or from the leading edge unless the edge moves.
+pub(super) fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
+    let part = way / cell.path_in.distance;
+    cell.path_in.rigid_slip(kinematics).map(|slip| part * slip)
 }

@@ -82,3 +82,20 @@ pub(super) fn grid_over_history(transient: &Transient, options: &Options) -> Res
     let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;
     Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
 }
+
+/// Maximum number of time steps of a history.
+const MAX_HISTORY_STEPS: f64 = 1e6;
+
+/// Checks that a history ends within the maximum number of steps of a cell (in m).
+pub(super) fn check_length(transient: &Transient, spacing: f64) -> Result<(), Error> {
+    let Transient { problem, history, .. } = transient;
+    let [start, end] = history.span();
+    let fastest = history.fastest(&problem.kinematics);
+    let steps = (end - start) * fastest / spacing;
+    let resolved = start.abs().max(end.abs()) * f64::EPSILON * 1e3;
+    let is_resolved = resolved < spacing / fastest;
+    if steps <= MAX_HISTORY_STEPS && is_resolved {
+        return Ok(());
+    }
+    Err(Error::HistoryTooLong { span: [start, end], steps, most: MAX_HISTORY_STEPS })
+}

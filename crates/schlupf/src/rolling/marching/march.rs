@@ -8,7 +8,6 @@ use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::numerics::vector::norm;
-use crate::patch::Cell;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell, within};
 use crate::quantity::Quantity;
@@ -26,10 +25,10 @@ use crate::summary::{
 use crate::transient::Transient;
 use crate::warning::{Unconverged, Warning};
 
-use super::arrival::{Arrival, carry_over, positions};
+use super::arrival::{Arrival, carry_over, positions, rigid_slip};
 use super::change::{largest_change, relative_change};
 use super::friction_heat::{FrictionInput, FrictionPoint, lagging, set_temperatures};
-use super::initial_state::{fitting, grid_over_history, on_patch};
+use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
 use super::moved::Moved;
 use super::past::Past;
 use super::shift::{AT_REST, Shift};
@@ -64,7 +63,7 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
     let transient = at.transient(transient);
     transient.check()?;
     let mut march = March::new(&transient, options)?;
-    march.check_length()?;
+    check_length(&transient, march.contact.patch.grid.spacing_x)?;
     if let Some(shift) = transient.history.shift {
         march.shift(shift, watch)?;
     }
@@ -117,9 +116,6 @@ pub fn shift(
 /// Number of successive time steps without an equilibrium after which a march to the steady state
 /// ends.
 const HOPELESS: usize = 10;
-
-/// Maximum number of time steps of a history.
-const MAX_HISTORY_STEPS: f64 = 1e6;
 
 /// Everything that changes from step to step.
 struct March<'a> {
@@ -212,19 +208,6 @@ impl<'a> March<'a> {
         march.displace();
         march.past = march.past_in_place();
         Ok(march)
-    }
-
-    /// Checks that a history ends within the maximum number of steps.
-    fn check_length(&self) -> Result<(), Error> {
-        let [start, end] = self.history.span();
-        let fastest = self.history.fastest(&self.problem.kinematics);
-        let steps = (end - start) * fastest / self.contact.patch.grid.spacing_x;
-        let resolved = start.abs().max(end.abs()) * f64::EPSILON * 1e3;
-        let is_resolved = resolved < self.contact.patch.grid.spacing_x / fastest;
-        if steps <= MAX_HISTORY_STEPS && is_resolved {
-            return Ok(());
-        }
-        Err(Error::HistoryTooLong { span: [start, end], steps, most: MAX_HISTORY_STEPS })
     }
 
     fn is_finished(&self) -> bool {
@@ -601,11 +584,4 @@ impl<'a> March<'a> {
             Unconverged::UnsteadyMarch { steps, change, tolerance }
         }
     }
-}
-
-/// Rigid slip (in m) along a path in contact (in m) into a cell, which is the whole path from its
-/// upstream neighbour or from the leading edge unless the edge moves.
-fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
-    let part = way / cell.path_in.distance;
-    cell.path_in.rigid_slip(kinematics).map(|slip| part * slip)
 }
