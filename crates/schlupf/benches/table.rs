@@ -1,6 +1,7 @@
 //! A table of work and times, as Markdown: `cargo xtask bench`.
 
 mod common;
+mod contact_laws;
 mod rough_contact;
 
 use std::fs;
@@ -15,7 +16,7 @@ use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::simplified::FastContact;
 use schlupf::solution::Work;
-use schlupf::{Options, Status, unwatched};
+use schlupf::{Status, unwatched};
 
 const GRIDS: [usize; 5] = [20, 24, 40, 80, 160];
 
@@ -64,6 +65,10 @@ fn main() {
         println!("run by `cargo xtask bench`");
         return;
     }
+    if std::env::args().any(|argument| argument == "contact-laws") {
+        println!("{}", contact_laws::table());
+        return;
+    }
     let families = [Bodies::Layer, Bodies::HalfSpace].map(|b| [(b, false), (b, true)]);
     let case = |(bodies, is_heated)| GRIDS.map(|cells| Case { bodies, is_heated, cells });
     let mut rows: Vec<Row> =
@@ -75,6 +80,7 @@ fn main() {
     println!("{}", heading());
     rows.iter().for_each(|row| println!("{}", row.line()));
     println!("\n{}\n\n{}", growth(&rows), against_the_paper(&rows));
+    println!("\n{}", contact_laws::table());
     println!("\n{}", fast_methods());
     println!("\n{}", rough_contact::table());
 }

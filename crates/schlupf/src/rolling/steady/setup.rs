@@ -64,7 +64,8 @@ const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
 /// solutions leave undone.
 const LEAST_NEWS: f64 = 1.5e-2;
 
-/// Tolerance of the next coarser grid over that of the finest, if forces are extrapolated from both.
+/// Tolerance of the next coarser grid over that of the finest, if forces are extrapolated from
+/// both.
 const EXTRAPOLATED: f64 = 10.0;
 
 /// Least ratio of the sizes of their cells, dimensionless.
