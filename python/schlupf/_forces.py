@@ -29,9 +29,7 @@ NUMBERS = ("quantity", "number", "count", "number-or-choice")
 STATUS = ("converged", "not-converged")
 
 
-def forces(
-    case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataArray
-) -> xr.Dataset:
+def forces(case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
     """Forces on the wheel under many conditions, on all cores.
 
     Parameters

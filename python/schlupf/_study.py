@@ -6,6 +6,7 @@ import functools
 import os
 import time
 from dataclasses import dataclass, field
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -170,8 +171,8 @@ def _solve(path: str, batches: list[int]) -> tuple[list[tuple[int, str]], float]
 
 def _on_cluster(client: Any, path: Path, run: _core.StudyRun) -> None:
     """Has the batches that are left solved by workers; each is kept as soon as it is back."""
-    from distributed import as_completed
-
+    # It has no types.
+    as_completed: Any = import_module("distributed").as_completed
     left = list(reversed(run.left()))
     size = 1
 
