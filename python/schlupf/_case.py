@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
+from numbers import Integral
 from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
@@ -136,6 +137,8 @@ def _length(name: str, value: Any) -> float | None:
 
 
 def _count(name: str, value: int) -> int:
+    if not isinstance(value, Integral):
+        raise TypeError(f"{name} must be a whole number, but is {value!r}")
     if value < 0:
         raise refused(name, f"{name} must not be negative, but is {value}")
     return value

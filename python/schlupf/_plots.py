@@ -417,6 +417,8 @@ def frames(
     from matplotlib.animation import FuncAnimation
 
     shown, titles = _over_time(results, field)
+    if not shown:
+        raise ValueError("animate needs results, but there are none")
     if len({values.shape for values in shown}) != 1:
         raise ValueError("the results must be on one grid")
     ax = axes_or_new(None)

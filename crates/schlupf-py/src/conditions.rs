@@ -13,7 +13,7 @@ use schlupf::progress::Stage;
 use schlupf::simplified::FastContact;
 use schlupf::solution::Resultant;
 use schlupf::{Error, Method, Progress, Quantity, Status, Watch, parallel};
-use schlupf_case::{Case, CaseErrors, quantity_field};
+use schlupf_case::{Case, CaseError, CaseErrors, Place, quantity_field};
 use schlupf_output::solution::SolutionReport;
 use schlupf_tasks::loaded_solver::LoadedSolver;
 use schlupf_tasks::{contact_law, messages};
@@ -136,8 +136,11 @@ const SHOWN: [&str; 2] = ["forces-only", Message::NOT_CONVERGED];
 const FAST_BLOCK: usize = 4096;
 const FULL_BLOCK: usize = 64;
 
-/// An error with the condition that it is about.
-type Failure = (usize, CaseErrors);
+/// An error, and the condition that it is about if it is not about all.
+type Failure = (Option<usize>, CaseErrors);
+
+/// What messages call a condition, counted from 0.
+const CONDITION: &str = "condition";
 
 /// Successive conditions of a case, which one solver takes one after the other, and their results.
 struct Block<'a> {
@@ -160,7 +163,7 @@ fn forces(
         case.require_steady("forces under many conditions are those")?;
         Ok::<_, CaseErrors>(case)
     });
-    let posed = posed.map_err(|errors| (0, errors))?;
+    let posed = posed.map_err(|errors| (None, errors))?;
     let total = counts.iter().sum();
     let mut values = COLUMNS.map(|_| vec![0.0; total]);
     let mut converged = vec![false; total];
@@ -197,7 +200,7 @@ impl Block<'_> {
     /// Finds the forces; returns the warnings.
     fn fast(mut self, method: FastMethod, watch: Watch) -> Result<Vec<Repeated>, Failure> {
         let Self { case, conditions, start, .. } = self;
-        let explain = |k, error: &Error| (k, CaseErrors::from(case.explain(error)));
+        let explain = |k, error: &Error| (Some(k), CaseErrors::from(case.explain(error)));
         let contact = FastContact::new(&case.problem, method, &case.options);
         let mut contact = contact.map_err(|error| explain(start, &error))?;
         if watch(Progress::count(Stage::Curve, start)).is_break() {
@@ -230,7 +233,7 @@ impl Block<'_> {
         let mut warnings = Vec::new();
         let mut solver = LoadedSolver::new(case);
         for k in start..start + self.converged.len() {
-            let explain = |error| (k, CaseErrors::from(case.explain(&error)));
+            let explain = |error| (Some(k), CaseErrors::from(case.explain(&error)));
             let kinematics = conditions.kinematics(k, &case.problem.kinematics);
             let solution = solver.solve(case, kinematics, conditions.load(k), watch);
             let solution = solution.map_err(explain)?;
@@ -270,11 +273,12 @@ pub fn batch<'py>(
     let conditions = Conditions::read(arrays)?;
     let place = |k: usize| places.as_ref().map_or(k, |places| places[k]);
     let found = CaseFile::run_all(&cases, py, &Arc::default(), |files, watch| {
-        forces(files, &counts, &conditions, watch).map_err(|(k, errors)| {
-            let advice = errors.first.help.clone();
-            let here = format!("in condition {}, counted from 0", place(k));
-            let help = advice.map_or_else(|| here.clone(), |advice| format!("{advice}; {here}"));
-            CaseErrors::from(errors.first.help(help))
+        forces(files, &counts, &conditions, watch).map_err(|(k, errors)| match k {
+            None => errors,
+            Some(k) => CaseErrors::from(CaseError {
+                place: Place::Override { option: CONDITION.into(), text: place(k).to_string() },
+                ..*errors.first
+            }),
         })
     })?;
     let mut forces = found.map_err(|errors| errors::of_case(py, &errors))?;
