@@ -96,10 +96,11 @@ _LIKE = {
     "spin": "kinematics.spin",
     "speed": "kinematics.speed",
     "load": "normal.load",
-    "depth": "normal.semi_axis_x",
-    "wake": "normal.semi_axis_x",
-    "x": "normal.semi_axis_x",
-    "y": "normal.semi_axis_x",
+    # A length of any sign.
+    "depth": "history.shift_x",
+    "wake": "history.shift_x",
+    "x": "history.shift_x",
+    "y": "history.shift_x",
 }
 
 
@@ -121,7 +122,28 @@ def _pair(name: str, ends: Any) -> tuple[float, float]:
 
 
 def _number(name: str, field: Field, value: Any) -> float:
-    return float(plain(value, field, name))
+    if not isinstance(value, str):
+        return float(plain(value, field, name))
+    try:
+        empty = _core.CaseFile("", name, Path(), [])
+        return float(empty.with_fields([f"{field.path}={json.dumps(value)}"]).value(field.path))
+    except CaseError as error:
+        message = error.errors[0]["message"].replace(field.path, name)
+        raise refused(name, message) from None
+
+
+def length(name: str, value: Any) -> float:
+    """A length in m of a number, a text with its unit or a quantity.
+
+    Raises
+    ------
+    CaseError
+        If it is none.
+    """
+    found = _length(name, value)
+    if found is None:
+        raise refused(name, f"{name} must be a length, but is missing")
+    return found
 
 
 def _length(name: str, value: Any) -> float | None:
@@ -196,6 +218,16 @@ class Section:
         paths = [path for path in (*FIELDS, *SECTIONS) if path.startswith(prefix)]
         return sorted({path[len(prefix) :].split(".")[0] for path in paths})
 
+    def __contains__(self, name: object) -> bool:
+        return name in self._names()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.given())
+
+    def keys(self) -> list[str]:
+        """Names of the fields that are given, so that ``dict(section)`` has their values."""
+        return list(self.given())
+
     def __dir__(self) -> list[str]:
         return [*self._names(), "given"]
 
@@ -258,6 +290,8 @@ class Case:
 
     def __init__(self, title: str | None = None, **sections: Mapping[str, Any]) -> None:
         values: dict[str, Any] = dict(sections)
+        if title is not None and not isinstance(title, str):
+            raise TypeError(f"title must be text, but is {title!r}; sections are keywords")
         if title is not None:
             values["title"] = title
         folder = Path()
@@ -369,8 +403,10 @@ class Case:
         laws = {**self._laws, **{name: law for name, law in given.items() if law is not None}}
         friction, partition = laws.get("friction"), laws.get("partition")
         file = self._file.with_laws(
-            friction and checked("friction", friction, "finite and not negative", LARGEST),
-            partition and checked("partition", partition, "from 0 to 1", 1.0),
+            None
+            if friction is None
+            else checked("friction", friction, "finite and not negative", LARGEST),
+            None if partition is None else checked("partition", partition, "from 0 to 1", 1.0),
             sampled(laws["pressure"], laws["extent"]) if "pressure" in laws else None,
             self["normal.load"] if "normal.load" in self.given() else None,
         )
@@ -421,6 +457,16 @@ class Case:
     def __setitem__(self, path: str, value: Any) -> None:
         changed = self.with_(**{path: value})
         self._set(changed._file, self._folder, changed._laws)
+
+    def __contains__(self, path: object) -> bool:
+        return path in FIELDS or path in SECTIONS
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.given())
+
+    def keys(self) -> list[str]:
+        """Dotted paths of the fields that are given, so that ``dict(case)`` has their values."""
+        return self.given()
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *_top()]
@@ -490,7 +536,7 @@ class Case:
         *,
         creepage_x: tuple[float, float] | None = None,
         creepage_y: tuple[float, float] | None = None,
-        spin: tuple[float, float] | None = None,
+        spin: tuple[float | str, float | str] | None = None,
         creepage: tuple[float, float] | None = None,
         direction: float | str | None = None,
         over: Mapping[str, Sequence[Any]] | None = None,
@@ -505,7 +551,7 @@ class Case:
         creepage_x, creepage_y : (float, float), optional
             Start and end, dimensionless; that of the case where left out.
         spin : (float, float), optional
-            Start and end, in 1/m.
+            Start and end, in 1/m, or text with a unit.
         creepage : (float, float), optional
             Start and end of the total creepage in a `direction`, in place of both.
         direction : float or str, optional
@@ -575,10 +621,10 @@ class Case:
     def temperature(
         self,
         *,
-        x: float | None = None,
-        y: float | None = None,
-        depth: tuple[float, float] | None = None,
-        wake: float | None = None,
+        x: float | str | None = None,
+        y: float | str | None = None,
+        depth: tuple[float | str, float | str] | None = None,
+        wake: float | str | None = None,
         points: int = DEFAULTS["line_points"],
         strict: bool = True,
         warn: bool = True,
@@ -588,7 +634,7 @@ class Case:
         Parameters
         ----------
         x, y : float, optional
-            The point, in m; by default the hottest one.
+            The point, in m or as text with a unit; by default the hottest one.
         depth : (float, float), optional
             Depths of the profile below it, in m; by default as far as heat has penetrated.
         wake : float, optional

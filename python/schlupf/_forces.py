@@ -9,9 +9,10 @@ import xarray as xr
 
 from . import _core
 from ._fields import FIELDS
+from ._laws import in_law
 from ._result import Result
 from ._tables import attributes
-from ._units import plain
+from ._units import plain, refused
 from .warnings import emit
 
 if TYPE_CHECKING:
@@ -24,6 +25,9 @@ CONDITIONS = dict(_core.conditions())
 
 #: Kinds of fields that are numbers.
 NUMBERS = ("quantity", "number", "count", "number-or-choice")
+
+#: Variables of the results.
+RESULTS = ("force_x", "force_y", "moment_z", "traction_coefficient")
 
 #: Values of ``status``.
 STATUS = ("converged", "not-converged")
@@ -80,6 +84,7 @@ def forces(case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataAr
             known = ", ".join(CONDITIONS)
             raise TypeError(f"no condition {name}; there are {known} and the fields of the case")
         case._check_varied(CONDITIONS.get(name, path))
+        _check_motion(case, name)
     given = {
         name if name in CONDITIONS else paths[name]: _in_si(case, name, value)
         for name, value in conditions.items()
@@ -94,6 +99,11 @@ def forces(case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataAr
     template = next(iter(arrays.values()), xr.DataArray(np.array(0.0)))
     if template.size == 0:
         raise ValueError(f"there must be conditions, but there are none: {', '.join(conditions)}")
+    coordinates = {
+        name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given
+    }
+    # Whether they fit is known before the work.
+    _empty_table(template, coordinates)
     columns, converged, messages = _found(case, flat, template.size)
     shaped = {
         name: (template.dims, column["values"].reshape(template.shape), attributes(column))
@@ -107,10 +117,40 @@ def forces(case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataAr
         emit(_of_conditions(messages, template.size), stacklevel=2)
     numbers = np.where(converged, 0, 1).astype(np.int8).reshape(template.shape)
     dataset = xr.Dataset({**shaped, "status": (template.dims, numbers, status)})
-    coordinates = {
-        name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given
-    }
     return dataset.assign_coords(coordinates)
+
+
+#: Fields from which others follow, by the conditions that would contradict them.
+_FROM = {
+    "speed": "kinematics.angular_velocity",
+    "creepage_x": "kinematics.angular_velocity",
+    "creepage_y": "kinematics.yaw_angle",
+}
+
+
+def _check_motion(case: Case, name: str) -> None:
+    """Refuses a condition that would contradict what the case gives in place of creepages."""
+    source = _FROM.get(name)
+    if source is not None and source in case.given():
+        field = CONDITIONS[name]
+        raise refused(
+            field,
+            f"{name} cannot vary where the case gives {source}, from which its creepage follows; "
+            f"vary {field.replace('.', '__')}, as a field of the case, or give creepages",
+        )
+
+
+def _empty_table(template: xr.DataArray, coordinates: dict[str, xr.DataArray]) -> None:
+    """Refuses dimensions and coordinates of which no table can be made."""
+    own = [name for name in template.dims if name in (*RESULTS, "status")]
+    if own:
+        raise ValueError(f"a dimension must not have the name of a result: {own[0]}")
+    try:
+        xr.Dataset({"status": template}).assign_coords(coordinates)
+    except (ValueError, xr.MergeError) as error:
+        raise ValueError(
+            f"coordinates of the same dimension must be the same: {', '.join(coordinates)}"
+        ) from error
 
 
 def _of_conditions(
@@ -169,8 +209,13 @@ def _found(
     """Columns, whether each condition has converged, and warnings."""
     own = {name: np.ascontiguousarray(flat[name]) for name in flat if name in CONDITIONS}
     others = {name: values for name, values in flat.items() if name not in CONDITIONS}
-    if not others:
+    load = own.get("load", np.zeros(0))
+    is_sorted = bool(np.all(load[1:] >= load[:-1]))
+    if not others and is_sorted:
         return _core.batch([case._file], [size], None, own)
+    if not others:
+        # A change of the load is a new contact.
+        return _in_order(np.argsort(load, kind="stable"), [case._file], [size], own)
     # A case for each combination of numbers that are no conditions, with its conditions in a row.
     rows, which = np.unique(np.stack(list(others.values()), axis=1), axis=0, return_inverse=True)
     members = []
@@ -180,8 +225,18 @@ def _found(
             member = member.with_(**_nested(path, float(value)))
         members.append(member._file)
     which = which.ravel()
-    order = np.argsort(which, kind="stable")
+    keys = (which,) if is_sorted else (load, which)
     counts = np.bincount(which, minlength=len(rows)).tolist()
+    return _in_order(np.lexsort(keys), members, counts, own)
+
+
+def _in_order(
+    order: NDArray[np.int64],
+    members: list[_core.CaseFile],
+    counts: list[int],
+    own: dict[str, NDArray[np.float64]],
+) -> tuple[dict[str, dict[str, Any]], NDArray[np.bool_], list[tuple[str, str, str, int, int]]]:
+    """Solves conditions in another order than that in which they are given."""
     sorted_ = {name: values[order] for name, values in own.items()}
     columns, converged, messages = _core.batch(members, counts, order.tolist(), sorted_)
     back = np.argsort(order)
@@ -212,6 +267,7 @@ class Solver:
     """
 
     def __init__(self, case: Case) -> None:
+        self._case = case
         self._solver = _core.BatchSolver(case._file)
 
     def solve(self, *, strict: bool = True, warn: bool = True, **conditions: float) -> Result:
@@ -230,5 +286,10 @@ class Solver:
         unknown = [name for name in conditions if name not in CONDITIONS]
         if unknown:
             raise TypeError(f"no condition {unknown[0]}; there are {', '.join(CONDITIONS)}")
-        values = {name: np.array([value], float) for name, value in conditions.items()}
+        if in_law():
+            raise RuntimeError("a law must not use a solver: the solver waits for the law")
+        for name in conditions:
+            _check_motion(self._case, name)
+        given = {name: _in_si(self._case, name, value) for name, value in conditions.items()}
+        values = {name: np.array([float(value)]) for name, value in given.items()}
         return Result._new(self._solver.solve(values), strict=strict, warn=warn)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -23,11 +24,28 @@ NEGLIGIBLE = 1e-4
 SAMPLES = 257
 
 
+#: Whether this thread is within a law.
+_CALLED = threading.local()
+
+
+def in_law() -> bool:
+    """Whether a law is being called by this thread."""
+    return getattr(_CALLED, "now", False)
+
+
 def checked(name: str, law: Law, requirement: str, upper: float) -> Callable[..., Array]:
     """The law, whose values must be numbers from 0 to `upper`."""
 
+    if not callable(law):
+        raise TypeError(f"{name} must be a function, but is {law!r}")
+
     def values(*arguments: Array) -> Array:
-        found = np.asarray(law(*arguments), dtype=float)
+        before = in_law()
+        _CALLED.now = True
+        try:
+            found = np.asarray(law(*arguments), dtype=float)
+        finally:
+            _CALLED.now = before
         try:
             found = np.broadcast_to(found, arguments[0].shape)
         except ValueError:

@@ -155,8 +155,8 @@ class ResultPlots:
     def cut(
         self,
         *names: str,
-        y: float | None = None,
-        x: float | None = None,
+        y: float | str | None = None,
+        x: float | str | None = None,
         ax: Axes | None = None,
         **style: Any,
     ) -> Axes:
@@ -169,6 +169,8 @@ class ResultPlots:
         """
         if x is not None and y is not None:
             raise TypeError("a cut is at x or at y")
+        from ._case import length
+
         fields = self._fields()
         fields = fields.assign(
             friction_limit=(fields["pressure"] * fields["friction_coefficient"]).assign_attrs(
@@ -177,9 +179,20 @@ class ResultPlots:
         )
         along = "x" if x is None else "y"
         place = {"y": 0.0 if y is None else y} if x is None else {"x": x}
+        ((axis, where),) = place.items()
+        where = length(axis, where)
+        place = {axis: where}
+        ends = fields[axis].values[[0, -1]]
+        half = 0.5 * abs(fields[axis].values[1] - ends[0]) if fields.sizes[axis] > 1 else np.inf
+        if not ends.min() - half <= where <= ends.max() + half:
+            low, high = ends.min() - half, ends.max() + half
+            raise ValueError(f"{axis} must be from {low:.3g} to {high:.3g} m, but is {where:.3g}")
         row = fields.sel(place, method="nearest")
-        ax = axes_or_new(ax)
         shown = [row[name] for name in names or ("friction_limit", "traction_x", "traction_y")]
+        units = {entry.attrs["units"] for entry in shown}
+        if len(units) > 1:
+            raise ValueError(f"fields of a cut must have one unit, but have {sorted(units)}")
+        ax = axes_or_new(ax)
         factor, unit = scaled(max(largest(entry) for entry in shown), shown[0].attrs["units"])
         for entry in shown:
             label = entry.attrs.get("long_name") or str(entry.name)
@@ -385,15 +398,18 @@ def comparison(
     """Maps of one field of several results side by side, with the same colours."""
     import matplotlib.pyplot as plt
 
+    if isinstance(results, Record) or not len(results):
+        raise TypeError("a comparison takes several results: [result, result, …]")
     size = (WIDTH * len(results), 2.4)
-    _, axes = plt.subplots(1, len(results), figsize=size, squeeze=False)
+    _, axes = plt.subplots(1, len(results), figsize=size, squeeze=False, layout="compressed")
     shown = [result.fields[field] for result in results]
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
-    lowest = min(0.0, *(float(values.min()) * factor for values in shown))
+    colors = _colors(shown, bound * factor)
     names = labels or [result.title for result in results]
-    for ax, values, name in zip(axes[0], shown, names, strict=True):
-        mesh = _mesh(ax, values, factor, vmin=lowest, vmax=bound * factor, cmap="viridis")
+    for ax, result, values, name in zip(axes[0], results, shown, names, strict=True):
+        mesh = _mesh(ax, values, factor, **colors)
+        ResultPlots(result)._cut_to_patch(ax)
         _patch_axes(ax, name)
     _color_bar(mesh, list(axes[0]), labelled(shown[0].assign_attrs(units=unit)))
     return list(axes[0])
@@ -424,9 +440,7 @@ def frames(
     ax = axes_or_new(None)
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
-    is_signed = any(float(values.min()) < 0.0 for values in shown)
-    colors = {"vmin": -bound * factor, "cmap": "RdBu"} if is_signed else {"vmin": 0.0}
-    mesh = _mesh(ax, shown[0], factor, vmax=bound * factor, **colors)
+    mesh = _mesh(ax, shown[0], factor, **_colors(shown, bound * factor))
     _color_bar(mesh, ax, labelled(shown[0].assign_attrs(units=unit)))
     _patch_axes(ax, titles[0])
 
@@ -438,6 +452,13 @@ def frames(
     return FuncAnimation(cast("Figure", ax.figure), draw, frames=len(shown), **options)
 
 
+def _colors(shown: Sequence[xr.DataArray], bound: float) -> dict[str, Any]:
+    """Colours for fields with a largest magnitude: around zero where there are both signs."""
+    if any(float(values.min()) < 0.0 for values in shown):
+        return {"vmin": -bound, "vmax": bound, "cmap": "RdBu"}
+    return {"vmin": 0.0, "vmax": bound, "cmap": "viridis"}
+
+
 def _over_time(
     results: Result | Sequence[Result], field: str
 ) -> tuple[list[xr.DataArray], list[str]]:
@@ -446,6 +467,7 @@ def _over_time(
         values = results.field_history[field]
         shown = [values.isel(time=k) for k in range(values.sizes["time"])]
         return shown, [f"{results.title}, {float(v['time']) * 1e3:.4g} ms" for v in shown]
+    results = list(results)
     if not all(hasattr(result, "fields") for result in results):
         raise TypeError("animate takes a result, or results of successive times")
     return [result.fields[field] for result in results], [result.title for result in results]

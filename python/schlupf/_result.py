@@ -47,6 +47,10 @@ class Record:
     def __len__(self) -> int:
         return len(self._values)
 
+    def keys(self) -> list[str]:
+        """The names, so that ``dict(record)`` has the values."""
+        return list(self._values)
+
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._values]
 
@@ -187,12 +191,18 @@ class Result(Record):
 
     def to_csv(self, path: str | PathLike[str]) -> None:
         """Writes the cells in contact as CSV, as the command does."""
+        self._require_fields()
         written(self._solution.csv() or "", path)
 
     def to_vtk(self, path: str | PathLike[str]) -> None:
-        """Writes the fields for ParaView."""
+        """Writes the fields for ParaView, as a ``.vtk`` file."""
+        self._require_fields()
         with open(path, "wb") as file:
             file.write(self._solution.vtk() or b"")
+
+    def _require_fields(self) -> None:
+        if not len(self.fields["x"]):
+            raise ValueError(f"the method {self.method} gives forces, but no fields")
 
     def _with_scalars(self) -> xr.Dataset:
         return self.fields.assign_attrs(result=self._solution.json())

@@ -135,6 +135,15 @@ def test_a_section_can_be_taken_out():
         case.with_(histry=None)
 
 
+def test_a_case_is_like_a_mapping_of_what_it_gives():
+    case = schlupf.Case(normal={"load": "80 kN"}, kinematics={"creepage_x": 0.002})
+    assert dict(case) == {"normal.load": 80e3, "kinematics.creepage_x": 0.002}
+    assert dict(case.normal) == {"load": 80e3} and "load" in case.normal
+    assert "normal" in case and "normal.load" in case and "normal.laod" not in case
+    with pytest.raises(TypeError, match="sections are keywords"):
+        schlupf.Case({"normal": {"load": 80e3}})
+
+
 def test_sections_can_be_copied():
     case = schlupf.Case(normal={"load": 60e3})
     assert copy.deepcopy(case.normal).load == 60e3

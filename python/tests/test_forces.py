@@ -190,6 +190,39 @@ def test_many_forces_are_as_fast_as_in_rust():
     assert rust >= 0.8 * python
 
 
+def test_conditions_do_not_contradict_the_motion_of_the_wheel():
+    turning = POLACH.with_(kinematics={"angular_velocity": "64.7 rad/s"})
+    with pytest.raises(schlupf.CaseError, match="speed cannot vary where the case gives"):
+        schlupf.forces(turning, speed=[29.0, 30.0])
+    forces = schlupf.forces(turning, kinematics__speed=[29.0, 30.0])["force_x"].values
+    alone = [turning.with_(kinematics={"speed": v}).solve(warn=False).force.x for v in (29.0, 30.0)]
+    np.testing.assert_allclose(forces, alone, rtol=1e-9)
+
+
+def test_the_order_of_loads_does_not_matter():
+    loads, creepages = np.array([80e3, 60e3, 70e3]), np.linspace(0.0, 0.01, 4)
+    one = schlupf.forces(POLACH, load=loads[:, None], creepage_x=creepages)["force_x"]
+    other = schlupf.forces(POLACH, creepage_x=creepages[:, None], load=loads)["force_x"]
+    np.testing.assert_array_equal(one.values, other.values.T)
+
+
+def test_coordinates_that_do_not_fit_are_refused_before_the_work():
+    creepage = xr.DataArray([0.001, 0.002], dims="t", coords={"t": [1, 2]})
+    load = xr.DataArray([6e4, 8e4], dims="t", coords={"t": [2, 1]})
+    with pytest.raises(ValueError, match="coordinates of the same dimension"):
+        schlupf.forces(POLACH, creepage_x=creepage, load=load)
+    with pytest.raises(ValueError, match="name of a result: force_x"):
+        schlupf.forces(POLACH, creepage_x=creepage.drop_vars("t").rename(t="force_x"))
+
+
+def test_a_solver_reads_units():
+    solver = POLACH.solver()
+    expected = solver.solve(load=60e3, warn=False).force.x
+    assert solver.solve(load="60 kN", warn=False).force.x == expected
+    with pytest.raises(schlupf.CaseError, match="load must be in N"):
+        solver.solve(load=xr.DataArray(60.0, attrs={"units": "kN"}))
+
+
 def test_a_warning_of_conditions_is_issued_once():
     linear = schlupf.Case(solver={"method": "kalker-linear"})
     with pytest.warns(schlupf.warnings.BeyondFrictionWarning) as caught:

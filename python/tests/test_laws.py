@@ -138,6 +138,22 @@ def test_a_heat_partition_in_python():
     assert wheel_speed == pytest.approx(30.0 * (1 - 0.006), rel=1e-3)
 
 
+def test_a_law_must_be_a_function_and_use_no_solver():
+    with pytest.raises(TypeError, match="friction must be a function, but is 0.3"):
+        schlupf.Case().with_laws(friction=0.3)
+    solvers = []
+
+    def friction(temperature, slip_speed, y):
+        if solvers:
+            solvers[0].solve()
+        return 0.3 + 0.0 * slip_speed
+
+    case = schlupf.Case(grid={"cells_x": 8, "cells_y": 8}).with_laws(friction=friction)
+    solvers.append(case.solver())
+    with pytest.raises(RuntimeError, match="a law must not use a solver"):
+        solvers[0].solve()
+
+
 def test_a_case_with_laws_can_be_pickled():
     case = SMALL.with_laws(friction=constant)
     again = pickle.loads(pickle.dumps(case))

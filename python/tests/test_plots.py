@@ -119,6 +119,15 @@ def test_a_map_ends_at_the_edge_of_the_patch(result):
     assert ax.collections[0].get_clip_path() is not None
 
 
+def test_a_cut_has_one_unit_and_a_place_within_the_patch(result):
+    with pytest.raises(ValueError, match="must have one unit"):
+        result.plot.cut("slip_x", "pressure")
+    with pytest.raises(ValueError, match="y must be from"):
+        result.plot.cut(y=5.0)
+    one, other = (result.plot.cut("pressure", y=y).lines[0] for y in ("1 mm", 1e-3))
+    np.testing.assert_array_equal(one.get_ydata(), other.get_ydata())
+
+
 def test_free_rolling_has_no_arrows(case):
     rolling = case.with_(kinematics={"creepage_x": 0.0, "creepage_y": 0.0}).solve()
     ax = rolling.plot.slip()

@@ -38,6 +38,18 @@ def test_a_family_of_methods_has_names():
     assert curves.points["over"].values.tolist() == ["full", "fastsim"]
 
 
+def test_ranges_and_lengths_have_units():
+    one = SMALL.curve(spin=("0 1/m", "1 1/m"), points=3).points
+    np.testing.assert_array_equal(one["spin"], SMALL.curve(spin=(0, 1), points=3).points["spin"])
+    hot = SMALL.with_(kinematics={"creepage_x": 0.02})
+    places = [
+        hot.temperature(x=x, wake=wake).rows["x"] for x, wake in (("-1 mm", "5 mm"), (-1e-3, 5e-3))
+    ]
+    np.testing.assert_array_equal(*places)
+    with pytest.raises(schlupf.CaseError, match="x must be a length with its unit"):
+        hot.temperature(x="1 kN")
+
+
 def test_the_total_creepage_varies_in_a_direction():
     curve = SMALL.curve(creepage=(0.0, 0.01), direction="90 deg", points=3)
     np.testing.assert_allclose(curve.points["creepage_y"][-1], 0.01, rtol=1e-12)
