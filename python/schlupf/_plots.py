@@ -244,9 +244,11 @@ class ResultPlots:
         legend_above(ax)
         return ax
 
-    def animation(self, field: str = "traction_x", **options: Any) -> FuncAnimation:
-        """A film of a field, where the case was solved with ``fields_every``; see `animate`."""
-        return frames(self._result, field, **options)
+    def animation(
+        self, field: str = "traction_x", *, ax: Axes | None = None, **options: Any
+    ) -> FuncAnimation:
+        """A field over time, where the case was solved with ``fields_every``; see `animate`."""
+        return frames(self._result, field, ax=ax, **options)
 
     def _map(self, values: xr.DataArray, label: str, ax: Axes | None, **style: Any) -> Axes:
         ax = colored_map(values, label, ax, **style)
@@ -393,31 +395,56 @@ def _patch_axes(ax: Axes, title: str) -> None:
 
 @styled
 def comparison(
-    results: Sequence[Result], field: str = "pressure", labels: Sequence[str] | None = None
+    results: Sequence[Result],
+    field: str = "pressure",
+    labels: Sequence[str] | None = None,
+    ax: Sequence[Axes] | None = None,
 ) -> list[Axes]:
-    """Maps of one field of several results side by side, with the same colours."""
+    """Maps of one field of several results side by side, with the same colours.
+
+    Parameters
+    ----------
+    results : sequence of Result
+        At least one.
+    field : str
+        Variable of their fields.
+    labels : sequence of str, optional
+        Titles of the maps; by default those of the cases.
+    ax : sequence of Axes, optional
+        One for each result.
+    """
     import matplotlib.pyplot as plt
 
     if isinstance(results, Record) or not len(results):
         raise TypeError("a comparison takes several results: [result, result, …]")
-    size = (WIDTH * len(results), 2.4)
-    _, axes = plt.subplots(1, len(results), figsize=size, squeeze=False, layout="compressed")
+    if ax is None:
+        size = (WIDTH * len(results), 2.4)
+        _, grid = plt.subplots(1, len(results), figsize=size, squeeze=False, layout="compressed")
+        ax = list(grid[0])
+    elif len(ax) != len(results):
+        raise ValueError(
+            f"ax must have {len(results)} axes, one for each result, but has {len(ax)}"
+        )
     shown = [result.fields[field] for result in results]
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
     colors = _colors(shown, bound * factor)
     names = labels or [result.title for result in results]
-    for ax, result, values, name in zip(axes[0], results, shown, names, strict=True):
-        mesh = _mesh(ax, values, factor, **colors)
-        ResultPlots(result)._cut_to_patch(ax)
-        _patch_axes(ax, name)
-    _color_bar(mesh, list(axes[0]), labelled(shown[0].assign_attrs(units=unit)))
-    return list(axes[0])
+    for axes, result, values, name in zip(ax, results, shown, names, strict=True):
+        mesh = _mesh(axes, values, factor, **colors)
+        ResultPlots(result)._cut_to_patch(axes)
+        _patch_axes(axes, name)
+    _color_bar(mesh, list(ax), labelled(shown[0].assign_attrs(units=unit)))
+    return list(ax)
 
 
 @styled
 def frames(
-    results: Result | Sequence[Result], field: str = "traction_x", **options: Any
+    results: Result | Sequence[Result],
+    field: str = "traction_x",
+    *,
+    ax: Axes | None = None,
+    **options: Any,
 ) -> FuncAnimation:
     """An animation of one field over time.
 
@@ -427,6 +454,8 @@ def frames(
         A result with a `Result.field_history`, or results of successive times on one grid.
     field : str
         Variable of their fields.
+    ax : Axes, optional
+        Where to draw; by default axes of a new figure.
     **options
         Of `matplotlib.animation.FuncAnimation`, such as ``interval`` (ms).
     """
@@ -437,7 +466,7 @@ def frames(
         raise ValueError("animate needs results, but there are none")
     if len({values.shape for values in shown}) != 1:
         raise ValueError("the results must be on one grid")
-    ax = axes_or_new(None)
+    ax = axes_or_new(ax)
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
     mesh = _mesh(ax, shown[0], factor, **_colors(shown, bound * factor))
@@ -454,6 +483,7 @@ def frames(
 
 def _colors(shown: Sequence[xr.DataArray], bound: float) -> dict[str, Any]:
     """Colours for fields with a largest magnitude: around zero where there are both signs."""
+    bound = bound or 1.0
     if any(float(values.min()) < 0.0 for values in shown):
         return {"vmin": -bound, "vmax": bound, "cmap": "RdBu"}
     return {"vmin": 0.0, "vmax": bound, "cmap": "viridis"}

@@ -128,6 +128,17 @@ def test_a_cut_has_one_unit_and_a_place_within_the_patch(result):
     np.testing.assert_array_equal(one.get_ydata(), other.get_ydata())
 
 
+def test_films_and_comparisons_take_axes(result):
+    _, axes = plt.subplots(1, 2)
+    assert schlupf.plot_comparison([result, result], ax=list(axes)) == list(axes)
+    with pytest.raises(ValueError, match="ax must have 1 axes"):
+        schlupf.plot_comparison([result], ax=list(axes))
+    _, ax = plt.subplots()
+    film = schlupf.animate([result, result], "pressure", ax=ax)
+    film._init_draw()
+    assert ax.get_title() == result.title
+
+
 def test_free_rolling_has_no_arrows(case):
     rolling = case.with_(kinematics={"creepage_x": 0.0, "creepage_y": 0.0}).solve()
     ax = rolling.plot.slip()
