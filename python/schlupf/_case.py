@@ -82,10 +82,15 @@ def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
             yield from assignments(value, path)
         elif value is None:
             yield from _removed(path)
-        elif path in SECTIONS and path not in FIELDS and not isinstance(value, str):
+        elif path in SECTIONS and path not in FIELDS and not _may_be_text(path, value):
             raise TypeError(f"{path} is a section: give its fields as a dictionary")
         else:
             yield f"{path}={toml_value(FIELDS.get(path), value)}"
+
+
+def _may_be_text(path: str, value: Any) -> bool:
+    """Whether a text stands for a section: a section within a section may be its file."""
+    return isinstance(value, str) and "." in path
 
 
 #: Fields that give the units of arguments and columns.
@@ -481,9 +486,16 @@ class Case:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        given = [f"{path}={self[path]!r}" for path in dict.fromkeys(self.given())]
-        laws = [f"{name}={law!r}" for name, law in self._laws.items()]
-        return f"Case({', '.join(given + laws)})"
+        values: dict[str, Any] = {}
+        for path in dict.fromkeys(self.given()):
+            *sections, name = path.split(".")
+            inner = values
+            for section in sections:
+                inner = inner.setdefault(section, {})
+            inner[name] = self[path]
+        text = ", ".join(f"{name}={value!r}" for name, value in values.items())
+        laws = ", ".join(f"{name}={law!r}" for name, law in self._laws.items())
+        return f"Case({text}).with_laws({laws})" if laws else f"Case({text})"
 
     def __copy__(self) -> Case:
         return self._of(self._file, self._folder, self._laws)

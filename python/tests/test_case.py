@@ -144,6 +144,13 @@ def test_a_case_is_like_a_mapping_of_what_it_gives():
         schlupf.Case({"normal": {"load": 80e3}})
 
 
+def test_a_case_shows_how_it_is_made():
+    case = schlupf.Case("braking", normal={"load": "80 kN"}, kinematics={"creepage_x": 0.002})
+    assert eval(repr(case), {"Case": schlupf.Case}) == case
+    with pytest.raises(TypeError, match="normal is a section"):
+        schlupf.Case(normal="hertz")
+
+
 def test_sections_can_be_copied():
     case = schlupf.Case(normal={"load": 60e3})
     assert copy.deepcopy(case.normal).load == 60e3
