@@ -87,7 +87,7 @@ choices! {
         TotalDisplacement "total-displacement"
             "Neuhaus and Sextro 2014, for sliding in one direction";
         Coulomb "coulomb"
-            "no sliding at all up to μ pₙ, the limit k_c → ∞; for steady states found directly";
+            "no sliding at all up to μ pₙ, the limit k_c → ∞";
     }
 
     /// `contact_law.roughness.form`.
