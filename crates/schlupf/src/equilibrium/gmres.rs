@@ -11,9 +11,10 @@ pub(crate) struct Gmres {
     /// Largest dimension of the Krylov space.
     max_dimension: usize,
     basis: Vec<Vec<f64>>,
+    /// M⁻¹ v of each vector of the basis: a pass of the preconditioner costs more than keeping it.
+    directions: Vec<Vec<f64>>,
     /// L M⁻¹ v of each vector of the basis.
     responses: Vec<Vec<f64>>,
-    direction: Vec<f64>,
     /// Columns of the triangular matrix, one after another, each one longer than the previous one.
     triangle: Vec<f64>,
     rotations: Vec<(f64, f64)>,
@@ -38,8 +39,8 @@ impl Gmres {
         Self {
             max_dimension,
             basis: Vec::new(),
+            directions: Vec::new(),
             responses: Vec::new(),
-            direction: Vec::new(),
             triangle: Vec::new(),
             rotations: Vec::new(),
             projected: Vec::new(),
@@ -76,13 +77,12 @@ impl Gmres {
             }
             self.extend(system);
         }
-        self.combine(system, step, response);
+        self.combine(step, response);
         Ok(self.rotations.len())
     }
 
     /// Empties the space for a new system.
     fn prepare(&mut self, system: &impl Equilibrium) {
-        self.direction.resize(system.size(), 0.0);
         self.triangle.clear();
         self.rotations.clear();
         self.projected.clear();
@@ -93,9 +93,11 @@ impl Gmres {
     fn grow(&mut self, system: &impl Equilibrium, dimension: usize) {
         if self.basis.len() <= dimension {
             self.basis.push(Vec::new());
+            self.directions.push(Vec::new());
             self.responses.push(Vec::new());
         }
         self.basis[dimension].resize(system.size(), 0.0);
+        self.directions[dimension].resize(system.size(), 0.0);
         self.responses[dimension].resize(system.response_size(), 0.0);
     }
 
@@ -104,12 +106,13 @@ impl Gmres {
     fn extend(&mut self, system: &mut impl Equilibrium) {
         let k = self.rotations.len();
         self.grow(system, k + 1);
-        self.direction.copy_from_slice(&self.basis[k]);
-        system.precondition(&mut self.direction);
-        system.compliance_product(&self.direction, &mut self.responses[k]);
+        let direction = &mut self.directions[k];
+        direction.copy_from_slice(&self.basis[k]);
+        system.precondition(direction);
+        system.compliance_product(direction, &mut self.responses[k]);
         let (earlier, later) = self.basis.split_at_mut(k + 1);
         let w = &mut later[0];
-        system.tangent_product(&self.direction, &self.responses[k], w);
+        system.tangent_product(&self.directions[k], &self.responses[k], w);
 
         self.triangle.resize(start_of_column(k + 1), 0.0);
         let column = &mut self.triangle[start_of_column(k)..];
@@ -138,8 +141,8 @@ impl Gmres {
         }
     }
 
-    /// d = M⁻¹ Σ weight · basis, L d = Σ weight · response.
-    fn combine(&mut self, system: &mut impl Equilibrium, step: &mut [f64], response: &mut [f64]) {
+    /// d = Σ weight · direction, L d = Σ weight · response.
+    fn combine(&mut self, step: &mut [f64], response: &mut [f64]) {
         step.fill(0.0);
         response.fill(0.0);
         let dimension = self.rotations.len();
@@ -150,9 +153,8 @@ impl Gmres {
                 self.weights[i] -= self.triangle[start_of_column(j) + i] * self.weights[j];
             }
             self.weights[i] /= self.triangle[start_of_column(i) + i];
-            add_scaled(step, self.weights[i], &self.basis[i]);
+            add_scaled(step, self.weights[i], &self.directions[i]);
             add_scaled(response, self.weights[i], &self.responses[i]);
         }
-        system.precondition(step);
     }
 }

@@ -3,7 +3,7 @@
 //! 1986): near Coulomb's law F has kinks, along which a norm that must decrease in every step makes
 //! little progress.
 
-use super::{Continues, Equilibrium, Gmres, Limits, Outcome};
+use super::{Continues, Directions, Equilibrium, Gmres, Limits, Outcome};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -37,6 +37,11 @@ const MEMORY: usize = 5;
 /// Halvings of a step before it is abandoned.
 const MAX_HALVINGS: usize = 10;
 
+/// Newton steps up to which each linear system is solved on its own. Those who need more change the
+/// Jacobian little from step to step, and directions of earlier systems then save most products;
+/// before, they save fewer than they cost.
+const EARLY: usize = 3;
+
 /// Safe steps after which Newton's method is tried again.
 const SAFE_STEPS: usize = 20;
 
@@ -49,6 +54,7 @@ pub struct Newton {
     response_step: Vec<f64>,
     trial: [Vec<f64>; 3],
     krylov: Gmres,
+    directions: Directions,
 }
 
 /// Outcome of a solution, with the linear response to the result.
@@ -72,6 +78,7 @@ impl Default for Newton {
             response_step: Vec::new(),
             trial: [Vec::new(), Vec::new(), Vec::new()],
             krylov: Gmres::new(MAX_DIMENSION),
+            directions: Directions::default(),
         }
     }
 }
@@ -128,7 +135,8 @@ impl Newton {
             outcome.iterations += 1;
             let enough = ENOUGH * limits.tolerance / outcome.residual;
             let forcing_now = forcing.max(enough).min(0.5);
-            outcome.products += self.direction(system, forcing_now, &continues)?;
+            let is_late = outcome.iterations > EARLY;
+            outcome.products += self.direction(system, (forcing_now, is_late), &continues)?;
             let before = length;
             if !limits.is_monotone {
                 recent[outcome.iterations % MEMORY] = before;
@@ -147,6 +155,7 @@ impl Newton {
     }
 
     fn prepare(&mut self, system: &impl Equilibrium) {
+        self.directions = Directions::default();
         let [p, u, residual] = &mut self.trial;
         for vector in [p, residual, &mut self.residual, &mut self.step] {
             vector.resize(system.size(), 0.0);
@@ -182,21 +191,26 @@ impl Newton {
         }
     }
 
+    /// The step, which reduces the linear residual to `forcing` times the present one; returns the
+    /// number of products.
     fn direction(
         &mut self,
         system: &mut impl Equilibrium,
-        forcing: f64,
+        (forcing, is_late): (f64, bool),
         continues: Continues,
     ) -> Result<usize, Error> {
         let target = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
-        let Some(mut directions) = system.directions().map(std::mem::take) else {
-            return self.krylov.solve(system, &self.residual, forcing, (target, continues));
-        };
-        let products = directions.solve(system, &self.residual, forcing, target);
-        if let Some(kept) = system.directions() {
-            *kept = directions;
+        if let Some(mut directions) = system.directions().map(std::mem::take) {
+            let products = directions.solve(system, &self.residual, forcing, target);
+            if let Some(kept) = system.directions() {
+                *kept = directions;
+            }
+            return Ok(products);
         }
-        Ok(products)
+        if is_late {
+            return Ok(self.directions.solve(system, &self.residual, forcing, target));
+        }
+        self.krylov.solve(system, &self.residual, forcing, (target, continues))
     }
 
     /// Goes along the step until the residual norm decreases sufficiently, and returns it; where

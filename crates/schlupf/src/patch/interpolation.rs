@@ -93,7 +93,7 @@ impl Interpolation {
     /// not displace each other.
     pub fn uncoupled(patch: &Patch) -> Self {
         let cells = patch.cells.iter().enumerate();
-        let partly = cells.filter(|(_, cell)| cell.covered < 1.0 - CENTRED);
+        let partly = cells.filter(|(_, cell)| !cell.is_covered());
         Self {
             index: patch.cells.iter().map(|c| c.index).collect(),
             concentrated: partly

@@ -44,6 +44,9 @@ pub struct Strip {
     pub exit: Travel,
 }
 
+/// A part of a cell below this fraction is rounding error.
+const WHOLE: f64 = 1e-9;
+
 /// A contact cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cell {
@@ -106,6 +109,11 @@ impl Travel {
 }
 
 impl Cell {
+    /// Whether the patch covers all of it.
+    pub(crate) fn is_covered(&self) -> bool {
+        self.covered > 1.0 - WHOLE
+    }
+
     /// Entry position of the material of the cell (in m), averaged over its covered part.
     pub fn entry_x(&self) -> f64 {
         self.x + self.since_entry.distance

@@ -21,8 +21,14 @@ pub(crate) struct DiscreteContact {
     bristles: f64,
     /// Infinite for rigid bodies.
     cell_stiffness: f64,
+    /// See [`Self::row_compliances`]; without regard to where in the cell its point is.
+    row: Row,
     estimates: Option<Estimates>,
 }
+
+/// Displacement of the cells at a distance of 0, 1, … columns in a row under a unit traction on one
+/// of them, in each direction, in m/Pa.
+pub(crate) type Row = [[f64; 2]; 6];
 
 struct Workspace {
     traction: VectorField,
@@ -70,6 +76,7 @@ impl DiscreteContact {
             workspace: Workspace { traction: zeros(), displacement: zeros(), passing: zeros() },
             bristles: bristles(problem),
             cell_stiffness: 0.0,
+            row: Row::default(),
             estimates: None,
         };
         contact.settle();
@@ -99,7 +106,9 @@ impl DiscreteContact {
     fn settle(&mut self) {
         self.interpolation = Interpolation::uncoupled(&self.patch);
         self.estimates = None;
-        self.cell_stiffness = self.measure_cell_stiffness();
+        self.row = self.measure_row();
+        let [x, y] = self.row[0];
+        self.cell_stiffness = if x + y > 0.0 { 2.0 / (x + y) } else { f64::INFINITY };
         self.interpolate();
     }
 
@@ -158,7 +167,12 @@ impl DiscreteContact {
 
     /// Displacement of the cells at a distance of 0, 1, … columns in a row under a unit traction in
     /// each direction, in m/Pa.
-    pub fn row_compliances(&mut self) -> [[f64; 2]; 6] {
+    pub fn row_compliances(&mut self) -> Row {
+        let (_, middle) = self.lone_cell();
+        if self.patch.cells[middle].is_covered() { self.row } else { self.measure_row() }
+    }
+
+    fn measure_row(&mut self) -> Row {
         let (p, middle) = self.lone_cell();
         let index = self.patch.cells[middle].index;
         let mut u = vec![0.0; p.len()];
@@ -242,12 +256,6 @@ impl DiscreteContact {
     /// Ratio of displacement to traction of that cell, in m/Pa; zero for rigid bodies.
     pub fn cell_compliance(&self) -> f64 {
         self.cell_stiffness.recip()
-    }
-
-    fn measure_cell_stiffness(&mut self) -> f64 {
-        let (p, middle) = self.lone_cell();
-        let own = self.product(&p).mean_of_cell(middle, &p);
-        if own > 0.0 { own.recip() } else { f64::INFINITY }
     }
 
     /// Under tractions proportional to the pressure.

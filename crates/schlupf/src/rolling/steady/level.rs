@@ -1,6 +1,5 @@
 //! One of the nested grids on which a steady state is found, from the coarsest to the finest.
 
-use crate::equilibrium::Directions;
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::normal::NormalContact;
@@ -34,8 +33,6 @@ pub(super) struct Level {
     /// Whether it is accurate to the tolerance that was asked for.
     pub is_found: bool,
     pub workspace: Workspace,
-    /// Directions of earlier linear systems, if the law is Coulomb's: with it they are many.
-    pub directions: Option<Directions>,
 }
 
 /// Buffers for a level's part in products and preconditioning.
@@ -119,7 +116,6 @@ impl Level {
                 flux: vec![0.0; contact.patch.len()],
                 bound: vec![0.0; contact.patch.len()],
             },
-            directions: problem.contact_law.is_coulomb().then(Directions::default),
             contact,
         })
     }

@@ -5,6 +5,7 @@ mod transfer;
 mod lag;
 mod steady_friction;
 mod strip_law;
+mod block;
 mod bristles;
 mod strip_factors;
 mod stick_slip;

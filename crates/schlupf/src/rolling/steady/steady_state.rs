@@ -1,7 +1,7 @@
 //! The steady state as one equilibrium: the history of an element, including its heat, is what lies
 //! upstream of it in its strip. Traction, temperature and friction are found together.
 
-use crate::equilibrium::{self, Directions, Equilibrium};
+use crate::equilibrium::{self, Equilibrium};
 use crate::numerics::vector::norm;
 use crate::problem::Problem;
 use crate::rolling::shared::contact::Displaced;
@@ -95,10 +95,6 @@ impl Equilibrium for SteadyState<'_> {
             strips.complete(p);
         }
         self.is_coupled()
-    }
-
-    fn directions(&mut self) -> Option<&mut Directions> {
-        self.levels[0].directions.as_mut()
     }
 
     fn precondition(&mut self, v: &mut [f64]) {

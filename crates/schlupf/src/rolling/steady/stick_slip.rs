@@ -25,6 +25,8 @@ pub(super) struct StickSlip {
     contact: CoulombContact,
     stencils: Vec<SlipStencil>,
     factors: StripFactors,
+    /// Whether factors and inverses are those of the last residual.
+    is_factorised: bool,
     /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
     /// Rigid sliding since entry, and over the way into each cell, in m.
@@ -64,6 +66,7 @@ impl StickSlip {
             bound: vec![0.0; cells],
             factors: StripFactors::new(patch, &contact, &stencils, &row),
             stencils,
+            is_factorised: false,
             is_first,
             rigid_since_entry: vec![0.0; 2 * cells],
             rigid: vec![0.0; 2 * cells],
@@ -113,7 +116,10 @@ impl StripLaw for StickSlip {
         let since_entry =
             patch.cells.iter().flat_map(|cell| cell.since_entry.rigid_slip(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
-        self.rigid = self.slid(&self.rigid_since_entry);
+        self.rigid.copy_from_slice(&self.rigid_since_entry);
+        let mut rigid = std::mem::take(&mut self.rigid);
+        self.slide(&mut rigid);
+        self.rigid = rigid;
     }
 
     fn bound(&self) -> &[f64] {
@@ -130,8 +136,7 @@ impl StripLaw for StickSlip {
 
     fn relate(&self, p: &[f64], b: &mut [f64]) {
         self.contact.calibration.add(p, b);
-        let slid = self.slid(b);
-        b.copy_from_slice(&slid);
+        self.slide(b);
     }
 
     /// The direction of the rigid slip.
@@ -159,18 +164,20 @@ impl StripLaw for StickSlip {
                 let q = self.pull(p, b, k);
                 let onto = reduced(q, self.bound[k]);
                 self.slopes[k] = Slope::at(q, self.bound[k]);
-                self.inverses[k] = self.inverse(k);
                 for c in 0..2 {
                     residual[2 * k + c] = p[2 * k + c] - onto[c];
                 }
             }
-            let Self { factors, slopes, contact, gamma, .. } = self;
-            factors.factorise(&contact.slivers.kept[strip], slopes, *gamma);
         }
+        self.is_factorised = false;
     }
 
     fn tangent(&self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
-        let rigid = cause.map(|cause| self.slid(&self.since_entry(&cause.rigid)));
+        let rigid = cause.map(|cause| {
+            let mut slid = self.since_entry(&cause.rigid);
+            self.slide(&mut slid);
+            slid
+        });
         product.fill(0.0);
         for k in self.contact.kept() {
             let pulled = [0, 1].map(|c| {
@@ -189,9 +196,10 @@ impl StripLaw for StickSlip {
     /// Strip by strip, and then what friction that depends on the heat from upstream adds in each
     /// cell, without what this does to its neighbours.
     fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
-        for strip in &self.contact.slivers.kept {
-            self.factors.solve(strip, v);
+        if !self.is_factorised {
+            self.factorise(friction.is_some());
         }
+        self.factors.solve(&self.contact.slivers.kept, v);
         if let Some(friction) = friction {
             self.flux_changes.fill(0.0);
             for k in self.contact.kept() {
@@ -249,10 +257,26 @@ impl StripLaw for StickSlip {
 }
 
 impl StickSlip {
-    /// The sliding at the cells from what they have slid since entry, in m.
-    fn slid(&self, since_entry: &[f64]) -> Vec<f64> {
-        let stencils = self.stencils.iter().enumerate();
-        stencils.flat_map(|(k, stencil)| stencil.apply(k, since_entry)).collect()
+    /// Converts what the cells have slid since entry into the sliding at them, in place; both in
+    /// m.
+    fn slide(&self, values: &mut [f64]) {
+        let mut ahead = [0.0; 2];
+        for (k, stencil) in self.stencils.iter().enumerate().rev() {
+            let since_entry = pair(values, k);
+            let slid = stencil.apply(values, k, ahead);
+            values[2 * k..2 * k + 2].copy_from_slice(&slid);
+            ahead = since_entry;
+        }
+    }
+
+    fn factorise(&mut self, is_coupled: bool) {
+        self.factors.factorise(&self.contact.slivers.kept, &self.slopes, self.gamma);
+        if is_coupled {
+            for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
+                self.inverses[k] = self.inverse(k);
+            }
+        }
+        self.is_factorised = true;
     }
 
     /// Sums along the strips of something that happens on the way into each cell.

@@ -14,5 +14,5 @@ mod contact;
 
 pub(in crate::rolling) use calibration::Calibration;
 pub(in crate::rolling) use contact::CoulombContact;
-pub(in crate::rolling) use reduction::{Matrix, Slope, product_2x2, reduced, saturation};
+pub(in crate::rolling) use reduction::{Matrix, Slope, reduced, saturation};
 pub(in crate::rolling) use slip_stencil::{NODES, SlipStencil, through};

@@ -6,9 +6,14 @@
 
 pub(in crate::rolling) type Matrix = [[f64; 2]; 2];
 
+/// |q|, without the care that tractions do not need.
+fn length(q: [f64; 2]) -> f64 {
+    (q[0] * q[0] + q[1] * q[1]).sqrt()
+}
+
 /// P(q) of a pull q for a bound μ pₙ; all in Pa.
 pub(in crate::rolling) fn reduced(q: [f64; 2], bound: f64) -> [f64; 2] {
-    let length = q[0].hypot(q[1]);
+    let length = length(q);
     if length > bound { q.map(|q| q * (bound / length)) } else { q }
 }
 
@@ -30,7 +35,7 @@ pub(in crate::rolling) struct Slope {
 impl Slope {
     /// At a pull q for a bound μ pₙ, both in Pa.
     pub fn at(q: [f64; 2], bound: f64) -> Self {
-        let length = q[0].hypot(q[1]);
+        let length = length(q);
         if length <= bound {
             return Self { by_pull: [[1.0, 0.0], [0.0, 1.0]], by_bound: [0.0; 2] };
         }

@@ -84,13 +84,14 @@ impl SlipStencil {
         self.weight[1]
     }
 
-    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`; in the unit of
-    /// the values.
-    pub fn apply(&self, k: usize, values: &[f64]) -> [f64; 2] {
-        let mut sum = [0.0; 2];
-        for (j, weight) in self.cells(k) {
-            sum[0] += weight * values[2 * j];
-            sum[1] += weight * values[2 * j + 1];
+    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`, with that of the
+    /// next cell downstream given as `ahead`; in the unit of the values.
+    pub fn apply(&self, values: &[f64], k: usize, ahead: [f64; 2]) -> [f64; 2] {
+        let mut sum = ahead.map(|ahead| self.weight[0] * ahead);
+        let behind = values[..2 * k + 2].rchunks_exact(2);
+        for (weight, value) in self.weight[1..].iter().zip(behind) {
+            sum[0] += weight * value[0];
+            sum[1] += weight * value[1];
         }
         sum
     }
@@ -169,7 +170,8 @@ mod tests {
                 for power in 1..=degree {
                     let values: Vec<f64> =
                         distances.iter().flat_map(|d| [d.powi(power), 0.0]).collect();
-                    let [slip, _] = stencil.apply(n, &values);
+                    let ahead = distances.get(n + 1).map_or(0.0, |d| d.powi(power));
+                    let [slip, _] = stencil.apply(&values, n, [ahead, 0.0]);
                     let exact = f64::from(power) * d.powi(power - 1) * way;
                     assert_relative_eq!(slip, exact, max_relative = 1e-12);
                 }
