@@ -210,14 +210,14 @@ fn cold_work_does_not_grow_with_the_grid() {
     }
 }
 
-/// Points of a creep curve start from the points before, and from their search directions.
+/// Points of a creep curve start from the points before.
 #[test]
 fn warm_work_along_a_creep_curve() {
     const POINTS: u32 = 30;
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
     let base = coulomb(semi_axes(1.0), [0.0; 3]);
     for (across, allowed) in
-        [(20, [16.0, 18.0, 20.0]), (40, [18.0, 20.0, 22.0]), (80, [20.0, 20.0, 27.0])]
+        [(20, [16.0, 18.0, 20.0]), (40, [18.0, 20.0, 23.0]), (80, [20.0, 20.0, 27.0])]
     {
         let mut products = Vec::new();
         for direction in directions {

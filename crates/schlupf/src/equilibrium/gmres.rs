@@ -1,6 +1,6 @@
 //! Generalised minimal residual method (Saad and Schultz 1986), preconditioned from the right.
 
-use super::Equilibrium;
+use super::{Continues, Equilibrium, LARGE};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, dot, norm};
 
@@ -21,12 +21,6 @@ pub(crate) struct Gmres {
     projected: Vec<f64>,
     weights: Vec<f64>,
 }
-
-/// An error if the computation is to stop.
-pub(crate) type Continues<'a> = &'a dyn Fn() -> Result<(), Error>;
-
-/// Number of unknowns from which a system counts as large.
-const LARGE: usize = 10_000;
 
 /// Start of a column in a packed triangular matrix.
 fn start_of_column(k: usize) -> usize {

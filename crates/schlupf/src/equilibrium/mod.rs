@@ -7,7 +7,9 @@ mod gmres;
 mod recycling;
 mod newton;
 
-pub(crate) use gmres::{Continues, Gmres};
+use crate::error::Error;
+
+pub(crate) use gmres::Gmres;
 pub use newton::Newton;
 pub use recycling::Directions;
 
@@ -52,6 +54,13 @@ pub trait Equilibrium: Send + Sync {
     /// Replaces v by an approximation to the inverse Jacobian times v, linear in v.
     fn precondition(&mut self, v: &mut [f64]);
 }
+
+/// An error if the computation is to stop.
+pub(crate) type Continues<'a> = &'a dyn Fn() -> Result<(), Error>;
+
+/// Number of unknowns from which a linear system counts as large: the others are solved in a
+/// moment.
+const LARGE: usize = 10_000;
 
 /// Stopping criteria.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 //! 1986): near Coulomb's law F has kinks, along which a norm that must decrease in every step makes
 //! little progress.
 
-use super::{Continues, Directions, Equilibrium, Gmres, Limits, Outcome};
+use super::{Continues, Directions, Equilibrium, Limits, Outcome};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -37,23 +37,17 @@ const MEMORY: usize = 5;
 /// Halvings of a step before it is abandoned.
 const MAX_HALVINGS: usize = 10;
 
-/// Newton steps up to which each linear system is solved on its own. Those who need more change the
-/// Jacobian little from step to step, and directions of earlier systems then save most products;
-/// before, they save fewer than they cost.
-const EARLY: usize = 3;
-
 /// Safe steps after which Newton's method is tried again.
 const SAFE_STEPS: usize = 20;
 
 /// Newton's method and its workspace, kept between solutions.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Newton {
     u: Vec<f64>,
     residual: Vec<f64>,
     step: Vec<f64>,
     response_step: Vec<f64>,
     trial: [Vec<f64>; 3],
-    krylov: Gmres,
     directions: Directions,
 }
 
@@ -64,23 +58,6 @@ pub struct Solved<'a> {
     pub outcome: Outcome,
     /// L p, in m.
     pub response: &'a [f64],
-}
-
-/// Largest dimension of a Krylov space: if that is not sufficient, the step is inexact.
-const MAX_DIMENSION: usize = 120;
-
-impl Default for Newton {
-    fn default() -> Self {
-        Self {
-            u: Vec::new(),
-            residual: Vec::new(),
-            step: Vec::new(),
-            response_step: Vec::new(),
-            trial: [Vec::new(), Vec::new(), Vec::new()],
-            krylov: Gmres::new(MAX_DIMENSION),
-            directions: Directions::default(),
-        }
-    }
 }
 
 impl Newton {
@@ -135,8 +112,7 @@ impl Newton {
             outcome.iterations += 1;
             let enough = ENOUGH * limits.tolerance / outcome.residual;
             let forcing_now = forcing.max(enough).min(0.5);
-            let is_late = outcome.iterations > EARLY;
-            outcome.products += self.direction(system, (forcing_now, is_late), &continues)?;
+            outcome.products += self.direction(system, forcing_now, &continues)?;
             let before = length;
             if !limits.is_monotone {
                 recent[outcome.iterations % MEMORY] = before;
@@ -155,7 +131,7 @@ impl Newton {
     }
 
     fn prepare(&mut self, system: &impl Equilibrium) {
-        self.directions = Directions::default();
+        self.directions.clear();
         let [p, u, residual] = &mut self.trial;
         for vector in [p, residual, &mut self.residual, &mut self.step] {
             vector.resize(system.size(), 0.0);
@@ -196,21 +172,18 @@ impl Newton {
     fn direction(
         &mut self,
         system: &mut impl Equilibrium,
-        (forcing, is_late): (f64, bool),
+        forcing: f64,
         continues: Continues,
     ) -> Result<usize, Error> {
         let target = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
         if let Some(mut directions) = system.directions().map(std::mem::take) {
-            let products = directions.solve(system, &self.residual, forcing, target);
+            let products = directions.solve(system, &self.residual, forcing, (target, continues));
             if let Some(kept) = system.directions() {
                 *kept = directions;
             }
-            return Ok(products);
+            return products;
         }
-        if is_late {
-            return Ok(self.directions.solve(system, &self.residual, forcing, target));
-        }
-        self.krylov.solve(system, &self.residual, forcing, (target, continues))
+        self.directions.solve(system, &self.residual, forcing, (target, continues))
     }
 
     /// Goes along the step until the residual norm decreases sufficiently, and returns it; where
