@@ -32,6 +32,7 @@ pub mod interface;
 mod equilibrium;
 pub mod heat;
 pub mod history;
+pub mod look_up_table;
 pub mod method;
 pub mod state;
 pub mod problem;
