@@ -51,6 +51,7 @@ pub mod bulk_temperature;
 pub mod creep_curve;
 pub mod calibration;
 pub mod identification;
+pub mod table_building;
 pub mod columns;
 #[cfg(feature = "serde")]
 mod serialize;
