@@ -14,6 +14,7 @@ use crate::roughness::Roughness;
 use crate::solve::Solve;
 use crate::stdout;
 use crate::sweep::{Merge, Sweep};
+use crate::table::Table;
 use crate::temperature::Temperature;
 
 const EXIT_CODES: &str = "\
@@ -77,6 +78,9 @@ pub enum Command {
     /// Put the tables of all shards of a study together
     #[command(after_help = EXIT_CODES)]
     Merge(Merge),
+    /// Make a look-up table of creep forces, for multibody codes
+    #[command(after_help = EXIT_CODES)]
+    Table(Table),
     /// Validate a case file and show what would be solved
     Check(CaseArguments),
     /// Write a commented case file to start from

@@ -20,6 +20,7 @@ mod roughness;
 mod solve;
 mod stdout;
 mod sweep;
+mod table;
 mod task;
 mod temperature;
 
@@ -57,6 +58,7 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Fit(arguments) => task::run(&*arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Merge(arguments) => sweep::merge(&arguments),
+        Command::Table(arguments) => table::table(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

@@ -134,6 +134,12 @@ impl LookUpTable {
         [ratios[0], ratios[ratios.len() - 1]]
     }
 
+    /// Whether it covers patches of an a/b, dimensionless.
+    pub fn covers(&self, axis_ratio: f64) -> bool {
+        let [low, high] = self.axis_ratios();
+        (low * (1.0 - ROUNDING)..=high * (1.0 + ROUNDING)).contains(&axis_ratio)
+    }
+
     /// Forces and moment at a/b and (ξ', η', φ') = G ab/(μN) (ξ, η, √(ab) φ), all dimensionless.
     /// Allocates nothing. Values that are not finite give forces that are not.
     pub fn normalised_force(&self, axis_ratio: f64, creepages: [f64; 3]) -> NormalisedForce {
@@ -144,7 +150,7 @@ impl LookUpTable {
     pub(crate) fn at(&self, axis_ratio: f64, coefficients: Option<[f64; 4]>) -> AtShape {
         let [low, high] = self.axis_ratios();
         let ratio = self.axis_ratio.weights(axis_ratio.ln());
-        let is_covered = (low * (1.0 - ROUNDING)..=high * (1.0 + ROUNDING)).contains(&axis_ratio);
+        let is_covered = self.covers(axis_ratio);
         let coefficients = coefficients.unwrap_or_else(|| {
             let mut sum = [0.0; WIDTH];
             for (weight, row) in ratio.values.iter().zip(&self.creep_coefficients[ratio.first..]) {
