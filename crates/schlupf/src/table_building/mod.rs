@@ -58,7 +58,7 @@ impl Default for TableOptions {
             most_solutions: 200_000,
             cells: 24,
             states: 1000,
-            nodes: [7, 12, 8, 11],
+            nodes: [17, 14, 9, 13],
         }
     }
 }
@@ -97,10 +97,6 @@ pub struct TableError {
 /// Random r lie within this factor of 1.
 const SPREAD: f64 = 30.0;
 
-/// Seeds of the states that decide and of those that measure.
-const DECIDING: u64 = 1;
-const MEASURING: u64 = 2;
-
 /// Most rounds of refinement; each adds at least one node to an axis.
 const MOST_ROUNDS: usize = 60;
 
@@ -126,8 +122,32 @@ const MOST_ROUNDS: usize = 60;
 /// Options outside their bounds, and [`Error::Stopped`].
 pub fn build(options: &TableOptions, watch: Watch) -> Result<BuiltTable, Error> {
     options.check()?;
-    let mut building = Building { options, axes: options.axes(), solved: BTreeMap::new() };
-    let deciding = RandomStates::new(options, DECIDING, watch)?;
+    finish(Building { options, axes: options.axes(), solved: BTreeMap::new() }, watch)
+}
+
+/// The same, where nodes that an earlier table of the same ν has, too, are taken from there. They
+/// are those of a table that converged.
+///
+/// # Errors
+/// Those of [`build`], and another ν.
+pub fn build_from(
+    earlier: &LookUpTable,
+    options: &TableOptions,
+    watch: Watch,
+) -> Result<BuiltTable, Error> {
+    options.check()?;
+    let ratio = earlier.nodes().poisson_ratio;
+    let same = Requirement::Between(ratio, ratio);
+    require(Quantity::PoissonRatio, same, options.poisson_ratio)?;
+    let solved = forces_of(earlier.nodes());
+    finish(Building { options, axes: options.axes(), solved }, watch)
+}
+
+/// Solves and refines until random states are within the tolerance.
+fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
+    let options = building.options;
+    let mut states = RandomStates::new(options, 0, watch)?;
+    let mut sets = 1;
     let mut round = 0;
     loop {
         round += 1;
@@ -135,9 +155,17 @@ pub fn build(options: &TableOptions, watch: Watch) -> Result<BuiltTable, Error> 
         let nodes = building.nodes()?;
         let additions = Grid { nodes: &nodes }.additions();
         let table = LookUpTable::new(nodes)?;
-        let is_within_tolerance = deciding.error(&table).largest <= options.tolerance;
-        if is_within_tolerance || round == MOST_ROUNDS || !building.refine(&additions) {
-            let error = RandomStates::new(options, MEASURING, watch)?.error(&table);
+        let mut error = states.error(&table);
+        let is_good = error.largest <= options.tolerance;
+        let is_last = round == MOST_ROUNDS || !building.can_refine(&additions);
+        if is_good || is_last {
+            // Other states confirm it, or decide from then on.
+            states = RandomStates::new(options, sets, watch)?;
+            sets += 1;
+            error = states.error(&table);
+        }
+        let is_within_tolerance = is_good && error.largest <= options.tolerance;
+        if is_within_tolerance || is_last {
             let unconverged = building.solved.values().filter(|solved| !solved.converged);
             return Ok(BuiltTable {
                 table,
@@ -148,6 +176,7 @@ pub fn build(options: &TableOptions, watch: Watch) -> Result<BuiltTable, Error> 
                 rounds: round,
             });
         }
+        building.refine(&additions);
     }
 }
 
@@ -319,20 +348,45 @@ impl Building<'_> {
         }
     }
 
-    /// Adds nodes; false if that would take too many solutions or there are none.
-    fn refine(&mut self, additions: &Additions) -> bool {
-        let mut axes = self.axes.clone();
-        for (axis, new) in axes.iter_mut().zip(additions) {
+    /// Whether there are nodes to add, and not too many.
+    fn can_refine(&self, additions: &Additions) -> bool {
+        let counts = self.axes.iter().zip(additions).map(|(axis, new)| axis.len() + new.len());
+        let is_more = additions.iter().any(|new| !new.is_empty());
+        is_more && counts.product::<usize>() <= self.options.most_solutions
+    }
+
+    /// Adds nodes.
+    fn refine(&mut self, additions: &Additions) {
+        for (axis, new) in self.axes.iter_mut().zip(additions) {
             axis.extend(new);
             axis.sort_by(f64::total_cmp);
         }
-        let solutions: usize = axes.iter().map(Vec::len).product();
-        if axes == self.axes || solutions > self.options.most_solutions {
-            return false;
-        }
-        self.axes = axes;
-        true
     }
+}
+
+/// The forces at the nodes of a table, but those that are not solved.
+fn forces_of(nodes: &TableNodes) -> BTreeMap<Node, Solved> {
+    let mut solved = BTreeMap::new();
+    let mut values = nodes.values.iter();
+    for (ratio, coefficients) in nodes.axis_ratios.iter().zip(&nodes.creep_coefficients) {
+        let shape = Shape::new(*ratio, *coefficients);
+        for azimuth in &nodes.azimuths {
+            for inclination in &nodes.inclinations {
+                let adhesion = shape.adhesion(shape.direction(*inclination, *azimuth));
+                for (saturation, value) in nodes.saturations.iter().zip(values.by_ref()) {
+                    let is_end = *saturation == 0.0 || *saturation == 1.0;
+                    if is_end || (*inclination == 0.0 && *azimuth != 0.0) {
+                        continue;
+                    }
+                    let force = |k: usize| saturation * (adhesion[k] + f64::from(value[k]));
+                    let force = std::array::from_fn(force);
+                    let at = node([*ratio, *azimuth, *inclination, *saturation]);
+                    solved.insert(at, Solved { force, converged: true });
+                }
+            }
+        }
+    }
+    solved
 }
 
 /// R at a node: see [`crate::look_up_table`].
