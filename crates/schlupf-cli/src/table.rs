@@ -1,14 +1,14 @@
 //! `schlupf table`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use schlupf::table_building::{TableOptions, build};
+use schlupf::table_building::{TableOptions, build, build_from};
 use schlupf::{Error, Quantity};
 use schlupf_table::{StoredTable, TableFileError};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
-use crate::outputs::{self, Output};
+use crate::outputs::{self, Input, Output};
 use crate::progress::Progress;
 use crate::stdout;
 
@@ -38,6 +38,9 @@ pub struct Table {
     /// Most states to solve; the table ends there if the error is not met
     #[arg(long, value_name = "N", default_value_t = TableOptions::default().most_solutions)]
     pub most_solutions: usize,
+    /// A table made before, of the same Poisson's ratio: its nodes are not solved again
+    #[arg(long, value_name = "FILE")]
+    pub from: Option<PathBuf>,
     /// Print no summary
     #[arg(short, long)]
     pub quiet: bool,
@@ -59,8 +62,14 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
         most_solutions: arguments.most_solutions,
         ..TableOptions::default()
     };
+    let earlier =
+        arguments.from.as_deref().map(|path| read(path, &arguments.output)).transpose()?;
     let progress = Progress::start();
-    let built = build(&options, &progress.watch()).map_err(|error| refused(&error))?;
+    let built = match &earlier {
+        None => build(&options, &progress.watch()),
+        Some(earlier) => build_from(&earlier.table, &options, &progress.watch()),
+    };
+    let built = built.map_err(|error| refused(&error))?;
     drop(progress);
     let is_met = built.is_within_tolerance && built.unconverged == 0;
     let stored = StoredTable::new(built, &options);
@@ -71,6 +80,16 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
         stdout::write(&summary(arguments, &stored, size))?;
     }
     Ok(if is_met { SUCCESS } else { NOT_CONVERGED })
+}
+
+/// A table made before, which must not be written over.
+fn read(path: &Path, output: &Path) -> Result<StoredTable, Failure> {
+    let outputs = [Output { option: OUTPUT, path: output.to_owned() }];
+    let input = Input { what: "--from".to_owned(), path: path.to_owned(), except: None };
+    outputs::refuse_inputs(&outputs, None, &[input])?;
+    let bytes = std::fs::read(path).map_err(|cause| Failure::file(path, cause))?;
+    StoredTable::from_bytes(&bytes)
+        .map_err(|error| Failure::Arguments(format!("--from: {} {error}", path.display())))
 }
 
 /// By the names of the options.

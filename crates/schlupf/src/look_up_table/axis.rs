@@ -1,6 +1,7 @@
 //! An axis of the table: cubic splines through its nodes.
 
 use nalgebra::DMatrix;
+use wide::f32x4;
 
 /// How a function continues beyond the ends of an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +35,8 @@ pub(crate) struct Axis {
     scales: Vec<f64>,
     /// Coefficients of the four basis functions on each piece, in powers of the part of its width.
     pieces: Vec<[[f64; LOCAL]; LOCAL]>,
+    /// The same for each power, in single precision: all four functions at once.
+    powers: Vec<[f32x4; LOCAL]>,
     /// The piece at the start of each bucket.
     buckets: Vec<u32>,
     bucket_scale: f64,
@@ -44,9 +47,9 @@ pub(crate) struct Axis {
 pub(crate) struct Weights {
     /// The first coefficient they belong to.
     pub first: usize,
-    pub values: [f32; LOCAL],
+    pub values: f32x4,
     /// Their derivatives along the axis.
-    pub slopes: [f32; LOCAL],
+    pub slopes: f32x4,
 }
 
 impl Axis {
@@ -55,7 +58,8 @@ impl Axis {
         let knots = knots(&nodes, ends);
         let count = knots.len() - LOCAL;
         let spans: Vec<usize> = (LOCAL - 1..count).filter(|k| knots[*k + 1] > knots[*k]).collect();
-        let pieces = spans.iter().map(|span| polynomials(&knots, *span)).collect();
+        let pieces: Vec<_> = spans.iter().map(|span| polynomials(&knots, *span)).collect();
+        let powers = pieces.iter().map(powers).collect();
         let mut starts: Vec<f64> = spans.iter().map(|span| knots[*span]).collect();
         let scales = spans.iter().map(|span| (knots[span + 1] - knots[*span]).recip()).collect();
         let (low, high) = (knots[LOCAL - 1], knots[count]);
@@ -68,7 +72,7 @@ impl Axis {
         };
         let buckets = (0..bucket_count).map(piece_at).collect();
         let bucket_scale = bucket_count as f64 / (high - low);
-        Self { nodes, ends, starts, scales, pieces, buckets, bucket_scale }
+        Self { nodes, ends, starts, scales, pieces, powers, buckets, bucket_scale }
     }
 
     pub fn nodes(&self) -> &[f64] {
@@ -90,12 +94,11 @@ impl Axis {
             piece += 1;
         }
         let scale = self.scales[piece];
-        let u = (at - self.starts[piece]) * scale;
-        let basis = &self.pieces[piece];
-        let value = |[c0, c1, c2, c3]: [f64; LOCAL]| (c0 + u * (c1 + u * (c2 + u * c3))) as f32;
-        let slope =
-            |[_, c1, c2, c3]: [f64; LOCAL]| (scale * (c1 + u * (2.0 * c2 + u * 3.0 * c3))) as f32;
-        Weights { first: piece, values: basis.map(value), slopes: basis.map(slope) }
+        let u = f32x4::splat(((at - self.starts[piece]) * scale) as f32);
+        let [c0, c1, c2, c3] = self.powers[piece];
+        let values = c0 + u * (c1 + u * (c2 + u * c3));
+        let slopes = c1 + u * (c2 + c2 + u * (c3 + c3 + c3));
+        Weights { first: piece, values, slopes: slopes * f32x4::splat(scale as f32) }
     }
 
     /// The matrix that turns values at the nodes into coefficients; `signs` are those with which
@@ -191,6 +194,11 @@ fn polynomials(knots: &[f64], span: usize) -> [[f64; LOCAL]; LOCAL] {
     })
 }
 
+/// For each power the coefficients of the four basis functions.
+fn powers(piece: &[[f64; LOCAL]; LOCAL]) -> [f32x4; LOCAL] {
+    std::array::from_fn(|power| f32x4::from(piece.map(|basis| basis[power] as f32)))
+}
+
 /// The non-zero cubic basis functions at a point of a piece (de Boor 1972).
 fn de_boor(knots: &[f64], span: usize, at: f64) -> [f64; LOCAL] {
     let mut basis = [1.0, 0.0, 0.0, 0.0];
@@ -213,29 +221,21 @@ mod tests {
 
     use super::*;
 
+    /// Value and derivative at a point of the spline through a function.
     fn interpolated(
         axis: &Axis,
         signs: [f64; 2],
         function: impl Fn(f64) -> f64,
         at: f64,
     ) -> [f64; 2] {
-        let matrix = axis.from_values(signs).unwrap();
-        let values = nalgebra::DVector::from_iterator(
-            axis.nodes.len(),
-            axis.nodes.iter().map(|node| function(*node)),
-        );
-        let coefficients = matrix * values;
-        let weights = axis.weights(at);
-        let sum = |weights: [f32; LOCAL]| {
-            (0..LOCAL)
-                .map(|k| f64::from(weights[k]) * coefficients[weights_first(axis, at) + k])
-                .sum()
-        };
-        [sum(weights.values), sum(weights.slopes)]
-    }
-
-    fn weights_first(axis: &Axis, at: f64) -> usize {
-        axis.weights(at).first
+        let values = axis.nodes.iter().map(|node| function(*node));
+        let values = nalgebra::DVector::from_iterator(axis.nodes.len(), values);
+        let coefficients = axis.from_values(signs).unwrap() * values;
+        let Weights { first, values, slopes } = axis.weights(at);
+        [values, slopes].map(|weights| {
+            let weights = weights.to_array().into_iter().map(f64::from);
+            weights.zip(coefficients.iter().skip(first)).map(|(w, c)| w * c).sum()
+        })
     }
 
     /// Open ends: cubic polynomials are reproduced, with their derivative, on any nodes.

@@ -25,6 +25,7 @@ mod coordinates;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::DMatrix;
+use wide::f32x4;
 
 use crate::error::{Error, Place, require, require_at};
 use crate::quantity::Quantity;
@@ -74,9 +75,11 @@ pub struct LookUpTable {
     inclination: Axis,
     saturation: Axis,
     /// For each a/b, azimuth, inclination and saturation; the fourth number is unused.
-    coefficients: Vec<[f32; WIDTH]>,
+    coefficients: Vec<f32x4>,
+    /// Distances between neighbours in a/b, azimuth and inclination.
+    strides: [usize; 3],
     /// C11, C22, C23 and C33 for each coefficient in a/b.
-    creep_coefficients: Vec<[f32; WIDTH]>,
+    creep_coefficients: Vec<f32x4>,
 }
 
 /// Numbers that are interpolated together.
@@ -112,7 +115,12 @@ impl LookUpTable {
             value: f64::NAN,
             place: Place::Only,
         })?;
+        let [azimuths, inclinations, saturations] =
+            [&azimuth, &inclination, &saturation].map(Axis::coefficients);
+        let strides =
+            [azimuths * inclinations * saturations, inclinations * saturations, saturations];
         Ok(Self {
+            strides,
             nodes,
             axis_ratio,
             azimuth,
@@ -152,11 +160,10 @@ impl LookUpTable {
         let ratio = self.axis_ratio.weights(axis_ratio.ln());
         let is_covered = self.covers(axis_ratio);
         let coefficients = coefficients.unwrap_or_else(|| {
-            let mut sum = [0.0; WIDTH];
-            for (weight, row) in ratio.values.iter().zip(&self.creep_coefficients[ratio.first..]) {
-                add(&mut sum, *weight, row);
-            }
-            sum.map(f64::from)
+            let rows = &self.creep_coefficients[ratio.first..];
+            let rows = splat(ratio.values).into_iter().zip(rows);
+            let sum = rows.fold(f32x4::ZERO, |sum, (weight, row)| sum + weight * *row);
+            sum.to_array().map(f64::from)
         });
         AtShape { shape: Shape::new(axis_ratio.clamp(low, high), coefficients), ratio, is_covered }
     }
@@ -215,33 +222,39 @@ impl LookUpTable {
         let azimuth = self.azimuth.weights(coordinates.azimuth);
         let inclination = self.inclination.weights(coordinates.inclination);
         let saturation = self.saturation.weights(saturation);
-        let counts = [&self.azimuth, &self.inclination, &self.saturation].map(Axis::coefficients);
-        let mut rest = [[0.0_f32; WIDTH]; 4];
-        for i in 0..azimuth.values.len() {
-            let mut row = [[0.0_f32; WIDTH]; 3];
-            for j in 0..inclination.values.len() {
-                let mut sums = [[0.0_f32; WIDTH]; 4];
-                for (k, weight) in at.ratio.values.iter().enumerate() {
-                    let plane = (at.ratio.first + k) * counts[0] + azimuth.first + i;
-                    let line = plane * counts[1] + inclination.first + j;
-                    let start = line * counts[2] + saturation.first;
+        let ratios = splat(at.ratio.values);
+        let [values, slopes] = [saturation.values, saturation.slopes].map(splat);
+        let [across, along] = [inclination.values, inclination.slopes].map(splat);
+        let [around, turning] = [azimuth.values, azimuth.slopes].map(splat);
+        let first = at.ratio.first * self.strides[0]
+            + azimuth.first * self.strides[1]
+            + inclination.first * self.strides[2]
+            + saturation.first;
+        let mut rest = [f32x4::ZERO; 4];
+        for i in 0..WIDTH {
+            let mut row = [f32x4::ZERO; 3];
+            for j in 0..WIDTH {
+                let line = first + i * self.strides[1] + j * self.strides[2];
+                let mut sums = [f32x4::ZERO; WIDTH];
+                for (k, ratio) in ratios.iter().enumerate() {
+                    let start = line + k * self.strides[0];
                     for (sum, nodes) in sums.iter_mut().zip(&self.coefficients[start..start + 4]) {
-                        add(sum, *weight, nodes);
+                        *sum += *ratio * *nodes;
                     }
                 }
-                let (mut value, mut slope) = ([0.0_f32; WIDTH], [0.0_f32; WIDTH]);
-                for (k, sum) in sums.iter().enumerate() {
-                    add(&mut value, saturation.values[k], sum);
-                    add(&mut slope, saturation.slopes[k], sum);
+                let (mut value, mut slope) = (f32x4::ZERO, f32x4::ZERO);
+                for (k, sum) in sums.into_iter().enumerate() {
+                    value += values[k] * sum;
+                    slope += slopes[k] * sum;
                 }
-                add(&mut row[0], inclination.values[j], &value);
-                add(&mut row[1], inclination.values[j], &slope);
-                add(&mut row[2], inclination.slopes[j], &value);
+                row[0] += across[j] * value;
+                row[1] += across[j] * slope;
+                row[2] += along[j] * value;
             }
-            add(&mut rest[0], azimuth.values[i], &row[0]);
-            add(&mut rest[1], azimuth.values[i], &row[1]);
-            add(&mut rest[2], azimuth.values[i], &row[2]);
-            add(&mut rest[3], azimuth.slopes[i], &row[0]);
+            for (rest, row) in rest.iter_mut().zip(row) {
+                *rest += around[i] * row;
+            }
+            rest[3] += turning[i] * row[0];
         }
         Rest::new(rest, coordinates.pole)
     }
@@ -258,12 +271,10 @@ struct Rest {
 impl Rest {
     /// Near the direction of ξ, Fx is even in the distance to it, Fy and Mz are odd: there is part
     /// `pole` of the distance left to where they were interpolated.
-    fn new(
-        [values, by_saturation, by_inclination, by_azimuth]: [[f32; WIDTH]; 4],
-        pole: f64,
-    ) -> Self {
-        let with = |sums: [f32; WIDTH], factors: [f64; 2]| {
-            let [x, y, moment, _] = sums.map(f64::from);
+    fn new(sums: [f32x4; 4], pole: f64) -> Self {
+        let [values, by_saturation, by_inclination, by_azimuth] = sums;
+        let with = |sums: f32x4, factors: [f64; 2]| {
+            let [x, y, moment, _] = sums.to_array().map(f64::from);
             [factors[0] * x, factors[1] * y, factors[1] * moment]
         };
         Self {
@@ -275,10 +286,9 @@ impl Rest {
     }
 }
 
-fn add(sum: &mut [f32; WIDTH], weight: f32, values: &[f32; WIDTH]) {
-    for (sum, value) in sum.iter_mut().zip(values) {
-        *sum += weight * value;
-    }
+/// Each of four numbers, four times.
+fn splat(numbers: f32x4) -> [f32x4; WIDTH] {
+    numbers.to_array().map(f32x4::splat)
 }
 
 /// Scales a force that the splines let exceed the friction limit back to it; `slopes` are columns.
@@ -350,7 +360,7 @@ impl TableNodes {
     }
 }
 
-type Coefficients = (Vec<[f32; WIDTH]>, Vec<[f32; WIDTH]>);
+type Coefficients = (Vec<f32x4>, Vec<f32x4>);
 
 /// Coefficients of the splines through all values, and through the creep coefficients.
 fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
@@ -388,9 +398,9 @@ fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
                 *sum += open[(row, column)] * value;
             }
         }
-        sum.map(|value: f64| value as f32)
+        f32x4::from(sum.map(|value: f64| value as f32))
     });
-    Some((whole, creep.collect()))
+    Some((whole.into_iter().map(f32x4::from).collect(), creep.collect()))
 }
 
 /// A field on a grid of a given shape with a matrix applied along one of its axes.

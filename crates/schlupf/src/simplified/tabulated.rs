@@ -18,9 +18,8 @@ use super::elliptic_contact::friction_state;
 ///
 /// let options = TableOptions {
 ///     axis_ratios: [1.0, 1.4],
-///     tolerance: 0.1,
+///     tolerance: 0.3,
 ///     states: 10,
-///     nodes: [5; 4],
 ///     ..TableOptions::default()
 /// };
 /// let table = build(&options, &unwatched)?.table;

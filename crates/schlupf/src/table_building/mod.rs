@@ -44,8 +44,6 @@ pub struct TableOptions {
     /// Random states that decide whether the table is good enough, and as many that then measure
     /// its error.
     pub states: usize,
-    /// Nodes to begin with: of a/b, azimuth, inclination and saturation; at least five each.
-    pub nodes: [usize; 4],
 }
 
 impl Default for TableOptions {
@@ -54,11 +52,10 @@ impl Default for TableOptions {
         Self {
             poisson_ratio: 0.28,
             axis_ratios: [0.1, 10.0],
-            tolerance: 0.01,
+            tolerance: STANDARD_TOLERANCE,
             most_solutions: 200_000,
             cells: 24,
             states: 1000,
-            nodes: [17, 14, 9, 13],
         }
     }
 }
@@ -94,6 +91,15 @@ pub struct TableError {
     pub largest: f64,
 }
 
+/// Fewest nodes of an axis to begin with.
+const FEWEST: usize = 5;
+
+/// Intervals of a/b to begin with.
+const INTERVALS_OF_A_DECADE: f64 = 8.0;
+
+/// The tolerance of the standard table.
+const STANDARD_TOLERANCE: f64 = 0.01;
+
 /// Random r lie within this factor of 1.
 const SPREAD: f64 = 30.0;
 
@@ -108,9 +114,8 @@ const MOST_ROUNDS: usize = 60;
 ///
 /// let options = TableOptions {
 ///     axis_ratios: [0.9, 1.1],
-///     tolerance: 0.05,
-///     states: 20,
-///     nodes: [5; 4],
+///     tolerance: 0.3,
+///     states: 10,
 ///     ..TableOptions::default()
 /// };
 /// let built = build(&options, &unwatched)?;
@@ -182,7 +187,6 @@ fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
 
 impl TableOptions {
     fn check(&self) -> Result<(), Error> {
-        const TABLE: Quantity = Quantity::LookUpTable;
         require(Quantity::PoissonRatio, Requirement::Between(0.0, 0.5), self.poisson_ratio)?;
         let [low, high] = self.axis_ratios;
         require(Quantity::AxisRatio, Requirement::Between(0.05, 20.0), low)?;
@@ -198,8 +202,17 @@ impl TableOptions {
         }
         require(Quantity::Tolerance, Requirement::Between(1e-4, 0.5), self.tolerance)?;
         require(Quantity::CellsX, Requirement::Between(20.0, 200.0), self.cells as f64)?;
-        require_several(TABLE, 1, self.states)?;
-        self.nodes.into_iter().try_for_each(|count| require_several(TABLE, 5, count))
+        require_several(Quantity::LookUpTable, 1, self.states)
+    }
+
+    /// Numbers of nodes to begin with, of a/b, azimuth, inclination and saturation. The error of
+    /// the splines is of fourth order.
+    fn first_counts(&self) -> [usize; 4] {
+        let part = (STANDARD_TOLERANCE / self.tolerance).powf(0.25).min(1.0);
+        let [low, high] = self.axis_ratios;
+        let decades = (high / low).log10();
+        let ratios = 1.0 + INTERVALS_OF_A_DECADE * decades;
+        [ratios, 14.0, 9.0, 13.0].map(|count| ((part * count).round() as usize).max(FEWEST))
     }
 
     /// The nodes to begin with.
@@ -207,7 +220,7 @@ impl TableOptions {
         let between = |low: f64, high: f64, count: usize, intervals: usize| -> Vec<f64> {
             (0..count).map(|k| low + (high - low) * (k as f64 / intervals as f64)).collect()
         };
-        let [ratios, azimuths, inclinations, saturations] = self.nodes;
+        let [ratios, azimuths, inclinations, saturations] = self.first_counts();
         let [low, high] = self.axis_ratios;
         let mut axis_ratios: Vec<f64> =
             between(low.ln(), high.ln(), ratios, ratios - 1).iter().map(|x| x.exp()).collect();
