@@ -15,6 +15,7 @@ use crate::roughness::Roughness;
 use crate::solve::Solve;
 use crate::stdout;
 use crate::sweep::{Merge, Sweep};
+use crate::table::Table;
 use crate::temperature::Temperature;
 
 const EXIT_CODES: &str = "\
@@ -81,6 +82,9 @@ pub enum Command {
     /// Compute the damage over a run: energy, fatigue and wear across the profile
     #[command(after_help = EXIT_CODES)]
     Damage(Box<Damage>),
+    /// Make a look-up table of creep forces, for multibody codes
+    #[command(after_help = EXIT_CODES)]
+    Table(Table),
     /// Validate a case file and show what would be solved
     Check(CaseArguments),
     /// Write a commented case file to start from

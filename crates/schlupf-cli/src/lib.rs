@@ -21,6 +21,7 @@ mod roughness;
 mod solve;
 mod stdout;
 mod sweep;
+mod table;
 mod task;
 mod temperature;
 
@@ -59,6 +60,7 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Damage(arguments) => task::run(&*arguments),
         Command::Merge(arguments) => sweep::merge(&arguments),
+        Command::Table(arguments) => table::table(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

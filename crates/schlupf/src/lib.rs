@@ -32,6 +32,7 @@ pub mod interface;
 mod equilibrium;
 pub mod heat;
 pub mod history;
+pub mod look_up_table;
 pub mod method;
 pub mod state;
 pub mod problem;
@@ -51,6 +52,7 @@ pub mod damage;
 pub mod creep_curve;
 pub mod calibration;
 pub mod identification;
+pub mod table_building;
 pub mod columns;
 #[cfg(feature = "serde")]
 mod serialize;

@@ -70,6 +70,7 @@ quantities! {
     SemiAxisX "semi_axis_x" "a" "m" "half the length of the patch along rolling"
     SemiAxisY "semi_axis_y" "b" "m" "half the width of the patch across rolling"
     AxisRatio "axis_ratio" "a/b" "" "length of the patch over its width"
+    LookUpTable "look_up_table" "" "" "look-up table of the forces"
     PressureTable "pressure_table" "p" "Pa" "table of the normal pressure"
     UndeformedDistance "undeformed_distance" "h" "m" "distance between the undeformed bodies"
     NormalCells "normal_cells" "" "" "cells across the patch of the normal contact"

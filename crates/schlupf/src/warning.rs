@@ -205,6 +205,19 @@ messages! {
          1/30 and 30, C33 is a limit only"
     );
 
+    /// A patch that a look-up table does not cover.
+    "outside-table" OutsideTable {
+        /// a/b, dimensionless.
+        axis_ratio: f64,
+        /// Range of the table, dimensionless.
+        range: [f64; 2],
+    } Quantity::Method, |name, words| format!(
+        "{name}: the look-up table covers a/b from {} to {}, but the patch has {axis_ratio:.4}; its \
+         forces beyond the linear range are those of the nearest a/b in the table",
+        readable(range[0]),
+        readable(range[1])
+    );
+
     /// A patch that is no ellipse but counts as one.
     "counts-as-ellipse" CountsAsEllipse {
         /// The method.

@@ -149,6 +149,7 @@ choices! {
         KalkerLinear "kalker-linear" "Kalker's linear theory: forces for small creepages";
         ShenHedrickElkins "shen-hedrick-elkins" "Shen, Hedrick and Elkins 1983: forces";
         Polach "polach" "Polach 1999 and 2005: forces, with k_A and k_S";
+        Table "table" "a look-up table of the half-space with Coulomb's law: forces";
         Fastsim "fastsim" "Kalker 1982: bristles without coupling, with heat";
         ModifiedFastsim "modified-fastsim"
             "Spiryagin, Polach and Cole 2013: FASTSIM with a slope that falls with the creepage";
