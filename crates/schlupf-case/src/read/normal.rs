@@ -10,6 +10,7 @@ use schlupf::normal::hertz::Hertz;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 
+use super::wheel_rail::Unsolved;
 use super::bodies::{RAIL, WHEEL, radii};
 use crate::error::CaseError;
 use crate::fields::choice::NormalModel;
@@ -31,6 +32,7 @@ pub fn source(
         NormalModel::Ellipse => Arc::new(ellipse(settings)?),
         NormalModel::Tabulated => Arc::new(tabulated(settings)?),
         NormalModel::Profile => Arc::new(profile(settings, contact_modulus(wheel, rail))?),
+        NormalModel::WheelRail => Arc::new(Unsolved),
     })
 }
 

@@ -38,8 +38,6 @@ pub(super) struct ContactPlane {
     pub guess: [[f64; 2]; 2],
     /// Bounds along s, beyond which a neighbouring contact has its own plane; in m.
     pub limits: [f64; 2],
-    /// Largest vertical overlap of its regions, in m.
-    pub depth: f64,
 }
 
 impl ContactPlane {
@@ -108,7 +106,6 @@ fn union(one: &Region, two: &Region) -> Region {
         x: mean(one.x, two.x),
         y: mean(one.y, two.y),
         inclination: mean(one.inclination, two.inclination),
-        depth: one.depth.max(two.depth),
         ends: [one.ends[0], two.ends[1]],
         along: [one.along[0].min(two.along[0]), one.along[1].max(two.along[1])],
         nearest: heavier.nearest,
@@ -129,7 +126,6 @@ fn plane(pair: &Pair, region: &Region) -> ContactPlane {
         arcs: [arc, near.wheel[1]],
         guess: [region.along.map(|x| x - region.x), [0.0; 2]],
         limits: [f64::NEG_INFINITY, f64::INFINITY],
-        depth: region.depth,
     };
     plane.guess[1] = region.ends.map(|end| plane.along(end));
     plane

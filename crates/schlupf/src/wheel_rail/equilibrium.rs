@@ -53,8 +53,6 @@ pub(super) struct Lowering<'a> {
 pub(super) struct Lowered {
     pub depth: f64,
     pub contacts: Vec<Pressed>,
-    /// Relative error of the vertical force, dimensionless.
-    pub residual: f64,
 }
 
 impl Lowering<'_> {
@@ -137,7 +135,7 @@ impl Lowering<'_> {
                 contacts.iter().map(|contact| contact.force * weight(contact, ratios)).sum();
             let residual = force / load - 1.0;
             if residual.abs() <= tolerance || (high - low) <= ROUNDING * depth {
-                return Ok(Lowered { depth, contacts, residual });
+                return Ok(Lowered { depth, contacts });
             }
             if residual < 0.0 {
                 low = depth;

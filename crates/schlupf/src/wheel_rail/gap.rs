@@ -52,8 +52,6 @@ pub(super) struct Region {
     pub y: f64,
     /// Weighted mean of the rail's inclination, in rad.
     pub inclination: f64,
-    /// Largest vertical overlap, in m.
-    pub depth: f64,
     /// Ends on the rail, y and z in m.
     pub ends: [[f64; 2]; 2],
     /// Extent along x, in m.
@@ -116,12 +114,6 @@ impl Gap {
         };
         self.runs.iter().flat_map(overlaps).collect()
     }
-
-    /// The point of the gap nearest to y (in m).
-    pub fn nearest(&self, y: f64) -> Option<GapPoint> {
-        let points = self.runs.iter().flatten();
-        points.min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs())).copied()
-    }
 }
 
 impl Region {
@@ -142,7 +134,6 @@ impl Region {
             x: mean(|point| point.wheel[0]),
             y,
             inclination: mean(|point| point.inclination),
-            depth: points.iter().map(depth).fold(0.0, f64::max),
             ends: [end(first), end(last)],
             along: [
                 points.iter().map(|p| p.wheel[0] - half(p)).fold(f64::INFINITY, f64::min),

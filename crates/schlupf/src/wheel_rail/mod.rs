@@ -26,10 +26,12 @@ mod equilibrium;
 mod side;
 mod patch;
 mod wheel;
+mod resting;
 
 pub use contact_plane::Joining;
 pub use creepage::Motion;
 pub use pair::{Pair, RailShape, Track, WheelShape};
 pub use profile_curve::{CurvePoint, LEAST_SPACING, ProfileCurve};
+pub use resting::resting_roll;
 pub use side::Side;
 pub use wheel::{Contact, Position, Support, Tangential, WheelOnRail, WheelSolution};

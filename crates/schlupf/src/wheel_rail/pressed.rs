@@ -56,8 +56,6 @@ pub(super) struct Pressed {
     pub force: f64,
     /// In m.
     pub approach: f64,
-    /// Cells and iterations.
-    pub iterations: usize,
 }
 
 /// Bodies that are pressed together in a plane.
@@ -125,9 +123,9 @@ impl Pressing<'_> {
         let options = if columns.max(rows) > COARSE { &FINELY } else { &COARSELY };
         let solution = contact.solve_at_level(0.0, options, self.watch)?;
         require_convergence(&solution, options)?;
-        let RoughContactSolution { pressure, load, approach, iterations, .. } = solution;
+        let RoughContactSolution { pressure, load, approach, .. } = solution;
         let plane = *plane;
-        let pressed = Pressed { plane, x, s, pressure, force: load, approach, iterations };
+        let pressed = Pressed { plane, x, s, pressure, force: load, approach };
         Ok(Some((pressed, is_beyond)))
     }
 }

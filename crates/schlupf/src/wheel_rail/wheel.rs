@@ -205,7 +205,7 @@ impl WheelOnRail {
                     return Err(WheelRailError::Lifted { gap: -depth }.into());
                 }
                 let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
-                let lowered = Lowered { depth, contacts, residual: 0.0 };
+                let lowered = Lowered { depth, contacts };
                 let solved = self.slide(&lowering, &lowered, (tangential, tangential.options), watch)?;
                 Ok(self.solution(&lowering, &lowered, solved, 1))
             }
