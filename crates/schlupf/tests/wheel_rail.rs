@@ -6,7 +6,7 @@ use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::contact_law::{Coulomb, Incremental, ContactLaw};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::{Body, Material};
+use schlupf::material::{Body, Material, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
     Joining, Motion, Pair, Position, ProfileCurve, RailShape, Side, Support, Tangential, Track,
@@ -59,7 +59,7 @@ fn solve(wheel: &WheelOnRail, law: &Arc<dyn ContactLaw>) -> Result<WheelSolution
     };
     let options = Options::default();
     let solver = |options: &Options| Method::Full.solver(options);
-    let tangential = Tangential { problem: &problem, solver: &solver, options: &options };
+    let tangential = Tangential { problem: &problem, contact_modulus: contact_modulus(&material, &material), solver: &solver, options: &options };
     wheel.solve(&tangential, &unwatched)
 }
 

@@ -19,7 +19,7 @@ use schlupf::history::History;
 use schlupf::material::Material;
 use schlupf::normal::NormalContact;
 use schlupf::rolling::MarchingSolver;
-use schlupf::wheel_rail::WheelSolution;
+use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solver, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
@@ -159,11 +159,24 @@ impl Parts {
         settings: &Settings,
         watch: Watch,
     ) -> Result<Posed, CaseError> {
-        let explain = |error: Error| settings.explain(&error);
         let OfRoughness::Known(stiffness) = &self.stiffness else {
             return Err(wheel_rail::refuse_micro_model(settings));
         };
-        let contact_law = interface::contact_law(settings, stiffness.stiffness)?;
+        let found = self.solve_wheel(wheel, settings, None, watch)?.into_iter().next();
+        let found = found.ok_or_else(|| wheel_rail::no_contact(settings))?;
+        let main = found.contacts.first().ok_or_else(|| wheel_rail::no_contact(settings))?;
+        let (problem, stiffness) = (main.problem.clone(), stiffness.clone());
+        Ok(Posed { problem, stiffness, wheel: Some(Arc::new(found)) })
+    }
+
+    fn solve_wheel(
+        &self,
+        wheel: &WheelRequest,
+        settings: &Settings,
+        place: Option<f64>,
+        watch: Watch,
+    ) -> Result<Vec<WheelSolution>, CaseError> {
+        let contact_law = interface::contact_law(settings, self.stiffness.provisional())?;
         let complete = |problem: Problem| {
             let elasticity = self.deformation.model(&*problem.normal, None)?;
             let problem = Problem { elasticity, contact_law: Arc::clone(&contact_law), ..problem };
@@ -172,11 +185,25 @@ impl Parts {
         let options = Options { sensitivity: false, extrapolate: false, ..options(settings)? };
         let (method, driver) = (method(settings)?, driver(settings)?);
         let solver = |options: &Options| any_solver(method, driver, options);
-        let found = wheel.solve(&self.draft, &complete, (&solver, &options), watch);
-        let found = Arc::new(found.map_err(explain)?);
-        let main = found.contacts.first().ok_or_else(|| wheel_rail::no_contact(settings))?;
-        let (problem, stiffness) = (main.problem.clone(), stiffness.clone());
-        Ok(Posed { problem, stiffness, wheel: Some(found) })
+        let found = wheel.solve((&self.draft, place), &complete, (&solver, &options), watch);
+        found.map_err(|error| settings.explain(&error))
+    }
+
+    /// The wheel of a case of two profiles.
+    pub fn wheel(&self, settings: &Settings) -> Result<&WheelOnRail, CaseError> {
+        let request = self.wheel.as_ref();
+        request.map(WheelRequest::wheel).ok_or_else(|| wheel_rail::no_profiles(settings))
+    }
+
+    /// The left and the right wheel at another lateral position (in m), resting on both rails.
+    pub fn wheels_at(
+        &self,
+        settings: &Settings,
+        lateral: f64,
+        watch: Watch,
+    ) -> Result<Vec<WheelSolution>, CaseError> {
+        let request = self.wheel.as_ref().ok_or_else(|| wheel_rail::no_profiles(settings))?;
+        self.solve_wheel(request, settings, Some(lateral), watch)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schlupf::material::contact_modulus;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::wheel_rail::{
@@ -111,6 +112,15 @@ pub fn refuse_micro_model(settings: &Settings) -> CaseError {
     )
 }
 
+/// A case without profiles, where they are needed.
+pub fn no_profiles(settings: &Settings) -> CaseError {
+    let message = format!(
+        "normal.model must be \"wheel-rail\" for the contacts of a wheelset, but is {}",
+        settings.shown("normal.model")
+    );
+    settings.error("normal.model", message)
+}
+
 /// A wheel without contacts.
 pub fn no_contact(settings: &Settings) -> CaseError {
     let message = "normal.model: wheel and rail do not touch".to_owned();
@@ -155,26 +165,36 @@ fn motion(settings: &Settings) -> Result<Motion, CaseError> {
 }
 
 impl WheelRequest {
-    /// The contacts of the wheel. `draft` has both bodies and all laws, `pose` completes it for the
-    /// pressure of a contact, and `solver` makes what solves it.
+    /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
+    /// left and of the right wheel resting on both rails. `draft` has both bodies and all laws,
+    /// `complete` completes it for the pressure of a contact, and `solver` makes what solves it.
     pub fn solve(
         &self,
-        draft: &Problem,
+        (draft, place): (&Problem, Option<f64>),
         complete: &dyn Fn(Problem) -> Result<Problem, Error>,
         (solver, options): (&dyn Fn(&Options) -> Box<dyn Solver>, &Options),
         watch: Watch,
-    ) -> Result<WheelSolution, Error> {
+    ) -> Result<Vec<WheelSolution>, Error> {
         let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
             let reference = ReferencePoint::File;
             complete(Problem { kinematics, reference, normal, ..draft.clone() })
         };
-        let tangential = Tangential { problem: &problem, solver, options };
-        if self.rests {
-            let [wheel, _] = self.wheel.solve_resting(&tangential, watch)?;
-            Ok(wheel)
-        } else {
-            self.wheel.solve(&tangential, watch)
+        let contact_modulus = contact_modulus(&draft.wheel.material, &draft.rail.material);
+        let tangential = Tangential { problem: &problem, contact_modulus, solver, options };
+        match place {
+            Some(lateral) => {
+                let position = Position { lateral, ..self.wheel.position };
+                let left = WheelOnRail { side: Side::Left, position, ..self.wheel.clone() };
+                left.solve_resting(&tangential, watch).map(Vec::from)
+            }
+            None if self.rests => self.wheel.solve_resting(&tangential, watch).map(Vec::from),
+            None => Ok(vec![self.wheel.solve(&tangential, watch)?]),
         }
+    }
+
+    /// The wheel as described.
+    pub fn wheel(&self) -> &WheelOnRail {
+        &self.wheel
     }
 }
 

@@ -27,7 +27,9 @@ mod side;
 mod patch;
 mod wheel;
 mod resting;
+mod conicity;
 
+pub use conicity::{RestingWheelset, RigidContact, RollingRadiusDifference};
 pub use contact_plane::Joining;
 pub use creepage::Motion;
 pub use pair::{Pair, RailShape, Track, WheelShape};

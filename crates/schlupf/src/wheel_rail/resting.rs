@@ -10,8 +10,8 @@ use super::wheel::{Position, Tangential, WheelOnRail, WheelSolution};
 use crate::error::{Error, WheelRailError};
 use crate::progress::Watch;
 
-/// Change of the roll angle below which it is found, in rad.
-const SETTLED: f64 = 1e-8;
+/// Change of the roll angle below which it is found, in rad: less than 0.2 µm at the rails.
+const SETTLED: f64 = 2e-7;
 
 /// The same with rigid bodies, in rad.
 const RIGID: f64 = 1e-11;
@@ -84,7 +84,13 @@ impl WheelOnRail {
     ) -> Result<[WheelSolution; 2], Error> {
         self.check()?;
         let place = [self.position.lateral, self.position.yaw];
-        let mut roll = resting_roll(&self.pair, place, [0.0; 2])?;
+        let rigid = resting_roll(&self.pair, place, [0.0; 2])?;
+        let depth = |side: Side| {
+            let position = Position { roll: rigid, ..self.position };
+            Self { side, position, ..self.clone() }.frictionless_depth(tangential, watch)
+        };
+        let depths = [depth(Side::Left)?, depth(Side::Right)?];
+        let mut roll = resting_roll(&self.pair, place, depths)?;
         let mut change = f64::INFINITY;
         for _ in 0..MOST_ROUNDS {
             let wheel = |side: Side| {

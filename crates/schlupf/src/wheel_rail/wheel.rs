@@ -13,7 +13,6 @@ use super::pressed::{Accuracy, Pressed};
 use super::side::Side;
 use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
 use crate::kinematics::Kinematics;
-use crate::material::contact_modulus;
 use crate::normal::PressureSource;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
@@ -68,6 +67,8 @@ pub struct Tangential<'a> {
     /// The problem of a contact from its motion and its pressure, with both bodies and all laws;
     /// creepages hold at the origin of the pressure's file.
     pub problem: &'a dyn Fn(Kinematics, Arc<dyn PressureSource>) -> Result<Problem, Error>,
+    /// Contact modulus E* of both bodies, in Pa (see [`crate::material::contact_modulus`]).
+    pub contact_modulus: f64,
     /// A solver with given options.
     pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,
     /// Options of the results.
@@ -189,15 +190,8 @@ impl WheelOnRail {
     /// profile; whatever the tangential problem rejects; [`Error::Stopped`].
     pub fn solve(&self, tangential: &Tangential, watch: Watch) -> Result<WheelSolution, Error> {
         self.check()?;
-        let attitude = self.attitude();
-        let gap = Gap::new(&self.pair, &attitude)?;
-        let bodies = (tangential.problem)(
-            Kinematics::free_rolling(self.motion.speed),
-            Arc::new(crate::normal::ellipse::Ellipse::from_load(1e-3, 1e-3, 1.0)?),
-        )?;
-        let contact_modulus = contact_modulus(&bodies.wheel.material, &bodies.rail.material);
-        let (pair, joining) = (&*self.pair, self.joining);
-        let lowering = Lowering { pair, gap: &gap, attitude, joining, contact_modulus, watch };
+        let gap = Gap::new(&self.pair, &self.attitude())?;
+        let lowering = self.lowering(&gap, tangential, watch);
         match self.support {
             Support::Height(height) => {
                 let depth = lowering.touch() - height;
@@ -211,6 +205,31 @@ impl WheelOnRail {
             }
             Support::Force(force) => self.settle(&lowering, force, tangential, watch),
         }
+    }
+
+    fn lowering<'a>(
+        &'a self,
+        gap: &'a Gap,
+        tangential: &Tangential,
+        watch: Watch<'a>,
+    ) -> Lowering<'a> {
+        let (pair, joining, attitude) = (&*self.pair, self.joining, self.attitude());
+        let contact_modulus = tangential.contact_modulus;
+        Lowering { pair, gap, attitude, joining, contact_modulus, watch }
+    }
+
+    /// Depth below first touch (in m) without friction, on coarse cells; zero where the height is
+    /// given.
+    pub(super) fn frictionless_depth(
+        &self,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<f64, Error> {
+        let Support::Force(force) = self.support else { return Ok(0.0) };
+        let gap = Gap::new(&self.pair, &self.attitude())?;
+        let lowering = self.lowering(&gap, tangential, watch);
+        let how = (Accuracy::Coarse, NEARLY_SETTLED);
+        Ok(lowering.carrying(force, &[], first_depth(&lowering, force), how)?.depth)
     }
 
     /// Height and friction in turns, first with coarse cells.
