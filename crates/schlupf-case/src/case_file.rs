@@ -175,11 +175,7 @@ impl CaseFile {
     /// # Errors
     /// A case with another normal contact, a height in place of the vertical force, and whatever
     /// keeps the contacts from being found.
-    pub fn wheels_at(
-        &self,
-        lateral: f64,
-        watch: Watch,
-    ) -> Result<Vec<WheelSolution>, CaseError> {
+    pub fn wheels_at(&self, lateral: f64, watch: Watch) -> Result<Vec<WheelSolution>, CaseError> {
         self.parts.wheels_at(&self.settings, lateral, watch)
     }
 

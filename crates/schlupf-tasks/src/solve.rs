@@ -14,7 +14,8 @@ use crate::{contact_law, messages};
 pub(crate) fn of_wheel(wheel: &WheelSolution) -> Vec<Message> {
     let own = wheel.warnings();
     let others = (2..).zip(wheel.contacts.iter().skip(1)).flat_map(|(k, contact)| {
-        messages(&contact.solution.warnings).map(move |message| message.about(&format!("contact {k}")))
+        messages(&contact.solution.warnings)
+            .map(move |message| message.about(&format!("contact {k}")))
     });
     messages(&own).chain(others).collect()
 }

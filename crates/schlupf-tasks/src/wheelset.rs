@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use schlupf::message::Message;
 use schlupf::wheel_rail::{RollingRadiusDifference, Support, WheelSolution};
 use schlupf::{Watch, parallel};
-use schlupf::message::Message;
 use schlupf_case::CaseFile;
 use schlupf_output::wheelset::{Conicity, WheelsetAt, WheelsetReport};
 
@@ -73,26 +73,24 @@ impl Plan {
             (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
         let positions = parallel::try_map(lateral, |lateral| {
             let wheels = file.wheels_at(lateral, watch)?;
-            let wheels: [WheelSolution; 2] = wheels.try_into().map_err(|_| {
-                TaskError::Request("the wheelset must have two wheels".to_owned())
-            })?;
+            let wheels: [WheelSolution; 2] = wheels
+                .try_into()
+                .map_err(|_| TaskError::Request("the wheelset must have two wheels".to_owned()))?;
             Ok::<_, TaskError>(WheelsetAt { lateral, wheels })
         })?;
         let pair = Arc::clone(&file.wheel()?.pair);
         let largest = from.abs().max(to.abs());
         let intervals = (largest / RADIUS_STEP).ceil().max(1.0) as usize;
         let explain = |error| TaskError::from(file.explain(&error));
-        let radii = RollingRadiusDifference::new(&pair, largest, intervals, watch).map_err(explain)?;
+        let radii =
+            RollingRadiusDifference::new(&pair, largest, intervals, watch).map_err(explain)?;
         let conicity = conicity(&radii, largest).map_err(explain)?;
         let warnings = file.notices().into_iter().chain(of_positions(&positions)).collect();
         Ok(WheelsetReport { title: file.title()?, pair, load, positions, conicity, warnings })
     }
 }
 
-fn conicity(
-    radii: &RollingRadiusDifference,
-    largest: f64,
-) -> Result<Conicity, schlupf::Error> {
+fn conicity(radii: &RollingRadiusDifference, largest: f64) -> Result<Conicity, schlupf::Error> {
     let count = (largest / AMPLITUDE_STEP + 1e-9).floor() as usize;
     let mut amplitude: Vec<f64> = (1..=count).map(|k| k as f64 * AMPLITUDE_STEP).collect();
     if amplitude.is_empty() {

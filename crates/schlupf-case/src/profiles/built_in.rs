@@ -87,7 +87,8 @@ fn s1002_depth(section: usize, y: f64) -> f64 {
     let arc = |radius: f64, [centre, depth]: [f64; 2], sign: f64| {
         depth + sign * (radius * radius - (y - centre).powi(2)).sqrt()
     };
-    let polynomial = |coefficients: &[f64]| coefficients.iter().rev().fold(0.0, |sum, c| sum * y + c);
+    let polynomial =
+        |coefficients: &[f64]| coefficients.iter().rev().fold(0.0, |sum, c| sum * y + c);
     match section {
         0 => arc(20.5, [-49.5, 9.519_259_302], 1.0),
         1 => arc(12.0, [-55.0, 16.0], 1.0),

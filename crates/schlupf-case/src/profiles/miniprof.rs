@@ -57,7 +57,10 @@ fn column_places(file: &File, line: usize, definition: &str) -> Result<[usize; 2
     let place = |wanted: &str| {
         let place = names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
         place.ok_or_else(|| {
-            file.error(line, format!("{COLUMNS} must name a column {wanted}, but is {definition:?}"))
+            file.error(
+                line,
+                format!("{COLUMNS} must name a column {wanted}, but is {definition:?}"),
+            )
         })
     };
     Ok([place("X")?, place("Y")?])

@@ -27,8 +27,7 @@ pub fn read(file: File) -> Result<Vec<[f64; 2]>, CaseError> {
         return bare(&file);
     }
     let text = with_units(&file.source.text, header_line);
-    let columns =
-        Columns::read(file.source.name.clone(), text.into_bytes(), file.field, &WANTED)?;
+    let columns = Columns::read(file.source.name.clone(), text.into_bytes(), file.field, &WANTED)?;
     let [y, z] = [&columns.values[0], &columns.values[1]];
     Ok(y.iter().zip(z).map(|(y, z)| [*y, *z]).collect())
 }
@@ -54,7 +53,8 @@ fn bare(file: &File) -> Result<Vec<[f64; 2]>, CaseError> {
     for (number, line) in file.lines(&['#', '!', '%']).filter(|(_, line)| !line.is_empty()) {
         let numbers = file.numbers(number, line)?;
         let [y, z] = numbers[..] else {
-            let message = format!("a line must have y and z in mm, but has {} numbers", numbers.len());
+            let message =
+                format!("a line must have y and z in mm, but has {} numbers", numbers.len());
             return Err(file.error(number, message));
         };
         points.push([MILLIMETRE * y, MILLIMETRE * z]);

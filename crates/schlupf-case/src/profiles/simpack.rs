@@ -18,7 +18,7 @@ pub fn is_one(file: &File) -> bool {
 /// What is done with the points.
 struct Changes {
     shift: [f64; 2],
-    /// Lower and upper bounds of y and z; without effect where the lower one is not below the upper.
+    /// Lower and upper bounds of y and z; without effect unless the lower one is below the upper.
     bounds: [[f64; 2]; 2],
     is_mirrored: [bool; 2],
     is_inverted: bool,

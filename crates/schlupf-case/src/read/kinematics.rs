@@ -42,7 +42,9 @@ pub fn reference(settings: &Settings) -> Result<ReferencePoint, CaseError> {
     }
     let model: NormalModel = settings.chosen("normal.model")?;
     match model {
-        NormalModel::Tabulated | NormalModel::Profile | NormalModel::WheelRail => return Ok(ReferencePoint::File),
+        NormalModel::Tabulated | NormalModel::Profile | NormalModel::WheelRail => {
+            return Ok(ReferencePoint::File);
+        }
         NormalModel::Hertz | NormalModel::Ellipse => {}
     }
     let message = format!(

@@ -32,8 +32,8 @@ use crate::laws::Laws;
 use crate::settings::Settings;
 use elasticity::Deformation;
 use roughness::OfRoughness;
-use wheel_rail::WheelRequest;
 pub use roughness::{MicroCase, explain as explain_roughness, load as load_roughness};
+use wheel_rail::WheelRequest;
 
 /// What a case says of its problem: all that is known without solving anything.
 #[derive(Debug, Clone)]

@@ -10,8 +10,8 @@ use schlupf::normal::hertz::Hertz;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 
-use super::wheel_rail::Unsolved;
 use super::bodies::{RAIL, WHEEL, radii};
+use super::wheel_rail::Unsolved;
 use crate::error::CaseError;
 use crate::fields::choice::NormalModel;
 use crate::settings::Settings;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use schlupf::material::contact_modulus;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
+use schlupf::material::contact_modulus;
 use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::wheel_rail::{
     Joining, Motion, Pair, Position, RailShape, Side, Support, Tangential, Track, WheelOnRail,
@@ -11,8 +11,8 @@ use schlupf::wheel_rail::{
 };
 use schlupf::{Error, Options, Problem, Solver, Watch};
 
-use crate::error::CaseError;
 use super::roughness::OfRoughness;
+use crate::error::CaseError;
 use crate::fields::ROUGHNESS;
 use crate::fields::choice::{NormalModel, WheelSide};
 use crate::profiles;
@@ -108,7 +108,8 @@ pub fn refuse_micro_model(settings: &Settings) -> CaseError {
         "{path}: the micro model of a roughness needs one patch, but normal.model is \"wheel-rail\""
     );
     settings.error(path, message).help(
-        "find k_c for a typical patch by `schlupf roughness` and give contact_law.stiffness".to_owned(),
+        "find k_c for a typical patch by `schlupf roughness` and give contact_law.stiffness"
+            .to_owned(),
     )
 }
 

@@ -119,11 +119,8 @@ pub(crate) fn summary(text: &mut Summary, wheel: &WheelSolution) {
         let place = format!("rad; at x = {x} mm, y = {y} mm, z = {z} mm in the track");
         entry(text, &format!("contact {}, angle", k + 1), contact.angle, "", &place);
         let Resultant { x, y, .. } = contact.solution.force;
-        let tangential = format!(
-            "normal, {} longitudinal, {} lateral",
-            number(x / 1e3),
-            number(y / 1e3)
-        );
+        let tangential =
+            format!("normal, {} longitudinal, {} lateral", number(x / 1e3), number(y / 1e3));
         entry(text, "  force", contact.solution.normal.load / 1e3, "kN", &tangential);
     }
     let [x, y, z] = wheel.force.map(|part| part / 1e3);

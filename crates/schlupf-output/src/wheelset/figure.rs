@@ -15,7 +15,7 @@ use crate::figures::svg::Drawing;
 const LIFT: f64 = 14.0;
 
 /// Width of a view of one side, in mm.
-const VIEW: f64 = 88.0;
+const VIEW: f64 = 116.0;
 
 /// Outmost position that a view shows beyond the middle of the rail, in mm.
 const BEYOND: f64 = 40.0;
@@ -51,15 +51,13 @@ pub(super) fn contacts(report: &WheelsetReport) -> Option<String> {
     );
     marks::title_block(&mut drawing, "Contact points", [&report.title, &load], remark(report));
     for (k, side) in [Side::Left, Side::Right].into_iter().enumerate() {
-        let centre = 1e3 * report.pair.rail_origin()[0];
-        let sign = side.outwards();
-        let outer = centre + BEYOND;
-        let ends = [sign * outer, sign * (outer - VIEW)];
-        // y to the left, as seen by who looks along the track.
+        // As seen by who looks along the track, so the axis is that of −y.
+        let outer = -side.outwards() * (1e3 * report.pair.rail_origin()[0] + BEYOND);
+        let inner = outer + side.outwards() * VIEW;
         let frame = Frame {
             corner: [60.0 + k as f64 * (width + BETWEEN), top],
             size: [width, height],
-            x: [ends[0].max(ends[1]), ends[0].min(ends[1])],
+            x: [outer.min(inner), outer.max(inner)],
             y: [low, high],
         };
         view(&mut drawing, report, (&frame, side, &scale));
@@ -75,15 +73,19 @@ fn remark(report: &WheelsetReport) -> &'static str {
 }
 
 /// One side, seen along the track.
-fn view(drawing: &mut Drawing, report: &WheelsetReport, (frame, side, scale): (&Frame, Side, &ColorScale)) {
+fn view(
+    drawing: &mut Drawing,
+    report: &WheelsetReport,
+    (frame, side, scale): (&Frame, Side, &ColorScale),
+) {
     let sign = side.outwards();
     let pair = &report.pair;
     let line = |curve: &ProfileCurve, place: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vec<[f64; 2]> {
         let step = curve.length() / (POINTS - 1) as f64;
         (0..POINTS).map(|k| frame.at(place(curve.at(k as f64 * step).place))).collect()
     };
-    let rail = |[y, z]: [f64; 2]| [1e3 * sign * y, 1e3 * z];
-    let wheel = |[y, z]: [f64; 2]| [1e3 * sign * (y + pair.wheel_offset()), 1e3 * z + LIFT];
+    let rail = |[y, z]: [f64; 2]| [-1e3 * sign * y, 1e3 * z];
+    let wheel = |[y, z]: [f64; 2]| [-1e3 * sign * (y + pair.wheel_offset()), 1e3 * z + LIFT];
     drawing.begin_clip(&frame.area());
     let stroke = format!(r#"stroke="{INK}" stroke-width="1.8" stroke-linejoin="round""#);
     drawing.polyline(&line(pair.rail(), &rail), &stroke);
@@ -94,7 +96,7 @@ fn view(drawing: &mut Drawing, report: &WheelsetReport, (frame, side, scale): (&
         let color = scale.paint(1e3 * at.lateral);
         for contact in &solution.contacts {
             let on_wheel = on_profile(pair.wheel(), contact.wheel_position).map(wheel);
-            let on_rail = [1e3 * contact.position[1], 1e3 * contact.position[2]];
+            let on_rail = [-1e3 * contact.position[1], 1e3 * contact.position[2]];
             if let Some(on_wheel) = on_wheel {
                 let style = format!(r#"stroke="{color}" stroke-width="1.2""#);
                 drawing.line(frame.at(on_rail), frame.at(on_wheel), &style);
@@ -104,7 +106,7 @@ fn view(drawing: &mut Drawing, report: &WheelsetReport, (frame, side, scale): (&
     }
     drawing.end_group();
     frame.draw_vertical(drawing, if side == Side::Left { "$z$ (mm)" } else { "" });
-    frame.draw_horizontal(drawing, "$y$ to the left (mm)");
+    frame.draw_horizontal(drawing, "to the right, −$y$ (mm)");
     let name = format!("{} wheel and rail", side.name());
     let at = [frame.corner[0], frame.corner[1] - 10.0];
     drawing.text(at, &TextStyle::new(14.0, Anchor::Start), &name);
@@ -116,8 +118,9 @@ fn patch(drawing: &mut Drawing, frame: &Frame, contact: &Contact, color: &str) {
     let (sin, cos) = contact.angle.sin_cos();
     let origin = contact.solution.normal.origin.map_or(0.0, |origin| 1e3 * origin[1]);
     let [_, y, z] = contact.position.map(|part| 1e3 * part);
-    let end = |s: f64| frame.at([y + s * cos, z - s * sin]);
-    let style = format!(r#"stroke="{color}" stroke-width="4" stroke-linecap="round" stroke-opacity="0.7""#);
+    let end = |s: f64| frame.at([-y - s * cos, z - s * sin]);
+    let style =
+        format!(r#"stroke="{color}" stroke-width="4" stroke-linecap="round" stroke-opacity="0.7""#);
     drawing.line(end(origin - half), end(origin + half), &style);
 }
 
@@ -143,7 +146,8 @@ pub(super) fn radii(report: &WheelsetReport) -> Option<String> {
         report.positions.iter().map(point).collect()
     };
     let difference = of(&|at| at.rolling_radius_difference().map(|value| 1e3 * value));
-    let angle = |k: usize| of(&move |at| at.wheels[k].contacts.first().map(|contact| contact.angle));
+    let angle =
+        |k: usize| of(&move |at| at.wheels[k].contacts.first().map(|contact| contact.angle));
     let panel = |label: &str, curves| Panel { label: label.to_owned(), height: HEIGHT, curves };
     let over_position = Stack {
         x: [1e3 * from.min(to), 1e3 * from.max(to)],

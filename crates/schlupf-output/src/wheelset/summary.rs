@@ -12,7 +12,8 @@ pub(super) fn text(report: &WheelsetReport) -> Summary {
     let mut text = Summary::titled(&report.title);
     text.blank();
     line(&mut text, "wheelset on both rails; contact with the largest normal force of each wheel");
-    let head = ["y (mm)", "Δr (mm)", "rail left", "angle", "p0 (MPa)", "rail right", "angle", "p0 (MPa)"];
+    let head =
+        ["y (mm)", "Δr (mm)", "rail left", "angle", "p0 (MPa)", "rail right", "angle", "p0 (MPa)"];
     line(&mut text, &columns(head.map(str::to_owned)));
     for at in &report.positions {
         let millimetres = |value: f64| number(1e3 * value);

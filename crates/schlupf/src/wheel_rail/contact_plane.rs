@@ -41,13 +41,13 @@ pub(super) struct ContactPlane {
 }
 
 impl ContactPlane {
-    /// s as a direction in the track.
+    /// s as a direction in the track, dimensionless.
     pub fn across(&self) -> [f64; 3] {
         let (sin, cos) = self.inclination.sin_cos();
         [0.0, cos, sin]
     }
 
-    /// n as a direction in the track.
+    /// n as a direction in the track, dimensionless.
     pub fn normal(&self) -> [f64; 3] {
         let (sin, cos) = self.inclination.sin_cos();
         [0.0, -sin, cos]
@@ -97,9 +97,8 @@ fn belongs(one: &Region, two: &Region, joining: &Joining) -> bool {
 
 fn union(one: &Region, two: &Region) -> Region {
     let weight = one.weight + two.weight;
-    let mean = |one_value: f64, two_value: f64| {
-        (one.weight * one_value + two.weight * two_value) / weight
-    };
+    let mean =
+        |one_value: f64, two_value: f64| (one.weight * one_value + two.weight * two_value) / weight;
     let heavier = if one.weight >= two.weight { one } else { two };
     Region {
         weight,

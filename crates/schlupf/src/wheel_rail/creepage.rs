@@ -49,8 +49,7 @@ pub(super) fn creepages(
     let arm = minus(material, pose.centre);
     let turning = pose.turned([motion.roll_rate, motion.angular_velocity, motion.yaw_rate]);
     let [dx, dy, dz] = cross(turning, arm);
-    let velocity =
-        [motion.speed + dx, motion.lateral_velocity + dy, motion.vertical_velocity + dz];
+    let velocity = [motion.speed + dx, motion.lateral_velocity + dy, motion.vertical_velocity + dz];
     let rolling = cross(pose.turned([0.0, motion.angular_velocity, 0.0]), arm)[0];
     let speed = 0.5 * ((velocity[0] - rolling).abs() + rolling.abs());
     Kinematics {

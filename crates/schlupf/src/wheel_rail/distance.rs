@@ -164,7 +164,7 @@ impl<'a> PlaneView<'a> {
 
 /// Index of the position nearest to zero.
 fn nearest_to_zero(positions: &[f64]) -> usize {
-    let near = (0..positions.len())
-        .min_by(|j, k| positions[*j].abs().total_cmp(&positions[*k].abs()));
+    let near =
+        (0..positions.len()).min_by(|j, k| positions[*j].abs().total_cmp(&positions[*k].abs()));
     near.unwrap_or(0)
 }

@@ -30,10 +30,12 @@ const PASSES: usize = 4;
 /// Change of such a rise relative to the depth below which it does not matter, dimensionless.
 const NEGLIGIBLE_RISE: f64 = 1e-5;
 
-/// Lateral over normal force of a contact (dimensionless), and where it is, y in m.
+/// Friction of a contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FrictionRatio {
+    /// Where it is, in m.
     pub y: f64,
+    /// Lateral over normal force, dimensionless.
     pub ratio: f64,
 }
 
@@ -48,9 +50,10 @@ pub(super) struct Lowering<'a> {
     pub watch: Watch<'a>,
 }
 
-/// Contacts at a depth below first touch, in m.
+/// Contacts at a depth below first touch.
 #[derive(Debug, Clone)]
 pub(super) struct Lowered {
+    /// The depth, in m.
     pub depth: f64,
     pub contacts: Vec<Pressed>,
 }
@@ -83,8 +86,7 @@ impl Lowering<'_> {
         for pass in 1.. {
             let solve = |k: usize| pressing.solve(&planes[k], raised[k], accuracy);
             let found = (0..planes.len()).map(solve).collect::<Result<Vec<_>, Error>>()?;
-            let next: Vec<f64> =
-                planes.iter().map(|plane| self.rise(plane, &found)).collect();
+            let next: Vec<f64> = planes.iter().map(|plane| self.rise(plane, &found)).collect();
             let change = raised.iter().zip(&next).map(|(one, two)| (one - two).abs());
             if pass >= PASSES || change.fold(0.0, f64::max) <= NEGLIGIBLE_RISE * depth {
                 return Ok(found.into_iter().flatten().collect());

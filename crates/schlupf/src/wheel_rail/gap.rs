@@ -45,10 +45,11 @@ pub(super) struct Gap {
 /// A region in which wheel and rail would overlap.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Region {
-    /// ∫ depth^2.5 dy, for combining regions.
+    /// Sum of the depths to the power of 2.5, in m to that power.
     pub weight: f64,
-    /// Weighted means: x and y in m.
+    /// Weighted mean, in m.
     pub x: f64,
+    /// Weighted mean, in m.
     pub y: f64,
     /// Weighted mean of the rail's inclination, in rad.
     pub inclination: f64,

@@ -58,6 +58,7 @@ impl Default for Track {
 /// Points along a profile at small equal steps.
 #[derive(Debug, Clone)]
 pub(super) struct Samples {
+    /// Arc lengths, in m.
     pub arc: Vec<f64>,
     pub points: Vec<CurvePoint>,
 }

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::side::Side;
 use super::pressed::Pressed;
+use super::side::Side;
 use crate::error::Error;
 use crate::normal::tabulated::{PressureTable, Tabulated};
 use crate::normal::{NormalContact, NormalSummary, PressureSource};
@@ -22,11 +22,9 @@ impl ContactPatch {
     pub(super) fn new(pressed: &Pressed, side: Side) -> Result<Arc<Self>, Error> {
         let columns = pressed.x.len();
         let table = match side {
-            Side::Left => PressureTable::where_it_is(
-                &pressed.x,
-                &pressed.s,
-                pressed.pressure.clone(),
-            )?,
+            Side::Left => {
+                PressureTable::where_it_is(&pressed.x, &pressed.s, pressed.pressure.clone())?
+            }
             Side::Right => {
                 let y: Vec<f64> = pressed.s.iter().rev().map(|s| -s).collect();
                 let rows = pressed.pressure.chunks(columns).rev().flatten().copied();

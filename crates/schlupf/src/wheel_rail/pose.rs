@@ -16,12 +16,13 @@ pub(super) struct Attitude {
 pub(super) struct Pose {
     /// The middle of the axle in the track frame, in m.
     pub centre: [f64; 3],
-    /// R = Rx(roll) Rz(yaw), row by row: from the wheelset's axes to those of the track.
+    /// R = Rx(roll) Rz(yaw), row by row: from the wheelset's axes to those of the track;
+    /// dimensionless.
     pub rotation: [[f64; 3]; 3],
 }
 
 impl Attitude {
-    /// R.
+    /// R, dimensionless.
     pub fn rotation(&self) -> [[f64; 3]; 3] {
         let ([sr, cr], [sy, cy]) = (sin_cos(self.roll), sin_cos(self.yaw));
         [[cy, -sy, 0.0], [cr * sy, cr * cy, -sr], [sr * sy, sr * cy, cr]]
@@ -46,12 +47,12 @@ impl Pose {
         [0, 1, 2].map(|k| self.centre[k] + turned[k])
     }
 
-    /// A direction of the wheelset in the track frame, in its unit.
+    /// A vector of the wheelset in the track frame, in the unit of the vector.
     pub fn turned(&self, direction: [f64; 3]) -> [f64; 3] {
         self.rotation.map(|row| dot(row, direction))
     }
 
-    /// A direction of the track in the wheelset's axes, in its unit.
+    /// A vector of the track in the wheelset's axes, in the unit of the vector.
     pub fn to_wheelset(&self, direction: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| (0..3).map(|row| self.rotation[row][k] * direction[row]).sum())
     }

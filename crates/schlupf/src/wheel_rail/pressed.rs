@@ -47,14 +47,15 @@ pub(super) enum Accuracy {
 #[derive(Debug, Clone)]
 pub(super) struct Pressed {
     pub plane: ContactPlane,
-    /// Positions of the cells along x and s, relative to the plane's origin, in m.
+    /// Positions of the cells along x, relative to the plane's origin, in m.
     pub x: Vec<f64>,
+    /// The same along s, in m.
     pub s: Vec<f64>,
     /// In rows along x, in Pa.
     pub pressure: Vec<f64>,
     /// Normal force, in N.
     pub force: f64,
-    /// In m.
+    /// Approach of the bodies, in m.
     pub approach: f64,
 }
 
@@ -223,10 +224,11 @@ fn refuse_end(plane: &ContactPlane, pressed: &Pressed, beyond: &[bool]) -> Resul
     let (columns, rows) = (pressed.x.len(), pressed.s.len());
     let is_near = |k: usize| {
         let (i, j) = (k % columns, k / columns);
-        let (near_columns, near_rows) = (i.saturating_sub(1)..(i + 2), j.saturating_sub(1)..(j + 2));
-        near_rows.filter(|j| *j < rows).any(|j| {
-            near_columns.clone().filter(|i| *i < columns).any(|i| beyond[j * columns + i])
-        })
+        let (near_columns, near_rows) =
+            (i.saturating_sub(1)..(i + 2), j.saturating_sub(1)..(j + 2));
+        near_rows
+            .filter(|j| *j < rows)
+            .any(|j| near_columns.clone().filter(|i| *i < columns).any(|i| beyond[j * columns + i]))
     };
     if (0..beyond.len()).any(|k| pressed.pressure[k] > 0.0 && is_near(k)) {
         return Err(WheelRailError::AtProfileEnd { position: plane.origin[1] }.into());

@@ -31,11 +31,7 @@ const LARGEST: f64 = 0.2;
 ///
 /// # Errors
 /// A wheel beside its rail.
-pub fn resting_roll(
-    pair: &Pair,
-    [lateral, yaw]: [f64; 2],
-    depths: [f64; 2],
-) -> Result<f64, Error> {
+pub fn resting_roll(pair: &Pair, [lateral, yaw]: [f64; 2], depths: [f64; 2]) -> Result<f64, Error> {
     let height = |side: Side, roll: f64, depth: f64| -> Result<f64, Error> {
         let sign = side.outwards();
         let attitude = Attitude { lateral: sign * lateral, roll: sign * roll, yaw: sign * yaw };
@@ -57,8 +53,7 @@ pub fn resting_roll(
             high = roll;
         }
         let secant = roll - off / slope;
-        let next =
-            if secant > low && secant < high { secant } else { 0.5 * (low + high) };
+        let next = if secant > low && secant < high { secant } else { 0.5 * (low + high) };
         let step = next - roll;
         if step.abs() < RIGID {
             return Ok(next);
@@ -72,8 +67,8 @@ pub fn resting_roll(
 }
 
 impl WheelOnRail {
-    /// This wheel (first) and the one on the other side (second) under the same vertical force, with
-    /// the roll angle at which both rest on their rails; that of the position is not used.
+    /// This wheel (first) and the one on the other side (second) under the same vertical force,
+    /// with the roll angle at which both rest on their rails; that of the position is not used.
     ///
     /// # Errors
     /// As [`Self::solve`].

@@ -12,7 +12,8 @@ pub(super) fn slopes(positions: &[f64], values: &[f64]) -> Vec<f64> {
         1 => return vec![chord[0]; 2],
         2 => {
             let bend = (chord[1] - chord[0]) / (width[0] + width[1]);
-            let at = |k: usize| chord[0] + bend * (2.0 * positions[k] - positions[0] - positions[1]);
+            let at =
+                |k: usize| chord[0] + bend * (2.0 * positions[k] - positions[0] - positions[1]);
             return (0..3).map(at).collect();
         }
         _ => {}
@@ -28,8 +29,7 @@ pub(super) fn slopes(positions: &[f64], values: &[f64]) -> Vec<f64> {
     }
     let [inner, outer] = [width[last - 2], width[last - 1]];
     let span = inner + outer;
-    let right =
-        outer * outer * chord[last - 2] + (2.0 * span + outer) * inner * chord[last - 1];
+    let right = outer * outer * chord[last - 2] + (2.0 * span + outer) * inner * chord[last - 1];
     system.push([span, inner, 0.0], right / span);
     system.solve()
 }

@@ -200,7 +200,8 @@ impl WheelOnRail {
                 }
                 let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
                 let lowered = Lowered { depth, contacts };
-                let solved = self.slide(&lowering, &lowered, (tangential, tangential.options), watch)?;
+                let solved =
+                    self.slide(&lowering, &lowered, (tangential, tangential.options), watch)?;
                 Ok(self.solution(&lowering, &lowered, solved, 1))
             }
             Support::Force(force) => self.settle(&lowering, force, tangential, watch),

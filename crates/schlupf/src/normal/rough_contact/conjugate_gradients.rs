@@ -276,8 +276,8 @@ impl Equilibrium<'_> {
     }
 
     /// Moves the pressure of the moving cells to the nearest one that is within the bounds and
-    /// carries the load, if that is given: q minus a common shift for all of these cells, clipped at
-    /// the bounds.
+    /// carries the load, if that is given: q minus a common shift for all of these cells, clipped
+    /// at the bounds.
     ///
     /// The load is a piecewise linear, decreasing function of the shift: Newton's method within a
     /// bracket.
@@ -340,7 +340,8 @@ impl Equilibrium<'_> {
     /// Scales a pressure to the least energy that it can have at this level.
     fn scale_to_the_level(&mut self, level: f64, state: &mut State) {
         self.move_surface(state);
-        let overlap = level * state.pressure.iter().sum::<f64>() - dot(&state.pressure, self.distance);
+        let overlap =
+            level * state.pressure.iter().sum::<f64>() - dot(&state.pressure, self.distance);
         let factor = overlap / dot(&state.pressure, &state.displacement);
         if factor.is_finite() && factor > 0.0 {
             state.pressure.iter_mut().for_each(|p| *p = (factor * *p).min(self.hardness));
