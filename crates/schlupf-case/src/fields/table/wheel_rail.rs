@@ -14,7 +14,7 @@ const TURNING: Requirement = Magnitude(1e6);
 
 section! {
     TRACK "track"
-        "Where the profiles are, with normal.model = \"wheel-rail\".";
+        "Where the profiles are, if the normal contact is that of two profiles.";
 
     "gauge" [Gauge] quantity(&Measure::LENGTH), LENGTH, Text("1435 mm"),
         "distance of the gauge faces of both rails", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
@@ -28,8 +28,8 @@ section! {
 
 section! {
     WHEELSET "wheelset"
-        "Position and motion of the wheelset in the track (x forwards, y to the left, z up), with \
-         normal.model = \"wheel-rail\"; the wheel turns at kinematics.angular_velocity.";
+        "Position and motion of the wheelset in the track (x forwards, y to the left, z up), if the \
+         normal contact is that of two profiles; the wheel turns at kinematics.angular_velocity.";
 
     "side" [WheelSide] Kind::Choice(WheelSide::CHOICES), Finite, Text("right"),
         "which wheel is solved", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
