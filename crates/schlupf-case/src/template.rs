@@ -92,7 +92,9 @@ mod tests {
                 .replace("# [cooling]", "[cooling]")
                 .replace("# [damage]", "[damage]")
                 .replace("# [contact_law.roughness]", "[contact_law.roughness]")
-                .replace("# [fastsim]", "[fastsim]");
+                .replace("# [fastsim]", "[fastsim]")
+                .replace("# [track]", "[track]")
+                .replace("# [wheelset]", "[wheelset]");
             if let Err(errors) = read(&switched) {
                 let message = errors.to_string();
                 let allowed =

@@ -17,6 +17,7 @@ use crate::stdout;
 use crate::sweep::{Merge, Sweep};
 use crate::table::Table;
 use crate::temperature::Temperature;
+use crate::wheelset::Wheelset;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -73,6 +74,9 @@ pub enum Command {
     /// Fit constants of friction and contact law to measured creep forces
     #[command(after_help = EXIT_CODES)]
     Fit(Box<Fit>),
+    /// Find the contacts of a wheelset over its lateral position, and its equivalent conicity
+    #[command(after_help = EXIT_CODES)]
+    Wheelset(Box<Wheelset>),
     /// Solve a study: many states of a case, a row of results each
     #[command(after_help = EXIT_CODES)]
     Sweep(Sweep),

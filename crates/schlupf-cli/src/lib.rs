@@ -24,6 +24,7 @@ mod sweep;
 mod table;
 mod task;
 mod temperature;
+mod wheelset;
 
 use std::ffi::OsString;
 
@@ -52,6 +53,7 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Solve(arguments) => task::run(&*arguments),
         Command::Curve(arguments) => task::run(&*arguments),
         Command::Temperature(arguments) => task::run(&*arguments),
+        Command::Wheelset(arguments) => task::run(&*arguments),
         Command::Bulk(arguments) => task::run(&*arguments),
         Command::Calibrate(arguments) => task::run(&*arguments),
         Command::Roughness(arguments) => task::run(&*arguments),

@@ -25,6 +25,7 @@ pub mod summary;
 mod table;
 pub mod temperature;
 mod vtk;
+pub mod wheelset;
 
 pub use number::significant;
 pub use report::Report;

@@ -39,7 +39,13 @@ fn paths(value: &serde_json::Value, prefix: &str, found: &mut BTreeSet<String>) 
 }
 
 fn report(title: &str, solution: Solution) -> SolutionReport {
-    SolutionReport { title: title.to_owned(), contact_law: None, solution, warnings: Vec::new() }
+    SolutionReport {
+        title: title.to_owned(),
+        contact_law: None,
+        solution,
+        wheel: None,
+        warnings: Vec::new(),
+    }
 }
 
 #[test]

@@ -46,6 +46,7 @@ pub mod reference;
 pub mod kalker_coefficients;
 pub mod simplified;
 pub mod rolling;
+pub mod wheel_rail;
 pub mod temperature_field;
 pub mod bulk_temperature;
 pub mod damage;

@@ -351,6 +351,15 @@ messages! {
         100.0 * r_squared.max(0.0)
     );
 
+    /// A contact whose surface is curved more than a plane can show.
+    "conformal-contact" ConformalContact {
+        /// Angle by which the surface turns over the contact, in rad.
+        turn: f64,
+    } Quantity::ContactAngle, |name, words| format!(
+        "{name}: the surface turns by {turn:.2} rad over a contact, which is solved in a plane: beyond \
+         0.3 rad the pressure is too high, and the spin of the plane's middle is taken for all of it"
+    );
+
     /// Residuals beyond the standard deviations of the data.
     "excess-scatter" ExcessScatter {
         /// How many times they are, dimensionless.

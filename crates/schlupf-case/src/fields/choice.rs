@@ -64,6 +64,29 @@ choices! {
         Ellipse "ellipse" "from semi_axis_x, semi_axis_y, and load or peak_pressure";
         Tabulated "tabulated" "from file, scaled to load if that is given";
         Profile "profile" "from file, the undeformed distance of the bodies, and load";
+        WheelRail "wheel-rail"
+            "from wheel.profile, rail.profile, track, wheelset, and load, the vertical force: all \
+             contacts of a wheel";
+    }
+
+    /// `wheel.profile_z` and `rail.profile_z`.
+    VerticalAxis {
+        Auto "auto" "found from the shape: flange and foot point away from the running surface";
+        Up "up" "upwards";
+        Down "down" "downwards";
+    }
+
+    /// `wheel.profile_y` and `rail.profile_y`.
+    LateralAxis {
+        Auto "auto" "outwards; that of a wheel is found from its flange";
+        Outwards "outwards" "away from the middle of the track";
+        Inwards "inwards" "towards the middle of the track";
+    }
+
+    /// `wheelset.side`.
+    WheelSide {
+        Right "right" "the wheel at negative y";
+        Left "left" "the wheel at positive y";
     }
 
     /// `elasticity.model`.
