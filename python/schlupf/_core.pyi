@@ -20,6 +20,7 @@ __all__ = [
     "comparison",
     "conditions",
     "creep_curve",
+    "damage",
     "defaults",
     "field_table",
     "fitted",
@@ -121,9 +122,10 @@ def conditions() -> list[tuple[str, str]]: ...
 def creep_curve(
     case: CaseFile,
     varied: tuple[tuple[_Range | None, ...], tuple[_Range, str] | None],
-    over: str | None,
+    over: list[str],
     sampling: tuple[int, bool],
 ) -> Report: ...
+def damage(run: Path, case: CaseFile | None) -> Report: ...
 def defaults() -> dict[str, Any]: ...
 def fitted(
     case: CaseFile,

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from ._report import Comparison, Curve, Fit, RoughContact, Temperatures
+    from ._report import Comparison, Curve, Damage, Fit, RoughContact, Temperatures
 
 #: Forces on the wheel with their symbols.
 FORCES = {"force_x": "$F_x$", "force_y": "$F_y$"}
@@ -46,6 +46,31 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
         legend_beside(ax, title=points["over"].attrs["field"])
     else:
         ax.legend()
+    ax.set_title(curve.title)
+    return ax
+
+
+@styled
+def creep_map(curve: Curve, quantity: str, ax: Axes | None = None, **style: Any) -> Axes:
+    """Labelled contours of a quantity over two others, over colours."""
+    found = curve.map
+    if quantity not in found:
+        names = ", ".join(str(name) for name in found)
+        raise KeyError(f"the map has no {quantity}, but {names}")
+    ax = axes_or_new(ax)
+    values = found[quantity]
+    y, x = (found[str(name)] for name in values.dims)
+    colors = ax.contourf(x, y, values, **{"levels": 32, **style})
+    lines = ax.contour(x, y, values, levels=8, colors="black", linewidths=0.8)
+    ax.clabel(lines, fontsize="small")
+    figure = ax.figure
+    assert figure is not None
+    name = quantity.replace("_", " ")
+    label = f"{name} ({values.attrs['units']})" if values.attrs["units"] else name
+    figure.colorbar(colors, ax=ax, label=label)
+    for axis, set_label in ((x, ax.set_xlabel), (y, ax.set_ylabel)):
+        units = f" ({axis.attrs['units']})" if axis.attrs["units"] else ""
+        set_label(f"{axis.name}{units}")
     ax.set_title(curve.title)
     return ax
 
@@ -92,6 +117,20 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
     ax.set_xlabel(f"force on the wheel ({unit})")
     legend_beside(ax)
     ax.set_title(comparison.title)
+    return ax
+
+
+@styled
+def wear(damage: Damage, ax: Axes | None = None, **style: Any) -> Axes:
+    """Depth of wear of the wheel across the profile, by both laws."""
+    ax = axes_or_new(ax)
+    profile = damage.profile
+    for name, label in (("wheel_archard", "Archard"), ("wheel_energy", "energy")):
+        line(ax, profile["y"] * 1e3, profile[name] * 1e6, label, style)
+    ax.set_xlabel("$y$ across the profile (mm)")
+    ax.set_ylabel("depth worn from the wheel (µm)")
+    legend_beside(ax)
+    ax.set_title(damage.title)
     return ax
 
 

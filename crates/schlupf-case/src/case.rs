@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use schlupf::bulk_temperature::Cooling;
+use schlupf::damage::Laws;
 use schlupf::history::History;
 use schlupf::material::Material;
 use schlupf::message::Message;
 use schlupf::normal::NormalContact;
-use schlupf::rolling::MarchingSolver;
 use schlupf::state::State;
+use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Method, Options, Problem, Solver, Transient, Watch};
 
 use crate::case_file::CaseFile;
@@ -20,7 +21,8 @@ use crate::fields::choice::{Driver, ElasticityModel};
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
 use crate::notice::Notice;
 use crate::place::Place;
-use crate::read;
+use crate::profiles;
+use crate::read::{self, Posed};
 use crate::setting::Setting;
 
 /// What makes a history, each by itself.
@@ -47,6 +49,9 @@ pub struct Case {
     pub cooling: Option<Cooling>,
     /// k_c of the contact law, and where it comes from.
     pub law_stiffness: LawStiffness,
+    /// The wheel with all its contacts, if the case has profiles; the contact is then the one with
+    /// the largest normal force.
+    pub wheel: Option<Arc<WheelSolution>>,
     /// What was given without effect, each with its place, and what to know about a roughness.
     pub notices: Vec<Message>,
     pub(crate) file: CaseFile,
@@ -92,7 +97,8 @@ impl CaseFile {
         solved: Option<&Arc<MicroContact>>,
         watch: Watch,
     ) -> Result<Case, CaseErrors> {
-        let (problem, law_stiffness) = self.parts.pose(&self.settings, solved, watch)?;
+        let Posed { problem, stiffness: law_stiffness, wheel } =
+            self.parts.pose(&self.settings, solved, watch)?;
         let caveats = law_stiffness.caveats().into_iter();
         let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
         Ok(Case {
@@ -105,6 +111,7 @@ impl CaseFile {
             options: self.options()?,
             cooling: read::cooling(&self.settings)?,
             law_stiffness,
+            wheel,
             notices: self.notices().into_iter().chain(caveats).collect(),
             file: self.clone(),
         })
@@ -188,6 +195,7 @@ impl CaseFile {
         fields::all()
             .filter(|field| matches!(field.kind, fields::Kind::Path))
             .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
+            .filter(|(_, file)| !profiles::is_built_in(file))
             .map(|(field, file)| (field, self.files.locate(file)))
             .collect()
     }
@@ -282,10 +290,7 @@ impl Case {
     }
 
     fn any_solver(&self, options: &Options) -> Box<dyn Solver> {
-        match (self.method, self.driver) {
-            (Method::Full, Some(Driver::Marching)) => Box::new(MarchingSolver::new(options)),
-            (method, _) => method.solver(options),
-        }
+        read::any_solver(self.method, self.driver, options)
     }
 
     fn contradiction(&self, field: &str, reason: &str) -> CaseError {
@@ -303,6 +308,21 @@ impl Case {
     /// The field that is missing where the case does not say so.
     pub fn require_cooling(&self) -> Result<Cooling, CaseError> {
         self.cooling.ok_or_else(|| read::missing_cooling(&self.file.settings))
+    }
+
+    /// What turns a run of its wheel into damage.
+    ///
+    /// # Errors
+    /// A wheel without a rolling radius.
+    pub fn damage_laws(&self) -> Result<Laws, CaseError> {
+        let (fatigue, archard, energy) = read::damage(&self.file.settings)?;
+        Ok(Laws {
+            fatigue,
+            archard,
+            energy,
+            wheel_radius: self.file.settings.number("kinematics.wheel_radius")?,
+            densities: [self.problem.wheel.material.density, self.problem.rail.material.density],
+        })
     }
 
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure

@@ -5,6 +5,9 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
+use schlupf::Watch;
+use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
+
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors};
 use crate::files::{Files, Folder, read_up_to};
@@ -156,6 +159,24 @@ impl CaseFile {
         self.parts.apply(&laws).map_err(|error| self.explain(&error))?;
         self.laws = laws;
         Ok(self)
+    }
+
+    /// The wheel of a case of two profiles, with what determines where it touches.
+    ///
+    /// # Errors
+    /// A case with another normal contact.
+    pub fn wheel(&self) -> Result<&WheelOnRail, CaseError> {
+        self.parts.wheel(&self.settings)
+    }
+
+    /// The left and the right wheel with all their contacts, both resting on their rails, at a
+    /// lateral position (in m) in place of that of the case.
+    ///
+    /// # Errors
+    /// A case with another normal contact, a height in place of the vertical force, and whatever
+    /// keeps the contacts from being found.
+    pub fn wheels_at(&self, lateral: f64, watch: Watch) -> Result<Vec<WheelSolution>, CaseError> {
+        self.parts.wheels_at(&self.settings, lateral, watch)
     }
 
     fn from_entries(

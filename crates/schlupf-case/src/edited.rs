@@ -9,6 +9,7 @@ use crate::document::{Content, Entry, Origin};
 use crate::error::CaseError;
 use crate::fields::{self, Kind, readable};
 use crate::place::{Place, Source};
+use crate::profiles;
 
 /// A text that is being edited.
 pub struct Edited {
@@ -44,7 +45,7 @@ impl Edited {
             let is_path =
                 fields::find(&entry.path).is_some_and(|field| matches!(field.kind, Kind::Path));
             match (&entry.value.content, folder) {
-                (Content::Text(file), Some(folder)) if is_path => {
+                (Content::Text(file), Some(folder)) if is_path && !profiles::is_built_in(file) => {
                     let file = absolute(&folder.join(file)).into_os_string().into_string();
                     let file = file.map_err(|file| self.no_text(&entry.path, &file))?;
                     self.set(&entry.path, file.into())?;

@@ -21,6 +21,7 @@ mod law_stiffness;
 mod laws;
 mod names;
 mod notice;
+mod profiles;
 mod range;
 mod read;
 mod roughness_request;

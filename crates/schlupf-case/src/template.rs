@@ -90,8 +90,11 @@ mod tests {
                 .replacen(line, &line[2..], 1)
                 .replace("# [history]", "[history]")
                 .replace("# [cooling]", "[cooling]")
+                .replace("# [damage]", "[damage]")
                 .replace("# [contact_law.roughness]", "[contact_law.roughness]")
-                .replace("# [fastsim]", "[fastsim]");
+                .replace("# [fastsim]", "[fastsim]")
+                .replace("# [track]", "[track]")
+                .replace("# [wheelset]", "[wheelset]");
             if let Err(errors) = read(&switched) {
                 let message = errors.to_string();
                 let allowed =

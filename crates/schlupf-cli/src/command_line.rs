@@ -8,13 +8,16 @@ use crate::bulk::Bulk;
 use crate::calibrate::Calibrate;
 use crate::compare::Compare;
 use crate::curve::Curve;
+use crate::damage::Damage;
 use crate::failure::{Failure, SUCCESS};
 use crate::fit::Fit;
 use crate::roughness::Roughness;
 use crate::solve::Solve;
 use crate::stdout;
 use crate::sweep::{Merge, Sweep};
+use crate::table::Table;
 use crate::temperature::Temperature;
+use crate::wheelset::Wheelset;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -71,12 +74,21 @@ pub enum Command {
     /// Fit constants of friction and contact law to measured creep forces
     #[command(after_help = EXIT_CODES)]
     Fit(Box<Fit>),
+    /// Find the contacts of a wheelset over its lateral position, and its equivalent conicity
+    #[command(after_help = EXIT_CODES)]
+    Wheelset(Box<Wheelset>),
     /// Solve a study: many states of a case, a row of results each
     #[command(after_help = EXIT_CODES)]
     Sweep(Sweep),
     /// Put the tables of all shards of a study together
     #[command(after_help = EXIT_CODES)]
     Merge(Merge),
+    /// Compute the damage over a run: energy, fatigue and wear across the profile
+    #[command(after_help = EXIT_CODES)]
+    Damage(Box<Damage>),
+    /// Make a look-up table of creep forces, for multibody codes
+    #[command(after_help = EXIT_CODES)]
+    Table(Table),
     /// Validate a case file and show what would be solved
     Check(CaseArguments),
     /// Write a commented case file to start from

@@ -9,6 +9,7 @@ mod command_line;
 mod commands;
 mod compare;
 mod curve;
+mod damage;
 mod failure;
 mod fit;
 mod interrupt;
@@ -20,8 +21,10 @@ mod roughness;
 mod solve;
 mod stdout;
 mod sweep;
+mod table;
 mod task;
 mod temperature;
+mod wheelset;
 
 use std::ffi::OsString;
 
@@ -50,13 +53,16 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Solve(arguments) => task::run(&*arguments),
         Command::Curve(arguments) => task::run(&*arguments),
         Command::Temperature(arguments) => task::run(&*arguments),
+        Command::Wheelset(arguments) => task::run(&*arguments),
         Command::Bulk(arguments) => task::run(&*arguments),
         Command::Calibrate(arguments) => task::run(&*arguments),
         Command::Roughness(arguments) => task::run(&*arguments),
         Command::Compare(arguments) => task::run(&*arguments),
         Command::Fit(arguments) => task::run(&*arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Damage(arguments) => task::run(&*arguments),
         Command::Merge(arguments) => sweep::merge(&arguments),
+        Command::Table(arguments) => table::table(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),

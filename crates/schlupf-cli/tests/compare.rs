@@ -25,6 +25,7 @@ fn all_methods_are_compared() {
             "full",
             "full",
             "full",
+            "table",
             "fastsim",
             "modified-fastsim",
             "polach",
@@ -38,7 +39,7 @@ fn all_methods_are_compared() {
         assert!(method["time"].as_f64().unwrap() > 0.0);
         assert!(run.stdout.contains(method["name"].as_str().unwrap()), "{}", run.stdout);
     }
-    assert_eq!(bench.read("c.csv").lines().count(), 10);
+    assert_eq!(bench.read("c.csv").lines().count(), 11);
     assert!(bench.path("pictures/comparison.svg").exists());
     assert!(bench.path("pictures/comparison.png").exists());
 }

@@ -14,9 +14,11 @@ use schlupf::solution::{
     Area, Extrapolation, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma,
     Temperature, Work,
 };
+use schlupf::wheel_rail::WheelSolution;
 
 use crate::contact_law::ContactLaw;
 use crate::number::without_sign_of_zero;
+use crate::solution::wheel::WheelDocument;
 use crate::table::{Arrays, Row};
 
 /// Name and version of the program.
@@ -90,6 +92,8 @@ pub(crate) struct Document<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     extrapolation: Option<&'a Extrapolation>,
     history: Arrays<'a, [Instant]>,
+    #[serde(flatten)]
+    wheel: Option<WheelDocument<'a>>,
     warnings: &'a [Message],
     residual: f64,
     work: &'a Work,
@@ -163,6 +167,7 @@ impl<'a> Document<'a> {
             sensitivity: solution.sensitivity.as_ref(),
             extrapolation: solution.extrapolation.as_ref(),
             history: Arrays(&solution.history),
+            wheel: None,
             warnings,
             residual: solution.residual,
             work: &solution.work,
@@ -172,5 +177,10 @@ impl<'a> Document<'a> {
     /// The same with the k_c used and its origin.
     pub(crate) fn with_law(self, contact_law: Option<&'a ContactLaw>) -> Self {
         Self { contact_law, ..self }
+    }
+
+    /// The same with all contacts of a wheel, and the status of all of them.
+    pub(crate) fn with_wheel(self, wheel: Option<&'a WheelSolution>, status: Status) -> Self {
+        Self { wheel: wheel.map(WheelDocument::new), status, ..self }
     }
 }

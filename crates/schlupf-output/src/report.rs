@@ -16,7 +16,7 @@ use crate::summary::Summary;
 /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
 /// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
 /// let (title, warnings) = ("braking".to_owned(), Vec::new());
-/// let report = SolutionReport { title, contact_law: None, solution, warnings };
+/// let report = SolutionReport { title, contact_law: None, solution, wheel: None, warnings };
 /// assert!(report.summary().to_string().starts_with("braking"));
 /// assert!(report.csv().is_some_and(|table| table.contains("traction_x")));
 /// # Ok::<(), schlupf::Error>(())

@@ -334,6 +334,6 @@ impl BatchSolver {
         let contact_law = (solution.method == Method::Full).then(|| contact_law::of(case));
         let warnings = case.notices.iter().cloned().chain(messages(&solution.warnings)).collect();
         let title = case.title.clone();
-        Ok(Solution::new(SolutionReport { title, contact_law, solution, warnings }))
+        Ok(Solution::new(SolutionReport { title, contact_law, solution, wheel: None, warnings }))
     }
 }

@@ -105,10 +105,11 @@ fn candidates(own: ElasticityModel) -> Vec<Candidate> {
 }
 
 /// The methods that every case is solved by.
-const CANDIDATES: [Candidate; 8] = [
+const CANDIDATES: [Candidate; 9] = [
     full("full, half-space", ElasticityModel::HalfSpace),
     full("full, elastic layer", ElasticityModel::ElasticLayer),
     full("full, Winkler bedding", ElasticityModel::Winkler),
+    fast("look-up table", "table"),
     fast("FASTSIM", "fastsim"),
     fast("modified FASTSIM", "modified-fastsim"),
     fast("Polach", "polach"),

@@ -19,6 +19,7 @@ mod notice;
 pub mod roughness;
 pub mod solve;
 pub mod temperature;
+pub mod wheelset;
 
 pub use error::TaskError;
 pub use notice::Notice;

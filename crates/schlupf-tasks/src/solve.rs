@@ -1,11 +1,24 @@
 //! The solution of a case: steady rolling, or rolling over time.
 
+use schlupf::message::Message;
 use schlupf::rolling::marching::march;
+use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Watch};
 use schlupf_case::{Case, Rolling};
 use schlupf_output::solution::SolutionReport;
 
 use crate::{contact_law, messages};
+
+/// What to know about a wheel and about its contacts but the first, whose warnings are those of the
+/// solution.
+pub(crate) fn of_wheel(wheel: &WheelSolution) -> Vec<Message> {
+    let own = wheel.warnings();
+    let others = (2..).zip(wheel.contacts.iter().skip(1)).flat_map(|(k, contact)| {
+        messages(&contact.solution.warnings)
+            .map(move |message| message.about(&format!("contact {k}")))
+    });
+    messages(&own).chain(others).collect()
+}
 
 /// Solves what a case asks for: see [`Case::rolling`].
 ///
@@ -27,6 +40,9 @@ pub fn solve(case: &Case, rolling: Rolling, watch: Watch) -> Result<SolutionRepo
         Rolling::Transient(transient) => march(&transient, &case.options, watch)?,
     };
     let contact_law = (solution.method == Method::Full).then(|| contact_law::of(case));
-    let warnings = case.notices.iter().cloned().chain(messages(&solution.warnings)).collect();
-    Ok(SolutionReport { title: case.title.clone(), contact_law, solution, warnings })
+    let wheel = case.wheel.clone();
+    let of_wheel = wheel.iter().flat_map(|wheel| of_wheel(wheel));
+    let warnings = case.notices.iter().cloned().chain(messages(&solution.warnings));
+    let warnings = warnings.chain(of_wheel).collect();
+    Ok(SolutionReport { title: case.title.clone(), contact_law, solution, wheel, warnings })
 }

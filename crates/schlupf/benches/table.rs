@@ -2,6 +2,7 @@
 
 mod common;
 mod contact_laws;
+mod look_up_table;
 mod rough_contact;
 
 use std::fs;
@@ -69,6 +70,10 @@ fn main() {
         println!("{}", contact_laws::table());
         return;
     }
+    if std::env::args().any(|argument| argument == "look-up-table") {
+        println!("{}", look_up_table::table());
+        return;
+    }
     let families = [Bodies::Layer, Bodies::HalfSpace].map(|b| [(b, false), (b, true)]);
     let case = |(bodies, is_heated)| GRIDS.map(|cells| Case { bodies, is_heated, cells });
     let mut rows: Vec<Row> =
@@ -82,6 +87,7 @@ fn main() {
     println!("\n{}\n\n{}", growth(&rows), against_the_paper(&rows));
     println!("\n{}", contact_laws::table());
     println!("\n{}", fast_methods());
+    println!("\n{}", look_up_table::table());
     println!("\n{}", rough_contact::table());
 }
 

@@ -4,7 +4,10 @@
 //! The fast methods describe steady rolling of an elastic half-space: elasticity and contact law of
 //! the problem are ignored; only the elastic constants of the bodies are used.
 
+use std::fmt;
+
 use crate::error::{Error, require};
+use crate::look_up_table::LookUpTable;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -32,7 +35,13 @@ pub enum FastMethod {
     Fastsim(Brush),
     /// FASTSIM with a slope that decreases with creepage (Spiryagin, Polach and Cole 2013).
     ModifiedFastsim(Brush, SlopeReduction),
+    /// A look-up table of the half-space with Coulomb's law: forces, moment, derivatives.
+    Table(SharedTable),
 }
+
+/// A look-up table that lasts as long as the program, so that methods can be copied.
+#[derive(Clone, Copy)]
+pub struct SharedTable(pub &'static LookUpTable);
 
 /// Reduction of the initial slope of the creep curve by Polach (2005).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,6 +91,21 @@ pub struct SlopeReduction {
     pub decay: f64,
 }
 
+/// The same table, not one with the same values.
+impl PartialEq for SharedTable {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
+}
+
+/// Without its values.
+impl fmt::Debug for SharedTable {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.0.axis_ratios();
+        write!(formatter, "SharedTable(a/b from {low} to {high})")
+    }
+}
+
 impl AreaReduction {
     /// Typical of dry rails: k_A = 1, k_S = 0.4 (Polach 2005).
     pub const DRY: Self = Self { area_adhesion: 1.0, area_slip: 0.4 };
@@ -126,6 +150,7 @@ impl FastMethod {
             Self::Polach(_) => "polach",
             Self::Fastsim(_) => "fastsim",
             Self::ModifiedFastsim(..) => "modified-fastsim",
+            Self::Table(_) => "table",
         }
     }
 
@@ -134,12 +159,19 @@ impl FastMethod {
         matches!(self, Self::Fastsim(_) | Self::ModifiedFastsim(..))
     }
 
+    /// Whether it computes derivatives of the forces.
+    pub fn has_derivatives(&self) -> bool {
+        matches!(self, Self::Table(_))
+    }
+
     /// Checks the parameters of the method.
     pub fn check(&self) -> Result<(), Error> {
         match self {
             Self::Polach(reduction) => reduction.check(),
             Self::ModifiedFastsim(_, reduction) => reduction.check(),
-            Self::KalkerLinear | Self::ShenHedrickElkins | Self::Fastsim(_) => Ok(()),
+            Self::KalkerLinear | Self::ShenHedrickElkins | Self::Fastsim(_) | Self::Table(_) => {
+                Ok(())
+            }
         }
     }
 }

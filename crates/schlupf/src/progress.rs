@@ -26,6 +26,8 @@ pub enum Stage {
     Calibration,
     /// States of a study.
     Study,
+    /// States of a look-up table.
+    Table,
 }
 
 impl Stage {
@@ -41,6 +43,7 @@ impl Stage {
             Self::Fit => "fitting, forces",
             Self::Calibration => "calibrating, motions",
             Self::Study => "states",
+            Self::Table => "states of the table",
         }
     }
 }

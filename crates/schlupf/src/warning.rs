@@ -205,6 +205,19 @@ messages! {
          1/30 and 30, C33 is a limit only"
     );
 
+    /// A patch that a look-up table does not cover.
+    "outside-table" OutsideTable {
+        /// a/b, dimensionless.
+        axis_ratio: f64,
+        /// Range of the table, dimensionless.
+        range: [f64; 2],
+    } Quantity::Method, |name, words| format!(
+        "{name}: the look-up table covers a/b from {} to {}, but the patch has {axis_ratio:.4}; its \
+         forces beyond the linear range are those of the nearest a/b in the table",
+        readable(range[0]),
+        readable(range[1])
+    );
+
     /// A patch that is no ellipse but counts as one.
     "counts-as-ellipse" CountsAsEllipse {
         /// The method.
@@ -336,6 +349,15 @@ messages! {
     } Quantity::ForceRatio, |name, words| format!(
         "the model explains only {:.0} % of the variance of the data",
         100.0 * r_squared.max(0.0)
+    );
+
+    /// A contact whose surface is curved more than a plane can show.
+    "conformal-contact" ConformalContact {
+        /// Angle by which the surface turns over the contact, in rad.
+        turn: f64,
+    } Quantity::ContactAngle, |name, words| format!(
+        "{name}: the surface turns by {turn:.2} rad over a contact, which is solved in a plane: beyond \
+         0.3 rad the pressure is too high, and the spin of the plane's middle is taken for all of it"
     );
 
     /// Residuals beyond the standard deviations of the data.

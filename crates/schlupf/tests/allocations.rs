@@ -14,7 +14,8 @@ use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::interface::contact_law::TotalDisplacement;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
+use schlupf::look_up_table::{LookUpTable, TableNodes};
+use schlupf::method::{AreaReduction, Brush, FastMethod, SharedTable, SlopeReduction};
 use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::simplified::FastContact;
@@ -172,6 +173,20 @@ fn more_iterations_of_a_time_step_allocate_no_more() {
     }
 }
 
+/// A table with the forces of full adhesion up to the friction limit.
+fn table() -> LookUpTable {
+    let nodes = TableNodes {
+        poisson_ratio: 0.28,
+        axis_ratios: vec![0.1, 0.5, 2.0, 10.0],
+        azimuths: vec![0.0, 0.8, 1.6, 2.4],
+        inclinations: vec![0.0, 0.5, 1.0, std::f64::consts::FRAC_PI_2],
+        saturations: vec![0.0, 0.3, 0.6, 1.0],
+        values: vec![[0.0; 3]; 256],
+        creep_coefficients: vec![[4.0, 4.0, 1.5, 0.5]; 4],
+    };
+    LookUpTable::new(nodes).unwrap()
+}
+
 /// The fast methods, for any motion and load, with both heat models.
 #[test]
 fn a_fast_force_allocates_nothing() {
@@ -181,6 +196,7 @@ fn a_fast_force_allocates_nothing() {
         FastMethod::Polach(AreaReduction::DRY),
         FastMethod::Fastsim(Brush::KALKER),
         FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::DRY),
+        FastMethod::Table(SharedTable(Box::leak(Box::new(table())))),
     ];
     for base in problems() {
         for method in methods {

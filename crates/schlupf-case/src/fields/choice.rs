@@ -64,6 +64,29 @@ choices! {
         Ellipse "ellipse" "from semi_axis_x, semi_axis_y, and load or peak_pressure";
         Tabulated "tabulated" "from file, scaled to load if that is given";
         Profile "profile" "from file, the undeformed distance of the bodies, and load";
+        WheelRail "wheel-rail"
+            "from wheel.profile, rail.profile, track, wheelset, and load, the vertical force: all \
+             contacts of a wheel";
+    }
+
+    /// `wheel.profile_z` and `rail.profile_z`.
+    VerticalAxis {
+        Auto "auto" "found from the shape: flange and foot point away from the running surface";
+        Up "up" "upwards";
+        Down "down" "downwards";
+    }
+
+    /// `wheel.profile_y` and `rail.profile_y`.
+    LateralAxis {
+        Auto "auto" "outwards; that of a wheel is found from its flange";
+        Outwards "outwards" "away from the middle of the track";
+        Inwards "inwards" "towards the middle of the track";
+    }
+
+    /// `wheelset.side`.
+    WheelSide {
+        Right "right" "the wheel at negative y";
+        Left "left" "the wheel at positive y";
     }
 
     /// `elasticity.model`.
@@ -149,6 +172,7 @@ choices! {
         KalkerLinear "kalker-linear" "Kalker's linear theory: forces for small creepages";
         ShenHedrickElkins "shen-hedrick-elkins" "Shen, Hedrick and Elkins 1983: forces";
         Polach "polach" "Polach 1999 and 2005: forces, with k_A and k_S";
+        Table "table" "a look-up table of the half-space with Coulomb's law: forces";
         Fastsim "fastsim" "Kalker 1982: bristles without coupling, with heat";
         ModifiedFastsim "modified-fastsim"
             "Spiryagin, Polach and Cole 2013: FASTSIM with a slope that falls with the creepage";

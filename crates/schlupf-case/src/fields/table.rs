@@ -29,11 +29,15 @@ macro_rules! section {
 }
 
 mod contact_law;
+mod damage;
 mod elasticity;
 mod friction;
 mod solver;
+mod wheel_rail;
 
-use super::choice::{Choose, HeatChoice, NormalModel, PartitionChoice, Reference};
+use super::choice::{
+    Choose, HeatChoice, LateralAxis, NormalModel, PartitionChoice, Reference, VerticalAxis,
+};
 use super::field::Default::{Nothing, Same, Text};
 use super::field::{Field, Kind, Section};
 use crate::units::Measure;
@@ -83,12 +87,15 @@ pub const SECTIONS: &[Section] = &[
     WHEEL,
     RAIL,
     NORMAL,
+    wheel_rail::TRACK,
+    wheel_rail::WHEELSET,
     elasticity::ELASTICITY,
     contact_law::CONTACT_LAW,
     contact_law::ROUGHNESS,
     friction::FRICTION,
     HEAT,
     COOLING,
+    damage::DAMAGE,
     solver::GRID,
     solver::SOLVER,
     solver::FASTSIM,
@@ -111,6 +118,7 @@ const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
+const SMOOTHING: Requirement = Between(0.0, 0.1);
 /// Bodies that are shifted by more than the size of a wheel do not touch where they did.
 const SHIFT: Requirement = Magnitude(1.0);
 
@@ -141,17 +149,22 @@ section! {
         "ω of the wheel, in place of creepage_x", example("64.7 rad/s");
     "wheel_radius" [] quantity(&Measure::LENGTH), ROLLING_RADIUS, Same("wheel.radius_x"),
         "R, rolling radius that goes with angular_velocity", example("0.46 m");
-    "creepage_y" [CreepageY] Kind::Number, Inside(-1.0, 1.0), Text("0.0"), "η, lateral creepage";
+    "creepage_y" [CreepageY] Kind::Number, Inside(-1.0, 1.0), Text("0.0"), "η, lateral creepage",
+        idle_with(NORMAL_MODEL, WHEEL_RAIL);
     "yaw_angle" [] quantity(&Measure::ANGLE), Inside(-FRAC_PI_2, FRAC_PI_2), Nothing,
-        "α, slip angle, in place of creepage_y", example("0.5 deg");
-    "spin" [Spin] quantity(&Measure::PER_LENGTH), TURNING, Text("0 1/m"), "φ, spin creepage";
+        "α, slip angle, in place of creepage_y", example("0.5 deg"),
+        idle_with(NORMAL_MODEL, WHEEL_RAIL);
+    "spin" [Spin] quantity(&Measure::PER_LENGTH), TURNING, Text("0 1/m"), "φ, spin creepage",
+        idle_with(NORMAL_MODEL, WHEEL_RAIL);
     "reference" [Reference] Kind::Choice(Reference::CHOICES), Finite, Text("patch"),
-        "where creepages hold (those of a history, too) and about which point the moment is taken";
+        "where creepages hold (those of a history, too) and about which point the moment is taken",
+        idle_with(NORMAL_MODEL, WHEEL_RAIL);
 }
 
 macro_rules! body {
     (
-        $section:ident $body:literal $about:literal, $radius_x:literal, $radius_y:literal;
+        $section:ident $body:literal $about:literal, $radius_x:literal, $radius_y:literal,
+        $along:expr, { $($profile:tt)* };
         $young:ident, [$($poisson:ident)*], $conductivity:ident, $density:ident,
         $specific_heat:ident, $temperature:ident, $of_radius_x:ident, $of_radius_y:ident
     ) => { section! {
@@ -171,21 +184,52 @@ macro_rules! body {
             Text("20 degC"), "temperature far from the contact";
         "radius_x" [$of_radius_x] quantity(&Measure::LENGTH), CURVATURE, Text($radius_x),
             "radius of curvature along rolling: \"inf\" where straight, negative where concave",
-            shaping(), with(NORMAL_MODEL, &["hertz", "profile"]);
+            shaping(), with(NORMAL_MODEL, $along);
         "radius_y" [$of_radius_y] quantity(&Measure::LENGTH), CURVATURE, Text($radius_y),
             "radius of curvature across rolling", shaping(), with(NORMAL_MODEL, &["hertz"]);
+        $($profile)*
     } };
 }
 
 body! {
     WHEEL "wheel" "The wheel: elastic and thermal constants, temperature, curvature radii.",
-    "0.46 m", "inf";
+    "0.46 m", "inf", &["hertz", "profile", "wheel-rail"], {
+        "profile" [WheelProfile] Kind::Path, Finite, Nothing,
+            "profile: a file (CSV with the header `y [mm],z [mm]`, Simpack, Miniprof, or two columns in \
+             mm) or the name of one that is built in, such as \"S1002\"",
+            shaping(), example("S1002"), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_z" [] Kind::Choice(VerticalAxis::CHOICES), Finite, Text("auto"),
+            "direction of z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_y" [] Kind::Choice(LateralAxis::CHOICES), Finite, Text("auto"),
+            "direction of y in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_smoothing" [ProfileSmoothing] quantity(&Measure::LENGTH), SMOOTHING, Text("0 mm"),
+            "L: what is shorter along the profile is levelled out; 5 mm for a measured one", shaping(),
+            with(NORMAL_MODEL, WHEEL_RAIL);
+        "flange_back_position" [FlangeBackPosition] quantity(&Measure::LENGTH), Between(-1.0, 1.0),
+            Text("-70 mm"), "y of the flange back in the profile, with y outwards", shaping(),
+            with(NORMAL_MODEL, WHEEL_RAIL);
+    };
     WheelYoungModulus, [WheelPoissonRatio PoissonRatio], WheelConductivity, WheelDensity,
     WheelSpecificHeat, WheelBulkTemperature, WheelRadiusX, WheelRadiusY
 }
 
 body! {
-    RAIL "rail" "The rail: the same fields as the wheel.", "inf", "300 mm";
+    RAIL "rail" "The rail: the same fields as the wheel.", "inf", "300 mm", &["hertz", "profile"], {
+        "profile" [RailProfile] Kind::Path, Finite, Nothing,
+            "profile: a file or the name of one that is built in, such as \"60E1\"; as for the wheel",
+            shaping(), example("60E1"), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_z" [] Kind::Choice(VerticalAxis::CHOICES), Finite, Text("auto"),
+            "direction of z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_y" [] Kind::Choice(LateralAxis::CHOICES), Finite, Text("auto"),
+            "direction of y in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_smoothing" [] quantity(&Measure::LENGTH), SMOOTHING, Text("0 mm"),
+            "L: what is shorter along the profile is levelled out; 5 mm for a measured one", shaping(),
+            with(NORMAL_MODEL, WHEEL_RAIL);
+        "cant" [RailCant] Kind::Number, Magnitude(0.5), Text("0.0"),
+            "inclination of the rail towards the middle, such as 0.025 for 1:40; 0 for a profile that is \
+             canted already",
+            shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    };
     RailYoungModulus, [RailPoissonRatio], RailConductivity, RailDensity,
     RailSpecificHeat, RailBulkTemperature, RailRadiusX, RailRadiusY
 }
@@ -196,7 +240,7 @@ section! {
 
     "model" [] Kind::Choice(NormalModel::CHOICES), Finite, Text("hertz"),
         "source of the pressure", shaping();
-    "load" [Load] quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load", shaping(),
+    "load" [Load] quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load; with \"wheel-rail\" the vertical force on the wheel", shaping(),
         default_with(NORMAL_MODEL, &["hertz"]);
     "semi_axis_x" [SemiAxisX] quantity(&Measure::LENGTH), SEMI_AXIS, Nothing,
         "a, semi-axis along rolling", shaping(), example("6 mm"),
@@ -219,12 +263,21 @@ section! {
         "spacing of the rows of an .npy file", shaping(), example("0.5 mm"),
         with(NORMAL_MODEL, FILES);
     "cells" [NormalCells] Kind::Count, Between(16.0, 512.0), Text("128"),
-        "cells across the contact each way, on which the pressure of a profile is found", shaping(),
-        with(NORMAL_MODEL, &["profile"]);
+        "cells across the contact each way, on which the pressure of profiles is found (64 with \
+         \"wheel-rail\")",
+        shaping(), with(NORMAL_MODEL, &["profile", "wheel-rail"]),
+        default_with(NORMAL_MODEL, &["profile"]);
+    "join_distance" [JoinDistance] quantity(&Measure::LENGTH), Between(0.0, 1.0), Text("8 mm"),
+        "distance up to which neighbouring contacts share a plane", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+    "join_angle" [JoinAngle] quantity(&Measure::ANGLE), Between(0.0, FRAC_PI_2), Text("20 deg"),
+        "difference of their angles up to which they do", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
 }
 
 /// Path of the source of the pressure.
 const NORMAL_MODEL: &str = "normal.model";
+/// The model of two profiles and a position.
+const WHEEL_RAIL: &[&str] = &["wheel-rail"];
 /// Models that read a file.
 const FILES: &[&str] = &["tabulated", "profile"];
 

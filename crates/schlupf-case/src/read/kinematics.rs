@@ -10,6 +10,10 @@ use crate::settings::Settings;
 /// Creepages as given, or from the angular velocity and the yaw angle, in any combination.
 pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
     let speed = settings.number("kinematics.speed")?;
+    if settings.chosen::<NormalModel>("normal.model")? == NormalModel::WheelRail {
+        // Creepages follow from the motion of the wheelset.
+        return Ok(Kinematics::free_rolling(speed));
+    }
     let yaw_angle = settings.optional_number("kinematics.yaw_angle")?;
     let creepage_y = match yaw_angle {
         Some(angle) => -angle.sin(),
@@ -38,7 +42,9 @@ pub fn reference(settings: &Settings) -> Result<ReferencePoint, CaseError> {
     }
     let model: NormalModel = settings.chosen("normal.model")?;
     match model {
-        NormalModel::Tabulated | NormalModel::Profile => return Ok(ReferencePoint::File),
+        NormalModel::Tabulated | NormalModel::Profile | NormalModel::WheelRail => {
+            return Ok(ReferencePoint::File);
+        }
         NormalModel::Hertz | NormalModel::Ellipse => {}
     }
     let message = format!(

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod cooling;
+mod damage;
 mod elasticity;
 mod friction;
 mod heat;
@@ -11,24 +12,30 @@ mod kinematics;
 mod normal;
 mod options;
 mod roughness;
+mod wheel_rail;
 
 use std::sync::Arc;
 
 use schlupf::history::History;
 use schlupf::material::Material;
 use schlupf::normal::NormalContact;
-use schlupf::{Error, Options, Problem, Watch};
+use schlupf::rolling::MarchingSolver;
+use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
+use schlupf::{Error, Method, Options, Problem, Solver, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
+pub use damage::damage;
 pub use options::{driver, method};
 
 use crate::error::CaseError;
+use crate::fields::choice::Driver;
 use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::laws::Laws;
 use crate::settings::Settings;
 use elasticity::Deformation;
 use roughness::OfRoughness;
 pub use roughness::{MicroCase, explain as explain_roughness, load as load_roughness};
+use wheel_rail::WheelRequest;
 
 /// What a case says of its problem: all that is known without solving anything.
 #[derive(Debug, Clone)]
@@ -40,6 +47,19 @@ pub struct Parts {
     stiffness: OfRoughness,
     /// Values over time, where there are some.
     pub history: Option<History>,
+    /// The wheel whose contacts are still to be found, if the case has profiles.
+    wheel: Option<WheelRequest>,
+}
+
+/// A problem with what was found on the way to it.
+#[derive(Debug, Clone)]
+pub struct Posed {
+    /// The problem; that of the contact with the largest normal force where there are several.
+    pub problem: Problem,
+    /// k_c and where it comes from.
+    pub stiffness: LawStiffness,
+    /// The wheel with all its contacts, if the case has profiles.
+    pub wheel: Option<Arc<WheelSolution>>,
 }
 
 impl Parts {
@@ -62,16 +82,23 @@ impl Parts {
             rail,
         };
         let history = history::history(settings)?;
+        let wheel = wheel_rail::request(settings)?;
+        if wheel.is_some() {
+            wheel_rail::refuse_others(settings, &stiffness, history.is_some())?;
+        }
         let explain = |error| settings.explain(&error);
         draft.check().map_err(explain)?;
         if let Some(history) = &history {
             history.check(&draft.kinematics).map_err(explain)?;
         }
-        Ok(Self { draft, deformation, stiffness, history })
+        Ok(Self { draft, deformation, stiffness, history, wheel })
     }
 
     /// Puts laws of the caller in place of those of the case.
     pub fn apply(&mut self, laws: &Laws) -> Result<(), Error> {
+        if laws.pressure.is_some() {
+            self.wheel = None;
+        }
         laws.apply(&mut self.draft)
     }
 
@@ -86,6 +113,10 @@ impl Parts {
         settings: &Settings,
         watch: Watch,
     ) -> Result<NormalContact, CaseError> {
+        if self.wheel.is_some() {
+            let problem = self.pose(settings, None, watch)?.problem;
+            return problem.normal.normal_contact(None).map_err(|error| settings.explain(&error));
+        }
         let load = self.history.as_ref().and_then(History::largest_load);
         let contact = || {
             self.draft.normal.prepare(load, watch)?;
@@ -101,7 +132,10 @@ impl Parts {
         settings: &Settings,
         solved: Option<&Arc<MicroContact>>,
         watch: Watch,
-    ) -> Result<(Problem, LawStiffness), CaseError> {
+    ) -> Result<Posed, CaseError> {
+        if let Some(wheel) = &self.wheel {
+            return self.pose_wheel(wheel, settings, watch);
+        }
         let explain = |error: Error| settings.explain(&error);
         let normal = &*self.draft.normal;
         let load = self.history.as_ref().and_then(History::largest_load);
@@ -116,7 +150,70 @@ impl Parts {
             }
         };
         let contact_law = interface::contact_law(settings, stiffness.stiffness)?;
-        Ok((Problem { elasticity, contact_law, ..self.draft.clone() }, stiffness))
+        let problem = Problem { elasticity, contact_law, ..self.draft.clone() };
+        Ok(Posed { problem, stiffness, wheel: None })
+    }
+
+    /// The problem of the main contact of a wheel on a rail, and all its contacts.
+    fn pose_wheel(
+        &self,
+        wheel: &WheelRequest,
+        settings: &Settings,
+        watch: Watch,
+    ) -> Result<Posed, CaseError> {
+        let OfRoughness::Known(stiffness) = &self.stiffness else {
+            return Err(wheel_rail::refuse_micro_model(settings));
+        };
+        let found = self.solve_wheel(wheel, settings, None, watch)?.into_iter().next();
+        let found = found.ok_or_else(|| wheel_rail::no_contact(settings))?;
+        let main = found.contacts.first().ok_or_else(|| wheel_rail::no_contact(settings))?;
+        let (problem, stiffness) = (main.problem.clone(), stiffness.clone());
+        Ok(Posed { problem, stiffness, wheel: Some(Arc::new(found)) })
+    }
+
+    fn solve_wheel(
+        &self,
+        wheel: &WheelRequest,
+        settings: &Settings,
+        place: Option<f64>,
+        watch: Watch,
+    ) -> Result<Vec<WheelSolution>, CaseError> {
+        let contact_law = interface::contact_law(settings, self.stiffness.provisional())?;
+        let complete = |problem: Problem| {
+            let elasticity = self.deformation.model(&*problem.normal, None)?;
+            let problem = Problem { elasticity, contact_law: Arc::clone(&contact_law), ..problem };
+            problem.check().map(|()| problem)
+        };
+        let options = Options { sensitivity: false, extrapolate: false, ..options(settings)? };
+        let (method, driver) = (method(settings)?, driver(settings)?);
+        let solver = |options: &Options| any_solver(method, driver, options);
+        let found = wheel.solve((&self.draft, place), &complete, (&solver, &options), watch);
+        found.map_err(|error| settings.explain(&error))
+    }
+
+    /// The wheel of a case of two profiles.
+    pub fn wheel(&self, settings: &Settings) -> Result<&WheelOnRail, CaseError> {
+        let request = self.wheel.as_ref();
+        request.map(WheelRequest::wheel).ok_or_else(|| wheel_rail::no_profiles(settings))
+    }
+
+    /// The left and the right wheel at another lateral position (in m), resting on both rails.
+    pub fn wheels_at(
+        &self,
+        settings: &Settings,
+        lateral: f64,
+        watch: Watch,
+    ) -> Result<Vec<WheelSolution>, CaseError> {
+        let request = self.wheel.as_ref().ok_or_else(|| wheel_rail::no_profiles(settings))?;
+        self.solve_wheel(request, settings, Some(lateral), watch)
+    }
+}
+
+/// What finds steady states by a method, and by a driver that was asked for.
+pub fn any_solver(method: Method, driver: Option<Driver>, options: &Options) -> Box<dyn Solver> {
+    match (method, driver) {
+        (Method::Full, Some(Driver::Marching)) => Box::new(MarchingSolver::new(options)),
+        (method, _) => method.solver(options),
     }
 }
 

@@ -11,6 +11,7 @@ use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
+use super::wheel_rail::Unsolved;
 use crate::error::CaseError;
 use crate::fields::choice::NormalModel;
 use crate::settings::Settings;
@@ -31,6 +32,7 @@ pub fn source(
         NormalModel::Ellipse => Arc::new(ellipse(settings)?),
         NormalModel::Tabulated => Arc::new(tabulated(settings)?),
         NormalModel::Profile => Arc::new(profile(settings, contact_modulus(wheel, rail))?),
+        NormalModel::WheelRail => Arc::new(Unsolved),
     })
 }
 

@@ -1,7 +1,7 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
 use schlupf::method::{
-    AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
+    AreaReduction, Brush, FastMethod, Flexibilities, SharedTable, SlopeReduction, TractionBound,
 };
 use schlupf::problem::Branch;
 use schlupf::{Method, Options};
@@ -44,6 +44,12 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
             area_adhesion: settings.number("solver.polach_area_adhesion")?,
             area_slip: settings.number("solver.polach_area_slip")?,
         }),
+        MethodChoice::Table => {
+            let standard = schlupf_table::standard().map_err(|error| {
+                settings.error("solver.method", format!("the standard table {error}"))
+            })?;
+            FastMethod::Table(SharedTable(&standard.table))
+        }
         MethodChoice::Fastsim => FastMethod::Fastsim(brush(settings)?),
         MethodChoice::ModifiedFastsim => {
             let reduction = SlopeReduction {

@@ -12,6 +12,7 @@ mod font;
 pub(crate) mod frame;
 mod history;
 pub(crate) mod label;
+pub(crate) mod lattice;
 mod map;
 pub(crate) mod marks;
 mod mesh;
@@ -68,6 +69,9 @@ pub enum FigureError {
     /// There are no forces and tractions to draw.
     #[error("there are no forces and tractions of half-space and layer to draw")]
     NoSides,
+    /// There are no contacts over a range of positions to draw.
+    #[error("there are no contacts over a range of lateral positions to draw")]
+    NoContacts,
     /// All methods give only zeros.
     #[error("there is nothing to compare: no method gives a force or a temperature rise")]
     NothingToCompare,

@@ -1,8 +1,12 @@
 //! The solution of a case: JSON, CSV, VTK, a summary and figures.
 
 mod summary;
+pub(crate) mod wheel;
+
+use std::sync::Arc;
 
 use schlupf::message::Message;
+use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Solution, Status};
 
 use crate::contact_law::ContactLaw;
@@ -19,8 +23,10 @@ pub struct SolutionReport {
     pub title: String,
     /// k_c and its origin; `None` for a fast method, which has no contact law.
     pub contact_law: Option<ContactLaw>,
-    /// The solution.
+    /// The solution; that of the contact with the largest normal force where a wheel has several.
     pub solution: Solution,
+    /// The wheel with all its contacts, if the case has profiles.
+    pub wheel: Option<Arc<WheelSolution>>,
     /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
@@ -36,7 +42,10 @@ impl SolutionReport {
 
 impl Report for SolutionReport {
     fn status(&self) -> Status {
-        self.solution.status
+        match &self.wheel {
+            Some(wheel) if wheel.status() == Status::NotConverged => Status::NotConverged,
+            _ => self.solution.status,
+        }
     }
 
     fn warnings(&self) -> &[Message] {
@@ -45,7 +54,8 @@ impl Report for SolutionReport {
 
     fn json(&self) -> String {
         let document = Document::new(&self.title, &self.solution, &self.warnings);
-        json::text(&document.with_law(self.contact_law.as_ref()))
+        let document = document.with_law(self.contact_law.as_ref());
+        json::text(&document.with_wheel(self.wheel.as_deref(), self.status()))
     }
 
     fn summary(&self) -> Summary {

@@ -14,6 +14,9 @@ pub(crate) fn text(report: &SolutionReport) -> Summary {
     let SolutionReport { title, contact_law, solution, .. } = report;
     let mut text = Summary::titled(title);
     text.blank();
+    if let Some(wheel) = &report.wheel {
+        super::wheel::summary(&mut text, wheel);
+    }
     normal_contact(&mut text, solution);
     if let Some(law) = contact_law.as_ref().filter(|law| law.is_coulomb()) {
         line(&mut text, &format!("{:<22}{}", "contact law", law.remark()));

@@ -4,6 +4,7 @@ mod demand;
 mod fit;
 mod place;
 mod surface;
+mod wheel_rail;
 
 use std::borrow::Cow;
 
@@ -15,6 +16,7 @@ pub(crate) use demand::{require, require_at, require_finite, require_positive, r
 pub use fit::{FitCause, FitError, FitStop};
 pub use place::Place;
 pub use surface::SurfaceError;
+pub use wheel_rail::WheelRailError;
 
 messages! {
     /// Why a problem cannot be solved as posed.
@@ -507,6 +509,12 @@ messages! {
         /// Why.
         error: FitError,
     } error.quantity(), |name, words| error.text(words);
+
+    /// A wheel and a rail that cannot be solved for.
+    "wheel-rail" [error] WheelRail {
+        /// Why.
+        error: WheelRailError,
+    } error.quantity(), |name, words| error.text(words);
 }
 
 impl std::error::Error for Error {}
@@ -531,6 +539,7 @@ impl Error {
             Self::NormalNotConverged { .. }
                 | Self::ContactNotFound { .. }
                 | Self::Fit { error: FitError::FitStuck { .. } }
+                | Self::WheelRail { error: WheelRailError::NotSettled { .. } }
         )
     }
 }

@@ -6,6 +6,7 @@
 //! | Kalker's linear theory | forces, moment | a tenth of a microsecond |
 //! | [`shen_hedrick_elkins`] | forces, moment | the same |
 //! | [`polach`] | forces | the same |
+//! | a [look-up table](crate::look_up_table) of the half-space | forces, moment, derivatives | the same |
 //! | FASTSIM, modified FASTSIM | forces, moment, fields, temperatures | microseconds |
 //!
 //! All of them use Kalker's coefficients for the ellipse of the contact, which come from a table. A
@@ -15,6 +16,7 @@ mod elliptic_contact;
 mod fastsim;
 pub mod polach;
 pub mod shen_hedrick_elkins;
+mod tabulated;
 mod warnings;
 
 use std::f64::consts::PI;
@@ -24,7 +26,8 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::heat::peclet::semi_axes;
 use crate::kinematics::{Kinematics, ReferencePoint};
-use crate::method::{AreaReduction, FastMethod, Method};
+use crate::look_up_table::AtShape;
+use crate::method::{AreaReduction, FastMethod, Method, SharedTable};
 use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell, unwatched};
@@ -36,6 +39,7 @@ use crate::summary::{self, snapshot::View};
 use crate::warning::Warning;
 
 pub use elliptic_contact::{EllipticContact, friction_state};
+pub use tabulated::{TableContact, TableForce};
 
 use elliptic_contact::friction_limit;
 use fastsim::Fastsim;
@@ -59,6 +63,7 @@ enum Kernel {
     ShenHedrickElkins,
     Polach(AreaReduction),
     Fastsim(Box<Fastsim>),
+    Table(SharedTable, AtShape),
 }
 
 impl Kernel {
@@ -78,6 +83,10 @@ impl Kernel {
             FastMethod::Polach(reduction) => Ok(Self::Polach(reduction)),
             FastMethod::Fastsim(brush) => fastsim((brush, None)),
             FastMethod::ModifiedFastsim(brush, reduction) => fastsim((brush, Some(reduction))),
+            FastMethod::Table(table) => {
+                let contact = EllipticContact::of(problem, normal.summary)?;
+                Ok(Self::Table(table, TableContact::shape(table.0, &contact)))
+            }
         }
     }
 }
@@ -191,18 +200,26 @@ impl FastContact {
             Kernel::ShenHedrickElkins => shen_hedrick_elkins::force(contact, motion, limit()),
             Kernel::Polach(reduction) => polach::force(contact, motion, limit(), *reduction),
             Kernel::Fastsim(fastsim) => fastsim.force(problem, contact),
+            Kernel::Table(table, at) => {
+                TableContact::at(table.0, *at, *contact).force(motion, limit()).force
+            }
         }
     }
 
     /// The solution of the problem. If the method has no fields there are no cells, and
     /// temperatures, areas of stick and slip, and all other unknown quantities are `None`.
     pub fn solution(&mut self) -> Solution {
-        let solution = self.solution_at_patch();
+        self.solution_with(self.options.sensitivity)
+    }
+
+    /// The same, with derivatives if those are wanted and the method has them.
+    fn solution_with(&mut self, has_derivatives: bool) -> Solution {
+        let solution = self.solution_at_patch(has_derivatives);
         self.at.back(solution)
     }
 
     /// The same with the centre of the patch as its reference point.
-    fn solution_at_patch(&mut self) -> Solution {
+    fn solution_at_patch(&mut self, has_derivatives: bool) -> Solution {
         let force = self.present_force();
         let (problem, normal) = (&self.at.problem, &self.contact.normal);
         let limit = friction_limit(problem, normal.load);
@@ -249,6 +266,10 @@ impl FastContact {
             return solution;
         }
         account.history = vec![instant];
+        if let (Kernel::Table(table, at), true) = (&self.kernel, has_derivatives) {
+            let contact = TableContact::at(table.0, *at, self.contact);
+            account.sensitivity = Some(contact.sensitivity(&self.at.problem));
+        }
         self.without_fields(force, account)
     }
 
@@ -281,7 +302,7 @@ impl FastContact {
             history: account.history,
             field_history: account.field_history,
             warnings: account.warnings,
-            sensitivity: None,
+            sensitivity: account.sensitivity,
             extrapolation: None,
             work: account.work,
             state: account.state,
@@ -314,13 +335,37 @@ impl Solver for FastSolver {
     }
 
     fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let has_derivatives = self.options.sensitivity;
+        Ok(self.contact(problem, watch)?.solution_with(has_derivatives))
+    }
+
+    fn has_derivatives(&self) -> bool {
+        self.method.has_derivatives()
+    }
+
+    fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        if !self.has_derivatives() {
+            return Ok(None);
+        }
+        Ok(Some(self.contact(problem, watch)?.solution_with(true)))
+    }
+}
+
+impl FastSolver {
+    /// The contact, set up for a problem.
+    fn contact(&mut self, problem: &Problem, watch: Watch) -> Result<&mut FastContact, Error> {
         tell(watch, Progress::count(Stage::Steady, 0))?;
         problem.normal.prepare(None, watch)?;
         if let Some(contact) = &mut self.contact {
             contact.set_problem(problem)?;
-            return Ok(contact.solution());
         }
-        let contact = FastContact::new(problem, self.method, &self.options)?;
-        Ok(self.contact.insert(contact).solution())
+        match &mut self.contact {
+            Some(contact) => Ok(contact),
+            none => Ok(none.insert(FastContact::new(problem, self.method, &self.options)?)),
+        }
     }
 }

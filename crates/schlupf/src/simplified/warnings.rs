@@ -2,6 +2,7 @@
 
 use crate::interface::friction::FrictionState;
 use crate::kalker_coefficients::is_tabulated;
+use crate::look_up_table::LookUpTable;
 use crate::method::FastMethod;
 use crate::normal::{NormalSummary, Pressure};
 use crate::problem::Problem;
@@ -35,7 +36,10 @@ pub(super) fn of_any_motion(
     method: FastMethod,
 ) -> Vec<Warning> {
     let name = method.name();
-    let mut warnings = Vec::from_iter(of_slender_patch(normal, name));
+    let mut warnings = Vec::from_iter(match method {
+        FastMethod::Table(table) => of_table(table.0, normal),
+        _ => of_slender_patch(normal, name),
+    });
     warnings.extend(of_shape(problem, name));
     if problem.friction_memory().is_some() {
         warnings.push(Warning::NoMemory { method: name });
@@ -62,6 +66,13 @@ pub(super) fn beyond_friction(
 fn of_slender_patch(normal: &NormalSummary, method: &'static str) -> Option<Warning> {
     let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
     (!is_tabulated(axis_ratio)).then_some(Warning::SlenderPatch { method, axis_ratio })
+}
+
+/// A patch more slender than those of the table.
+fn of_table(table: &LookUpTable, normal: &NormalSummary) -> Option<Warning> {
+    let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
+    let range = table.axis_ratios();
+    (!table.covers(axis_ratio)).then_some(Warning::OutsideTable { axis_ratio, range })
 }
 
 /// A non-elliptical patch is represented by an ellipse.

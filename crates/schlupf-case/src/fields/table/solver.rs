@@ -14,6 +14,8 @@ pub(super) const METHOD: &str = "solver.method";
 pub(super) const FULL: &[&str] = &["full"];
 /// The methods with cells, and so with heat.
 pub(super) const CELLS: &[&str] = &["full", "fastsim", "modified-fastsim"];
+/// Methods with derivatives.
+const DIFFERENTIABLE: &[&str] = &["full", "table"];
 const BRISTLES: &[&str] = &["fastsim", "modified-fastsim"];
 const MODIFIED: &[&str] = &["modified-fastsim"];
 
@@ -49,7 +51,7 @@ section! {
         "maximum number of time steps to the steady state", with(METHOD, FULL);
     "sensitivity" [Sensitivities] Kind::Flag, Finite, Text("true"),
         "whether to compute the derivatives of the forces, with the steady driver",
-        with(METHOD, FULL);
+        with(METHOD, DIFFERENTIABLE);
     "extrapolate" [Extrapolate] Kind::Flag, Finite, Text("false"),
         "whether to extrapolate the forces from this grid and one half as fine, with the steady \
          driver",

@@ -26,12 +26,22 @@ use super::RoughContactOptions;
 use super::compliance::NormalCompliance;
 use crate::numerics::vector::dot;
 
-/// The problem: Σ p and the bounds of p are given.
+/// What holds the bodies together.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Held {
+    /// The sum of the pressures of all cells, in Pa.
+    Total(f64),
+    /// The level λ of the gap in contact, in m.
+    Level(f64),
+}
+
+/// The problem: Σ p or λ, and the bounds of p are given.
+///
+/// With λ given, Σ p is free, and the minimum is that of ½ pᵀSp + pᵀ(h − λ).
 pub(super) struct Equilibrium<'a> {
     /// Undeformed distance, in m.
     pub distance: &'a [f64],
-    /// Sum of the pressures of all cells, in Pa.
-    pub total: f64,
+    pub held: Held,
     /// Largest pressure, in Pa; infinite without a limit.
     pub hardness: f64,
     /// S.
@@ -90,7 +100,10 @@ impl Equilibrium<'_> {
         watch: Watch,
     ) -> Result<Outcome, Error> {
         let mut state = State::new(start);
-        self.scale_to_the_load(&mut state.pressure);
+        match self.held {
+            Held::Total(total) => self.scale_to_the_load(total, &mut state.pressure),
+            Held::Level(level) => self.scale_to_the_level(level, &mut state),
+        }
         self.move_surface(&mut state);
         let mut iterations = 0;
         let residual = loop {
@@ -118,8 +131,13 @@ impl Equilibrium<'_> {
         self.compliance.displacement(&state.pressure, &mut state.displacement);
         state.products += 1;
         state.is_fresh = true;
-        state.energy =
-            0.5 * dot(&state.pressure, &state.displacement) + dot(&state.pressure, self.distance);
+        let raised = match self.held {
+            Held::Total(_) => 0.0,
+            Held::Level(level) => level * state.pressure.iter().sum::<f64>(),
+        };
+        state.energy = 0.5 * dot(&state.pressure, &state.displacement)
+            + dot(&state.pressure, self.distance)
+            - raised;
     }
 
     /// Whether a cell meets neither bound.
@@ -147,7 +165,11 @@ impl Equilibrium<'_> {
                 free += 1;
             }
         }
-        state.level = if free > 0 { sum / free as f64 } else { lowest };
+        state.level = match self.held {
+            Held::Level(level) => level,
+            Held::Total(_) if free > 0 => sum / free as f64,
+            Held::Total(_) => lowest,
+        };
         let largest_pressure = self.hardness.min(2.0 * largest_pressure);
         let (mut excess, mut work) = (0.0, 0.0);
         for (k, g) in gap.iter_mut().enumerate() {
@@ -189,9 +211,9 @@ impl Equilibrium<'_> {
         state.last_product = product;
     }
 
-    /// Makes a field an admissible direction of the pressure: away from the bounds only, and with a
-    /// sum of zero. Free cells compensate for the sum; their gap has zero mean, so the energy does
-    /// not change to first order.
+    /// Makes a field an admissible direction of the pressure: away from the bounds only, and where
+    /// the load is given with a sum of zero. Free cells compensate for the sum; their gap has zero
+    /// mean, so the energy does not change to first order.
     fn restrict(&self, pressure: &[f64], gap: &[f64], field: &mut [f64]) {
         let (mut sum, mut free) = (0.0, 0_usize);
         for (k, value) in field.iter_mut().enumerate() {
@@ -202,7 +224,10 @@ impl Equilibrium<'_> {
             sum += *value;
             free += usize::from(is_free);
         }
-        let mean = sum / free.max(1) as f64;
+        let mean = match self.held {
+            Held::Total(_) => sum / free.max(1) as f64,
+            Held::Level(_) => return,
+        };
         for (value, _) in field.iter_mut().zip(pressure).filter(|(_, p)| self.is_free(**p)) {
             *value -= mean;
         }
@@ -251,11 +276,25 @@ impl Equilibrium<'_> {
     }
 
     /// Moves the pressure of the moving cells to the nearest one that is within the bounds and
-    /// carries the load: q minus a common shift for all of these cells, clipped at the bounds.
+    /// carries the load, if that is given: q minus a common shift for all of these cells, clipped
+    /// at the bounds.
     ///
     /// The load is a piecewise linear, decreasing function of the shift: Newton's method within a
     /// bracket.
     fn project(&self, pressure: &mut [f64], moves: impl Fn(usize) -> bool) {
+        let less = match self.held {
+            Held::Total(total) => self.shift(total, pressure, &moves),
+            Held::Level(_) => 0.0,
+        };
+        for (k, p) in pressure.iter_mut().enumerate() {
+            if moves(k) {
+                *p = (*p - less).clamp(0.0, self.hardness);
+            }
+        }
+    }
+
+    /// The common shift.
+    fn shift(&self, total: f64, pressure: &[f64], moves: impl Fn(usize) -> bool) -> f64 {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut less = 0.0;
         for _ in 0..MOST_ROUNDS {
@@ -265,8 +304,8 @@ impl Equilibrium<'_> {
                 sum += p.clamp(0.0, self.hardness);
                 free += usize::from(self.is_free(p));
             }
-            let excess = sum - self.total;
-            if excess.abs() <= ROUNDING * self.total {
+            let excess = sum - total;
+            if excess.abs() <= ROUNDING * total {
                 break;
             }
             if excess > 0.0 {
@@ -279,18 +318,14 @@ impl Equilibrium<'_> {
             let is_within = newton > low && newton < high && free > 0;
             less = if is_within || !middle.is_finite() { newton } else { middle };
         }
-        for (k, p) in pressure.iter_mut().enumerate() {
-            if moves(k) {
-                *p = (*p - less).clamp(0.0, self.hardness);
-            }
-        }
+        less
     }
 
     /// Scales the pressure of another load to this one.
-    fn scale_to_the_load(&self, pressure: &mut [f64]) {
-        let factor = self.total / pressure.iter().sum::<f64>();
+    fn scale_to_the_load(&self, total: f64, pressure: &mut [f64]) {
+        let factor = total / pressure.iter().sum::<f64>();
         let in_contact = pressure.iter().filter(|p| **p > 0.0).count() as f64;
-        if factor.is_finite() && self.total < self.hardness * in_contact {
+        if factor.is_finite() && total < self.hardness * in_contact {
             let was: Vec<bool> = pressure.iter().map(|p| *p > 0.0).collect();
             for p in pressure.iter_mut() {
                 *p *= factor;
@@ -298,7 +333,18 @@ impl Equilibrium<'_> {
             self.project(pressure, |k| was[k]);
         } else {
             // The cells in contact cannot carry it.
-            pressure.fill(self.total / pressure.len() as f64);
+            pressure.fill(total / pressure.len() as f64);
+        }
+    }
+
+    /// Scales a pressure to the least energy that it can have at this level.
+    fn scale_to_the_level(&mut self, level: f64, state: &mut State) {
+        self.move_surface(state);
+        let overlap =
+            level * state.pressure.iter().sum::<f64>() - dot(&state.pressure, self.distance);
+        let factor = overlap / dot(&state.pressure, &state.displacement);
+        if factor.is_finite() && factor > 0.0 {
+            state.pressure.iter_mut().for_each(|p| *p = (factor * *p).min(self.hardness));
         }
     }
 }

@@ -24,7 +24,7 @@ use crate::quantity::Quantity;
 use crate::surface::{HeightMap, Lattice};
 
 use compliance::NormalCompliance;
-use conjugate_gradients::{Equilibrium, Outcome};
+use conjugate_gradients::{Equilibrium, Held, Outcome};
 
 /// Surroundings of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -201,7 +201,7 @@ impl RoughContact {
         let mean_pressure = load / self.distance.lattice().area();
         let mut equilibrium = Equilibrium {
             distance: self.distance.heights(),
-            total: load / self.distance.lattice().cell_area(),
+            held: Held::Total(load / self.distance.lattice().cell_area()),
             hardness: self.hardness,
             compliance: &mut self.compliance,
         };
@@ -211,6 +211,35 @@ impl RoughContact {
             std::mem::take(&mut self.pressure)
         };
         let outcome = equilibrium.solve(start, options, watch)?;
+        self.pressure.clone_from(&outcome.pressure);
+        Ok(self.solution(load, outcome, options))
+    }
+
+    /// Presses the bodies together until the undeformed distance has become `level` (in m) where
+    /// they are in contact: their approach is the level minus the least distance. The load follows.
+    ///
+    /// # Errors
+    /// A level at which they do not touch, and [`Error::Stopped`].
+    pub(crate) fn solve_at_level(
+        &mut self,
+        level: f64,
+        options: &RoughContactOptions,
+        watch: Watch,
+    ) -> Result<RoughContactSolution, Error> {
+        require_positive(Quantity::Approach, level - self.distance.range()[0])?;
+        require_positive(Quantity::Tolerance, options.tolerance)?;
+        // An overlap is opened by some such pressure.
+        let stiffness = self.contact_modulus / self.distance.lattice().area().sqrt();
+        let overlap = |h: &f64| (stiffness * (level - h)).clamp(0.0, self.hardness);
+        let start = self.distance.heights().iter().map(overlap).collect();
+        let mut equilibrium = Equilibrium {
+            distance: self.distance.heights(),
+            held: Held::Level(level),
+            hardness: self.hardness,
+            compliance: &mut self.compliance,
+        };
+        let outcome = equilibrium.solve(start, options, watch)?;
+        let load = outcome.pressure.iter().sum::<f64>() * self.distance.lattice().cell_area();
         self.pressure.clone_from(&outcome.pressure);
         Ok(self.solution(load, outcome, options))
     }

@@ -1,0 +1,57 @@
+//! `[track]` and `[wheelset]`.
+
+use super::{NORMAL_MODEL, WHEEL_RAIL, quantity};
+use crate::fields::choice::{Choose, WheelSide};
+use crate::fields::field::Default::{Computed, Nothing, Text};
+use crate::fields::field::{Field, Kind, Section};
+use crate::units::Measure;
+use schlupf::requirement::Requirement::{self, Between, Finite, Inside, Magnitude};
+
+const LENGTH: Requirement = Between(1e-3, 10.0);
+const ANGLE: Requirement = Inside(-1.0, 1.0);
+const SPEED: Requirement = Magnitude(1e4);
+const TURNING: Requirement = Magnitude(1e6);
+
+section! {
+    TRACK "track"
+        "Where the profiles are, if the normal contact is that of two profiles.";
+
+    "gauge" [Gauge] quantity(&Measure::LENGTH), LENGTH, Text("1435 mm"),
+        "distance of the gauge faces of both rails", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "gauge_depth" [GaugeDepth] quantity(&Measure::LENGTH), Between(0.0, 1.0), Text("14 mm"),
+        "depth below the top of the rail down to which the gauge is measured", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+    "flange_back_distance" [FlangeBackDistance] quantity(&Measure::LENGTH), LENGTH,
+        Text("1360 mm"), "distance of the flange backs of the wheelset", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+}
+
+section! {
+    WHEELSET "wheelset"
+        "Position and motion of the wheelset in the track (x forwards, y to the left, z up), if the \
+         normal contact is that of two profiles; the wheel turns at kinematics.angular_velocity.";
+
+    "side" [WheelSide] Kind::Choice(WheelSide::CHOICES), Finite, Text("right"),
+        "which wheel is solved", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "lateral_position" [LateralPosition] quantity(&Measure::LENGTH), Magnitude(1.0),
+        Text("0 mm"), "lateral position of the middle of the axle", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+    "yaw_angle" [WheelsetYaw] quantity(&Measure::ANGLE), ANGLE, Text("0 mrad"),
+        "yaw angle about z", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "roll_angle" [RollAngle] quantity(&Measure::ANGLE), ANGLE,
+        Computed("both wheels rest on their rails"), "roll angle about x", shaping(),
+        example("0 mrad"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "height" [WheelsetHeight] quantity(&Measure::LENGTH), Magnitude(1.0), Nothing,
+        "height of the middle of the axle above the nominal radius over the tops of the rails, in \
+         place of normal.load",
+        shaping(), example("-0.1 mm"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "lateral_velocity" [LateralVelocity] quantity(&Measure::SPEED), SPEED, Text("0 m/s"),
+        "lateral velocity of the middle of the axle", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "vertical_velocity" [VerticalVelocity] quantity(&Measure::SPEED), SPEED, Text("0 m/s"),
+        "vertical velocity of the middle of the axle", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "yaw_rate" [YawRate] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Text("0 rad/s"),
+        "angular velocity about the vertical axis", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "roll_rate" [RollRate] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Text("0 rad/s"),
+        "angular velocity about the longitudinal axis", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+}

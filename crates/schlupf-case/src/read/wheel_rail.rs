@@ -1,0 +1,210 @@
+//! `[track]` and `[wheelset]`: a wheel on a rail, with normal.model = "wheel-rail".
+
+use std::sync::Arc;
+
+use schlupf::kinematics::{Kinematics, ReferencePoint};
+use schlupf::material::contact_modulus;
+use schlupf::normal::{NormalContact, PressureSource};
+use schlupf::wheel_rail::{
+    Joining, Motion, Pair, Position, RailShape, Side, Support, Tangential, Track, WheelOnRail,
+    WheelShape, WheelSolution,
+};
+use schlupf::{Error, Options, Problem, Solver, Watch};
+
+use super::roughness::OfRoughness;
+use crate::error::CaseError;
+use crate::fields::ROUGHNESS;
+use crate::fields::choice::{NormalModel, WheelSide};
+use crate::profiles;
+use crate::settings::Settings;
+
+const LOAD: &str = "normal.load";
+const HEIGHT: &str = "wheelset.height";
+const ROLL: &str = "wheelset.roll_angle";
+
+/// Cells across a contact where the case does not say how many.
+const CELLS: usize = 64;
+
+/// A wheel on a rail, as far as it is known without solving.
+#[derive(Debug, Clone)]
+pub struct WheelRequest {
+    wheel: WheelOnRail,
+    /// Whether the roll angle follows from both wheels resting on their rails.
+    rests: bool,
+}
+
+/// The wheel that a case describes, if its normal contact is that of two profiles.
+pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
+    if settings.chosen::<NormalModel>("normal.model")? != NormalModel::WheelRail {
+        return Ok(None);
+    }
+    let explain = |error: Error| settings.explain(&error);
+    let wheel = WheelShape {
+        profile: profiles::curve(settings, &profiles::WHEEL)?,
+        nominal_radius: settings.number("wheel.radius_x")?,
+        flange_back_position: settings.number("wheel.flange_back_position")?,
+    };
+    let rail = RailShape {
+        profile: profiles::curve(settings, &profiles::RAIL)?,
+        cant: settings.number("rail.cant")?,
+    };
+    let track = Track {
+        gauge: settings.number("track.gauge")?,
+        gauge_depth: settings.number("track.gauge_depth")?,
+        flange_back_distance: settings.number("track.flange_back_distance")?,
+    };
+    let wheel = WheelOnRail {
+        pair: Arc::new(Pair::new(&wheel, &rail, &track).map_err(explain)?),
+        side: match settings.chosen("wheelset.side")? {
+            WheelSide::Left => Side::Left,
+            WheelSide::Right => Side::Right,
+        },
+        position: Position {
+            lateral: settings.number("wheelset.lateral_position")?,
+            yaw: settings.number("wheelset.yaw_angle")?,
+            roll: settings.optional_number(ROLL)?.unwrap_or(0.0),
+        },
+        motion: motion(settings)?,
+        support: support(settings)?,
+        joining: Joining {
+            distance: settings.number("normal.join_distance")?,
+            angle: settings.number("normal.join_angle")?,
+        },
+        cells: settings.optional_number("normal.cells")?.map_or(CELLS, |cells| cells as usize),
+    };
+    wheel.check().map_err(explain)?;
+    Ok(Some(WheelRequest { wheel, rests: !settings.is_given(ROLL) }))
+}
+
+/// Refuses what goes with one contact only.
+pub fn refuse_others(
+    settings: &Settings,
+    stiffness: &OfRoughness,
+    has_history: bool,
+) -> Result<(), CaseError> {
+    if has_history {
+        let given = HISTORY.into_iter().find(|path| settings.is_given(path));
+        let path = given.unwrap_or("history.time");
+        let message = format!(
+            "{path} must be left out with normal.model = \"wheel-rail\", which is steady rolling, but \
+             is given"
+        );
+        return Err(settings.error(path, message));
+    }
+    match stiffness {
+        OfRoughness::Known(_) => Ok(()),
+        OfRoughness::MicroModel(_) => Err(refuse_micro_model(settings)),
+    }
+}
+
+/// What makes a history.
+const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
+
+/// A micro model needs one patch.
+pub fn refuse_micro_model(settings: &Settings) -> CaseError {
+    let given = ROUGHNESS.iter().find(|path| settings.is_given(path));
+    let path = given.copied().unwrap_or("contact_law.stiffness");
+    let message = format!(
+        "{path}: the micro model of a roughness needs one patch, but normal.model is \"wheel-rail\""
+    );
+    settings.error(path, message).help(
+        "find k_c for a typical patch by `schlupf roughness` and give contact_law.stiffness"
+            .to_owned(),
+    )
+}
+
+/// A case without profiles, where they are needed.
+pub fn no_profiles(settings: &Settings) -> CaseError {
+    let message = format!(
+        "normal.model must be \"wheel-rail\" for the contacts of a wheelset, but is {}",
+        settings.shown("normal.model")
+    );
+    settings.error("normal.model", message)
+}
+
+/// A wheel without contacts.
+pub fn no_contact(settings: &Settings) -> CaseError {
+    let message = "normal.model: wheel and rail do not touch".to_owned();
+    settings.error("normal.model", message)
+}
+
+fn support(settings: &Settings) -> Result<Support, CaseError> {
+    match settings.optional_number(HEIGHT)? {
+        Some(_) if !settings.is_given(ROLL) => Err(settings.missing_beside(ROLL, HEIGHT)),
+        Some(height) => Ok(Support::Height(height)),
+        None if settings.is_given(LOAD) => Ok(Support::Force(settings.number(LOAD)?)),
+        None => Err(settings.missing_beside(LOAD, "normal.model")),
+    }
+}
+
+/// The motion of the wheelset; the wheel turns at its angular velocity, or so that the creepage of
+/// its nominal radius is that given.
+fn motion(settings: &Settings) -> Result<Motion, CaseError> {
+    const CREEPAGE: &str = "kinematics.creepage_x";
+    let speed = settings.number("kinematics.speed")?;
+    let angular_velocity = match settings.optional_number("kinematics.angular_velocity")? {
+        Some(angular_velocity) => angular_velocity,
+        None => {
+            let creepage = settings.number(CREEPAGE)?;
+            if creepage >= 1.0 {
+                let message = format!(
+                    "{CREEPAGE} must be below 1, at which the wheel locks, but is {creepage}"
+                );
+                return Err(settings.error(CREEPAGE, message));
+            }
+            (1.0 - creepage) * speed / settings.number("kinematics.wheel_radius")?
+        }
+    };
+    Ok(Motion {
+        speed,
+        lateral_velocity: settings.number("wheelset.lateral_velocity")?,
+        vertical_velocity: settings.number("wheelset.vertical_velocity")?,
+        angular_velocity,
+        roll_rate: settings.number("wheelset.roll_rate")?,
+        yaw_rate: settings.number("wheelset.yaw_rate")?,
+    })
+}
+
+impl WheelRequest {
+    /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
+    /// left and of the right wheel resting on both rails. `draft` has both bodies and all laws,
+    /// `complete` completes it for the pressure of a contact, and `solver` makes what solves it.
+    pub fn solve(
+        &self,
+        (draft, place): (&Problem, Option<f64>),
+        complete: &dyn Fn(Problem) -> Result<Problem, Error>,
+        (solver, options): (&dyn Fn(&Options) -> Box<dyn Solver>, &Options),
+        watch: Watch,
+    ) -> Result<Vec<WheelSolution>, Error> {
+        let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
+            let reference = ReferencePoint::File;
+            complete(Problem { kinematics, reference, normal, ..draft.clone() })
+        };
+        let contact_modulus = contact_modulus(&draft.wheel.material, &draft.rail.material);
+        let tangential = Tangential { problem: &problem, contact_modulus, solver, options };
+        match place {
+            Some(lateral) => {
+                let position = Position { lateral, ..self.wheel.position };
+                let left = WheelOnRail { side: Side::Left, position, ..self.wheel.clone() };
+                left.solve_resting(&tangential, watch).map(Vec::from)
+            }
+            None if self.rests => self.wheel.solve_resting(&tangential, watch).map(Vec::from),
+            None => Ok(vec![self.wheel.solve(&tangential, watch)?]),
+        }
+    }
+
+    /// The wheel as described.
+    pub fn wheel(&self) -> &WheelOnRail {
+        &self.wheel
+    }
+}
+
+/// The pressure of a wheel whose contacts are not solved yet.
+#[derive(Debug)]
+pub struct Unsolved;
+
+impl PressureSource for Unsolved {
+    fn normal_contact(&self, _load: Option<f64>) -> Result<NormalContact, Error> {
+        Err(Error::NoArea {})
+    }
+}

@@ -1,0 +1,137 @@
+//! `schlupf table`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use schlupf::table_building::{TableOptions, build, build_from};
+use schlupf::{Error, Quantity};
+use schlupf_table::{StoredTable, TableFileError};
+
+use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
+use crate::outputs::{self, Input, Output};
+use crate::progress::Progress;
+use crate::stdout;
+
+const OUTPUT: &str = "--output";
+
+/// Which look-up table, and where to write it.
+#[derive(Debug, Args)]
+pub struct Table {
+    /// Where to write the table: a .npz archive, which NumPy reads
+    #[arg(long, value_name = "FILE", default_value = "table.npz")]
+    pub output: PathBuf,
+    /// Combined Poisson's ratio of both bodies
+    #[arg(long, value_name = "NU", default_value_t = TableOptions::default().poisson_ratio)]
+    pub poisson_ratio: f64,
+    /// Smallest a/b, length over width of the patch
+    #[arg(long, value_name = "RATIO", default_value_t = TableOptions::default().axis_ratios[0])]
+    pub smallest_axis_ratio: f64,
+    /// Largest a/b
+    #[arg(long, value_name = "RATIO", default_value_t = TableOptions::default().axis_ratios[1])]
+    pub largest_axis_ratio: f64,
+    /// Largest error of forces over μN in random states
+    #[arg(long, value_name = "PART", default_value_t = TableOptions::default().tolerance)]
+    pub tolerance: f64,
+    /// Number of random states that decide, and of those that then measure the error
+    #[arg(long, value_name = "N", default_value_t = TableOptions::default().states)]
+    pub states: usize,
+    /// Most states to solve; the table ends there if the error is not met
+    #[arg(long, value_name = "N", default_value_t = TableOptions::default().most_solutions)]
+    pub most_solutions: usize,
+    /// A table made before, of the same Poisson's ratio: its nodes are not solved again
+    #[arg(long, value_name = "FILE")]
+    pub from: Option<PathBuf>,
+    /// Print no summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Makes a look-up table.
+pub fn table(arguments: &Table) -> Result<u8, Failure> {
+    let output = Output { option: OUTPUT, path: arguments.output.clone() };
+    outputs::check(&[output], None)?;
+    if arguments.output.extension().is_none_or(|ending| ending != "npz") {
+        let path = arguments.output.display();
+        return Err(Failure::Arguments(format!("{OUTPUT} must end in .npz, but is {path}")));
+    }
+    let options = TableOptions {
+        poisson_ratio: arguments.poisson_ratio,
+        axis_ratios: [arguments.smallest_axis_ratio, arguments.largest_axis_ratio],
+        tolerance: arguments.tolerance,
+        states: arguments.states,
+        most_solutions: arguments.most_solutions,
+        ..TableOptions::default()
+    };
+    let earlier =
+        arguments.from.as_deref().map(|path| read(path, &arguments.output)).transpose()?;
+    let progress = Progress::start();
+    let built = match &earlier {
+        None => build(&options, &progress.watch()),
+        Some(earlier) => build_from(&earlier.table, &options, &progress.watch()),
+    };
+    let built = built.map_err(|error| refused(&error))?;
+    drop(progress);
+    let is_met = built.is_within_tolerance && built.unconverged == 0;
+    let stored = StoredTable::new(built, &options);
+    let bytes = stored.to_bytes().map_err(|error| unwritten(&error))?;
+    let size = bytes.len();
+    outputs::write(&[(arguments.output.clone(), bytes)], None)?;
+    if !arguments.quiet {
+        stdout::write(&summary(arguments, &stored, size))?;
+    }
+    Ok(if is_met { SUCCESS } else { NOT_CONVERGED })
+}
+
+/// A table made before, which must not be written over.
+fn read(path: &Path, output: &Path) -> Result<StoredTable, Failure> {
+    let outputs = [Output { option: OUTPUT, path: output.to_owned() }];
+    let input = Input { what: "--from".to_owned(), path: path.to_owned(), except: None };
+    outputs::refuse_inputs(&outputs, None, &[input])?;
+    let bytes = std::fs::read(path).map_err(|cause| Failure::file(path, cause))?;
+    StoredTable::from_bytes(&bytes)
+        .map_err(|error| Failure::Arguments(format!("--from: {} {error}", path.display())))
+}
+
+/// By the names of the options.
+fn refused(error: &Error) -> Failure {
+    let option = match error.quantity() {
+        Quantity::PoissonRatio => "--poisson-ratio",
+        Quantity::AxisRatio => "--smallest-axis-ratio, --largest-axis-ratio",
+        Quantity::Tolerance => "--tolerance",
+        Quantity::LookUpTable => "--states",
+        _ => return Failure::Arguments(error.to_string()),
+    };
+    Failure::Arguments(format!("{option}: {error}"))
+}
+
+fn unwritten(error: &TableFileError) -> Failure {
+    Failure::Arguments(format!("{OUTPUT}: the table {error}"))
+}
+
+fn summary(arguments: &Table, stored: &StoredTable, size: usize) -> String {
+    let metadata = &stored.metadata;
+    let error = metadata.error;
+    let [ratios, azimuths, inclinations, saturations] = metadata.nodes;
+    let percent = |part: f64| format!("{:.2} %", 100.0 * part);
+    let verdict = if metadata.is_within_tolerance {
+        String::new()
+    } else {
+        format!("\nnot within {}: the states to solve are used up", percent(metadata.tolerance))
+    };
+    let unconverged = match metadata.unconverged {
+        0 => String::new(),
+        count => format!(", {count} of them not converged"),
+    };
+    format!(
+        "{}\n\nnodes      {ratios} x {azimuths} x {inclinations} x {saturations}: a/b, azimuth, \
+         inclination, saturation\nsolved     {} states{unconverged}\nerror      median {}, 90 % \
+         below {}, largest {} of μN in {} random states{verdict}\nsize       {:.2} MB\n",
+        arguments.output.display(),
+        metadata.solutions,
+        percent(error.median),
+        percent(error.ninety_percent),
+        percent(error.largest),
+        error.states,
+        size as f64 / 1e6,
+    )
+}

@@ -1,0 +1,115 @@
+//! `schlupf table`: a table, its summary, wrong options; `solver.method = "table"`.
+
+mod support;
+
+use std::fs;
+
+use support::Bench;
+
+/// Few nodes.
+const QUICK: [&str; 9] = [
+    "table",
+    "--smallest-axis-ratio",
+    "0.95",
+    "--largest-axis-ratio",
+    "1.1",
+    "--tolerance",
+    "0.4",
+    "--states",
+    "10",
+];
+
+#[test]
+fn a_table_has_a_summary_and_a_file_that_can_be_refined() {
+    let bench = Bench::new();
+    let run = bench.run(&[&QUICK[..], &["--output", "t.npz"]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.starts_with("t.npz\n\nnodes      5 x "), "{}", run.stdout);
+    assert!(run.stdout.contains("in 10 random states"), "{}", run.stdout);
+    let again = bench.run(&[&QUICK[..], &["--from", "t.npz", "--output", "u.npz"]].concat());
+    assert_eq!(again.code, Some(0), "{}", again.stderr);
+    assert_eq!(bench.list(), ["t.npz", "u.npz"]);
+    let quiet = bench.run(&[&QUICK[..], &["--output", "v.npz", "--quiet"]].concat());
+    assert_eq!(quiet.stdout, "");
+    // The file is the same whenever and on however many threads it is made.
+    let bytes = |name: &str| fs::read(bench.path(name)).unwrap();
+    assert!(bytes("t.npz") == bytes("v.npz"));
+}
+
+/// A table that may not have enough nodes is written and marked.
+#[test]
+fn an_error_that_is_not_met_is_told() {
+    let bench = Bench::new();
+    let options = [&QUICK[..5], &["--tolerance", "0.05", "--states", "20"]].concat();
+    let run = bench.run(&[&options[..], &["--most-solutions", "1"]].concat());
+    assert_eq!(run.code, Some(3), "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("not within 5.00 %"), "{}", run.stdout);
+    assert_eq!(bench.list(), ["table.npz"]);
+}
+
+#[test]
+fn wrong_options_are_named() {
+    let bench = Bench::new();
+    bench.write("text.npz", "no table");
+    for (options, told) in [
+        (&["--tolerance", "0"][..], "--tolerance"),
+        (&["--poisson-ratio", "0.7"], "--poisson-ratio"),
+        (&["--smallest-axis-ratio", "3", "--largest-axis-ratio", "2"], "--smallest-axis-ratio"),
+        (&["--largest-axis-ratio", "1e9"], "--largest-axis-ratio"),
+        (&["--states", "0"], "--states"),
+        (&["--output", "table.csv"], "must end in .npz"),
+        (&["--output", "-"], "--output"),
+        (&["--output", "nowhere/t.npz"], "nowhere"),
+        (&["--from", "text.npz"], "text.npz must be a look-up table"),
+        (&["--from", "missing.npz"], "missing.npz"),
+        (&["--from", "text.npz", "--output", "text.npz"], "--output"),
+    ] {
+        let run = bench.run(&[&["table"], options].concat());
+        assert!(matches!(run.code, Some(1 | 2)), "{options:?} {:?}", run.code);
+        assert!(run.stderr.contains(told), "{options:?}: {}", run.stderr);
+    }
+    assert_eq!(bench.list(), ["text.npz"]);
+}
+
+/// The table as a method: forces with derivatives and a moment, no fields; heat is told of.
+#[test]
+fn the_table_is_a_method() {
+    let bench = Bench::new();
+    let case = "[kinematics]\ncreepage_x = 0.001\nspin = \"0.2 1/m\"\n[friction]\n\
+                model = \"constant\"\ncoefficient = 0.35\n";
+    bench.write("case.toml", case);
+    let run = bench.run(&[
+        "solve",
+        "case.toml",
+        "--set",
+        "solver.method=table",
+        "--json",
+        "t.json",
+        "--quiet",
+    ]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let full = bench.run(&[
+        "solve",
+        "case.toml",
+        "--set",
+        "elasticity.model=half-space",
+        "--set",
+        "contact_law.model=coulomb",
+        "--json",
+        "f.json",
+        "--quiet",
+    ]);
+    assert_eq!(full.code, Some(0), "{}", full.stderr);
+    let [table, full] = ["t.json", "f.json"]
+        .map(|name| serde_json::from_str::<serde_json::Value>(&bench.read(name)).unwrap());
+    assert_eq!(table["status"], "converged");
+    for force in ["x", "y", "moment_z"] {
+        let [one, other] = [&table, &full].map(|d| d["normalised"][force].as_f64().unwrap());
+        assert!((one - other).abs() < 0.01, "{force}: {one} {other}");
+        for by in ["creepage_x", "creepage_y", "spin", "load", "friction_coefficient"] {
+            assert!(table["sensitivity"][by][force].is_number(), "{by} {force}: {table:#}");
+        }
+    }
+    let slopes = [&table, &full].map(|d| d["sensitivity"]["creepage_x"]["x"].as_f64().unwrap());
+    assert!((slopes[0] / slopes[1] - 1.0).abs() < 0.03, "{slopes:?}");
+}

@@ -1,0 +1,55 @@
+//! The contacts of a wheelset as JSON, for other programs.
+
+use schlupf::Status;
+use schlupf::message::Message;
+use serde::Serialize;
+
+use super::{Conicity, WheelsetAt, WheelsetReport};
+use crate::json::{PROGRAM, text};
+use crate::report::Report;
+use crate::solution::wheel::WheelDocument;
+use crate::table::Arrays;
+
+/// The report as a JSON document, in SI units.
+pub(super) fn document(report: &WheelsetReport) -> String {
+    text(&Document {
+        program: PROGRAM,
+        title: &report.title,
+        status: report.status(),
+        load: report.load,
+        positions: report.positions.iter().map(Position::new).collect(),
+        equivalent_conicity: Arrays(&report.conicity),
+        warnings: &report.warnings,
+    })
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    program: &'static str,
+    title: &'a str,
+    status: Status,
+    load: f64,
+    positions: Vec<Position<'a>>,
+    equivalent_conicity: Arrays<'a, Conicity>,
+    warnings: &'a [Message],
+}
+
+#[derive(Serialize)]
+struct Position<'a> {
+    lateral_position: f64,
+    rolling_radius_difference: Option<f64>,
+    left: WheelDocument<'a>,
+    right: WheelDocument<'a>,
+}
+
+impl<'a> Position<'a> {
+    fn new(at: &'a WheelsetAt) -> Self {
+        let [left, right] = at.wheels.each_ref().map(WheelDocument::new);
+        Self {
+            lateral_position: at.lateral,
+            rolling_radius_difference: at.rolling_radius_difference(),
+            left,
+            right,
+        }
+    }
+}

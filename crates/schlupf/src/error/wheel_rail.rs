@@ -1,0 +1,107 @@
+//! What can be wrong with a wheel on a rail.
+
+use super::Error;
+use crate::message::messages;
+use crate::quantity::Quantity;
+use crate::requirement::readable;
+
+messages! {
+    /// Why two profiles and a position give no contacts.
+    WheelRailError:
+
+    /// A profile with too few points.
+    "few-profile-points" FewPoints {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+        /// Points that it has, those too close to their neighbours not counted.
+        count: usize,
+        /// Points that it needs.
+        fewest: usize,
+    } *profile, |name, words| format!(
+        "{name} needs at least {fewest} points that are 0.03 mm apart, got {count}"
+    );
+
+    /// A profile that nowhere shows the side on which the bodies touch.
+    "no-running-surface" NoRunningSurface {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+    } *profile, |name, words| format!(
+        "{name}: y does not grow along any part of the profile, so there is no surface for the other \
+         body to touch"
+    );
+
+    /// A wheel that is not above the rail.
+    "wheel-beside-rail" BesideRail {
+        /// Lateral positions of the wheel's profile, in m.
+        wheel: [f64; 2],
+        /// Lateral positions of the rail's profile, in m.
+        rail: [f64; 2],
+    } Quantity::LateralPosition, |name, words| {
+        let span = |[from, to]: &[f64; 2]| format!("{:.3} to {:.3} mm", 1e3 * from, 1e3 * to);
+        format!(
+            "{name}: the wheel is beside the rail: from the middle of the track its profile spans {}, \
+             the rail's {}",
+            span(wheel),
+            span(rail)
+        )
+    };
+
+    /// A wheel at a height at which it does not touch.
+    "wheel-lifted" Lifted {
+        /// Least vertical gap to the rail, in m.
+        gap: f64,
+    } Quantity::WheelsetHeight, |name, words| format!(
+        "{name}: at this height the wheel does not touch the rail; the least gap is {} mm",
+        readable(1e3 * gap)
+    );
+
+    /// Friction that holds a flange however deep it goes.
+    "jammed" Jammed {
+        /// Contact angle, outwards, in rad.
+        angle: f64,
+        /// Lateral over normal force in the contact, dimensionless.
+        ratio: f64,
+    } Quantity::Load, |name, words| format!(
+        "{name}: the wheel is jammed: at a contact angle of {} rad and with a lateral force of {} times \
+         the normal one, friction alone holds it, and no normal force carries the load",
+        readable(*angle),
+        readable(*ratio)
+    );
+
+    /// A contact that reaches the end of a profile.
+    "contact-at-profile-end" AtProfileEnd {
+        /// Lateral position of the contact in the track, outwards, in m.
+        position: f64,
+    } Quantity::WheelProfile, |name, words| format!(
+        "{name}: the contact {:.3} mm from the middle of the track reaches the end of the wheel's or \
+         the rail's profile; give longer profiles, or check position and gauge",
+        1e3 * position
+    );
+
+    /// Profiles that lie deep in each other.
+    "deep-overlap" DeepOverlap {
+        /// Depth, in m.
+        depth: f64,
+    } Quantity::WheelsetHeight, |name, words| format!(
+        "{name}: the bodies would overlap by {} mm, which is no elastic contact: check height, load, \
+         gauge and the profiles' units",
+        readable(1e3 * depth)
+    );
+
+    /// Heights, forces or roll that did not settle.
+    "wheel-not-settled" NotSettled {
+        /// Rounds that were made.
+        rounds: usize,
+        /// Relative error of the vertical force that is left, dimensionless.
+        residual: f64,
+    } Quantity::Load, |name, words| format!(
+        "{name}: height and friction of the wheel did not settle in {rounds} rounds; the vertical force \
+         is off by {residual:.1e} of itself"
+    );
+}
+
+impl From<WheelRailError> for Error {
+    fn from(error: WheelRailError) -> Self {
+        Self::WheelRail { error }
+    }
+}

@@ -1,0 +1,170 @@
+//! Undeformed distance of wheel and rail above a contact plane.
+//!
+//! Along the normal n of the plane, at (x, s): the height of the wheel's surface of revolution
+//! minus that of the rail's prism, negative where they overlap. The rail's height follows from its
+//! profile by Newton's method, the wheel's from two equations with the height n and the arc length
+//! along the wheel's profile as unknowns,
+//!
+//! Q = Rᵀ(P − o),  Q_y = y₀ + y(s_w),  √(Q_x² + Q_z²) = R0 − z(s_w),
+//!
+//! so neither the slope of the flange nor the yaw angle is approximated.
+
+use super::contact_plane::ContactPlane;
+use super::pair::Pair;
+use super::pose::{Pose, minus};
+
+/// Accuracy of a height, in m.
+const ACCURACY: f64 = 1e-13;
+
+/// Most steps of Newton's method.
+const MOST_STEPS: usize = 40;
+
+/// Longest step, in m.
+const LONGEST_STEP: f64 = 3e-3;
+
+/// Distance that stands for places that are beyond the end of a profile, in m.
+pub(super) const CLEAR: f64 = 1e-2;
+
+/// Wheel and rail above a plane.
+pub(super) struct PlaneView<'a> {
+    pair: &'a Pair,
+    plane: &'a ContactPlane,
+    /// Origin of the plane in the wheelset's axes, in m.
+    origin: [f64; 3],
+    /// The plane's directions x, s and n there.
+    axes: [[f64; 3]; 3],
+}
+
+/// Heights above a plane.
+pub(super) struct Heights {
+    /// Distance in rows along x, in m; [`CLEAR`] where a profile ends.
+    pub distance: Vec<f64>,
+    /// Which of them are beyond the end of a profile.
+    pub is_beyond: Vec<bool>,
+}
+
+/// A solution on the wheel: height in m, arc length in m.
+type OnWheel = [f64; 2];
+
+impl<'a> PlaneView<'a> {
+    pub fn new(pair: &'a Pair, pose: &Pose, plane: &'a ContactPlane) -> Self {
+        let origin = pose.to_wheelset(minus(plane.origin, pose.centre));
+        let axes = [[1.0, 0.0, 0.0], plane.across(), plane.normal()];
+        Self { pair, plane, origin, axes: axes.map(|axis| pose.to_wheelset(axis)) }
+    }
+
+    /// Distances at the positions `x` × `s` (in m, relative to the plane's origin), rows along x.
+    pub fn heights(&self, x: &[f64], s: &[f64]) -> Heights {
+        let mut distance = vec![CLEAR; x.len() * s.len()];
+        let mut is_beyond = vec![true; x.len() * s.len()];
+        let middle = [nearest_to_zero(x), nearest_to_zero(s)];
+        let start = [0.0, self.plane.arcs[1]];
+        let upwards: Vec<usize> = (middle[1]..s.len()).collect();
+        let downwards: Vec<usize> = (0..middle[1]).rev().collect();
+        for rows in [upwards, downwards] {
+            let mut rail = Some((0.0, self.plane.arcs[0]));
+            let mut wheel = Some((0.0, start));
+            for j in rows {
+                rail = self.on_rail(s[j], rail).map(|(_, arc)| (s[j], arc));
+                let Some((_, arc)) = rail else { break };
+                let height = self.rail_height(arc);
+                let found = |from: Option<(f64, OnWheel)>, at: f64| {
+                    let (before, [n, wheel_arc]) = from?;
+                    let guess = [n, wheel_arc + s[j] - before];
+                    self.on_wheel([at, s[j]], guess).map(|wheel| (s[j], wheel))
+                };
+                wheel = found(wheel, x[middle[0]]);
+                let mut keep = |i: usize, wheel: OnWheel| {
+                    distance[j * x.len() + i] = wheel[0] - height;
+                    is_beyond[j * x.len() + i] = false;
+                };
+                let columns: [Vec<usize>; 2] =
+                    [(middle[0]..x.len()).collect(), (0..middle[0]).rev().collect()];
+                for columns in columns {
+                    let mut beside = wheel;
+                    for i in columns {
+                        beside = found(beside, x[i]);
+                        let Some((_, wheel)) = beside else { break };
+                        keep(i, wheel);
+                    }
+                }
+                if wheel.is_none() {
+                    break;
+                }
+            }
+        }
+        Heights { distance, is_beyond }
+    }
+
+    /// The arc length of the rail at s (in m), from that at another s.
+    fn on_rail(&self, s: f64, from: Option<(f64, f64)>) -> Option<(f64, f64)> {
+        let (before, arc) = from?;
+        let [_, along_y, along_z] = self.plane.across();
+        let [_, y, z] = self.plane.origin;
+        let end = self.pair.rail.length();
+        let mut arc = (arc + s - before).clamp(0.0, end);
+        for _ in 0..MOST_STEPS {
+            let point = self.pair.rail.at(arc);
+            let slope = along_y * point.tangent[0] + along_z * point.tangent[1];
+            if slope <= 0.0 {
+                return None;
+            }
+            let off = along_y * (point.place[0] - y) + along_z * (point.place[1] - z) - s;
+            let step = (off / slope).clamp(-LONGEST_STEP, LONGEST_STEP);
+            let next = arc - step;
+            if step.abs() < ACCURACY {
+                return (0.0..=end).contains(&next).then_some((s, next));
+            }
+            arc = next.clamp(0.0, end);
+        }
+        None
+    }
+
+    fn rail_height(&self, arc: f64) -> f64 {
+        let [_, normal_y, normal_z] = self.plane.normal();
+        let [y, z] = self.pair.rail.at(arc).place;
+        normal_y * (y - self.plane.origin[1]) + normal_z * (z - self.plane.origin[2])
+    }
+
+    /// Height and arc length of the wheel at (x, s), from a guess; all in m.
+    fn on_wheel(&self, [x, s]: [f64; 2], guess: OnWheel) -> Option<OnWheel> {
+        let [along, across, normal] = self.axes;
+        let base = [0, 1, 2].map(|k| self.origin[k] + x * along[k] + s * across[k]);
+        let end = self.pair.wheel.length();
+        let [mut n, mut arc] = [guess[0], guess[1].clamp(0.0, end)];
+        for _ in 0..MOST_STEPS {
+            let [q_x, q_y, q_z] = [0, 1, 2].map(|k| base[k] + n * normal[k]);
+            let radius = q_x.hypot(q_z);
+            let point = self.pair.wheel.at(arc);
+            let off = [
+                q_y - self.pair.wheel_offset - point.place[0],
+                radius - self.pair.nominal_radius + point.place[1],
+            ];
+            let by_height = [normal[1], (q_x * normal[0] + q_z * normal[2]) / radius];
+            let by_arc = [-point.tangent[0], point.tangent[1]];
+            let determinant = by_height[0] * by_arc[1] - by_arc[0] * by_height[1];
+            let step = [
+                (off[0] * by_arc[1] - by_arc[0] * off[1]) / determinant,
+                (by_height[0] * off[1] - off[0] * by_height[1]) / determinant,
+            ];
+            let [up, on] = step.map(|step| step.clamp(-LONGEST_STEP, LONGEST_STEP));
+            n -= up;
+            let next = arc - on;
+            if up.abs().max(on.abs()) < ACCURACY {
+                return (0.0..=end).contains(&next).then_some([n, next]);
+            }
+            arc = next.clamp(0.0, end);
+            if !n.is_finite() {
+                return None;
+            }
+        }
+        None
+    }
+}
+
+/// Index of the position nearest to zero.
+fn nearest_to_zero(positions: &[f64]) -> usize {
+    let near =
+        (0..positions.len()).min_by(|j, k| positions[*j].abs().total_cmp(&positions[*k].abs()));
+    near.unwrap_or(0)
+}

@@ -1,0 +1,205 @@
+//! Height of a wheel at which its contacts carry the vertical force.
+//!
+//! With the normal force F of each contact, its inclination β and the ratio ρ of its lateral to its
+//! normal force, Σ F (cos β + ρ sin β) is the vertical force. It grows with the depth d below first
+//! touch as some d^1.5, which guides a bracketed search. Contacts in planes of their own raise each
+//! other's surfaces by F (n·n′)/(π E* r) at their distance r (Boussinesq 1885).
+
+use std::f64::consts::PI;
+
+use super::contact_plane::{ContactPlane, Joining, planes};
+use super::gap::Gap;
+use super::pair::Pair;
+use super::pose::{Attitude, Pose, dot, minus};
+use super::pressed::{Accuracy, Pressed, Pressing};
+use crate::error::{Error, WheelRailError};
+use crate::progress::Watch;
+
+/// Power of the depth with which the force of a contact grows (Hertz 1882), dimensionless.
+const POWER: f64 = 1.5;
+
+/// Largest depth below first touch, in m.
+const DEEPEST: f64 = 5e-3;
+
+/// Most evaluations of the force until it is that asked for.
+const MOST_ROUNDS: usize = 60;
+
+/// Passes in which contacts raise each other's surfaces.
+const PASSES: usize = 4;
+
+/// Change of such a rise relative to the depth below which it does not matter, dimensionless.
+const NEGLIGIBLE_RISE: f64 = 1e-5;
+
+/// Friction of a contact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FrictionRatio {
+    /// Where it is, in m.
+    pub y: f64,
+    /// Lateral over normal force, dimensionless.
+    pub ratio: f64,
+}
+
+/// A wheel above a rail, to be lowered.
+pub(super) struct Lowering<'a> {
+    pub pair: &'a Pair,
+    pub gap: &'a Gap,
+    pub attitude: Attitude,
+    pub joining: Joining,
+    /// E*, in Pa.
+    pub contact_modulus: f64,
+    pub watch: Watch<'a>,
+}
+
+/// Contacts at a depth below first touch.
+#[derive(Debug, Clone)]
+pub(super) struct Lowered {
+    /// The depth, in m.
+    pub depth: f64,
+    pub contacts: Vec<Pressed>,
+}
+
+impl Lowering<'_> {
+    /// Height of first touch, relative to the nominal height, in m.
+    pub fn touch(&self) -> f64 {
+        self.gap.least().map_or(0.0, |point| -point.gap)
+    }
+
+    pub fn pose(&self, depth: f64) -> Pose {
+        self.attitude.at_height(self.pair.nominal_radius, self.touch() - depth)
+    }
+
+    /// The contacts at a depth.
+    pub fn at(&self, depth: f64, accuracy: Accuracy) -> Result<Vec<Pressed>, Error> {
+        if depth > DEEPEST {
+            return Err(WheelRailError::DeepOverlap { depth }.into());
+        }
+        let regions = self.gap.regions(self.touch() - depth, self.pair.nominal_radius);
+        let planes = planes(self.pair, &regions, &self.joining);
+        let pose = self.pose(depth);
+        let pressing = Pressing {
+            pair: self.pair,
+            pose: &pose,
+            contact_modulus: self.contact_modulus,
+            watch: self.watch,
+        };
+        let mut raised = vec![0.0; planes.len()];
+        for pass in 1.. {
+            let solve = |k: usize| pressing.solve(&planes[k], raised[k], accuracy);
+            let found = (0..planes.len()).map(solve).collect::<Result<Vec<_>, Error>>()?;
+            let next: Vec<f64> = planes.iter().map(|plane| self.rise(plane, &found)).collect();
+            let change = raised.iter().zip(&next).map(|(one, two)| (one - two).abs());
+            if pass >= PASSES || change.fold(0.0, f64::max) <= NEGLIGIBLE_RISE * depth {
+                return Ok(found.into_iter().flatten().collect());
+            }
+            raised = next;
+        }
+        Ok(Vec::new())
+    }
+
+    /// How far the contacts other than that in a plane move the surfaces there apart, in m.
+    fn rise(&self, plane: &ContactPlane, found: &[Option<Pressed>]) -> f64 {
+        let others = found.iter().flatten().filter(|other| other.plane.origin != plane.origin);
+        let rise = |other: &Pressed| {
+            let way = minus(plane.origin, other.plane.origin);
+            let facing = dot(plane.normal(), other.plane.normal());
+            other.force * facing / (PI * self.contact_modulus * dot(way, way).sqrt())
+        };
+        others.map(rise).sum()
+    }
+
+    /// The depth at which contacts carry a vertical force (in N) to a tolerance (dimensionless).
+    /// `start` is a depth nearby, in m.
+    pub fn carrying(
+        &self,
+        load: f64,
+        ratios: &[FrictionRatio],
+        start: f64,
+        (accuracy, tolerance): (Accuracy, f64),
+    ) -> Result<Lowered, Error> {
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut depth = start;
+        let mut before: Option<[f64; 2]> = None;
+        let mut worst: Option<(f64, f64)> = None;
+        for round in 0..MOST_ROUNDS {
+            let contacts = match self.at(depth, accuracy) {
+                Err(Error::WheelRail { error: WheelRailError::DeepOverlap { depth } }) => {
+                    return Err(too_deep(depth, worst));
+                }
+                other => other?,
+            };
+            worst = contacts
+                .iter()
+                .filter(|contact| weight(contact, ratios) <= 0.0)
+                .map(|contact| (contact.plane.inclination, ratio(contact, ratios)))
+                .next()
+                .or(worst);
+            let force: f64 =
+                contacts.iter().map(|contact| contact.force * weight(contact, ratios)).sum();
+            let residual = force / load - 1.0;
+            if residual.abs() <= tolerance || (high - low) <= ROUNDING * depth {
+                return Ok(Lowered { depth, contacts });
+            }
+            if residual < 0.0 {
+                low = depth;
+            } else {
+                high = depth;
+            }
+            let next = next_depth(depth, force / load, before);
+            before = (force > 0.0).then_some([depth, force / load]);
+            let is_inside = next > low && next < high && round % 8 != 7;
+            depth = if is_inside {
+                next.min(FASTEST * depth)
+            } else if high.is_finite() {
+                0.5 * (low + high)
+            } else {
+                FASTEST * depth
+            };
+        }
+        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: high - low }.into())
+    }
+}
+
+/// Largest factor by which a depth grows in one step.
+const FASTEST: f64 = 3.0;
+
+/// Width of a bracket relative to the depth below which rounding decides.
+const ROUNDING: f64 = 1e-12;
+
+/// The next depth from the force over the load: by the power law from zero, or through the last two
+/// points in logarithms.
+fn next_depth(depth: f64, share: f64, before: Option<[f64; 2]>) -> f64 {
+    if share <= 0.0 {
+        return FASTEST * depth;
+    }
+    let power = match before {
+        Some([depth_before, share_before]) if share_before != share => {
+            (share / share_before).ln() / (depth / depth_before).ln()
+        }
+        _ => POWER,
+    };
+    let power = if power.is_finite() && power > LEAST_POWER { power } else { POWER };
+    depth * share.powf(-power.recip())
+}
+
+/// A force that grows more slowly than this power of the depth is no guide.
+const LEAST_POWER: f64 = 0.5;
+
+fn too_deep(depth: f64, worst: Option<(f64, f64)>) -> Error {
+    match worst {
+        Some((angle, ratio)) => WheelRailError::Jammed { angle: angle.abs(), ratio }.into(),
+        None => WheelRailError::DeepOverlap { depth }.into(),
+    }
+}
+
+/// Vertical over normal force of a contact, dimensionless.
+pub(super) fn weight(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
+    let (sin, cos) = contact.plane.inclination.sin_cos();
+    cos + ratio(contact, ratios) * sin
+}
+
+/// The ratio of the contact nearest to this one; zero without any.
+fn ratio(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
+    let y = contact.plane.origin[1];
+    let near = ratios.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs()));
+    near.map_or(0.0, |near| near.ratio)
+}

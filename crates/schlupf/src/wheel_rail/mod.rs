@@ -1,0 +1,39 @@
+//! From the profiles of a wheel and a rail and the position of the wheelset to contacts: where they
+//! are, their creepages, pressures and forces.
+//!
+//! The track frame has its origin between the rails in the plane of their tops: x along the track,
+//! y to the left, z up. A wheel is a surface of revolution, a rail a prism. The steps, each in a
+//! file: the profiles as smooth curves and in their places; the vertical gap and its regions of
+//! overlap under the wheel's exact locus of contact; the planes of the contacts; the undeformed
+//! distance above each; the normal contact ([`crate::normal::rough_contact`]) in each, all of them
+//! sharing the vertical force; the creepages from the rigid motion; the tangential problems.
+//!
+//! A right wheel is solved as the mirror image of a left one.
+//!
+//! Limits: each contact is solved in a plane (a warning says how far a conformal one turns); rails
+//! are straight prisms; the friction that helps to carry the wheel is that of steady rolling.
+
+mod spline;
+mod profile_curve;
+mod pair;
+mod pose;
+mod gap;
+mod contact_plane;
+mod distance;
+mod pressed;
+mod creepage;
+mod equilibrium;
+mod side;
+mod patch;
+mod wheel;
+mod resting;
+mod conicity;
+
+pub use conicity::{RestingWheelset, RigidContact, RollingRadiusDifference};
+pub use contact_plane::Joining;
+pub use creepage::Motion;
+pub use pair::{Pair, RailShape, Track, WheelShape};
+pub use profile_curve::{CurvePoint, LEAST_SPACING, ProfileCurve};
+pub use resting::resting_roll;
+pub use side::Side;
+pub use wheel::{Contact, Position, Support, Tangential, WheelOnRail, WheelSolution};

@@ -1,0 +1,182 @@
+//! A wheel and a rail of one side, each in its place.
+//!
+//! Everything in this module and below is that of the *left* wheel, so y points outwards; a right
+//! wheel is solved as the mirror image of a left one.
+
+use super::profile_curve::{CurvePoint, ProfileCurve};
+use crate::error::{Error, WheelRailError, require};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
+
+/// Bounds of lengths of the track and of the wheelset, in m.
+const LENGTH: Requirement = Requirement::Between(1e-3, 10.0);
+
+/// Largest angle by which a rail may lean, as a slope, dimensionless.
+const STEEPEST_CANT: f64 = 0.5;
+
+/// Step along a profile at which it is searched, in m.
+const STEP: f64 = 1e-5;
+
+/// The wheels of a wheelset.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WheelShape {
+    /// Profile: z up, zero where the radius is the nominal one.
+    pub profile: ProfileCurve,
+    /// Nominal rolling radius, in m.
+    pub nominal_radius: f64,
+    /// Position y of the flange back in the coordinates of the profile, in m; negative.
+    pub flange_back_position: f64,
+}
+
+/// The rails of a track.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RailShape {
+    /// Profile, with z up.
+    pub profile: ProfileCurve,
+    /// Inclination towards the middle of the track as a slope, such as 1/40; dimensionless.
+    pub cant: f64,
+}
+
+/// What determines where the profiles are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Track {
+    /// Distance of the gauge faces, in m.
+    pub gauge: f64,
+    /// Depth below the top of the rail down to which the gauge is measured, in m.
+    pub gauge_depth: f64,
+    /// Distance of the flange backs of the wheelset, in m.
+    pub flange_back_distance: f64,
+}
+
+impl Default for Track {
+    /// 1435 mm, 14 mm below the top of the rail; 1360 mm between the flange backs.
+    fn default() -> Self {
+        Self { gauge: 1.435, gauge_depth: 14e-3, flange_back_distance: 1.360 }
+    }
+}
+
+/// Points along a profile at small equal steps.
+#[derive(Debug, Clone)]
+pub(super) struct Samples {
+    /// Arc lengths, in m.
+    pub arc: Vec<f64>,
+    pub points: Vec<CurvePoint>,
+}
+
+/// The left wheel and the left rail.
+#[derive(Debug, Clone)]
+pub struct Pair {
+    pub(super) wheel: ProfileCurve,
+    pub(super) wheel_samples: Samples,
+    /// In m.
+    pub(super) nominal_radius: f64,
+    /// Distance of the origin of the wheel's profile from the middle of the wheelset, in m.
+    pub(super) wheel_offset: f64,
+    /// In the track frame.
+    pub(super) rail: ProfileCurve,
+    pub(super) rail_samples: Samples,
+    /// Origin of the rail's profile in the track frame, y and z in m.
+    pub(super) rail_origin: [f64; 2],
+}
+
+impl Samples {
+    fn new(curve: &ProfileCurve) -> Self {
+        let count = (curve.length() / STEP).ceil() as usize + 1;
+        let step = curve.length() / (count - 1) as f64;
+        let arc: Vec<f64> = (0..count).map(|k| k as f64 * step).collect();
+        let points = arc.iter().map(|s| curve.at(*s)).collect();
+        Self { arc, points }
+    }
+
+    /// Lowest and highest y, in m.
+    pub fn span(&self) -> [f64; 2] {
+        let y = || self.points.iter().map(|point| point.place[0]);
+        [y().fold(f64::INFINITY, f64::min), y().fold(f64::NEG_INFINITY, f64::max)]
+    }
+}
+
+impl Pair {
+    /// Places the profiles: the rail turned by its cant about the origin of its profile, its top at
+    /// z = 0 and its gauge point, the inmost point down to the gauge depth, half the gauge from the
+    /// middle; the wheel with its flange back half their distance from the middle of the wheelset.
+    ///
+    /// # Errors
+    /// A length that cannot be, or a profile without a running surface.
+    pub fn new(wheel: &WheelShape, rail: &RailShape, track: &Track) -> Result<Self, Error> {
+        require(Quantity::WheelRadiusX, LENGTH, wheel.nominal_radius)?;
+        require(Quantity::Gauge, LENGTH, track.gauge)?;
+        require(Quantity::GaugeDepth, Requirement::Between(0.0, 1.0), track.gauge_depth)?;
+        require(Quantity::FlangeBackDistance, LENGTH, track.flange_back_distance)?;
+        let position = Requirement::Between(-1.0, 1.0);
+        require(Quantity::FlangeBackPosition, position, wheel.flange_back_position)?;
+        require(Quantity::RailCant, Requirement::Magnitude(STEEPEST_CANT), rail.cant)?;
+        let turned = rail.profile.placed(rail.cant.atan(), [0.0; 2]);
+        let samples = Samples::new(&turned);
+        require_surface(&samples, Quantity::RailProfile)?;
+        let [inmost, top] = gauge_point(&samples, track.gauge_depth);
+        let rail_origin = [0.5 * track.gauge - inmost, -top];
+        let rail = turned.placed(0.0, rail_origin);
+        let wheel_samples = Samples::new(&wheel.profile);
+        require_surface(&wheel_samples, Quantity::WheelProfile)?;
+        Ok(Self {
+            wheel: wheel.profile.clone(),
+            wheel_samples,
+            nominal_radius: wheel.nominal_radius,
+            wheel_offset: 0.5 * track.flange_back_distance - wheel.flange_back_position,
+            rail_samples: Samples::new(&rail),
+            rail,
+            rail_origin,
+        })
+    }
+
+    /// Origin of the rail's profile in the track, y outwards and z up, in m.
+    pub fn rail_origin(&self) -> [f64; 2] {
+        self.rail_origin
+    }
+
+    /// Distance of the origin of the wheel's profile from the middle of the wheelset, in m.
+    pub fn wheel_offset(&self) -> f64 {
+        self.wheel_offset
+    }
+
+    /// The rail's profile in the track, y outwards.
+    pub fn rail(&self) -> &ProfileCurve {
+        &self.rail
+    }
+
+    /// The wheel's profile in its own coordinates.
+    pub fn wheel(&self) -> &ProfileCurve {
+        &self.wheel
+    }
+}
+
+fn require_surface(samples: &Samples, profile: Quantity) -> Result<(), Error> {
+    if samples.points.iter().any(|point| point.tangent[0] > FLATTEST) {
+        return Ok(());
+    }
+    Err(WheelRailError::NoRunningSurface { profile }.into())
+}
+
+/// Smallest part of y in the direction of a profile that is seen from above or below,
+/// dimensionless: steeper parts hide beneath others.
+pub(super) const FLATTEST: f64 = 1e-3;
+
+/// Inmost y of a rail down to a depth below its top, and the z of the top, in m.
+fn gauge_point(samples: &Samples, depth: f64) -> [f64; 2] {
+    let place = |k: usize| samples.points[k].place;
+    let highest = (0..samples.points.len()).max_by(|j, k| place(*j)[1].total_cmp(&place(*k)[1]));
+    let highest = highest.unwrap_or(0);
+    let top = place(highest)[1];
+    let level = top - depth;
+    let mut inmost = place(highest)[0];
+    for k in (0..highest).rev() {
+        let [y, z] = place(k);
+        if z < level {
+            let [y_above, z_above] = place(k + 1);
+            inmost = inmost.min(y_above + (y - y_above) * (level - z_above) / (z - z_above));
+            break;
+        }
+        inmost = inmost.min(y);
+    }
+    [inmost, top]
+}

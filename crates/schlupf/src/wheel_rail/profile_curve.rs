@@ -1,0 +1,279 @@
+//! The profile of a wheel or a rail as a curve (y(s), z(s)) over its length s.
+//!
+//! y points outwards, away from the middle of the track, and z up; s grows with y. Points closer
+//! together than [`LEAST_SPACING`] are thinned, because the rounding of printed numbers over steps
+//! of 10⁻⁵ mm makes curvatures of thousands per metre. Through the rest runs a cubic spline over
+//! the arc length, or a smoothing spline (see [`ProfileCurve::new`]), which is split where the
+//! profile has a kink.
+
+use super::spline;
+use crate::error::{Error, Place, WheelRailError, require_at};
+use crate::numerics::interpolation::{hermite, hermite_slope};
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
+
+/// Least distance of two points that a curve runs through, in m.
+pub const LEAST_SPACING: f64 = 3e-5;
+
+/// Least turn of the direction at a kink, dimensionless (rad).
+const KINK: f64 = 0.35;
+
+/// Largest turn at the points next to a kink relative to that of the kink, dimensionless: arcs with
+/// few points turn as much at every point.
+const KINK_RATIO: f64 = 0.3;
+
+/// Least number of points of a profile.
+const FEWEST_POINTS: usize = 4;
+
+/// Largest coordinate, in m: more is a wrong unit.
+const LARGEST: f64 = 1.0;
+
+/// A profile as a smooth curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProfileCurve {
+    /// Arc length at the points, in m, ascending.
+    length: Vec<f64>,
+    /// y and z of the points, in m.
+    points: Vec<[f64; 2]>,
+    /// Slopes of y and z at the start and at the end of each interval, dimensionless.
+    slopes: Vec<[[f64; 2]; 2]>,
+    smoothing: f64,
+}
+
+/// A point of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvePoint {
+    /// y and z, in m.
+    pub place: [f64; 2],
+    /// Their derivatives with respect to the arc length, dimensionless.
+    pub tangent: [f64; 2],
+    /// Their second derivatives, in 1/m.
+    pub bend: [f64; 2],
+}
+
+impl CurvePoint {
+    /// Inclination of the curve, dimensionless (rad): positive where z grows with y.
+    pub fn inclination(&self) -> f64 {
+        self.tangent[1].atan2(self.tangent[0])
+    }
+
+    /// Curvature, in 1/m: positive where the curve turns upwards as y grows.
+    pub fn curvature(&self) -> f64 {
+        let [[y, z], [yy, zz]] = [self.tangent, self.bend];
+        (y * zz - z * yy) / y.hypot(z).powi(3)
+    }
+}
+
+impl ProfileCurve {
+    /// The curve through `points` (y outwards and z up, in m, from either end), smoothed over a
+    /// length L (in m; 0: not at all): what is shorter than L along the profile is levelled out.
+    /// `quantity` is the profile of the wheel or of the rail, for messages.
+    ///
+    /// ```
+    /// use schlupf::Quantity;
+    /// use schlupf::wheel_rail::ProfileCurve;
+    ///
+    /// let arc = |k: i32| {
+    ///     let angle = 1e-3 * f64::from(k);
+    ///     [0.3 * angle.sin(), 0.3 * (angle.cos() - 1.0)]
+    /// };
+    /// let points: Vec<_> = (-50..=50).map(arc).collect();
+    /// let curve = ProfileCurve::new(&points, 0.0, Quantity::RailProfile)?;
+    /// assert!((curve.at(0.5 * curve.length()).curvature() + 1.0 / 0.3).abs() < 1e-6);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Fewer than four points, a coordinate that is not finite or beyond 1 m, an impossible length.
+    pub fn new(points: &[[f64; 2]], smoothing: f64, quantity: Quantity) -> Result<Self, Error> {
+        for (k, coordinate) in points.iter().enumerate().flat_map(|(k, p)| p.map(|c| (k, c))) {
+            let requirement = Requirement::Magnitude(LARGEST);
+            require_at(quantity, requirement, coordinate, Place::Index(k + 1))?;
+        }
+        let points = thinned(points);
+        if points.len() < FEWEST_POINTS {
+            let (count, fewest) = (points.len(), FEWEST_POINTS);
+            return Err(WheelRailError::FewPoints { profile: quantity, count, fewest }.into());
+        }
+        let requirement = Requirement::Between(0.0, LARGEST);
+        crate::error::require(Quantity::ProfileSmoothing, requirement, smoothing)?;
+        let kinks = kinks(&points);
+        let mut length = chords(&points);
+        let points = smoothed(&length, points, &kinks, smoothing);
+        let mut slopes = fitted(&length, &points, &kinks);
+        for _ in 0..3 {
+            // From the length of the chords to that of the curve itself.
+            let curve = Self { length, points: points.clone(), slopes, smoothing };
+            length = curve.arc_lengths();
+            slopes = fitted(&length, &points, &kinks);
+        }
+        Ok(Self { length, points, slopes, smoothing })
+    }
+
+    /// Its length, in m.
+    pub fn length(&self) -> f64 {
+        self.length[self.length.len() - 1]
+    }
+
+    /// The length over which it was smoothed, in m.
+    pub fn smoothing(&self) -> f64 {
+        self.smoothing
+    }
+
+    /// The points that it runs through, y and z in m.
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
+    /// The point at an arc length `s` (in m) from the first one; at the ends the outermost cubics
+    /// are continued.
+    pub fn at(&self, s: f64) -> CurvePoint {
+        let after = self.length.partition_point(|length| *length <= s);
+        let k = after.clamp(1, self.length.len() - 1) - 1;
+        let width = self.length[k + 1] - self.length[k];
+        let t = (s - self.length[k]) / width;
+        let [value, slope] = [hermite(t), hermite_slope(t)];
+        let bend = [12.0 * t - 6.0, 6.0 - 12.0 * t, 6.0 * t - 4.0, 6.0 * t - 2.0];
+        let given = |c: usize| {
+            let [from, to] = self.slopes[k];
+            [self.points[k][c], self.points[k + 1][c], width * from[c], width * to[c]]
+        };
+        let given = [given(0), given(1)];
+        let sum = |weights: [f64; 4]| {
+            given.map(|given| (0..4).map(|i| weights[i] * given[i]).sum::<f64>())
+        };
+        CurvePoint {
+            place: sum(value),
+            tangent: sum(slope).map(|slope| slope / width),
+            bend: sum(bend).map(|bend| bend / (width * width)),
+        }
+    }
+
+    /// The same turned about the origin of its coordinates by an angle (in rad, from y towards z),
+    /// then moved by `way` (in m).
+    #[must_use]
+    pub fn placed(&self, angle: f64, way: [f64; 2]) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        let turned = |[y, z]: [f64; 2]| [cos * y - sin * z, sin * y + cos * z];
+        let moved = |point: &[f64; 2]| {
+            let [y, z] = turned(*point);
+            [y + way[0], z + way[1]]
+        };
+        Self {
+            length: self.length.clone(),
+            points: self.points.iter().map(moved).collect(),
+            slopes: self.slopes.iter().map(|ends| ends.map(turned)).collect(),
+            smoothing: self.smoothing,
+        }
+    }
+
+    /// Arc lengths at the points, in m, by Gauss's rule with four points in each interval.
+    fn arc_lengths(&self) -> Vec<f64> {
+        let mut total = 0.0;
+        let mut lengths = vec![0.0];
+        for ends in self.length.windows(2) {
+            let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            for (node, weight) in GAUSS {
+                let [y, z] = self.at(middle + half * node).tangent;
+                total += half * weight * y.hypot(z);
+            }
+            lengths.push(total);
+        }
+        lengths
+    }
+}
+
+/// Nodes and weights of Gauss's rule with four points.
+const GAUSS: [(f64, f64); 4] = [
+    (-0.861_136_311_594_052_6, 0.347_854_845_137_453_9),
+    (-0.339_981_043_584_856_3, 0.652_145_154_862_546_1),
+    (0.339_981_043_584_856_3, 0.652_145_154_862_546_1),
+    (0.861_136_311_594_052_6, 0.347_854_845_137_453_9),
+];
+
+/// The points in the order of growing y, without those too close to the one before.
+fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
+    let mut keep = |point: &[f64; 2]| {
+        let is_apart = |last: &[f64; 2]| distance(last, point) >= LEAST_SPACING;
+        if kept.last().is_none_or(is_apart) {
+            kept.push(*point);
+        }
+    };
+    let is_reversed = matches!((points.first(), points.last()), (Some(p), Some(q)) if p[0] > q[0]);
+    if is_reversed {
+        points.iter().rev().for_each(&mut keep);
+    } else {
+        points.iter().for_each(&mut keep);
+    }
+    kept
+}
+
+fn distance(p: &[f64; 2], q: &[f64; 2]) -> f64 {
+    (q[0] - p[0]).hypot(q[1] - p[1])
+}
+
+fn chords(points: &[[f64; 2]]) -> Vec<f64> {
+    let mut total = 0.0;
+    let ends = points.windows(2).map(|pair| {
+        total += distance(&pair[0], &pair[1]);
+        total
+    });
+    std::iter::once(0.0).chain(ends).collect()
+}
+
+/// Indices at which smooth pieces begin and end: the first and last point, and kinks.
+fn kinks(points: &[[f64; 2]]) -> Vec<usize> {
+    let direction = |pair: &[[f64; 2]]| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+    let directions: Vec<[f64; 2]> = points.windows(2).map(direction).collect();
+    let turn = |pair: &[[f64; 2]]| {
+        let [p, q] = [pair[0], pair[1]];
+        (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]).abs()
+    };
+    let turns: Vec<f64> = directions.windows(2).map(turn).collect();
+    let is_kink = |k: usize| {
+        let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
+        let largest = beside.filter_map(|k| turns.get(k)).copied().fold(0.0, f64::max);
+        turns[k] >= KINK && largest <= KINK_RATIO * turns[k]
+    };
+    let inside = (0..turns.len()).filter(|k| is_kink(*k)).map(|k| k + 1);
+    std::iter::once(0).chain(inside).chain([points.len() - 1]).collect()
+}
+
+/// The points on smoothing splines between kinks.
+fn smoothed(
+    length: &[f64],
+    mut points: Vec<[f64; 2]>,
+    kinks: &[usize],
+    smoothing: f64,
+) -> Vec<[f64; 2]> {
+    if smoothing == 0.0 {
+        return points;
+    }
+    for ends in kinks.windows(2) {
+        let piece = ends[0]..=ends[1];
+        for c in 0..2 {
+            let values: Vec<f64> = points[piece.clone()].iter().map(|point| point[c]).collect();
+            let smooth = spline::smoothed(&length[piece.clone()], &values, smoothing);
+            for (point, value) in points[piece.clone()].iter_mut().zip(smooth) {
+                point[c] = value;
+            }
+        }
+    }
+    points
+}
+
+/// Slopes at both ends of all intervals.
+fn fitted(length: &[f64], points: &[[f64; 2]], kinks: &[usize]) -> Vec<[[f64; 2]; 2]> {
+    let mut slopes = Vec::with_capacity(points.len());
+    for ends in kinks.windows(2) {
+        let piece = ends[0]..=ends[1];
+        let [y, z] = [0, 1].map(|c| {
+            let values: Vec<f64> = points[piece.clone()].iter().map(|point| point[c]).collect();
+            spline::slopes(&length[piece.clone()], &values)
+        });
+        let at: Vec<[f64; 2]> = y.into_iter().zip(z).map(|(y, z)| [y, z]).collect();
+        slopes.extend(at.windows(2).map(|pair| [pair[0], pair[1]]));
+    }
+    slopes
+}

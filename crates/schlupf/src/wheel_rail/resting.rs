@@ -1,0 +1,109 @@
+//! The roll angle of a wheelset whose wheels both rest on their rails.
+
+use std::sync::Arc;
+
+use super::gap::Gap;
+use super::pair::Pair;
+use super::pose::Attitude;
+use super::side::Side;
+use super::wheel::{Position, Tangential, WheelOnRail, WheelSolution};
+use crate::error::{Error, WheelRailError};
+use crate::progress::Watch;
+
+/// Change of the roll angle below which it is found, in rad: less than 0.2 µm at the rails.
+const SETTLED: f64 = 2e-7;
+
+/// The same with rigid bodies, in rad.
+const RIGID: f64 = 1e-11;
+
+/// Most rounds of roll and depths, and most steps to a roll angle.
+const MOST_ROUNDS: usize = 12;
+const MOST_STEPS: usize = 60;
+
+/// Largest roll angle, in rad.
+const LARGEST: f64 = 0.2;
+
+/// Roll angle (in rad) at which both wheels touch their rails, each sunk by a depth below first
+/// touch (left and right, in m), at a lateral position (in m) and a yaw angle (in rad).
+///
+/// The height of the wheelset at which the left wheel touches falls with the roll angle, that of
+/// the right one rises, so there is one such angle: by the secant within a bracket.
+///
+/// # Errors
+/// A wheel beside its rail.
+pub fn resting_roll(pair: &Pair, [lateral, yaw]: [f64; 2], depths: [f64; 2]) -> Result<f64, Error> {
+    let height = |side: Side, roll: f64, depth: f64| -> Result<f64, Error> {
+        let sign = side.outwards();
+        let attitude = Attitude { lateral: sign * lateral, roll: sign * roll, yaw: sign * yaw };
+        let least = Gap::new(pair, &attitude)?.least();
+        Ok(least.map_or(0.0, |point| -point.gap) - depth)
+    };
+    let difference = |roll: f64| -> Result<f64, Error> {
+        Ok(height(Side::Left, roll, depths[0])? - height(Side::Right, roll, depths[1])?)
+    };
+    let (mut low, mut high) = (-LARGEST, LARGEST);
+    let mut roll = 0.0;
+    let mut off = difference(roll)?;
+    // Twice the distance of the contacts from the middle, about.
+    let mut slope = -2.0 * pair.wheel_offset;
+    for _ in 0..MOST_STEPS {
+        if off > 0.0 {
+            low = roll;
+        } else {
+            high = roll;
+        }
+        let secant = roll - off / slope;
+        let next = if secant > low && secant < high { secant } else { 0.5 * (low + high) };
+        let step = next - roll;
+        if step.abs() < RIGID {
+            return Ok(next);
+        }
+        let off_next = difference(next)?;
+        let found = (off_next - off) / step;
+        slope = if found < 0.2 * -pair.wheel_offset { found } else { -2.0 * pair.wheel_offset };
+        (roll, off) = (next, off_next);
+    }
+    Ok(roll)
+}
+
+impl WheelOnRail {
+    /// This wheel (first) and the one on the other side (second) under the same vertical force,
+    /// with the roll angle at which both rest on their rails; that of the position is not used.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub fn solve_resting(
+        &self,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<[WheelSolution; 2], Error> {
+        self.check()?;
+        let place = [self.position.lateral, self.position.yaw];
+        let rigid = resting_roll(&self.pair, place, [0.0; 2])?;
+        let depth = |side: Side| {
+            let position = Position { roll: rigid, ..self.position };
+            Self { side, position, ..self.clone() }.frictionless_depth(tangential, watch)
+        };
+        let depths = [depth(Side::Left)?, depth(Side::Right)?];
+        let mut roll = resting_roll(&self.pair, place, depths)?;
+        let mut change = f64::INFINITY;
+        for _ in 0..MOST_ROUNDS {
+            let wheel = |side: Side| {
+                let position = Position { roll, ..self.position };
+                let wheel = Self { pair: Arc::clone(&self.pair), side, position, ..self.clone() };
+                wheel.solve(tangential, watch)
+            };
+            let [left, right] = [wheel(Side::Left)?, wheel(Side::Right)?];
+            let next = resting_roll(&self.pair, place, [left.depth, right.depth])?;
+            change = (next - roll).abs();
+            if change < SETTLED {
+                return Ok(match self.side {
+                    Side::Left => [left, right],
+                    Side::Right => [right, left],
+                });
+            }
+            roll = next;
+        }
+        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: change }.into())
+    }
+}

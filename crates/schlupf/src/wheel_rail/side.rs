@@ -1,0 +1,30 @@
+//! Left and right.
+
+/// A side of the track.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Side {
+    /// That of positive y.
+    Left,
+    /// That of negative y.
+    Right,
+}
+
+impl Side {
+    /// Sign of y on this side, dimensionless.
+    pub fn outwards(self) -> f64 {
+        match self {
+            Self::Left => 1.0,
+            Self::Right => -1.0,
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}

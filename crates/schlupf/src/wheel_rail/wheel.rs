@@ -1,0 +1,410 @@
+//! A wheel of a wheelset on its rail: its contacts, their creepages and forces.
+
+use std::sync::Arc;
+
+use super::contact_plane::Joining;
+use super::creepage::{Motion, creepages};
+use super::equilibrium::{FrictionRatio, Lowered, Lowering, weight};
+use super::gap::Gap;
+use super::pair::Pair;
+use super::patch::ContactPatch;
+use super::pose::{Attitude, minus};
+use super::pressed::{Accuracy, Pressed};
+use super::side::Side;
+use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
+use crate::kinematics::Kinematics;
+use crate::normal::PressureSource;
+use crate::problem::{Options, Problem};
+use crate::progress::Watch;
+use crate::quantity::Quantity;
+use crate::requirement::Requirement;
+use crate::solution::{Solution, Status};
+use crate::solver::Solver;
+use crate::warning::Warning;
+
+/// Position of a wheelset in the track: x forwards, y to the left, z up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Position {
+    /// Lateral position of the middle of the axle, in m.
+    pub lateral: f64,
+    /// Yaw angle about z, in rad.
+    pub yaw: f64,
+    /// Roll angle about x, in rad.
+    pub roll: f64,
+}
+
+/// What determines the height of a wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Support {
+    /// The vertical force on the wheel, in N.
+    Force(f64),
+    /// The height of the middle of the axle above the nominal radius over the tops of the rails, in
+    /// m.
+    Height(f64),
+}
+
+/// A wheel on a rail.
+#[derive(Debug, Clone)]
+pub struct WheelOnRail {
+    /// Profiles and where they are.
+    pub pair: Arc<Pair>,
+    /// Which wheel.
+    pub side: Side,
+    /// Where the wheelset is.
+    pub position: Position,
+    /// How it moves.
+    pub motion: Motion,
+    /// What carries it.
+    pub support: Support,
+    /// Which contacts share a plane.
+    pub joining: Joining,
+    /// Number of cells across a contact each way on which its pressure is found.
+    pub cells: usize,
+}
+
+/// How the tangential problem of each contact is posed and solved.
+pub struct Tangential<'a> {
+    /// The problem of a contact from its motion and its pressure, with both bodies and all laws;
+    /// creepages hold at the origin of the pressure's file.
+    pub problem: &'a dyn Fn(Kinematics, Arc<dyn PressureSource>) -> Result<Problem, Error>,
+    /// Contact modulus E* of both bodies, in Pa (see [`crate::material::contact_modulus`]).
+    pub contact_modulus: f64,
+    /// A solver with given options.
+    pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,
+    /// Options of the results.
+    pub options: &'a Options,
+}
+
+/// A contact of a wheel on a rail. Its frame: x along the track, y to the left along the surface,
+/// and z along the outward normal of the rail, with the origin at the contact's position.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Where it is in the track, in m.
+    pub position: [f64; 3],
+    /// Angle of the plane in rad, positive where the rail's outward normal leans to the left.
+    pub angle: f64,
+    /// Distance outwards from the origin of the rail's profile, in m.
+    pub rail_position: f64,
+    /// Distance outwards from the origin of the wheel's profile, in m.
+    pub wheel_position: f64,
+    /// Radius of the wheel there, in m.
+    pub rolling_radius: f64,
+    /// Angle by which the rail's surface turns over the contact, in rad.
+    pub turn: f64,
+    /// Its problem.
+    pub problem: Problem,
+    /// Its solution. Creepages and moment are those at the origin of the frame.
+    pub solution: Solution,
+}
+
+/// A wheel with its contacts.
+#[derive(Debug, Clone)]
+pub struct WheelSolution {
+    /// Which wheel.
+    pub side: Side,
+    /// Where the wheelset is.
+    pub position: Position,
+    /// Height of the middle of the axle above the nominal radius over the tops of the rails, in m.
+    pub height: f64,
+    /// Its contacts, the one with the largest normal force first.
+    pub contacts: Vec<Contact>,
+    /// Force on the wheel in the track, in N.
+    pub force: [f64; 3],
+    /// Depth below first touch, in m.
+    pub depth: f64,
+    /// Rounds between height and friction.
+    pub rounds: usize,
+}
+
+impl WheelSolution {
+    /// Whether all contacts converged.
+    pub fn status(&self) -> Status {
+        let is = |contact: &Contact| contact.solution.status == Status::Converged;
+        if self.contacts.iter().all(is) { Status::Converged } else { Status::NotConverged }
+    }
+
+    /// Warnings about the contacts as parts of a wheel.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let turned = self.contacts.iter().filter(|contact| contact.turn > CONFORMAL);
+        turned.map(|contact| Warning::ConformalContact { turn: contact.turn }).collect()
+    }
+}
+
+/// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
+const CONFORMAL: f64 = 0.3;
+
+/// Error of the vertical force at which height and friction count as settled, dimensionless.
+const SETTLED: f64 = 1e-4;
+
+/// The same while they are approached on coarse cells.
+const NEARLY_SETTLED: f64 = 3e-3;
+
+/// Most rounds between height and friction.
+const MOST_ROUNDS: usize = 16;
+
+/// Rounds after which the ratios are damped.
+const UNDAMPED: usize = 8;
+
+/// Part of a wheel's normal force below which a contact is left out, dimensionless.
+const NEGLIGIBLE: f64 = 1e-4;
+
+/// Fewest cells each way on which friction is first estimated.
+const FEWEST_CELLS: usize = 8;
+
+/// Accuracy of that estimate, dimensionless.
+const ESTIMATE: f64 = 1e-3;
+
+impl WheelOnRail {
+    /// Checks position, motion and support.
+    pub fn check(&self) -> Result<(), Error> {
+        let Motion { speed, lateral_velocity, vertical_velocity, angular_velocity, .. } =
+            self.motion;
+        require_positive(Quantity::Speed, speed)?;
+        require_finite(Quantity::LateralVelocity, lateral_velocity)?;
+        require_finite(Quantity::VerticalVelocity, vertical_velocity)?;
+        require_positive(Quantity::AngularVelocity, angular_velocity)?;
+        require_finite(Quantity::RollRate, self.motion.roll_rate)?;
+        require_finite(Quantity::YawRate, self.motion.yaw_rate)?;
+        let angle = Requirement::Inside(-1.0, 1.0);
+        require_finite(Quantity::LateralPosition, self.position.lateral)?;
+        require(Quantity::WheelsetYaw, angle, self.position.yaw)?;
+        require(Quantity::RollAngle, angle, self.position.roll)?;
+        let cells = Requirement::Between(16.0, 512.0);
+        require(Quantity::NormalCells, cells, self.cells as f64)?;
+        match self.support {
+            Support::Force(force) => require_positive(Quantity::Load, force),
+            Support::Height(height) => require_finite(Quantity::WheelsetHeight, height),
+        }
+    }
+
+    fn attitude(&self) -> Attitude {
+        let Position { lateral, yaw, roll } = self.position;
+        let sign = self.side.outwards();
+        Attitude { lateral: sign * lateral, roll: sign * roll, yaw: sign * yaw }
+    }
+
+    /// The contacts, and the height if the vertical force is given.
+    ///
+    /// # Errors
+    /// A wheel beside the rail or lifted off it, jammed by friction, or in contact at the end of a
+    /// profile; whatever the tangential problem rejects; [`Error::Stopped`].
+    pub fn solve(&self, tangential: &Tangential, watch: Watch) -> Result<WheelSolution, Error> {
+        self.check()?;
+        let gap = Gap::new(&self.pair, &self.attitude())?;
+        let lowering = self.lowering(&gap, tangential, watch);
+        match self.support {
+            Support::Height(height) => {
+                let depth = lowering.touch() - height;
+                if depth <= 0.0 {
+                    return Err(WheelRailError::Lifted { gap: -depth }.into());
+                }
+                let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
+                let lowered = Lowered { depth, contacts };
+                let solved =
+                    self.slide(&lowering, &lowered, (tangential, tangential.options), watch)?;
+                Ok(self.solution(&lowering, &lowered, solved, 1))
+            }
+            Support::Force(force) => self.settle(&lowering, force, tangential, watch),
+        }
+    }
+
+    fn lowering<'a>(
+        &'a self,
+        gap: &'a Gap,
+        tangential: &Tangential,
+        watch: Watch<'a>,
+    ) -> Lowering<'a> {
+        let (pair, joining, attitude) = (&*self.pair, self.joining, self.attitude());
+        let contact_modulus = tangential.contact_modulus;
+        Lowering { pair, gap, attitude, joining, contact_modulus, watch }
+    }
+
+    /// Depth below first touch (in m) without friction, on coarse cells; zero where the height is
+    /// given.
+    pub(super) fn frictionless_depth(
+        &self,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<f64, Error> {
+        let Support::Force(force) = self.support else { return Ok(0.0) };
+        let gap = Gap::new(&self.pair, &self.attitude())?;
+        let lowering = self.lowering(&gap, tangential, watch);
+        let how = (Accuracy::Coarse, NEARLY_SETTLED);
+        Ok(lowering.carrying(force, &[], first_depth(&lowering, force), how)?.depth)
+    }
+
+    /// Height and friction in turns, first with coarse cells.
+    fn settle(
+        &self,
+        lowering: &Lowering,
+        force: f64,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<WheelSolution, Error> {
+        let coarse = Options {
+            cells_x: (tangential.options.cells_x / 2).max(FEWEST_CELLS),
+            cells_y: (tangential.options.cells_y / 2).max(FEWEST_CELLS),
+            tolerance: tangential.options.tolerance.max(ESTIMATE),
+            sensitivity: false,
+            extrapolate: false,
+            ..tangential.options.clone()
+        };
+        let mut ratios: Vec<FrictionRatio> = Vec::new();
+        let mut depth = first_depth(lowering, force);
+        let mut is_fine = false;
+        let mut error = f64::INFINITY;
+        for round in 0..MOST_ROUNDS {
+            let how = if is_fine {
+                (Accuracy::Cells(self.cells), 0.2 * SETTLED)
+            } else {
+                (Accuracy::Coarse, 0.2 * NEARLY_SETTLED)
+            };
+            let lowered = lowering.carrying(force, &ratios, depth, how)?;
+            depth = lowered.depth;
+            let options = if is_fine { tangential.options } else { &coarse };
+            let solved = self.slide(lowering, &lowered, (tangential, options), watch)?;
+            let next = self.ratios(&solved);
+            let carried: f64 =
+                lowered.contacts.iter().map(|contact| contact.force * weight(contact, &next)).sum();
+            error = (carried / force - 1.0).abs();
+            if is_fine && error <= SETTLED {
+                return Ok(self.solution(lowering, &lowered, solved, round + 1));
+            }
+            is_fine |= error <= NEARLY_SETTLED || round == 0 && self.is_flat(&lowered);
+            ratios = if round < UNDAMPED { next } else { damped(&ratios, next) };
+        }
+        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: error }.into())
+    }
+
+    /// Whether friction hardly counts in the vertical force.
+    fn is_flat(&self, lowered: &Lowered) -> bool {
+        lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
+    }
+
+    fn ratios(&self, solved: &[(Pressed, Problem, Solution)]) -> Vec<FrictionRatio> {
+        let ratio = |(pressed, _, solution): &(Pressed, Problem, Solution)| FrictionRatio {
+            y: pressed.plane.origin[1],
+            ratio: self.side.outwards() * solution.force.y / pressed.force,
+        };
+        solved.iter().map(ratio).collect()
+    }
+
+    /// Solves the tangential problems of all contacts.
+    fn slide(
+        &self,
+        lowering: &Lowering,
+        lowered: &Lowered,
+        (tangential, options): (&Tangential, &Options),
+        watch: Watch,
+    ) -> Result<Vec<(Pressed, Problem, Solution)>, Error> {
+        let pose = lowering.pose(lowered.depth);
+        let largest = lowered.contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
+        let sign = self.side.outwards();
+        let motion = match self.side {
+            Side::Left => self.motion,
+            Side::Right => self.motion.mirrored(),
+        };
+        let contacts =
+            lowered.contacts.iter().filter(|contact| contact.force > NEGLIGIBLE * largest);
+        contacts
+            .map(|pressed| {
+                let here = creepages(&pose, &pressed.plane, pressed.approach, &motion);
+                let kinematics = Kinematics {
+                    creepage_y: sign * here.creepage_y,
+                    spin: sign * here.spin,
+                    ..here
+                };
+                let patch = ContactPatch::new(pressed, self.side)?;
+                let problem = (tangential.problem)(kinematics, patch)?;
+                let solution = (tangential.solver)(options).solve(&problem, watch)?;
+                Ok((pressed.clone(), problem, solution))
+            })
+            .collect()
+    }
+
+    fn solution(
+        &self,
+        lowering: &Lowering,
+        lowered: &Lowered,
+        solved: Vec<(Pressed, Problem, Solution)>,
+        rounds: usize,
+    ) -> WheelSolution {
+        let mut solved = solved;
+        solved.sort_by(|one, two| two.0.force.total_cmp(&one.0.force));
+        let contacts: Vec<Contact> =
+            solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();
+        let mut force = [0.0; 3];
+        for contact in &contacts {
+            let (sin, cos) = contact.angle.sin_cos();
+            let (normal, along) = (contact.solution.normal.load, contact.solution.force);
+            force[0] += along.x;
+            force[1] += normal * sin + along.y * cos;
+            force[2] += normal * cos - along.y * sin;
+        }
+        WheelSolution {
+            side: self.side,
+            position: self.position,
+            height: lowering.touch() - lowered.depth,
+            contacts,
+            force,
+            depth: lowered.depth,
+            rounds,
+        }
+    }
+
+    fn contact(
+        &self,
+        lowering: &Lowering,
+        lowered: &Lowered,
+        (pressed, problem, solution): (Pressed, Problem, Solution),
+    ) -> Contact {
+        let pose = lowering.pose(lowered.depth);
+        let plane = &pressed.plane;
+        let sign = self.side.outwards();
+        let [x, y, z] = plane.origin;
+        let on_wheel = pose.to_wheelset(minus(plane.origin, pose.centre));
+        Contact {
+            position: [x, sign * y, z],
+            angle: -sign * plane.inclination,
+            rail_position: y - self.pair.rail_origin[0],
+            wheel_position: on_wheel[1] - self.pair.wheel_offset,
+            rolling_radius: on_wheel[0].hypot(on_wheel[2]),
+            turn: self.turn(&pressed),
+            problem,
+            solution,
+        }
+    }
+
+    /// Angle by which the rail turns between the outmost rows in contact.
+    fn turn(&self, pressed: &Pressed) -> f64 {
+        let columns = pressed.x.len();
+        let rows = pressed.pressure.chunks(columns);
+        let loaded = |row: &[f64]| row.iter().any(|p| *p > 0.0);
+        let touched: Vec<f64> =
+            rows.zip(&pressed.s).filter(|(row, _)| loaded(row)).map(|(_, s)| *s).collect();
+        let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return 0.0 };
+        let inclination = |s: &f64| self.pair.rail.at(pressed.plane.arcs[0] + s).inclination();
+        (inclination(last) - inclination(first)).abs()
+    }
+}
+
+/// Inclination of a contact below which its friction hardly carries, in rad.
+const FLAT: f64 = 0.02;
+
+/// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.
+fn first_depth(lowering: &Lowering, force: f64) -> f64 {
+    let slope = lowering.gap.least().map_or(1.0, |point| point.inclination.cos());
+    2e-5 * (force / 1e4).powf(2.0 / 3.0) / slope.max(0.2)
+}
+
+/// Half the way from the ratios before to the next ones.
+fn damped(before: &[FrictionRatio], next: Vec<FrictionRatio>) -> Vec<FrictionRatio> {
+    let near = |y: f64| {
+        before.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs())).map(|p| p.ratio)
+    };
+    let half = |ratio: FrictionRatio| FrictionRatio {
+        ratio: 0.5 * (ratio.ratio + near(ratio.y).unwrap_or(ratio.ratio)),
+        ..ratio
+    };
+    next.into_iter().map(half).collect()
+}
