@@ -556,7 +556,8 @@ class Case:
         spacing: str = "refined",
         warn: bool = True,
     ) -> Curve:
-        """A creep curve: forces along a path of creepages; or one for each value of a field.
+        """A creep curve: forces along a path of creepages; or one for each value of a field, or for
+        each pair of values of two fields.
 
         Parameters
         ----------
@@ -570,7 +571,8 @@ class Case:
             From longitudinal (0) to lateral (90 deg): in rad, or text with a unit.
         over : mapping, optional
             A field by its dotted path and the values that it has for the curves, such as
-            ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``.
+            ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``; with three numbers or more there is a
+            `map` over the creepage and the field. Two fields make a map of the largest forces.
         points : int, optional
             Points of each curve.
         spacing : {"refined", "even"}
@@ -581,7 +583,8 @@ class Case:
         Returns
         -------
         Curve
-            With ``points`` along ``point``, and along ``over`` where there are several curves.
+            With ``points`` along ``point``, and along ``over`` (and ``over_2``) where there are
+            several curves; with a ``map``.
 
         Raises
         ------
@@ -603,24 +606,25 @@ class Case:
             raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
         angle = direction if isinstance(direction, str) else f"{direction} rad"
         total = None if creepage is None else (pairs["creepage"], angle)
-        family = self._family(over)
+        families = self._families(over)
         curve = _core.creep_curve(
             self._file,
             (tuple(pairs.get(name) for name in ("creepage_x", "creepage_y", "spin")), total),
-            None if family is None else family[0],
+            [text for text, _, _ in families],
             (_count("points", points), spacing == "even"),
         )
         result = Curve._new(curve, warn=warn)
-        if family is not None:
-            result._over = family[1:]
+        result._over = [(path, values) for _, path, values in families]
         return result
 
-    def _family(self, over: Mapping[str, Sequence[Any]] | None) -> _Family | None:
+    def _families(self, over: Mapping[str, Sequence[Any]] | None) -> list[_Family]:
         if over is None:
-            return None
-        if len(over) != 1:
-            raise TypeError(f"over must name one field with its values, but names {len(over)}")
-        ((path, values),) = over.items()
+            return []
+        if len(over) not in (1, 2):
+            raise TypeError(f"over must name one or two fields with values, but names {len(over)}")
+        return [self._family(path, values) for path, values in over.items()]
+
+    def _family(self, path: str, values: Sequence[Any]) -> _Family:
         if path not in FIELDS:
             raise KeyError(path)
         self._check_varied(path)

@@ -16,6 +16,7 @@ from ._tables import along, attributes, stacked
 from .warnings import emit
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from os import PathLike
 
     import pandas as pd
@@ -91,23 +92,53 @@ class Curve(Report):
     #: Creepages in their order.
     VARIED = ("creepage_x", "creepage_y", "spin")
 
-    _over: tuple[str, list[Any]] | None = None
+    _over: Sequence[tuple[str, list[Any]]] = ()
 
     @cached_property
     def points(self) -> xr.Dataset:
         """The points along ``point``: creepages, forces, power, temperature, status.
 
         Several curves lie along ``over``, whose coordinate has the values of the field (in SI
-        units) and whose attribute ``field`` its path.
+        units) and whose attribute ``field`` its path; those over two fields along ``over`` and
+        ``over_2``.
         """
         members = [along(columns, "point") for columns in self._tables["points"]]
-        if self._over is None:
-            dataset = members[0]
-        else:
-            field, values = self._over
+        for number, (field, values) in reversed(list(enumerate(self._over))):
+            name = "over" if number == 0 else f"over_{number + 1}"
             attrs = {"field": field, "units": FIELDS[field].units, "long_name": FIELDS[field].doc}
-            dataset = stacked(members, "over", values, attrs)
+            count = len(values)
+            rows = [members[k : k + count] for k in range(0, len(members), count)]
+            members = [stacked(row, name, values, attrs) for row in rows]
+        dataset = members[0]
         return dataset.set_coords([name for name in (*self.VARIED, "speed") if name in dataset])
+
+    @cached_property
+    def map(self) -> xr.Dataset:
+        """Quantities over the creepage and the field, or of the largest force over two fields.
+
+        The coordinates are named as creepages or as fields (dotted). What has not converged is not
+        a number.
+
+        Raises
+        ------
+        ValueError
+            If the curves are not over a field with three numbers or more, or over two fields.
+        """
+        found = json.loads(self._report.json())["map"]
+        if found is None:
+            raise ValueError("a map needs a field with at least three numbers, or two fields")
+        dimensions = (found["y"]["name"], found["x"]["name"])
+        axes = (found["y"], found["x"])
+        coords = {
+            axis["name"]: (axis["name"], axis["values"], {"units": axis["unit"]}) for axis in axes
+        }
+        # A creepage of every point is the axis already.
+        variables = {
+            name: (dimensions, np.asarray(column["values"], float), {"units": column["unit"]})
+            for name, column in found["columns"].items()
+            if name not in coords
+        }
+        return xr.Dataset(variables, coords)
 
     @property
     def varied(self) -> str:
@@ -125,10 +156,18 @@ class Curve(Report):
         written(self._report.csv() or "", path)
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the forces over the creepage that varies."""
+        """Draws the forces over the creepage that varies; of curves over two fields the map."""
         from ._report_plots import curve
 
-        return curve(self, ax, **style)
+        return self.plot_map(ax=ax, **style) if len(self._over) > 1 else curve(self, ax, **style)
+
+    def plot_map(
+        self, quantity: str = "traction_coefficient", ax: Axes | None = None, **style: Any
+    ) -> Axes:
+        """Draws labelled contours of a quantity of the `map`, over colours."""
+        from ._report_plots import creep_map
+
+        return creep_map(self, quantity, ax, **style)
 
 
 class Temperatures(Report):

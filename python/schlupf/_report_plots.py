@@ -50,6 +50,31 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
     return ax
 
 
+@styled
+def creep_map(curve: Curve, quantity: str, ax: Axes | None = None, **style: Any) -> Axes:
+    """Labelled contours of a quantity over two others, over colours."""
+    found = curve.map
+    if quantity not in found:
+        names = ", ".join(str(name) for name in found)
+        raise KeyError(f"the map has no {quantity}, but {names}")
+    ax = axes_or_new(ax)
+    values = found[quantity]
+    y, x = (found[str(name)] for name in values.dims)
+    colors = ax.contourf(x, y, values, **{"levels": 32, **style})
+    lines = ax.contour(x, y, values, levels=8, colors="black", linewidths=0.8)
+    ax.clabel(lines, fontsize="small")
+    figure = ax.figure
+    assert figure is not None
+    name = quantity.replace("_", " ")
+    label = f"{name} ({values.attrs['units']})" if values.attrs["units"] else name
+    figure.colorbar(colors, ax=ax, label=label)
+    for axis, set_label in ((x, ax.set_xlabel), (y, ax.set_ylabel)):
+        units = f" ({axis.attrs['units']})" if axis.attrs["units"] else ""
+        set_label(f"{axis.name}{units}")
+    ax.set_title(curve.title)
+    return ax
+
+
 def _member(points: xr.Dataset) -> str:
     """The value in which a curve differs from others."""
     if "over" not in points.coords:

@@ -194,6 +194,35 @@ def test_a_rough_contact():
         SMALL.roughness()
 
 
+def test_curves_over_numbers_have_a_map():
+    speeds = np.array([30.0, 10.0, 20.0])
+    curves = SMALL.curve(creepage_x=(0.0, 0.01), over={"kinematics.speed": speeds}, points=4)
+    found = curves.map
+    assert found["traction_coefficient"].dims == ("kinematics.speed", "creepage_x")
+    assert found["kinematics.speed"].values.tolist() == [10.0, 20.0, 30.0]
+    assert found["force_x"].attrs["units"] == "N"
+    np.testing.assert_array_equal(found["force_x"][0], curves.points["force_x"].isel(over=1))
+    assert curves.plot_map().get_ylabel() == "kinematics.speed (m/s)"
+    with pytest.raises(KeyError, match="the map has no friction"):
+        curves.plot_map("friction")
+    with pytest.raises(ValueError, match="at least three numbers"):
+        _ = SMALL.curve(creepage_x=(0.0, 0.01), points=3).map
+
+
+def test_two_fields_make_a_map_of_the_largest_forces():
+    over = {"kinematics.speed": [10.0, 20.0], "normal.load": ["60 kN", "70 kN", "80 kN"]}
+    curves = SMALL.curve(creepage_x=(0.0, 0.05), over=over, points=6)
+    assert curves.points["force_x"].dims == ("over", "over_2", "point")
+    assert curves.points["over_2"].values.tolist() == [6e4, 7e4, 8e4]
+    found = curves.map
+    assert found["force_x"].dims == ("normal.load", "kinematics.speed")
+    alone = SMALL.with_(kinematics={"speed": 20.0}, normal={"load": 7e4})
+    peak = alone.curve(creepage_x=(0.0, 0.05), points=6).maximum.traction_coefficient
+    largest = found["traction_coefficient"].sel({"normal.load": 7e4, "kinematics.speed": 20.0})
+    assert float(largest) == pytest.approx(peak, rel=1e-5)
+    assert curves.plot().get_xlabel() == "kinematics.speed (m/s)"
+
+
 def test_a_case_with_a_history_has_no_curve():
     rolled = SMALL.with_(history={"time": [0.0, 1e-3], "creepage_x": [0.0, 0.002]})
     with pytest.raises(schlupf.CaseError, match="steady rolling"):

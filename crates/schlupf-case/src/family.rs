@@ -12,6 +12,7 @@ use crate::error::{CaseError, CaseErrors};
 use crate::fields;
 use crate::notice::Notice;
 use crate::place::Place;
+use crate::range::even_values;
 
 /// A field and the values that it takes, one after the other.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +28,8 @@ pub struct Family {
 
 impl Family {
     /// Reads `section.field=value,value,…`, as `option` gives it. A comma within quotes or brackets
-    /// does not separate values.
+    /// does not separate values. A field that is a number may have a range instead, `START..END`
+    /// with eleven values at even steps, or `START..END:COUNT`.
     pub fn parse(option: impl Into<Arc<str>>, text: &str) -> Result<Self, CaseError> {
         let option = option.into();
         let place = || Place::Override { option: Arc::clone(&option), text: text.to_owned() };
@@ -44,10 +46,14 @@ impl Family {
             return Err(CaseError::new(path, message, place()).help(help));
         };
         let refused = |reason: String| Err(CaseError::new(path, reason, place()));
-        let Some(values) = split(values) else {
+        let is_number = matches!(field.kind, fields::Kind::Quantity(_) | fields::Kind::Number);
+        let values: Vec<String> = if is_number && values.contains("..") {
+            even_values(&option, field, &document::without_quotes(values.trim()))?
+        } else if let Some(values) = split(values) {
+            values.into_iter().map(document::without_quotes).collect()
+        } else {
             return refused(format!("the values of {path} must have closed quotes and brackets"));
         };
-        let values: Vec<String> = values.into_iter().map(document::without_quotes).collect();
         if values.iter().any(String::is_empty) {
             return refused(format!("every value of {path} must be given, but one is empty"));
         }
@@ -207,6 +213,23 @@ mod tests {
         assert_eq!(values("wheel.conductivity=50 W/(m K)"), ["50 W/(m K)"]);
         assert_eq!(values("friction.coefficient=0.1,0.2,0.3").len(), 3);
         assert_eq!(split("[1,2],[3]").unwrap(), ["[1,2]", "[3]"]);
+    }
+
+    #[test]
+    fn a_range_has_values_at_even_steps_in_its_own_unit() {
+        let eleven = values("kinematics.speed=10..20 m/s");
+        assert_eq!((eleven.len(), &*eleven[0], &*eleven[10]), (11, "10 m/s", "20 m/s"));
+        let loads = values("normal.load=60 kN..80 kN:3");
+        assert_eq!(loads, ["60 kN", "70 kN", "80 kN"]);
+        assert_eq!(values("normal.load=\"500 N..1 kN:2\""), ["500 N", "1000 N"]);
+        assert_eq!(values("friction.coefficient=0.3..0.1:4")[1], "0.233333333");
+        assert_eq!(values("normal.file=../a.csv,../b.csv").len(), 2);
+        assert!(message("kinematics.speed=1..20").contains("the unit is missing"));
+        assert!(
+            message("kinematics.speed=1..2 m/s:1").contains("between 2 and 1000, but is \"1\"")
+        );
+        assert!(message("kinematics.speed=..2 m/s").contains("must be a range START..END"));
+        assert!(message("kinematics.speed=2..2 m/s").contains("differ from its start"));
     }
 
     #[test]

@@ -116,6 +116,53 @@ fn range_of(option: &str, field: &Field, text: &str) -> Result<[f64; 2], CaseErr
     Ok([start, end])
 }
 
+/// Values of a field at even steps over a range, `START..END` or `START..END:COUNT`, as text: with
+/// the unit of the range, if both ends have the same, else in SI units.
+pub(crate) fn even_values(
+    option: &str,
+    field: &Field,
+    text: &str,
+) -> Result<Vec<String>, CaseError> {
+    const COUNT: usize = 11;
+    const MOST: usize = 1000;
+    let (ends, count) = match text.rsplit_once(':') {
+        None => (text, COUNT),
+        Some((ends, count)) => {
+            let number = count.trim().parse().ok().filter(|count| (2..=MOST).contains(count));
+            let refused = || {
+                let message = format!(
+                    "the number of values after `:` must be a whole number between 2 and {MOST}, \
+                     but is {:?}",
+                    count.trim()
+                );
+                let place = Place::Override { option: option.into(), text: text.to_owned() };
+                CaseError::new(field.path, message, place)
+            };
+            (ends, number.ok_or_else(refused)?)
+        }
+    };
+    let range = range_of(option, field, ends.trim())?;
+    let (range, unit) = as_given(ends).unwrap_or((range, field.kind.unit()));
+    let step = (range[1] - range[0]) / (count - 1) as f64;
+    let value = |k: usize| {
+        let value = if k + 1 == count { range[1] } else { range[0] + k as f64 * step };
+        // What rounding leaves in the last digits would only be hard to read.
+        let rounded = format!("{value:.8e}").parse().unwrap_or(value);
+        format!("{rounded} {unit}").trim_end().to_owned()
+    };
+    Ok((0..count).map(value).collect())
+}
+
+/// The numbers of a range in its own unit, if there is only one.
+fn as_given(range: &str) -> Option<([f64; 2], &str)> {
+    let (start, end) = range.split_once("..")?;
+    let [start, end] = [start.trim(), end.trim()];
+    let [of_start, unit] = [unit_of(start), unit_of(end)];
+    let number = |text: &str, unit: &str| text.strip_suffix(unit)?.trim_end().parse().ok();
+    let ends = [number(start, of_start)?, number(end, unit)?];
+    (of_start.is_empty() || of_start == unit).then_some((ends, unit))
+}
+
 /// The angle (in rad) that an option gives for a direction.
 pub fn direction(option: &str, text: &str) -> Result<f64, CaseError> {
     let field = alone("direction", &Measure::ANGLE, Requirement::Magnitude(TAU));

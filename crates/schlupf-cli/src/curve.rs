@@ -56,9 +56,11 @@ pub struct Curve {
     /// Spacing of the points
     #[arg(long, value_enum, default_value_t = SpacingArgument::Refined)]
     pub spacing: SpacingArgument,
-    /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s"
+    /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s" or
+    /// kinematics.speed="5..50 m/s:10"; three numbers or more make a map, given twice it is one of
+    /// the largest force over both fields
     #[arg(long, value_name = "SECTION.FIELD=VALUE,…")]
-    pub over: Option<String>,
+    pub over: Vec<String>,
     /// Where to write the results.
     #[command(flatten)]
     pub outputs: OutputArguments,
@@ -98,10 +100,9 @@ impl Task for Curve {
     fn inputs(&self, file: &CaseFile) -> Vec<Input> {
         let mut inputs = Input::of_case(&self.case, file);
         // What is wrong with the option is told with the plan.
-        let family = self.over.as_deref().and_then(|text| Family::parse(OVER, text).ok());
-        let files = family.map(|family| family.files(file)).unwrap_or_default();
-        let input = |path| Input { what: OVER.to_owned(), path, except: None };
-        inputs.extend(files.into_iter().map(input));
+        let families = self.over.iter().filter_map(|text| Family::parse(OVER, text).ok());
+        let files = families.flat_map(|family| family.files(file));
+        inputs.extend(files.map(|path| Input { what: OVER.to_owned(), path, except: None }));
         inputs
     }
 
@@ -112,10 +113,10 @@ impl Task for Curve {
 
 impl Curve {
     fn request(&self) -> Result<Request, CaseError> {
-        let over = self.over.as_deref().map(|text| Family::parse(OVER, text)).transpose();
+        let over = self.over.iter().map(|text| Family::parse(OVER, text));
         Ok(Request {
             varied: self.varied()?,
-            over: over?,
+            over: over.collect::<Result<_, _>>()?,
             sampling: self.sampling(),
             names: Names {
                 creepage_x: CREEPAGE_X,

@@ -65,6 +65,34 @@ fn a_family_has_a_curve_for_each_value() {
     assert_eq!(table.lines().filter(|line| line.starts_with("2e1,")).count(), 9);
 }
 
+/// Two fields: curves of all pairs, each like the one alone, and maps of the largest forces.
+#[test]
+fn two_fields_make_a_map() {
+    let bench = bench();
+    let speeds = ["--over", "kinematics.speed=10..30 m/s:3"];
+    let loads = ["--over", "normal.load=60..80 kN:2", "--figures", "f"];
+    let range = ["--creepage-x", "0..0.05", "--quiet"];
+    let result = document(&bench, &[&range[..], &speeds, &loads].concat());
+    let map = &result["map"];
+    assert_eq!(map["x"]["values"], serde_json::json!([10.0, 20.0, 30.0]));
+    assert_eq!(map["y"]["values"], serde_json::json!([60e3, 80e3]));
+    let alone = ["--set", "kinematics.speed=30 m/s", "--set", "normal.load=60 kN"];
+    let alone = document(&bench, &[&range[..], &alone].concat());
+    let largest = alone["curves"][0]["maximum"]["traction_coefficient"].as_f64().unwrap();
+    let found = map["columns"]["traction_coefficient"]["values"][0][2].as_f64().unwrap();
+    assert!((found - largest).abs() < 1e-5 * largest, "{found} {largest}");
+    for name in ["f/creep_map.png", "f/creep_map_creepage.svg"] {
+        assert!(bench.path(name).exists());
+    }
+    assert!(!bench.path("f/creep_curve.svg").exists());
+    // Over one field only, maps of two are gone.
+    let one = document(&bench, &[&range[..], &speeds, &["--figures", "f"]].concat());
+    assert_eq!(one["map"]["x"]["name"], "creepage_x");
+    assert!(bench.path("f/creep_curve.svg").exists());
+    assert!(bench.path("f/creep_map_temperature.svg").exists());
+    assert!(!bench.path("f/creep_map_creepage.svg").exists());
+}
+
 #[test]
 fn other_creepages_are_kept_and_several_vary_together() {
     let bench = bench();
@@ -156,6 +184,29 @@ const BAD: &[(&[&str], &[&str])] = &[
     (
         &["--creepage-x", "0..0.1", "--csv", "p.csv", "--over", "normal.file=p.csv,q.csv"],
         &["--csv must name a file of its own, but p.csv is also that of --over"],
+    ),
+    (
+        &["--creepage-x", "0..0.1", "--over", "kinematics.speed=10..20"],
+        &["--over 10..20: the start of the range must be a speed", "the unit is missing"],
+    ),
+    (
+        &["--creepage-x", "0..0.1", "--over", "kinematics.speed=10..20 m/s:1"],
+        &["the number of values after `:` must be a whole number between 2 and 1000"],
+    ),
+    (
+        &["--creepage-x", "0..0.1", "--over", "normal.load=1..2 kN", "--over", "normal.load=3 kN"],
+        &["--over must vary two different fields, not normal.load twice"],
+    ),
+    (
+        &[
+            "--creepage-x",
+            "0..0.1",
+            "--over",
+            "normal.load=1..2 kN:2",
+            "--over",
+            "friction.model=constant,temperature-linear",
+        ],
+        &["both must be numbers, but friction.model is none"],
     ),
     (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is also that of the case file"]),
     (&["--creepage-x", "0..0.1", "--csv", "-"], &["--csv must name a file"]),

@@ -14,7 +14,7 @@ use schlupf::normal::NormalSummary;
 use schlupf::solution::{Area, Power, Resultant, Work};
 use schlupf::{Method, Status};
 use schlupf_output::Report;
-use schlupf_output::creep_curve::{CurveFamily, Member};
+use schlupf_output::creep_curve::{CurveFamily, FieldValue, Member};
 use schlupf_output::figures::FigureError;
 
 const LOAD: f64 = 80e3;
@@ -86,16 +86,19 @@ fn over_x(from: f64, to: f64) -> Path {
     Path::new(start, end).unwrap()
 }
 
+fn unnumbered(text: &str) -> FieldValue {
+    FieldValue { text: text.to_owned(), number: None }
+}
+
 fn family_of(path: Path, values: &[&str]) -> CurveFamily {
     let member = |(k, value): (usize, Option<&str>)| Member {
-        value: value.map(str::to_owned),
-        number: None,
+        values: value.map(unnumbered).into_iter().collect(),
         warnings: vec![Message::new("beware", "spin", "a warning")],
         curve: made_up(path, 0.4 / (1.0 + 0.1 * k as f64)),
     };
     let values: Vec<Option<&str>> =
         if values.is_empty() { vec![None] } else { values.iter().map(|v| Some(*v)).collect() };
-    let over = values[0].map(|_| "kinematics.speed".to_owned());
+    let over = values[0].map(|_| "kinematics.speed".to_owned()).into_iter().collect();
     let sampling = Sampling { points: 21, spacing: Spacing::Refined };
     let members = values.into_iter().enumerate().map(member).collect();
     CurveFamily::new("steel wheel".to_owned(), over, sampling, members)
@@ -129,7 +132,7 @@ fn drawing(report: &impl Report) -> String {
 fn json_has_its_keys() {
     let family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s"]);
     let document: serde_json::Value = serde_json::from_str(&family.json()).unwrap();
-    assert_eq!(keys(&document), set("program title path over curves warnings"));
+    assert_eq!(keys(&document), set("program title path over map curves warnings"));
     let path = &document["path"];
     let names = "abscissa start end creepage_x creepage_y spin direction points spacing";
     assert_eq!(keys(path), set(names));
@@ -206,7 +209,7 @@ fn csv_reads_back_to_the_same_numbers() {
 fn csv_has_the_numbers_of_a_family_in_si_units() {
     let mut family = family_of(over_x(0.0, 0.05), &["36 km/h", "72 km/h"]);
     for (member, speed) in family.members.iter_mut().zip([10.0, 20.0]) {
-        member.number = Some((speed, "m/s"));
+        member.values[0].number = Some((speed, "m/s"));
     }
     let text = family.csv().unwrap();
     assert!(text.starts_with("# units: m/s, m/s, 1, "), "{text}");
@@ -455,4 +458,106 @@ fn a_line_does_not_set_the_axis_of_bounded_forces() {
     assert!(largest_tick(&family) < 0.5, "{}", largest_tick(&family));
     line(&mut family.members[0].curve);
     assert!(largest_tick(&family) > 2.0, "{}", largest_tick(&family));
+}
+
+/// Curves over numbers of one field.
+fn family_of_speeds(speeds: &[f64]) -> CurveFamily {
+    let names: Vec<String> = speeds.iter().map(|speed| format!("{speed} m/s")).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut family = family_of(over_x(0.0, 0.05), &names);
+    for (member, speed) in family.members.iter_mut().zip(speeds) {
+        member.values[0].number = Some((*speed, "m/s"));
+    }
+    family
+}
+
+/// Every speed with every load; the bound falls with the speed, as that of `made_up` curves.
+fn family_of_speeds_and_loads() -> CurveFamily {
+    let mut family = family_of_speeds(&[10.0, 20.0, 30.0]);
+    let over = ["kinematics.speed", "normal.load"].map(str::to_owned).to_vec();
+    let with_load = |member: &Member, load: f64| {
+        let value = FieldValue { text: format!("{load} N"), number: Some((load, "N")) };
+        let mut member = member.clone();
+        member.values.push(value);
+        member.curve.maxima[0].traction_coefficient -= 1e-7 * load;
+        member
+    };
+    let pairs = |member: &Member| [8e4, 6e4].map(|load| with_load(member, load));
+    let members = family.members.iter().flat_map(pairs).collect();
+    CurveFamily::new(std::mem::take(&mut family.title), over, family.sampling, members)
+}
+
+#[test]
+fn curves_over_a_number_have_a_map() {
+    let mut family = family_of_speeds(&[30.0, 10.0, 20.0]);
+    family.members[2].curve.points[9].status = Status::NotConverged;
+    let map = family.map().unwrap();
+    assert_eq!((&*map.x.name, &*map.y.name), ("creepage_x", "kinematics.speed"));
+    assert_eq!((map.y.unit, &map.y.values), ("m/s", &vec![10.0, 20.0, 30.0]));
+    let adhesion = map.column("traction_coefficient").unwrap();
+    for (row, member) in adhesion.rows.iter().zip([1, 2, 0]) {
+        for (k, value) in row.iter().enumerate() {
+            let point = &family.members[member].curve.points[k];
+            let expected = Some(point.traction_coefficient).filter(|_| (member, k) != (2, 9));
+            assert_eq!((*value, map.x.values[k]), (expected, point.abscissa));
+        }
+    }
+    let document: serde_json::Value = serde_json::from_str(&family.json()).unwrap();
+    assert_eq!(keys(&document["map"]), set("x y columns"));
+    assert_eq!(document["map"]["y"]["values"], serde_json::json!([10.0, 20.0, 30.0]));
+    let forces = &document["map"]["columns"]["force_x"];
+    assert_eq!((&forces["unit"], forces["values"][1][9].is_null()), (&"N".into(), true));
+    assert_eq!(forces["values"][0][3], document["curves"][1]["points"]["force_x"][3]);
+    assert!(family_of_speeds(&[10.0, 20.0]).map().is_none());
+    assert!(family_of(over_x(0.0, 0.05), &["a", "b", "c"]).map().is_none());
+}
+
+#[test]
+fn two_fields_have_a_map_of_the_largest_forces() {
+    let mut family = family_of_speeds_and_loads();
+    let map = family.map().unwrap();
+    assert_eq!((&*map.x.name, &*map.y.name), ("kinematics.speed", "normal.load"));
+    assert_eq!(map.y.values, [6e4, 8e4]);
+    let adhesion = &map.column("traction_coefficient").unwrap().rows;
+    for (y, load) in [6e4, 8e4].into_iter().enumerate() {
+        for (x, k) in [0.0, 1.0, 2.0].into_iter().enumerate() {
+            let expected = 1.01 * 0.4 / (1.0 + 0.1 * k) - 1e-7 * load;
+            assert!((adhesion[y][x].unwrap() - expected).abs() < 1e-12);
+        }
+    }
+    assert_eq!(map.column("creepage_x").unwrap().rows[0][0], Some(0.015));
+    let document: serde_json::Value = serde_json::from_str(&family.json()).unwrap();
+    assert_eq!(document["over"][1]["values"], serde_json::json!(["80000 N", "60000 N"]));
+    assert_eq!(document["curves"][1]["value"], serde_json::json!(["10 m/s", "60000 N"]));
+    let table = family.csv().unwrap();
+    assert!(table.starts_with("# units: m/s, N, m/s, 1, "), "{table}");
+    assert!(table.lines().nth(2).unwrap().starts_with("1e1,8e4,"));
+    assert!(
+        family.summary().to_string().contains("kinematics.speed = 30 m/s, normal.load = 60000")
+    );
+    // The largest force of a curve with a gap is not known.
+    family.members[1].curve.points[9].status = Status::NotConverged;
+    let map = family.map().unwrap();
+    assert_eq!(map.column("traction_coefficient").unwrap().rows[0][0], None);
+}
+
+#[test]
+fn maps_have_axes_and_labelled_contours() {
+    let names = |family: &CurveFamily| -> Vec<String> {
+        family.drawings().unwrap().into_iter().map(|(name, _)| name).collect()
+    };
+    let family = family_of_speeds(&[10.0, 20.0, 30.0]);
+    assert_eq!(names(&family), ["creep_curve", "creep_map", "creep_map_temperature"]);
+    let text = text_of(&family.drawings().unwrap()[1].1);
+    for part in ["Adhesion", "longitudinal creepage ξ", "speed (m/s)", "|F|/N"] {
+        assert!(text.iter().any(|line| line == part), "{part:?} is not in {text:?}");
+    }
+    // Each at the colour bar, and in black and as a halo on its line.
+    assert!(text.iter().filter(|line| *line == "0.35").count() >= 3, "{text:?}");
+    let family = family_of_speeds_and_loads();
+    assert_eq!(names(&family), ["creep_map", "creep_map_creepage"]);
+    let text = text_of(&family.drawings().unwrap()[0].1);
+    assert!(text.iter().any(|line| line == "load (kN)"), "{text:?}");
+    let all = CurveFamily::figure_names();
+    assert!(names(&family).iter().all(|name| all.contains(name)));
 }

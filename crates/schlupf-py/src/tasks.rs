@@ -52,19 +52,20 @@ fn refused(py: Python<'_>, message: String) -> PyErr {
 /// Traces creep curves of a case: start and end of ξ, η and φ (in 1/m), or `None` for that of the
 /// case; in place of ξ and η start and end of the total creepage, and its direction, such as
 /// `45 deg`. There is one curve for each value of `over`, such as
-/// `"kinematics.speed=10 m/s,20 m/s"`; each has so many points, and they are evenly spaced or not.
+/// `"kinematics.speed=10 m/s,20 m/s"`, or for each pair of values of two; each has so many points,
+/// and they are evenly spaced or not.
 #[pyfunction]
 #[pyo3(signature = (case, varied, over, sampling))]
 pub fn creep_curve(
     py: Python<'_>,
     case: &CaseFile,
     varied: ([Option<Range>; 3], Option<(Range, String)>),
-    over: Option<&str>,
+    over: Vec<String>,
     sampling: (usize, bool),
 ) -> PyResult<Report> {
     let (points, is_even) = sampling;
     let spacing = if is_even { Spacing::Even } else { Spacing::Refined };
-    let over = over.map(|text| Family::parse("over", text)).transpose();
+    let over = over.iter().map(|text| Family::parse("over", text)).collect::<Result<_, _>>();
     let over = over.map_err(|error| errors::of_case(py, &error.into()))?;
     let ([creepage_x, creepage_y, spin], total) = varied;
     let angle = |text: &str| direction("direction", text);

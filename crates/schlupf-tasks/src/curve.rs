@@ -1,11 +1,11 @@
-//! Creep curves: one, or one for each value of a field.
+//! Creep curves: one, or one for each value of a field, or of two fields.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use schlupf::creep_curve::{self, CreepCurve, Creepages, Path, Sampling};
 use schlupf::{Watch, parallel};
 use schlupf_case::{Case, CaseErrors, CaseFile, Family, FieldNames, quantity_field};
-use schlupf_output::creep_curve::{CurveFamily, Member as Found};
+use schlupf_output::creep_curve::{CurveFamily, FieldValue, Member as Found};
 
 use crate::TaskError;
 
@@ -14,8 +14,9 @@ use crate::TaskError;
 pub struct Request {
     /// What varies along each.
     pub varied: Varied,
-    /// The field that has another value for each curve, if there are several.
-    pub over: Option<Family>,
+    /// The fields that have other values for each curve, if there are several: at most two, of
+    /// which the last varies fastest.
+    pub over: Vec<Family>,
     /// Where the points are.
     pub sampling: Sampling,
     /// What messages call all that.
@@ -64,8 +65,7 @@ pub struct Plan {
 /// One curve to compute.
 #[derive(Debug)]
 struct Member {
-    value: Option<String>,
-    number: Option<(f64, &'static str)>,
+    values: Vec<FieldValue>,
     case: Case,
     path: Path,
 }
@@ -99,29 +99,84 @@ impl Plan {
                 watch(progress.of(done, total))
             })
         })?;
-        let over = request.over.map(|family| family.field.to_owned());
+        let over = request.over.iter().map(|family| family.field.to_owned()).collect();
         Ok(CurveFamily::new(title, over, sampling, found))
     }
 }
 
 impl Request {
-    /// One, or one for each value of the family.
+    /// One, or one for each value of the family, or for each pair of values of two.
     fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Member>, TaskError> {
-        let member = |value: Option<&String>, case: Case| {
+        self.check_fields()?;
+        let mut cases = vec![(Vec::new(), case.clone())];
+        for family in &self.over {
+            let mut each = Vec::with_capacity(cases.len() * family.values.len());
+            for (values, case) in &cases {
+                let members = family.members(case, watch)?;
+                for (text, member) in family.values.iter().zip(members) {
+                    let number = member.number(family.field);
+                    let value = FieldValue { text: text.clone(), number };
+                    each.push(([values, &[value][..]].concat(), member));
+                }
+            }
+            cases = each;
+        }
+        let member = |(values, case): (Vec<FieldValue>, Case)| {
             let path = self.varied.path(&case).map_err(|error| self.failure(&case, &error))?;
-            let number = self.over.as_ref().and_then(|family| case.number(family.field));
-            Ok(Member { value: value.cloned(), number, case, path })
+            Ok(Member { values, case, path })
         };
-        let Some(family) = &self.over else {
-            return Ok(vec![member(None, case.clone())?]);
-        };
-        if let Some(name) = self.in_place_of(family.field) {
-            let (over, field) = (self.names.over, family.field);
-            let reason = format!("{over} must not vary {field}, in place of which {name} varies");
+        let members = cases.into_iter().map(member).collect::<Result<Vec<_>, TaskError>>()?;
+        self.check_map(&members)?;
+        Ok(members)
+    }
+
+    /// Refuses fields that cannot vary beside the creepages, or together.
+    fn check_fields(&self) -> Result<(), TaskError> {
+        let over = self.names.over;
+        for (k, Family { field, .. }) in self.over.iter().enumerate() {
+            if let Some(name) = self.in_place_of(field) {
+                let reason =
+                    format!("{over} must not vary {field}, in place of which {name} varies");
+                return Err(TaskError::Request(reason));
+            }
+            if self.over[..k].iter().any(|family| family.field == *field) {
+                let reason = format!("{over} must vary two different fields, not {field} twice");
+                return Err(TaskError::Request(reason));
+            }
+        }
+        if self.over.len() > 2 {
+            let reason =
+                format!("{over} can vary two fields at most, but varies {}", self.over.len());
             return Err(TaskError::Request(reason));
         }
-        let members = family.members(case, watch)?;
-        family.values.iter().zip(members).map(|(value, case)| member(Some(value), case)).collect()
+        Ok(())
+    }
+
+    /// Refuses two fields that do not make a map.
+    fn check_map(&self, members: &[Member]) -> Result<(), TaskError> {
+        let over = self.names.over;
+        if self.over.len() < 2 {
+            return Ok(());
+        }
+        for (k, family) in self.over.iter().enumerate() {
+            let is_number = |member: &Member| member.values[k].number.is_some();
+            if !members.iter().all(is_number) {
+                let reason = format!(
+                    "{over} varies two fields for a map, so both must be numbers, but {} is none",
+                    family.field
+                );
+                return Err(TaskError::Request(reason));
+            }
+            if family.values.len() < 2 {
+                let reason = format!(
+                    "{over} varies two fields for a map, so both must have at least two values, \
+                     but {} has one",
+                    family.field
+                );
+                return Err(TaskError::Request(reason));
+            }
+        }
+        Ok(())
     }
 
     fn check(&self, member: &Member) -> Result<(), TaskError> {
@@ -178,7 +233,7 @@ impl Member {
         let curve = self.trace(sampling, watch)?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
         let warnings = self.case.notices.iter().cloned().chain(of_curve).collect();
-        Ok(Found { value: self.value.clone(), number: self.number, warnings, curve })
+        Ok(Found { values: self.values.clone(), warnings, curve })
     }
 
     fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, CaseErrors> {

@@ -114,9 +114,13 @@ impl<'a> Picture<'a> {
         self.points().map(value).filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
     }
 
+    fn is_family(&self) -> bool {
+        !self.family.over.is_empty()
+    }
+
     /// Right end of the plot areas.
     fn right(&self) -> f64 {
-        WIDTH - if self.family.over.is_some() { LEGEND + 2.0 * RIGHT } else { RIGHT }
+        WIDTH - if self.is_family() { LEGEND + 2.0 * RIGHT } else { RIGHT }
     }
 
     fn heading(&self, drawing: &mut Drawing) {
@@ -274,13 +278,13 @@ impl<'a> Picture<'a> {
     }
 
     fn legend_height(&self) -> f64 {
-        if self.family.over.is_some() { LEGEND_ROW * self.family.members.len() as f64 } else { 0.0 }
+        if self.is_family() { LEGEND_ROW * self.family.members.len() as f64 } else { 0.0 }
     }
 
     /// The members with their colours, listed downwards from the upper left corner.
     fn legend(&self, drawing: &mut Drawing, [left, top]: [f64; 2]) {
         const SAMPLE: f64 = 26.0;
-        let Some(field) = &self.family.over else { return };
+        let Some(field) = self.family.over.first() else { return };
         let space = (LEGEND + RIGHT) / TICK_SIZE;
         let style = TextStyle { color: MUTED, ..TextStyle::new(TICK_SIZE, Anchor::Start) };
         drawing.plain_text([left, top - 9.0], &style, &marks::shortened(field, space));
@@ -289,7 +293,7 @@ impl<'a> Picture<'a> {
             let middle = y - 0.36 * TICK_SIZE;
             drawing.line([left, middle], [left + SAMPLE, middle], &stroke(color, ""));
             let style = TextStyle::new(TICK_SIZE, Anchor::Start);
-            let text = member.value.as_deref().unwrap_or_default();
+            let text = member.values.first().map_or("", |value| &value.text);
             let text = marks::shortened(text, space - (SAMPLE + 8.0) / TICK_SIZE);
             drawing.plain_text([left + SAMPLE + 8.0, y], &style, &text);
         }
@@ -302,9 +306,9 @@ fn colors(family: &CurveFamily) -> Vec<String> {
         let first = value.trim_start_matches(['"', '+', '-', '.']).chars().next();
         first.is_some_and(|character| character.is_ascii_digit())
     };
-    let mut values = family.members.iter().filter_map(|member| member.value.as_deref());
+    let mut values = family.members.iter().filter_map(|member| member.values.first());
     let count = family.members.len();
-    if values.any(|value| !is_number(value)) {
+    if values.any(|value| !is_number(&value.text)) {
         return color::unordered(count);
     }
     color::series(count)

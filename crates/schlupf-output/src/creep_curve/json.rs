@@ -9,7 +9,7 @@ use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::Work;
 
-use super::{CurveFamily, Member};
+use super::{CreepMap, CurveFamily, Member};
 use crate::json::{PROGRAM, text};
 use crate::table::Arrays;
 
@@ -20,10 +20,14 @@ pub fn document(family: &CurveFamily) -> String {
         program: PROGRAM,
         title: &family.title,
         path: family.members.first().map(|member| PathEntry::new(&member.curve.path, family)),
-        over: family.over.as_deref().map(|field| Over {
-            field,
-            values: family.members.iter().filter_map(|member| member.value.as_deref()).collect(),
-        }),
+        over: OneOrMore::of(
+            family
+                .over
+                .iter()
+                .enumerate()
+                .map(|(k, field)| Over { field, values: texts(family, k) }),
+        ),
+        map: family.map(),
         curves: family.members.iter().map(Curve::new).collect(),
         warnings: &family.warnings,
     })
@@ -34,7 +38,8 @@ struct Document<'a> {
     program: &'static str,
     title: &'a str,
     path: Option<PathEntry>,
-    over: Option<Over<'a>>,
+    over: Option<OneOrMore<Over<'a>>>,
+    map: Option<CreepMap>,
     curves: Vec<Curve<'a>>,
     warnings: &'a [Message],
 }
@@ -80,6 +85,35 @@ impl PathEntry {
     }
 }
 
+/// What belongs to one field or to each of several.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum OneOrMore<T> {
+    One(T),
+    More(Vec<T>),
+}
+
+impl<T> OneOrMore<T> {
+    fn of(entries: impl Iterator<Item = T>) -> Option<Self> {
+        let mut entries: Vec<T> = entries.collect();
+        match entries.len() {
+            0 | 1 => entries.pop().map(Self::One),
+            _ => Some(Self::More(entries)),
+        }
+    }
+}
+
+/// The different values of a field, in their order.
+fn texts(family: &CurveFamily, field: usize) -> Vec<&str> {
+    let mut texts: Vec<&str> = Vec::new();
+    for value in family.members.iter().filter_map(|member| member.values.get(field)) {
+        if !texts.contains(&value.text.as_str()) {
+            texts.push(&value.text);
+        }
+    }
+    texts
+}
+
 #[derive(Serialize)]
 struct Over<'a> {
     field: &'a str,
@@ -88,7 +122,7 @@ struct Over<'a> {
 
 #[derive(Serialize)]
 struct Curve<'a> {
-    value: Option<&'a str>,
+    value: Option<OneOrMore<&'a str>>,
     method: Method,
     normal: &'a NormalSummary,
     /// Reference point of creepages and moments.
@@ -104,7 +138,7 @@ impl<'a> Curve<'a> {
     fn new(member: &'a Member) -> Self {
         let curve = &member.curve;
         Self {
-            value: member.value.as_deref(),
+            value: OneOrMore::of(member.values.iter().map(|value| value.text.as_str())),
             method: curve.method,
             normal: &curve.normal,
             reference: curve.reference,

@@ -1,7 +1,9 @@
-//! Creep curves, one or a family of them: JSON, CSV and a summary. The figure is among the figures.
+//! Creep curves, one or a family of them, or one over two fields: JSON, CSV, a summary and figures.
 
 mod figure;
 mod json;
+mod map;
+mod map_figure;
 mod summary;
 
 use schlupf::Status;
@@ -13,16 +15,19 @@ use crate::report::Report;
 use crate::summary::Summary;
 use crate::table::{Table, entries, entry, quoted};
 
-/// Name of the figure.
+pub use map::{Axis, CreepMap, MapColumn};
+
+/// Name of the figure of the curves.
 const FIGURE: &str = "creep_curve";
 
-/// Creep curves over the same creepages, for cases that differ in one field.
+/// Creep curves over the same creepages, for cases that differ in one field or two.
 #[derive(Debug, Clone)]
 pub struct CurveFamily {
     /// Title of the case.
     pub title: String,
-    /// Dotted path of the field in which the members differ; `None` for a single curve.
-    pub over: Option<String>,
+    /// Dotted paths of the fields in which the members differ, two at most; none for a single
+    /// curve.
+    pub over: Vec<String>,
     /// Spacing of the points.
     pub sampling: Sampling,
     /// At least one curve.
@@ -34,26 +39,28 @@ pub struct CurveFamily {
 /// One curve of a family.
 #[derive(Debug, Clone)]
 pub struct Member {
-    /// The value of the field, as written; `None` for a single curve.
-    pub value: Option<String>,
-    /// The same as a number with its SI unit (temperatures in degC), which may be empty; `None` for
-    /// what is no number.
-    pub number: Option<(f64, &'static str)>,
+    /// The values of the fields; none for a single curve.
+    pub values: Vec<FieldValue>,
     /// Warnings for whoever uses the curve.
     pub warnings: Vec<Message>,
     /// The curve.
     pub curve: CreepCurve,
 }
 
+/// A value of a field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldValue {
+    /// As written.
+    pub text: String,
+    /// As a number with its SI unit (temperatures in degC), which may be empty; `None` for what is
+    /// no number.
+    pub number: Option<(f64, &'static str)>,
+}
+
 impl CurveFamily {
     /// Curves with their warnings: a warning common to all is listed once, the others with the name
     /// of their curve.
-    pub fn new(
-        title: String,
-        over: Option<String>,
-        sampling: Sampling,
-        members: Vec<Member>,
-    ) -> Self {
+    pub fn new(title: String, over: Vec<String>, sampling: Sampling, members: Vec<Member>) -> Self {
         let mut family = Self { title, over, sampling, members, warnings: Vec::new() };
         family.warnings = family.all_warnings();
         family
@@ -66,7 +73,10 @@ impl CurveFamily {
 
     /// Name of a member, such as `normal.load = 60 kN`.
     pub fn name(&self, member: &Member) -> Option<String> {
-        Some(format!("{} = {}", self.over.as_ref()?, member.value.as_ref()?))
+        let fields = self.over.iter().zip(&member.values);
+        let parts: Vec<String> =
+            fields.map(|(field, value)| format!("{field} = {}", value.text)).collect();
+        (!parts.is_empty()).then(|| parts.join(", "))
     }
 
     fn all_warnings(&self) -> Vec<Message> {
@@ -108,15 +118,17 @@ impl Report for CurveFamily {
         summary::text(self)
     }
 
-    /// The first column is the field in which the curves differ, if there is one, in its SI unit if
-    /// it is a number, otherwise as given; then follows the
-    /// total creepage if the curves have a fixed direction.
+    /// The first columns are the fields in which the curves differ, if there are any, in their SI
+    /// units if they are numbers, otherwise as given; then follows the total creepage if the curves
+    /// have a fixed direction.
     fn csv(&self) -> Option<String> {
         let total = self.abscissa().filter(|a| matches!(a, Abscissa::Total { .. }));
         let mut table = Table::default();
-        let numbers: Option<Vec<_>> = self.members.iter().map(|member| member.number).collect();
-        if let Some(over) = &self.over {
-            let unit = numbers.as_ref().and_then(|numbers| Some(numbers.first()?.1));
+        let mut are_numbers = Vec::new();
+        for (k, over) in self.over.iter().enumerate() {
+            let numbers = self.members.iter().map(|member| member.values.get(k)?.number);
+            let unit = numbers.collect::<Option<Vec<_>>>().and_then(|all| Some(all.first()?.1));
+            are_numbers.push(unit.is_some());
             table = table.with(
                 over,
                 unit.map_or("as given", |unit| if unit.is_empty() { "1" } else { unit }),
@@ -126,24 +138,32 @@ impl Report for CurveFamily {
             table = table.with(total.quantity().name(), "1");
         }
         let mut table = table.with_columns::<CreepCurve>();
-        for Member { value, number, curve, .. } in &self.members {
+        for Member { values, curve, .. } in &self.members {
+            let values = values.iter().zip(&are_numbers).map(|(value, is_number)| {
+                let number = value.number.filter(|_| *is_number);
+                number.map_or_else(|| quoted(&value.text), |(number, _)| entry(number.into()))
+            });
+            let values: Vec<String> = values.collect();
             for (row, point) in curve.points.iter().enumerate() {
-                let number = number.filter(|_| numbers.is_some());
-                let number = number.map(|(number, _)| entry(number.into()));
-                let value = number.or_else(|| value.as_deref().map(quoted));
                 let total = total.map(|_| entry(point.abscissa.into()));
-                table.push(value.into_iter().chain(total).chain(entries(curve, row)));
+                table.push(values.iter().cloned().chain(total).chain(entries(curve, row)));
             }
         }
         Some(table.csv("forces on the wheel"))
     }
 
     fn figure_names() -> Vec<String> {
-        vec![FIGURE.to_owned()]
+        [FIGURE].iter().chain(map_figure::NAMES).map(|name| (*name).to_owned()).collect()
     }
 
+    /// Curves, unless they are over two fields; maps, where there are any.
     fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
-        let svg = figure::draw(self).ok_or(FigureError::NoCurve)?;
-        Ok(vec![(FIGURE.to_owned(), svg)])
+        let mut drawings = Vec::new();
+        if self.over.len() < 2 {
+            let svg = figure::draw(self).ok_or(FigureError::NoCurve)?;
+            drawings.push((FIGURE.to_owned(), svg));
+        }
+        drawings.extend(map_figure::draw(self));
+        if drawings.is_empty() { Err(FigureError::NoCurve) } else { Ok(drawings) }
     }
 }

@@ -85,17 +85,17 @@ fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Chain> {
 
 /// A corner of a square between four cell centres.
 #[derive(Debug, Clone, Copy)]
-struct Corner {
+pub(super) struct Corner {
     /// Its number on the grid.
-    node: usize,
-    /// Its position, in m.
-    at: [f64; 2],
+    pub node: usize,
+    /// Its position, in m or in units of axes.
+    pub at: [f64; 2],
     /// Value of the field above a level.
-    value: f64,
+    pub value: f64,
 }
 
 /// The corners of a square in order.
-type Square = [Corner; 4];
+pub(super) type Square = [Corner; 4];
 
 /// Place where the contour crosses the edge of a square that begins at a corner.
 fn crossing(corners: &Square, index: usize) -> Option<Crossing> {
@@ -108,13 +108,13 @@ fn crossing(corners: &Square, index: usize) -> Option<Crossing> {
 }
 
 /// Places where the contour crosses the edges of a square, joined in pairs.
-fn crossings(corners: Square) -> Vec<[Crossing; 2]> {
+pub(super) fn crossings(corners: Square) -> Vec<[Crossing; 2]> {
     let places: Vec<Crossing> = (0..4).filter_map(|index| crossing(&corners, index)).collect();
     places.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 /// The part of a square below the level.
-fn below(corners: Square) -> Vec<[f64; 2]> {
+pub(super) fn below(corners: Square) -> Vec<[f64; 2]> {
     let of_edge = |index: usize| {
         let Corner { at, value, .. } = corners[index];
         let crossing = crossing(&corners, index).map(|crossing| crossing.at);

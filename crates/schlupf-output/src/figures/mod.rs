@@ -12,6 +12,7 @@ mod font;
 pub(crate) mod frame;
 mod history;
 pub(crate) mod label;
+pub(crate) mod lattice;
 mod map;
 pub(crate) mod marks;
 mod mesh;
