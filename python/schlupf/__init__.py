@@ -26,6 +26,7 @@ from ._report import (
     Calibration,
     Comparison,
     Curve,
+    Damage,
     Fit,
     Report,
     RoughContact,
@@ -33,7 +34,7 @@ from ._report import (
 )
 from ._report_plots import RoughContactPlots
 from ._result import Record, Result
-from ._study import Sweep, merge, read_table, sweep
+from ._study import Sweep, damage, merge, read_table, sweep
 
 __all__ = [
     "BulkTemperature",
@@ -44,6 +45,7 @@ __all__ = [
     "CaseNotConverged",
     "Comparison",
     "Curve",
+    "Damage",
     "Fit",
     "NotConverged",
     "Preset",
@@ -60,6 +62,7 @@ __all__ = [
     "Temperatures",
     "__version__",
     "animate",
+    "damage",
     "examples",
     "forces",
     "friction",

@@ -20,6 +20,7 @@ __all__ = [
     "comparison",
     "conditions",
     "creep_curve",
+    "damage",
     "defaults",
     "field_table",
     "fitted",
@@ -124,6 +125,7 @@ def creep_curve(
     over: list[str],
     sampling: tuple[int, bool],
 ) -> Report: ...
+def damage(run: Path, case: CaseFile | None) -> Report: ...
 def defaults() -> dict[str, Any]: ...
 def fitted(
     case: CaseFile,

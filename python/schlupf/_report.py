@@ -226,6 +226,26 @@ class Comparison(Report):
         return methods(self, ax, **style)
 
 
+class Damage(Report):
+    """Damage over a run: energy, fatigue and wear."""
+
+    @cached_property
+    def profile(self) -> xr.Dataset:
+        """Depths of wear over ``y`` (m): of the wheel over the run, of the rail for each wheel."""
+        return along(self._tables["profile"][0], "y", "y")
+
+    @cached_property
+    def run(self) -> xr.Dataset:
+        """Tγ, fatigue index, energy and wear of each state, over ``distance`` (m)."""
+        return along(self._tables["run"][0], "distance", "distance")
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the depth of wear of the wheel across the profile."""
+        from ._report_plots import wear
+
+        return wear(self, ax, **style)
+
+
 class Fit(Report):
     """Parameters that fit measured creep curves."""
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from ._report import Comparison, Curve, Fit, RoughContact, Temperatures
+    from ._report import Comparison, Curve, Damage, Fit, RoughContact, Temperatures
 
 #: Forces on the wheel with their symbols.
 FORCES = {"force_x": "$F_x$", "force_y": "$F_y$"}
@@ -117,6 +117,20 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
     ax.set_xlabel(f"force on the wheel ({unit})")
     legend_beside(ax)
     ax.set_title(comparison.title)
+    return ax
+
+
+@styled
+def wear(damage: Damage, ax: Axes | None = None, **style: Any) -> Axes:
+    """Depth of wear of the wheel across the profile, by both laws."""
+    ax = axes_or_new(ax)
+    profile = damage.profile
+    for name, label in (("wheel_archard", "Archard"), ("wheel_energy", "energy")):
+        line(ax, profile["y"] * 1e3, profile[name] * 1e6, label, style)
+    ax.set_xlabel("$y$ across the profile (mm)")
+    ax.set_ylabel("depth worn from the wheel (µm)")
+    legend_beside(ax)
+    ax.set_title(damage.title)
     return ax
 
 

@@ -14,11 +14,14 @@ import xarray as xr
 
 from . import _core
 from ._errors import SchlupfWarning
+from ._report import Damage
 from ._tables import along
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from os import PathLike
+
+    from ._case import Case
 
 #: Work that a task of a cluster has at least, in s: handing it out takes milliseconds.
 LEAST_WORK = 1.0
@@ -123,6 +126,49 @@ def merge(tables: Sequence[str | PathLike[str]], output: str | PathLike[str]) ->
     """
     counts = _core.merge([Path(table) for table in tables], Path(output))
     return Sweep(Path(output), *counts)
+
+
+def damage(
+    run: str | PathLike[str],
+    case: Case | None = None,
+    *,
+    strict: bool = False,
+    warn: bool = True,
+) -> Damage:
+    """Damage over a run: dissipated energy, surface fatigue and wear across the profile.
+
+    Parameters
+    ----------
+    run : path
+        The table of a study whose states lie along ``distance`` or ``time``, or such a study
+        (TOML), which is solved.
+    case : Case, optional
+        The case with the laws, in ``damage``; by default that of the study, or the default case.
+    strict : bool, default False
+        Whether to raise `NotConverged` where states have no solution; else they are left out.
+    warn : bool, default True
+        Whether to issue the warnings of the result.
+
+    Returns
+    -------
+    Damage
+        ``energy`` (J), ``t_gamma``, ``fatigue``, ``archard``, ``energy_wear``; with ``profile``
+        over y and ``run`` over the distance.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong with the study or the case.
+    ValueError
+        If the states are no run.
+
+    References
+    ----------
+    Fatigue: Ekberg, Kabo and Andersson (2002). Wear: Archard (1953) with coefficients of Jendel
+    (2002); Braghin, Lewis, Dwyer-Joyce and Bruni (2006).
+    """
+    found = _core.damage(Path(run), None if case is None else case._file)
+    return Damage._new(found, warn=warn, strict=strict)
 
 
 def read_table(path: str | PathLike[str]) -> xr.Dataset:

@@ -66,6 +66,31 @@ def test_shards_are_merged(study, tmp_path):
         schlupf.sweep(study(40), tmp_path / "other.csv", shard=(3, 2))
 
 
+RUN = "distance [m],position_y [mm],kinematics.creepage_x\n" + "".join(
+    f"{25 * k},{k % 3},{0.001 * k}\n" for k in range(6)
+)
+
+
+def test_a_run_has_its_damage(study, tmp_path):
+    path = study(1)
+    path.write_text('case = "case.toml"\n[states]\nfile = "run.csv"\n')
+    (tmp_path / "run.csv").write_text(RUN)
+    found = schlupf.damage(path)
+    table = schlupf.sweep(path, tmp_path / "table.parquet").table
+    each = (table["power.friction"] / table["kinematics.speed"]).values
+    assert found.energy == pytest.approx(25.0 * np.sum(0.5 * (each[1:] + each[:-1])), rel=1e-9)
+    assert found.profile["wheel_archard"].attrs["units"] == "m"
+    np.testing.assert_allclose(found.run["energy"][-1], found.energy)
+    assert found.plot().get_xlabel() == "$y$ across the profile (mm)"
+    case = schlupf.Case.from_file(tmp_path / "case.toml").with_(
+        damage={"shear_yield_stress": "100 MPa"}
+    )
+    softer = schlupf.damage(tmp_path / "table.parquet", case)
+    assert softer.fatigue.max > found.fatigue.max + 0.1
+    with pytest.raises(ValueError, match="no table of a study"):
+        schlupf.damage(tmp_path / "run.csv")
+
+
 def test_states_that_fail_are_told(study, tmp_path):
     path = study(1)
     path.write_text('case = "case.toml"\n[vary]\n"kinematics.creepage_x" = [0.001, 1.5]\n')

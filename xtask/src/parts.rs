@@ -91,7 +91,7 @@ impl Part {
             Self::Python => "builds, installs and tests the Python package (needs Python 3.10)",
             Self::Site => "builds the documentation site, runs its notebooks (needs Python 3.11)",
             Self::Long => "what takes long: ignored tests, packages that are built",
-            Self::Bench => "prints the table of work and times of docs/performance.md",
+            Self::Bench => "prints the tables of docs/performance.md and docs/studies.md",
         }
     }
 
@@ -125,7 +125,7 @@ impl Part {
             }
             Self::Wasm => {
                 let build = "build --target wasm32-unknown-unknown";
-                let packages = LIBRARIES.map(|name| format!(" --package {name}")).concat();
+                let packages = PORTABLE.map(|name| format!(" --package {name}")).concat();
                 vec![Step::cargo(&format!("{build}{packages}"))]
             }
             Self::Package => {
@@ -143,7 +143,10 @@ impl Part {
                 Step::cargo("test --workspace -- --ignored"),
                 Step::cargo("publish --workspace --dry-run --allow-dirty"),
             ],
-            Self::Bench => vec![Step::cargo("bench --package schlupf --bench table")],
+            Self::Bench => vec![
+                Step::cargo("bench --package schlupf --bench table"),
+                Step::cargo("bench --package schlupf-study --bench sweep"),
+            ],
         })
     }
 
@@ -157,8 +160,12 @@ impl Part {
     }
 }
 
-/// The packages that others build on; the command itself needs an operating system.
-const LIBRARIES: [&str; 4] = ["schlupf", "schlupf-case", "schlupf-output", "schlupf-tasks"];
+/// The packages that need no operating system, and so are built for the browser.
+const PORTABLE: [&str; 4] = ["schlupf", "schlupf-case", "schlupf-output", "schlupf-tasks"];
+
+/// The packages that others build on.
+const LIBRARIES: [&str; 5] =
+    ["schlupf", "schlupf-case", "schlupf-output", "schlupf-tasks", "schlupf-study"];
 
 /// The `rust-version` of the workspace.
 fn oldest(workspace: &Path) -> Result<String, String> {

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use schlupf::bulk_temperature::Cooling;
+use schlupf::damage::Laws;
 use schlupf::history::History;
 use schlupf::material::Material;
 use schlupf::message::Message;
@@ -303,6 +304,21 @@ impl Case {
     /// The field that is missing where the case does not say so.
     pub fn require_cooling(&self) -> Result<Cooling, CaseError> {
         self.cooling.ok_or_else(|| read::missing_cooling(&self.file.settings))
+    }
+
+    /// What turns a run of its wheel into damage.
+    ///
+    /// # Errors
+    /// A wheel without a rolling radius.
+    pub fn damage_laws(&self) -> Result<Laws, CaseError> {
+        let (fatigue, archard, energy) = read::damage(&self.file.settings)?;
+        Ok(Laws {
+            fatigue,
+            archard,
+            energy,
+            wheel_radius: self.file.settings.number("kinematics.wheel_radius")?,
+            densities: [self.problem.wheel.material.density, self.problem.rail.material.density],
+        })
     }
 
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure

@@ -8,6 +8,7 @@ use crate::bulk::Bulk;
 use crate::calibrate::Calibrate;
 use crate::compare::Compare;
 use crate::curve::Curve;
+use crate::damage::Damage;
 use crate::failure::{Failure, SUCCESS};
 use crate::fit::Fit;
 use crate::roughness::Roughness;
@@ -77,6 +78,9 @@ pub enum Command {
     /// Put the tables of all shards of a study together
     #[command(after_help = EXIT_CODES)]
     Merge(Merge),
+    /// Compute the damage over a run: energy, fatigue and wear across the profile
+    #[command(after_help = EXIT_CODES)]
+    Damage(Box<Damage>),
     /// Validate a case file and show what would be solved
     Check(CaseArguments),
     /// Write a commented case file to start from

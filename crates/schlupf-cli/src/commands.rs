@@ -58,7 +58,14 @@ pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
         resolution(&case, &effective),
         creepages(&case, &effective),
     );
-    for field in effective {
+    let section = |path: &str| path.rsplit_once('.').map(|(section, _)| section.to_owned());
+    let is_default = |field: &Effective| matches!(field.place, Place::Default);
+    let given = effective.iter().filter(|field| !is_default(field));
+    let given: Vec<Option<String>> = given.map(|field| section(field.path)).collect();
+    // Defaults of a section for another command would only be in the way.
+    let is_of_other =
+        |field: &Effective| field.command.is_some() && !given.contains(&section(field.path));
+    for field in effective.into_iter().filter(|field| !is_of_other(field)) {
         let origin = match field.place {
             Place::Default => "  (default)",
             Place::Override { .. } => "  (--set)",

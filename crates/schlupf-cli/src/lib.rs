@@ -9,6 +9,7 @@ mod command_line;
 mod commands;
 mod compare;
 mod curve;
+mod damage;
 mod failure;
 mod fit;
 mod interrupt;
@@ -56,6 +57,7 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Compare(arguments) => task::run(&*arguments),
         Command::Fit(arguments) => task::run(&*arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Damage(arguments) => task::run(&*arguments),
         Command::Merge(arguments) => sweep::merge(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
         Command::Init(arguments) => commands::init(&arguments),

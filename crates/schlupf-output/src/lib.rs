@@ -1,8 +1,8 @@
 //! Output of solutions: JSON, CSV, VTK, a text summary, and figures.
 //!
 //! Every function takes a [`Solution`](schlupf::Solution), a family of creep curves, temperatures
-//! along lines, the heat balance of a wheel, a comparison of methods, calibrated stiffnesses, a fit
-//! or a rough contact, and returns text or bytes; writing files is left to the caller. Tractions
+//! along lines, the heat balance of a wheel, a comparison of methods, calibrated stiffnesses, a fit,
+//! a rough contact or the damage over a run, and returns text or bytes; writing files is left to the caller. Tractions
 //! and forces act on the wheel in all tables; the figures show the traction on the rail, −t, as in
 //! Neuhaus and Sextro (2014), and say so on their axes.
 
@@ -13,6 +13,7 @@ pub mod calibration;
 pub mod comparison;
 pub mod contact_law;
 pub mod creep_curve;
+pub mod damage;
 pub mod figures;
 pub mod identification;
 mod json;

@@ -5,6 +5,7 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::{RECIPE, solution};
+use schlupf::columns::Record;
 use schlupf::message::Message;
 use schlupf::{Solution, Status};
 use schlupf_output::Report;
@@ -198,4 +199,33 @@ fn minus_zero_is_zero() {
     solution.fields.traction_y.fill(-0.0);
     assert!(!report("", solution.clone()).json().contains("-0.0,"));
     assert!(!report("", solution.clone()).csv().unwrap().contains("-0e0"));
+}
+
+/// The columns of a study are the scalars of the JSON under their dotted keys, with their values.
+#[test]
+fn columns_of_a_solution_are_the_keys_of_its_json() {
+    let solution = solution(RECIPE);
+    let document: serde_json::Value =
+        serde_json::from_str(&report("case", solution.clone()).json()).unwrap();
+    let mut count = 0;
+    for column in Solution::columns() {
+        let mut value = &document;
+        for key in column.name.split('.') {
+            value = value.get(key).unwrap_or_else(|| panic!("no {} in the JSON", column.name));
+        }
+        let number = (column.value)(&solution, 0).number();
+        assert_eq!(value.as_f64(), number, "{}", column.name);
+        count += usize::from(number.is_some());
+    }
+    assert!(count > 30, "{count}");
+    // The other way round: every scalar of these sections has a column.
+    let sections = "normal kinematics force normalised power t_gamma temperature area";
+    let known = ["normal.origin_x", "normal.origin_y", "normal.parts"];
+    for section in sections.split(' ') {
+        for key in document[section].as_object().unwrap().keys() {
+            let name = format!("{section}.{key}");
+            let has_column = Solution::columns().iter().any(|column| column.name == name);
+            assert!(has_column || known.contains(&&*name), "{name} has no column");
+        }
+    }
 }

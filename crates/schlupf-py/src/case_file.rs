@@ -44,6 +44,11 @@ impl CaseFile {
         })
     }
 
+    /// The case, without its functions.
+    pub fn file(&self) -> &schlupf_case::CaseFile {
+        &self.file
+    }
+
     /// The same with several cases.
     pub fn run_all<R: Send, E: From<CaseErrors> + Send>(
         files: &[PyRef<'_, Self>],

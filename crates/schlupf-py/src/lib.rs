@@ -39,7 +39,7 @@ mod _core {
     };
 
     #[pymodule_export]
-    use super::study::{Study, StudyRun, merge, read_table};
+    use super::study::{Study, StudyRun, damage, merge, read_table};
 
     /// Version of the library.
     #[pymodule_export]

@@ -10,6 +10,7 @@ use schlupf_output::bulk_temperature::BulkReport;
 use schlupf_output::calibration::CalibrationReport;
 use schlupf_output::comparison::Comparison;
 use schlupf_output::creep_curve::CurveFamily;
+use schlupf_output::damage::DamageReport;
 use schlupf_output::identification::FitReport;
 use schlupf_output::roughness::RoughnessReport;
 use schlupf_output::temperature::{Line, Temperatures};
@@ -22,6 +23,7 @@ pub enum Found {
     Calibration(Box<CalibrationReport>),
     Comparison(Box<Comparison>),
     Curve(Box<CurveFamily>),
+    Damage(Box<DamageReport>),
     Fit(Box<FitReport>),
     Roughness(Box<RoughnessReport>),
     Temperature(Box<Temperatures>),
@@ -45,6 +47,7 @@ impl Report {
             Found::Calibration(report) => &**report,
             Found::Comparison(report) => &**report,
             Found::Curve(report) => &**report,
+            Found::Damage(report) => &**report,
             Found::Fit(report) => &**report,
             Found::Roughness(report) => &**report,
             Found::Temperature(report) => &**report,
@@ -110,6 +113,10 @@ impl Report {
             Found::Comparison(report) => add("methods", vec![columns(py, &**report)])?,
             Found::Curve(report) => {
                 add("points", report.members.iter().map(|m| columns(py, &m.curve)).collect())?;
+            }
+            Found::Damage(report) => {
+                add("profile", vec![columns(py, &report.damage.profile)])?;
+                add("run", vec![columns(py, report.damage.points.as_slice())])?;
             }
             Found::Fit(report) => add("points", vec![columns(py, &**report)])?,
             Found::Roughness(report) => {

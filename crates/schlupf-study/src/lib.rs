@@ -3,12 +3,14 @@
 //! A [`Study`] is a case and what varies over it. [`run`](run::run) solves its rows in batches on
 //! all threads and writes each batch as soon as it is done, so that a run that ends early goes on
 //! where it was; [`merge`](merge::merge) puts the shares of several machines together. The table is
-//! the same, byte for byte, however the work was divided.
+//! the same, byte for byte, however the work was divided. [`damage`] makes wear and fatigue of the
+//! table of a run.
 
 #![forbid(unsafe_code)]
 
 mod batch;
 mod columns;
+pub mod damage;
 pub mod design;
 mod error;
 pub mod merge;

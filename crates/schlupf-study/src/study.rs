@@ -81,6 +81,11 @@ impl Study {
         self.rows
     }
 
+    /// Its case, before anything varies.
+    pub fn case_file(&self) -> &CaseFile {
+        &self.case
+    }
+
     /// What messages call it.
     pub fn name(&self) -> &str {
         &self.name
@@ -164,7 +169,7 @@ impl StudyReader<'_> {
         }
         let section = self.section(name, value)?;
         match name {
-            "vary" => Ok((Design::Factorial(self.factorial(section)?), Vec::new())),
+            "vary" => Ok((Design::Factorial(self.factorial(section, &value.span())?), Vec::new())),
             "sample" => {
                 Ok((Design::Rows(self.sample(section, &value.span())?, Vec::new()), Vec::new()))
             }
@@ -175,10 +180,17 @@ impl StudyReader<'_> {
         }
     }
 
-    fn factorial(&self, section: &Table<'_>) -> Result<Vec<Varied>, CaseError> {
+    fn factorial(
+        &self,
+        section: &Table<'_>,
+        span: &std::ops::Range<usize>,
+    ) -> Result<Vec<Varied>, CaseError> {
         let mut varied = Vec::new();
         for (key, value) in in_order(section) {
             self.add_varied(&mut varied, "", key, value)?;
+        }
+        if varied.is_empty() {
+            return Err(self.error(span, "vary must have fields, but has none"));
         }
         Ok(varied)
     }

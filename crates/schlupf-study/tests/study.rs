@@ -271,3 +271,38 @@ fn shards_that_do_not_belong_together_are_refused() {
     bench.write("2.csv", &(cut.join("\n") + "\n"));
     assert!(refused(&["1.csv", "2.csv"]).contains("it lacks rows from 4 on"));
 }
+
+/// Goal: two cores are at least 1.85 times as fast as one. What they do is counted: batches are
+/// independent, so no core waits for another before the last of them, and the products do not
+/// depend on the number of threads (that the tables are the same asserts it elsewhere). Handing
+/// each core the next batch as soon as it is free, both end when the work is divided this well.
+#[test]
+fn the_work_of_two_cores_is_divided_evenly() {
+    let sample = "batch = 16\n[sample]\nmethod = \"sobol\"\ncount = 640\n[sample.range]\n\
+                  kinematics.creepage_x = [-0.01, 0.01]\nkinematics.spin = [\"-1 1/m\", \"1 1/m\"]\n";
+    let bench = Bench::new(sample);
+    bench.run([1, 1], "table.parquet").unwrap();
+    let products = numbers(&bench.path("table.parquet"), "work.operator_products");
+    let batches: Vec<f64> = products.chunks(16).map(|batch| batch.iter().sum()).collect();
+    let total: f64 = batches.iter().sum();
+    let mut cores = [0.0_f64; 2];
+    for batch in &batches {
+        let free = usize::from(cores[1] < cores[0]);
+        cores[free] += batch;
+    }
+    let faster = total / cores[0].max(cores[1]);
+    assert!(faster >= 1.85, "{faster}");
+}
+
+#[test]
+fn a_study_in_which_nothing_varies_is_refused() {
+    for (text, part) in [
+        ("[vary]\n", "vary must have fields, but has none"),
+        ("[vary]\nkinematics = {}\n", "vary must have fields, but has none"),
+        ("[vary]\nkinematics.speed = []\n", "kinematics.speed must have values, but has none"),
+        ("", "needs one of [vary], [sample] and [states], but has none"),
+    ] {
+        let refused = Bench::new(text).study().unwrap_err().to_string();
+        assert!(refused.contains(part), "{refused}");
+    }
+}

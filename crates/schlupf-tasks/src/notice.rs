@@ -26,6 +26,19 @@ messages! {
         "the data have a load of {of_data:.4e} N, the case one of {of_case:.4e} N: are the units right?"
     );
 
+    /// States of a run without a solution.
+    "left-out" LeftOut {
+        /// How many.
+        rows: usize,
+        /// The first of them, from 0.
+        first: usize,
+        /// Over which distance they hold, in m.
+        distance: f64,
+    } "status", |subject, words| format!(
+        "{rows} of the states have not converged or have failed, the first in row {first}: the \
+         {distance:.4e} m over which they hold are left out"
+    );
+
     /// The patch is beyond the table of calibrated stiffnesses.
     "no-table" NoTable {
         /// Why.

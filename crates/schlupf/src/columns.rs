@@ -4,6 +4,7 @@
 //! them.
 
 use crate::creep_curve::CreepCurve;
+use crate::damage::{Profile, RunPoint};
 use crate::interface::roughness::load_curve::LoadCurve;
 use crate::interface::roughness::tangential_curve::TangentialCurve;
 use crate::quantity::Quantity;
@@ -304,6 +305,42 @@ impl Record for CreepCurve {
     }
 }
 
+/// Depth of wear across the profile.
+impl Record for Profile {
+    fn rows(&self) -> usize {
+        self.y.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { Profile:
+            Y => |profile, k| profile.y[k],
+            WearDepth "wheel_archard" => |profile, k| profile.wheel_archard[k],
+            WearDepth "wheel_energy" => |profile, k| profile.wheel_energy[k],
+            WearDepth "rail_archard" => |profile, k| profile.rail_archard[k],
+            WearDepth "rail_energy" => |profile, k| profile.rail_energy[k],
+        }
+    }
+}
+
+/// States of a run with the damage that they do.
+impl Record for [RunPoint] {
+    fn rows(&self) -> usize {
+        self.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { [RunPoint]:
+            Distance => |points, k| points[k].distance,
+            Y "position_y" => |points, k| points[k].position_y,
+            WearNumber => |points, k| points[k].t_gamma,
+            FatigueIndex => |points, k| points[k].fatigue_index,
+            DissipatedEnergy "energy" => |points, k| points[k].energy,
+            WearVolume "archard_wear" => |points, k| points[k].archard_wear,
+            WearMass "energy_wear" => |points, k| points[k].energy_wear,
+        }
+    }
+}
+
 /// Loads on a rough surface.
 impl Record for LoadCurve {
     fn rows(&self) -> usize {
@@ -376,6 +413,8 @@ mod tests {
         check::<Power>();
         check::<Temperature>();
         check::<CreepCurve>();
+        check::<Profile>();
+        check::<[RunPoint]>();
         check::<LoadCurve>();
         check::<TangentialCurve>();
     }

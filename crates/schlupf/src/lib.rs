@@ -47,6 +47,7 @@ pub mod simplified;
 pub mod rolling;
 pub mod temperature_field;
 pub mod bulk_temperature;
+pub mod damage;
 pub mod creep_curve;
 pub mod calibration;
 pub mod identification;

@@ -155,6 +155,9 @@ quantities! {
     Form "form" "" "" "form removed from a surface"
     MeanPressure "mean_pressure" "p" "Pa" "mean pressure on a rough surface"
     Hardness "hardness" "H" "Pa" "hardness of the softer body"
+    ShearYieldStress "shear_yield_stress" "k" "Pa" "yield stress in pure shear"
+    WearCoefficient "wear_coefficient" "k" "" "coefficient of Archard's law of wear"
+    WearRate "wear_rate" "" "kg/J" "mass worn per dissipated energy"
     CurvePoints "points" "" "" "points of a creep curve"
     FitParameters "parameters" "" "" "parameters to be fitted"
     ForceRatio "force_ratio" "F/N" "" "tangential force on the rail over the load"
@@ -193,6 +196,12 @@ quantities! {
     HeatIntoRail "heat_into_rail" "" "W" "part of the heat that goes into the rail"
     HeatExchanged "heat_exchanged" "" "W" "heat from the wheel into the rail as their bulk temperatures differ"
     WearNumber "t_gamma" "Tγ" "N" "wear number, frictional energy per distance rolled"
+    FatigueIndex "fatigue_index" "FI" "" "surface-fatigue index; fatigue begins where it is positive"
+    SlipSpeed "slip_speed" "s" "m/s" "mean slip speed of the patch, weighted by the pressure"
+    DissipatedEnergy "dissipated_energy" "E" "J" "energy dissipated by friction since the start"
+    WearDepth "wear_depth" "h" "m" "depth of wear"
+    WearVolume "wear_volume" "" "m^2" "volume worn from each body per distance rolled"
+    WearMass "wear_mass" "" "kg/m" "mass worn from each body per distance rolled"
     PecletNumber "peclet" "v a/κ" "" "Péclet number"
     StoredEnergy "stored_energy" "E" "J" "elastic energy of the tangential deformation"
     Distance "distance" "s" "m" "distance rolled"
@@ -273,6 +282,9 @@ impl Quantity {
                 "Neuhaus and Sextro (2014), Eqs. (19)-(22), for a heat source that varies: \
                  Carslaw and Jaeger (1959)"
             }
+            Self::FatigueIndex => "Ekberg, Kabo and Andersson (2002)",
+            Self::WearVolume => "Archard (1953), with the wear map of Jendel (2002)",
+            Self::WearMass => "Braghin, Lewis, Dwyer-Joyce and Bruni (2006)",
             _ => "",
         }
     }

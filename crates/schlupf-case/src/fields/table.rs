@@ -29,6 +29,7 @@ macro_rules! section {
 }
 
 mod contact_law;
+mod damage;
 mod elasticity;
 mod friction;
 mod solver;
@@ -89,6 +90,7 @@ pub const SECTIONS: &[Section] = &[
     friction::FRICTION,
     HEAT,
     COOLING,
+    damage::DAMAGE,
     solver::GRID,
     solver::SOLVER,
     solver::FASTSIM,

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod cooling;
+mod damage;
 mod elasticity;
 mod friction;
 mod heat;
@@ -20,6 +21,7 @@ use schlupf::normal::NormalContact;
 use schlupf::{Error, Options, Problem, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
+pub use damage::damage;
 pub use options::{driver, method};
 
 use crate::error::CaseError;

@@ -35,7 +35,7 @@ const fn ratio(
 
 impl Measure {
     /// All that have a dimension.
-    pub const RATIOS: [Self; 17] = [
+    pub const RATIOS: [Self; 18] = [
         Self::LENGTH,
         Self::TIME,
         Self::ANGLE,
@@ -52,6 +52,7 @@ impl Measure {
         Self::CONDUCTIVITY,
         Self::SPECIFIC_HEAT,
         Self::HEAT_TRANSFER,
+        Self::WEAR_RATE,
         Self::TEMPERATURE_DIFFERENCE,
     ];
 
@@ -109,6 +110,13 @@ impl Measure {
         "W/(m^2 K)",
         "W/(m^2 K)",
         Dimension { mass: 1, time: -3, temperature: -1, ..Dimension::NONE },
+    );
+    /// Mass worn per dissipated energy, in kg/J.
+    pub const WEAR_RATE: Self = ratio(
+        "a mass per energy",
+        "kg/J",
+        "ug/J or ug/(N m)",
+        Dimension { length: -2, time: 2, ..Dimension::NONE },
     );
     /// Area, in m².
     pub const AREA: Self = ratio("an area", "m^2", "m^2 or cm^2", Dimension::LENGTH.power(2));

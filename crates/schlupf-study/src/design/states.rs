@@ -13,7 +13,8 @@ use crate::error::StudyError;
 use crate::table::{Cells, Format, read_parquet_columns};
 
 /// Columns that are carried along: name and what they measure.
-const CARRIED: [(&str, &Measure); 2] = [("time", &Measure::TIME), ("distance", &Measure::LENGTH)];
+const CARRIED: [(&str, &Measure); 3] =
+    [("time", &Measure::TIME), ("distance", &Measure::LENGTH), ("position_y", &Measure::LENGTH)];
 
 /// Reads the states of a file.
 ///

@@ -1,0 +1,31 @@
+//! `[damage]`.
+
+use schlupf::requirement::Requirement::{self, Between};
+
+use super::{MODULUS, quantity};
+use crate::fields::field::Default::Text;
+use crate::fields::field::{Field, Kind, Section};
+use crate::units::Measure;
+
+const COEFFICIENT: Requirement = Between(1e-12, 1.0);
+const RATE: Requirement = Between(1e-18, 1.0);
+
+section! {
+    DAMAGE "damage"
+        "What turns a run into fatigue and wear, for `schlupf damage`." for "damage";
+
+    "shear_yield_stress" [ShearYieldStress] quantity(&Measure::PRESSURE), MODULUS, Text("300 MPa"),
+        "k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson 2002)";
+    "hardness" [] quantity(&Measure::PRESSURE), MODULUS, Text("2.7 GPa"),
+        "H of the softer body, for Archard's law of wear; that of rail steel R260";
+    "wear_coefficient_mild" [WearCoefficient] Kind::Number, COEFFICIENT, Text("5e-4"),
+        "k of Archard's law for mild wear (Jendel 2002)";
+    "wear_coefficient_severe" [WearCoefficient] Kind::Number, COEFFICIENT, Text("35e-4"),
+        "the same for slip speeds between 0.2 and 0.7 m/s";
+    "wear_coefficient_catastrophic" [WearCoefficient] Kind::Number, COEFFICIENT, Text("350e-4"),
+        "the same for pressures above 0.8 H";
+    "wear_rate_mild" [WearRate] quantity(&Measure::WEAR_RATE), RATE, Text("5.3 ug/J"),
+        "mass worn per energy, up to 10.4 N/mm^2 (Braghin, Lewis, Dwyer-Joyce and Bruni 2006)";
+    "wear_rate_catastrophic" [WearRate] quantity(&Measure::WEAR_RATE), RATE, Text("61.9 ug/J"),
+        "the same beyond 77.2 N/mm^2";
+}

@@ -1,0 +1,71 @@
+//! Damage over a run as JSON, for other programs.
+
+use schlupf::Status;
+use schlupf::damage::{Laws, Profile, RunDamage};
+use schlupf::message::Message;
+use serde::Serialize;
+
+use super::{DamageReport, LeftOut};
+use crate::json::{PROGRAM, text};
+use crate::report::Report;
+use crate::table::Arrays;
+
+/// The damage as a JSON document: SI units.
+pub fn document(report: &DamageReport) -> String {
+    text(&Document {
+        program: PROGRAM,
+        title: &report.title,
+        status: report.status(),
+        laws: LawsEntry::of(&report.laws),
+        run: &report.damage,
+        left_out: report.left_out,
+        profile: Arrays(&report.damage.profile),
+        warnings: &report.warnings,
+    })
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    program: &'static str,
+    title: &'a str,
+    status: Status,
+    laws: LawsEntry,
+    #[serde(flatten)]
+    run: &'a RunDamage,
+    left_out: LeftOut,
+    profile: Arrays<'a, Profile>,
+    warnings: &'a [Message],
+}
+
+/// The constants, under the names of their fields.
+#[derive(Serialize)]
+struct LawsEntry {
+    shear_yield_stress: f64,
+    hardness: f64,
+    wear_coefficient_mild: f64,
+    wear_coefficient_severe: f64,
+    wear_coefficient_catastrophic: f64,
+    wear_rate_mild: f64,
+    wear_rate_catastrophic: f64,
+    wheel_radius: f64,
+    wheel_density: f64,
+    rail_density: f64,
+}
+
+impl LawsEntry {
+    fn of(laws: &Laws) -> Self {
+        let Laws { fatigue, archard, energy, wheel_radius, densities } = laws;
+        Self {
+            shear_yield_stress: fatigue.shear_yield_stress,
+            hardness: archard.hardness,
+            wear_coefficient_mild: archard.mild,
+            wear_coefficient_severe: archard.severe,
+            wear_coefficient_catastrophic: archard.catastrophic,
+            wear_rate_mild: energy.mild,
+            wear_rate_catastrophic: energy.catastrophic,
+            wheel_radius: *wheel_radius,
+            wheel_density: densities[0],
+            rail_density: densities[1],
+        }
+    }
+}

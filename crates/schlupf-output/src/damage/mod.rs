@@ -1,0 +1,80 @@
+//! Damage over a run: JSON, CSV, a summary and figures.
+
+mod figure;
+mod json;
+mod summary;
+
+use schlupf::Status;
+use schlupf::damage::{Laws, RunDamage};
+use schlupf::message::Message;
+
+use crate::figures::{Drawing, FigureError};
+use crate::report::Report;
+use crate::summary::Summary;
+use crate::table;
+
+/// The damage of a run with its input.
+#[derive(Debug, Clone)]
+pub struct DamageReport {
+    /// Name of the run.
+    pub title: String,
+    /// The laws of fatigue and wear.
+    pub laws: Laws,
+    /// The damage of all states that have a solution.
+    pub damage: RunDamage,
+    /// States without one.
+    pub left_out: LeftOut,
+    /// Warnings for whoever uses the results.
+    pub warnings: Vec<Message>,
+}
+
+/// States of a run that have no solution.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct LeftOut {
+    /// How many.
+    pub states: usize,
+    /// Distance over which they hold, in m.
+    pub distance: f64,
+}
+
+impl DamageReport {
+    /// Format of the run, a table with a row for each state.
+    pub const RUN: &str = "run";
+}
+
+impl Report for DamageReport {
+    fn status(&self) -> Status {
+        if self.left_out.states == 0 { Status::Converged } else { Status::NotConverged }
+    }
+
+    fn warnings(&self) -> &[Message] {
+        &self.warnings
+    }
+
+    fn json(&self) -> String {
+        json::document(self)
+    }
+
+    fn summary(&self) -> Summary {
+        summary::text(self)
+    }
+
+    /// The depth of wear across the profile.
+    fn csv(&self) -> Option<String> {
+        let note = "wheel: over the run; rail: by one passing wheel, mean over the run";
+        Some(table::csv(&self.damage.profile, note))
+    }
+
+    fn figure_names() -> Vec<String> {
+        figure::NAMES.map(str::to_owned).to_vec()
+    }
+
+    fn drawings(&self) -> Result<Vec<Drawing>, FigureError> {
+        Ok(figure::draw(self))
+    }
+
+    fn own_file(&self, format: &str) -> Option<Vec<u8>> {
+        let run = || table::csv(self.damage.points.as_slice(), "").into_bytes();
+        (format == Self::RUN).then(run)
+    }
+}

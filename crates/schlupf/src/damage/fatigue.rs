@@ -1,0 +1,65 @@
+//! Fatigue of the surface.
+
+use super::{RunPoint, State};
+
+/// Surface-fatigue index of Ekberg, Kabo and Andersson (2002),
+///
+/// FI = T/N − 2π a b k/(3N),
+///
+/// the utilised friction minus that at which the surface just shakes down: the second term is k/p0
+/// of an ellipse of Hertz. Where FI is positive, every passage deforms the surface plastically.
+///
+/// Limits: full sliding is assumed in the shakedown limit, and Hertzian pressure; the index says
+/// that fatigue begins, not how long it takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfaceFatigue {
+    /// Yield stress in pure shear k of the cyclically hardened material, in Pa.
+    pub shear_yield_stress: f64,
+}
+
+impl Default for SurfaceFatigue {
+    /// 300 MPa, usual for wheel and rail steels (Ekberg, Kabo and Andersson 2002).
+    fn default() -> Self {
+        Self { shear_yield_stress: 300e6 }
+    }
+}
+
+impl SurfaceFatigue {
+    /// The index of a state, dimensionless.
+    pub fn index(&self, state: &State) -> f64 {
+        let State { load, semi_axis_x, semi_axis_y, tangential_force, .. } = state;
+        let area = std::f64::consts::PI * semi_axis_x * semi_axis_y;
+        (tangential_force - 2.0 / 3.0 * area * self.shear_yield_stress) / load
+    }
+}
+
+/// The fatigue index over a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FatigueSummary {
+    /// Largest index, dimensionless.
+    pub max: f64,
+    /// Mean index over the distance, dimensionless.
+    pub mean: f64,
+    /// Part of the distance over which the index is positive, dimensionless.
+    pub share: f64,
+    /// Mean over the distance of the index where it is positive and zero elsewhere, dimensionless.
+    pub mean_excess: f64,
+}
+
+impl FatigueSummary {
+    pub(super) fn of(states: &[State], points: &[RunPoint]) -> Self {
+        let distance: f64 = states.iter().map(|state| state.distance).sum();
+        let mean = |value: fn(f64) -> f64| -> f64 {
+            let each = states.iter().zip(points);
+            each.map(|(state, point)| value(point.fatigue_index) * state.distance).sum::<f64>()
+                / distance
+        };
+        Self {
+            max: points.iter().map(|p| p.fatigue_index).fold(f64::NEG_INFINITY, f64::max),
+            mean: mean(|index| index),
+            share: mean(|index| f64::from(u8::from(index > 0.0))),
+            mean_excess: mean(|index| index.max(0.0)),
+        }
+    }
+}

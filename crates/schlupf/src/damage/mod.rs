@@ -1,0 +1,280 @@
+//! Damage of wheel and rail over a run: dissipated energy, surface fatigue and wear.
+//!
+//! A run is a series of steady states, each with the distance over which it holds; of every state
+//! only the resultants are needed. Sums over the distance s are
+//!
+//! - the energy E = ∫ P/v0 ds of the friction power P;
+//! - the wear number Tγ = |ξ Fx| + |η Fy|, its mean and its distribution;
+//! - the surface-fatigue index of every state ([`SurfaceFatigue`]) and the part of the run in which
+//!   it is positive;
+//! - the depth of wear across the profile ([`Profile`]) by two laws: [`ArchardWear`] and
+//!   [`EnergyWear`].
+//!
+//! Limits: within a state wear is distributed across the patch as the load is, (1 − (y/b)²) over
+//! its width 2b, as if all of it slid; wear does not change the profiles; fatigue and wear do not
+//! compete.
+
+mod fatigue;
+mod histogram;
+mod profile;
+mod wear;
+
+use crate::error::{Error, require_finite, require_positive};
+use crate::quantity::Quantity;
+
+pub use fatigue::{FatigueSummary, SurfaceFatigue};
+pub use histogram::Histogram;
+pub use profile::Profile;
+pub use wear::{ArchardWear, EnergyWear, WearTotal};
+
+/// A state of a run: the resultants of a steady rolling contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Distance over which it holds, in m.
+    pub distance: f64,
+    /// Speed of the vehicle v0, in m/s.
+    pub speed: f64,
+    /// Position of the centre of the patch across the profile, in m.
+    pub position_y: f64,
+    /// Normal load N, in N.
+    pub load: f64,
+    /// Half the length a of the patch, in m.
+    pub semi_axis_x: f64,
+    /// Half the width b of the patch, in m.
+    pub semi_axis_y: f64,
+    /// Largest pressure p0, in Pa.
+    pub peak_pressure: f64,
+    /// Area of contact A, in m².
+    pub contact_area: f64,
+    /// Tangential force T = |F|, in N.
+    pub tangential_force: f64,
+    /// Wear number Tγ without spin, in N.
+    pub t_gamma: f64,
+    /// Friction power P, in W.
+    pub friction_power: f64,
+    /// Coefficient of friction μ that bounds the tractions, dimensionless.
+    pub friction_coefficient: f64,
+}
+
+impl State {
+    /// Frictional energy per distance rolled, P/v0, in N.
+    pub fn energy_per_distance(&self) -> f64 {
+        self.friction_power / self.speed
+    }
+
+    /// Mean slip speed, weighted by the pressure, in m/s: P/(μ N), because the traction is μ p
+    /// where a body slides.
+    pub fn slip_speed(&self) -> f64 {
+        self.friction_power / (self.friction_coefficient * self.load)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let positive = [
+            (Quantity::Distance, self.distance),
+            (Quantity::Speed, self.speed),
+            (Quantity::Load, self.load),
+            (Quantity::SemiAxisX, self.semi_axis_x),
+            (Quantity::SemiAxisY, self.semi_axis_y),
+            (Quantity::PeakPressure, self.peak_pressure),
+            (Quantity::ContactArea, self.contact_area),
+            (Quantity::FrictionCoefficient, self.friction_coefficient),
+        ];
+        let finite = [
+            (Quantity::Y, self.position_y),
+            (Quantity::ForceRatio, self.tangential_force),
+            (Quantity::WearNumber, self.t_gamma),
+            (Quantity::FrictionPower, self.friction_power),
+        ];
+        positive.into_iter().try_for_each(|(quantity, value)| require_positive(quantity, value))?;
+        finite.into_iter().try_for_each(|(quantity, value)| require_finite(quantity, value))
+    }
+}
+
+/// What turns a run into damage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Laws {
+    /// Fatigue of the surface.
+    pub fatigue: SurfaceFatigue,
+    /// Wear by sliding distance and load.
+    pub archard: ArchardWear,
+    /// Wear by dissipated energy.
+    pub energy: EnergyWear,
+    /// Rolling radius of the wheel, in m.
+    pub wheel_radius: f64,
+    /// Densities of wheel and rail, in kg/m³.
+    pub densities: [f64; 2],
+}
+
+impl Laws {
+    /// Checks all constants.
+    ///
+    /// # Errors
+    /// The first that is not positive and finite.
+    pub fn check(&self) -> Result<(), Error> {
+        require_positive(Quantity::ShearYieldStress, self.fatigue.shear_yield_stress)?;
+        require_positive(Quantity::Hardness, self.archard.hardness)?;
+        let Self { archard, energy, .. } = self;
+        for coefficient in [archard.mild, archard.severe, archard.catastrophic] {
+            require_positive(Quantity::WearCoefficient, coefficient)?;
+        }
+        for rate in [energy.mild, energy.catastrophic] {
+            require_positive(Quantity::WearRate, rate)?;
+        }
+        require_positive(Quantity::WheelRadiusX, self.wheel_radius)?;
+        require_positive(Quantity::WheelDensity, self.densities[0])?;
+        require_positive(Quantity::RailDensity, self.densities[1])
+    }
+}
+
+/// The damage of a run.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct RunDamage {
+    /// Number of states.
+    pub states: usize,
+    /// Distance rolled, in m.
+    pub distance: f64,
+    /// Time that it took, in s.
+    pub duration: f64,
+    /// Energy dissipated by friction, in J.
+    pub energy: f64,
+    /// The wear number Tγ without spin.
+    pub t_gamma: WearNumberSummary,
+    /// Fatigue of the surface.
+    pub fatigue: FatigueSummary,
+    /// Wear by Archard's law.
+    pub archard: WearTotal,
+    /// Wear by energy.
+    pub energy_wear: WearTotal,
+    /// Parts of the distance by the wear number, the fatigue index and the mean slip speed.
+    pub histograms: Vec<Histogram>,
+    /// Depth of wear across the profile.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub profile: Profile,
+    /// The run, a point for each state.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub points: Vec<RunPoint>,
+}
+
+/// Sums of the wear number Tγ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct WearNumberSummary {
+    /// ∫ Tγ ds, in J.
+    pub sum: f64,
+    /// Mean over the distance, in N.
+    pub mean: f64,
+    /// Largest value, in N.
+    pub max: f64,
+}
+
+/// A state of a run with what it does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunPoint {
+    /// Distance at the middle of the state, in m, from the start of the run.
+    pub distance: f64,
+    /// Position of the patch across the profile, in m.
+    pub position_y: f64,
+    /// Wear number Tγ without spin, in N.
+    pub t_gamma: f64,
+    /// Surface-fatigue index, dimensionless.
+    pub fatigue_index: f64,
+    /// Energy dissipated up to the end of the state, in J.
+    pub energy: f64,
+    /// Volume worn from each body by Archard's law, per distance rolled, in m².
+    pub archard_wear: f64,
+    /// Mass worn from each body by energy, per distance rolled, in kg/m.
+    pub energy_wear: f64,
+}
+
+/// The damage of a run.
+///
+/// ```
+/// use schlupf::damage::{ArchardWear, EnergyWear, Laws, State, SurfaceFatigue, of_run};
+///
+/// let state = State {
+///     distance: 1000.0,
+///     speed: 20.0,
+///     position_y: 0.0,
+///     load: 80e3,
+///     semi_axis_x: 6e-3,
+///     semi_axis_y: 4e-3,
+///     peak_pressure: 1.6e9,
+///     contact_area: 7.5e-5,
+///     tangential_force: 20e3,
+///     t_gamma: 40.0,
+///     friction_power: 800.0,
+///     friction_coefficient: 0.4,
+/// };
+/// let laws = Laws {
+///     fatigue: SurfaceFatigue::default(),
+///     archard: ArchardWear::default(),
+///     energy: EnergyWear::default(),
+///     wheel_radius: 0.46,
+///     densities: [7850.0; 2],
+/// };
+/// let damage = of_run(&[state; 3], &laws)?;
+/// assert_eq!((damage.distance, damage.energy), (3000.0, 120e3));
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
+/// # Errors
+/// No state, and numbers that are not positive or not finite.
+pub fn of_run(states: &[State], laws: &Laws) -> Result<RunDamage, Error> {
+    laws.check()?;
+    if states.is_empty() {
+        return Err(Error::TooFew { quantity: Quantity::Distance, fewest: 1, count: 0 });
+    }
+    states.iter().try_for_each(State::check)?;
+    let points = points(states, laws);
+    let sum = |value: &dyn Fn(&State) -> f64| -> f64 {
+        states.iter().map(|state| value(state) * state.distance).sum()
+    };
+    let distance = sum(&|_| 1.0);
+    let t_gamma = sum(&|state| state.t_gamma);
+    let largest = states.iter().map(|state| state.t_gamma).fold(f64::NEG_INFINITY, f64::max);
+    let archard: Vec<f64> = points.iter().map(|point| point.archard_wear).collect();
+    let by_energy: Vec<f64> = points.iter().map(|point| point.energy_wear).collect();
+    Ok(RunDamage {
+        states: states.len(),
+        distance,
+        duration: states.iter().map(|state| state.distance / state.speed).sum(),
+        energy: sum(&State::energy_per_distance),
+        t_gamma: WearNumberSummary { sum: t_gamma, mean: t_gamma / distance, max: largest },
+        fatigue: FatigueSummary::of(states, &points),
+        archard: WearTotal::of_volumes(states, &archard, laws.densities),
+        energy_wear: WearTotal::of_masses(states, &by_energy, laws.densities),
+        histograms: histograms(states, &points),
+        profile: Profile::of(states, &points, laws),
+        points,
+    })
+}
+
+fn points(states: &[State], laws: &Laws) -> Vec<RunPoint> {
+    let (mut start, mut energy) = (0.0, 0.0);
+    let point = |state: &State| {
+        let middle = start + 0.5 * state.distance;
+        start += state.distance;
+        energy += state.energy_per_distance() * state.distance;
+        RunPoint {
+            distance: middle,
+            position_y: state.position_y,
+            t_gamma: state.t_gamma,
+            fatigue_index: laws.fatigue.index(state),
+            energy,
+            archard_wear: laws.archard.volume(state),
+            energy_wear: laws.energy.mass(state),
+        }
+    };
+    states.iter().map(point).collect()
+}
+
+fn histograms(states: &[State], points: &[RunPoint]) -> Vec<Histogram> {
+    let weights: Vec<f64> = states.iter().map(|state| state.distance).collect();
+    let of = |quantity, values: Vec<f64>| Histogram::of(quantity, &values, &weights);
+    vec![
+        of(Quantity::WearNumber, points.iter().map(|point| point.t_gamma).collect()),
+        of(Quantity::FatigueIndex, points.iter().map(|point| point.fatigue_index).collect()),
+        of(Quantity::SlipSpeed, states.iter().map(State::slip_speed).collect()),
+    ]
+}
