@@ -7,24 +7,25 @@ use schlupf::{Error, Quantity, Watch};
 use schlupf_case::{Case, CaseErrors, Cause, quantity_field};
 use schlupf_tasks::loaded_solver::LoadedSolver;
 
+use crate::chunks;
 use crate::columns::{Outcome, Row, push};
 use crate::design::{Entry, assignment};
 use crate::error::StudyError;
 use crate::order::groups;
 use crate::study::Study;
-use crate::table::{Cells, Contents, Rows};
+use crate::table::{Cells, Column, Contents, Rows};
 
 /// What a solver takes without another case.
 const CONDITIONS: [Quantity; 4] =
     [Quantity::CreepageX, Quantity::CreepageY, Quantity::Spin, Quantity::Speed];
 
-/// Solves the rows of a batch.
+/// Solves the rows of a batch, and the fields of their cells if the study keeps them.
 pub(crate) fn solve(
     study: &Study,
     contents: &Contents,
     batch: usize,
     watch: Watch,
-) -> Result<Rows, StudyError> {
+) -> Result<(Rows, Option<Rows>), StudyError> {
     let indices = contents.rows_of(batch);
     let entries: Vec<Vec<Entry>> = indices.clone().map(|row| study.design.row(row)).collect();
     let varied = study.design.varied();
@@ -36,15 +37,26 @@ pub(crate) fn solve(
         let group = Group { study, entries: &entries, conditions: &conditions, members: &members };
         group.solve(indices.start, watch, &mut outcomes)?;
     }
-    let mut rows: Rows = contents.columns.iter().map(|c| Cells::empty(c.kind)).collect();
+    let mut rows = empty(&contents.columns);
+    let mut fields: Option<Rows> =
+        study.fields.as_ref().map(|fields| empty(&chunks::columns(fields)));
     for (k, (index, entries)) in indices.zip(&entries).enumerate() {
         let outcome = outcomes.remove(&k);
         let outcome = outcome.unwrap_or_else(|| Outcome::Failed("not solved".to_owned()));
         let carried = study.design.carried().iter().map(|column| column.values[index]).collect();
         let row = Row { index, carried, entries, outcome: &outcome };
         push(&mut rows, &contents.columns, &row);
+        if let (Some(cells), Some(fields), Outcome::Solved(solution)) =
+            (&mut fields, &study.fields, &outcome)
+        {
+            chunks::push(cells, fields, index, solution);
+        }
     }
-    Ok(rows)
+    Ok((rows, fields))
+}
+
+fn empty(columns: &[Column]) -> Rows {
+    columns.iter().map(|column| Cells::empty(column.kind)).collect()
 }
 
 /// The condition that a field gives, if a solver takes it without another case.

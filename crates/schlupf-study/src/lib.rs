@@ -9,6 +9,7 @@
 #![forbid(unsafe_code)]
 
 mod batch;
+mod chunks;
 mod columns;
 pub mod damage;
 pub mod design;

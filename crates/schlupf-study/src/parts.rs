@@ -15,6 +15,7 @@ const MANIFEST: &str = "manifest.json";
 #[derive(Debug)]
 pub(crate) struct Parts {
     folder: PathBuf,
+    is_new: bool,
 }
 
 impl Parts {
@@ -26,7 +27,7 @@ impl Parts {
         let mut name = output.file_name().unwrap_or_default().to_owned();
         name.push(".parts");
         let folder = output.with_file_name(name);
-        let parts = Self { folder };
+        let mut parts = Self { folder, is_new: false };
         let wanted = serde_json::to_vec_pretty(contents);
         let wanted = wanted.map_err(|error| StudyError::file(&parts.folder, error))?;
         match fs::create_dir(&parts.folder) {
@@ -42,11 +43,17 @@ impl Parts {
                 Err(StudyError::table(&parts.folder, reason))
             }
             Err(cause) if cause.kind() == ErrorKind::NotFound => {
+                parts.is_new = true;
                 parts.put(MANIFEST, &wanted)?;
                 Ok(parts)
             }
             Err(cause) => Err(StudyError::file(&parts.folder.join(MANIFEST), cause)),
         }
+    }
+
+    /// Whether there were no batches of an earlier run.
+    pub fn is_new(&self) -> bool {
+        self.is_new
     }
 
     /// Whether a batch is done.

@@ -7,6 +7,7 @@ use schlupf::progress::{Progress, Stage};
 use schlupf::{Watch, parallel};
 
 use crate::batch;
+use crate::chunks::{self, Chunks};
 use crate::error::StudyError;
 use crate::parts::{Parts, sync};
 use crate::study::Study;
@@ -63,27 +64,37 @@ pub fn run(
     run.finish()
 }
 
-/// Rows of a batch, to be kept by a [`Run`].
+/// Rows of a batch, to be kept by a [`Run`], with the fields of their cells where the study keeps
+/// them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Solved(Rows);
+pub struct Solved {
+    rows: Rows,
+    fields: Option<Rows>,
+}
 
 /// Solves a batch of a study: on any machine the same.
 ///
 /// # Errors
 /// [`StudyError::Stopped`].
 pub fn solve(study: &Study, batch: usize, watch: Watch) -> Result<Solved, StudyError> {
-    batch::solve(study, &study.contents([1, 1]), batch, watch).map(Solved)
+    let (rows, fields) = batch::solve(study, &study.contents([1, 1]), batch, watch)?;
+    Ok(Solved { rows, fields })
 }
 
 impl Solved {
     /// The rows as text, from which [`Self::from_text`] makes them again.
     ///
     /// # Errors
-    /// None that can happen in memory.
+    /// A study that keeps fields, which are too large to be sent.
     pub fn to_text(&self) -> Result<String, StudyError> {
+        if self.fields.is_some() {
+            let reason =
+                "fields stay on the machine that solves them: divide the study into shards";
+            return Err(StudyError::table(Path::new("[fields]"), reason));
+        }
         let mut bytes = Vec::new();
         let fail = |cause| StudyError::file(Path::new("a batch"), cause);
-        crate::table::write_rows(&mut bytes, &self.0).map_err(fail)?;
+        crate::table::write_rows(&mut bytes, &self.rows).map_err(fail)?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 
@@ -101,7 +112,7 @@ impl Solved {
         if rows.first().map_or(0, Cells::len) != wanted {
             return Err(wrong(format!("it should have {wanted} rows")));
         }
-        Ok(Self(rows))
+        Ok(Self { rows, fields: None })
     }
 }
 
@@ -121,6 +132,7 @@ pub struct Run {
     format: Format,
     output: PathBuf,
     parts: Parts,
+    chunks: Option<Chunks>,
     left: Vec<usize>,
     resumed: usize,
 }
@@ -137,9 +149,13 @@ impl Run {
             return existing(output, &contents).map(Started::Done);
         }
         let parts = Parts::of(output, &contents)?;
+        let columns = study.fields.as_deref().map(chunks::columns);
+        let chunks = columns.map(|columns| Chunks::of(output, &contents, columns, parts.is_new()));
+        let chunks = chunks.transpose()?;
         let (done, left): (Vec<usize>, Vec<usize>) =
             contents.own_batches().partition(|batch| parts.has(*batch));
-        let mut run = Self { contents, format, output: output.to_owned(), parts, left, resumed: 0 };
+        let output = output.to_owned();
+        let mut run = Self { contents, format, output, parts, chunks, left, resumed: 0 };
         run.resumed = run.rows_of(&done);
         Ok(Started::Open(run))
     }
@@ -154,7 +170,11 @@ impl Run {
     /// # Errors
     /// Files that cannot be written.
     pub fn keep(&self, batch: usize, solved: &Solved) -> Result<(), StudyError> {
-        self.parts.keep(batch, &solved.0)
+        // The rows come last: a batch that has them is done.
+        if let (Some(chunks), Some(fields)) = (&self.chunks, &solved.fields) {
+            chunks.keep(batch, fields)?;
+        }
+        self.parts.keep(batch, &solved.rows)
     }
 
     /// Writes the table, when all batches are kept.

@@ -14,6 +14,7 @@ use sha2::{Digest, Sha256};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::chunks::{self, FieldColumn};
 use crate::columns::columns;
 use crate::design::{Design, Method, Sample, Values, Varied, assignment, read_states};
 use crate::error::StudyError;
@@ -35,6 +36,8 @@ pub struct Study {
     pub(crate) design: Design,
     rows: usize,
     batch: usize,
+    /// Quantities of the cells that are kept, if any.
+    pub(crate) fields: Option<Vec<&'static FieldColumn>>,
     /// What messages call it.
     name: String,
     digest: String,
@@ -124,7 +127,7 @@ type Key<'a> = Spanned<std::borrow::Cow<'a, str>>;
 type Table<'a> = DeTable<'a>;
 
 /// Names at the top of a study.
-const TOP: [&str; 5] = ["case", "batch", "vary", "sample", "states"];
+const TOP: [&str; 6] = ["case", "batch", "fields", "vary", "sample", "states"];
 
 impl StudyReader<'_> {
     fn study(&self, table: &Table<'_>) -> Result<Study, StudyError> {
@@ -148,11 +151,12 @@ impl StudyReader<'_> {
             None => BATCH,
             Some(value) => self.count("batch", value, 1)?,
         };
+        let fields = table.get("fields").map(|value| self.fields(value)).transpose()?;
         // Paths are as the case has them, wherever it lies.
         let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-        let digest = digest((&case, folder), &design, batch, &inputs)?;
+        let digest = digest((&case, folder), &design, (batch, fields.as_deref()), &inputs)?;
         let name = self.source.name.clone();
-        Ok(Study { case, design, rows, batch, name, digest, inputs })
+        Ok(Study { case, design, rows, batch, fields, name, digest, inputs })
     }
 
     /// What varies, and the file that says so if there is one.
@@ -332,6 +336,40 @@ impl StudyReader<'_> {
         Ok(())
     }
 
+    /// Which quantities of the cells are kept.
+    fn fields(&self, value: &Spanned<DeValue<'_>>) -> Result<Vec<&'static FieldColumn>, CaseError> {
+        let section = self.section("fields", value)?;
+        for (key, _) in section {
+            self.known(key, "fields", &["columns"])?;
+        }
+        let Some(columns) = section.get("columns") else { return Ok(chunks::all()) };
+        let names = || chunks::all().into_iter().map(|field| field.name);
+        let refused = |message: String| self.error(&columns.span(), message);
+        let Content::Array(entries) = Content::of(columns.get_ref()) else {
+            return Err(refused("fields.columns must be a list of names".to_owned()));
+        };
+        let mut found: Vec<&'static FieldColumn> = Vec::new();
+        for entry in &entries {
+            let Content::Text(name) = &entry.content else {
+                return Err(refused("fields.columns must be a list of names".to_owned()));
+            };
+            let Some(field) = chunks::all().into_iter().find(|field| field.name == *name) else {
+                let help = fields::closest(name, names());
+                let help = help.map(|meant| format!("did you mean `{meant}`?"));
+                let message = format!("fields.columns: there is no `{name}`");
+                return Err(self.error(&entry.span, message).help(help));
+            };
+            if found.iter().any(|other| other.name == field.name) {
+                return Err(refused(format!("fields.columns has `{name}` twice")));
+            }
+            found.push(field);
+        }
+        if found.is_empty() {
+            return Err(refused("fields.columns must have names, but has none".to_owned()));
+        }
+        Ok(found)
+    }
+
     fn states(
         &self,
         section: &Table<'_>,
@@ -468,7 +506,7 @@ fn is_fast(case: &CaseFile, design: &Design) -> bool {
 fn digest(
     (case, folder): (&CaseFile, &Path),
     design: &Design,
-    batch: usize,
+    (batch, fields): (usize, Option<&[&'static FieldColumn]>),
     inputs: &[PathBuf],
 ) -> Result<String, StudyError> {
     let mut sum = Sha256::new();
@@ -494,6 +532,9 @@ fn digest(
         add(carried.name.as_bytes());
     }
     add(&[u8::from(matches!(design, Design::Factorial(_)))]);
+    for field in fields.into_iter().flatten() {
+        add(field.name.as_bytes());
+    }
     for path in inputs {
         add(&std::fs::read(path).map_err(|cause| StudyError::file(path, cause))?);
     }

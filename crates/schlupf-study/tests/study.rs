@@ -306,3 +306,74 @@ fn a_study_in_which_nothing_varies_is_refused() {
         assert!(refused.contains(part), "{refused}");
     }
 }
+
+/// Fields have a chunk for each batch: those of the solution alone, whatever ends the run.
+#[test]
+fn fields_are_kept_in_chunks() {
+    let text = "batch = 4\n[fields]\ncolumns = [\"x\", \"traction_x\", \"sliding\"]\n[vary]\n\
+                kinematics.creepage_x = [0.0, 0.001, 0.002, 0.003, 0.004, 1.5]\n";
+    let bench = Bench::new(text);
+    let report = bench.run([1, 1], "table.csv").unwrap();
+    assert_eq!((report.rows, report.failed), (6, 1));
+    let chunk = |table: &str, batch: usize| {
+        bench.path(&format!("{table}.fields")).join(format!("batch-{batch:08}.parquet"))
+    };
+    let first = chunk("table.csv", 0);
+    let [index, traction] = ["index", "traction_x"].map(|name| numbers(&first, name));
+    let overrides =
+        Overrides { option: "set", assignments: &["kinematics.creepage_x=0.003".into()] };
+    let file = CaseFile::from_str(CASE, "case", Folder::new(""), overrides).unwrap();
+    let case = file.pose(&unwatched).unwrap();
+    let alone = solve(&case, case.rolling(None).unwrap(), &unwatched).unwrap().solution;
+    let places: Vec<usize> = (0..index.len()).filter(|k| index[*k] == 3.0).collect();
+    assert_eq!(places.len(), alone.fields.len());
+    let limit = 1e-4 * alone.normal.peak_pressure;
+    for (place, expected) in places.iter().zip(&alone.fields.traction_x) {
+        assert!((traction[*place] - expected).abs() < limit);
+    }
+    let contents = Reader::open(&first).unwrap().contents().clone();
+    let columns: Vec<(&str, &str)> =
+        contents.columns.iter().map(|c| (c.name.as_str(), c.unit.as_str())).collect();
+    assert_eq!(columns, [("index", ""), ("x", "m"), ("traction_x", "Pa"), ("sliding", "")]);
+    // The state that failed has no cells.
+    assert!(numbers(&chunk("table.csv", 1), "index").iter().all(|index| *index == 4.0));
+    // Stopped after the first batch, then finished: the same chunks.
+    let calls = AtomicUsize::new(0);
+    let study = bench.study().unwrap();
+    let stopping = |_| match calls.fetch_add(1, Ordering::Relaxed) {
+        0..8 => ControlFlow::Continue(()),
+        _ => ControlFlow::Break(()),
+    };
+    let stopped = run(&study, [1, 1], &bench.path("other.csv"), &stopping);
+    assert!(matches!(stopped, Err(StudyError::Stopped)));
+    bench.run([1, 1], "other.csv").unwrap();
+    for batch in [0, 1] {
+        assert_eq!(
+            fs::read(chunk("table.csv", batch)).unwrap(),
+            fs::read(chunk("other.csv", batch)).unwrap()
+        );
+    }
+    // A new run does not mix its fields with others.
+    fs::remove_file(bench.path("other.csv")).unwrap();
+    let refused = bench.run([1, 1], "other.csv").unwrap_err().to_string();
+    assert!(refused.contains("fields of another run"), "{refused}");
+}
+
+#[test]
+fn wrong_fields_are_refused() {
+    let vary = "[vary]\nkinematics.creepage_x = [0.001]\n";
+    for (text, part) in [
+        ("[fields]\ncolumns = [\"traction\"]\n", "there is no `traction`"),
+        ("[fields]\ncolumns = []\n", "must have names, but has none"),
+        ("[fields]\ncolumns = 3\n", "must be a list of names"),
+        ("[fields]\ncolumns = [\"x\", \"x\"]\n", "`x` twice"),
+        ("[fields]\ncolumn = [\"x\"]\n", "did you mean `columns`"),
+        ("fields = true\n", "fields must be a section"),
+    ] {
+        let error = Bench::new(&format!("{text}{vary}")).study().unwrap_err();
+        let StudyError::Input(errors) = &error else { panic!("{error}") };
+        let help = errors.first.help.clone().unwrap_or_default();
+        let text = format!("{error} {help}");
+        assert!(text.contains(part), "{part:?} is not in {text}");
+    }
+}

@@ -169,7 +169,7 @@ fn what_is_no_run_is_refused() {
     assert_eq!(refused(&[State { speed: 0.0, ..state }], &laws()), Quantity::Speed);
     assert_eq!(refused(&[State { t_gamma: f64::NAN, ..state }], &laws()), Quantity::WearNumber);
     let soft = ArchardWear { hardness: -1.0, ..ArchardWear::default() };
-    assert_eq!(refused(&[state], &Laws { archard: soft, ..laws() }), Quantity::Hardness);
+    assert_eq!(refused(&[state], &Laws { archard: soft, ..laws() }), Quantity::WearHardness);
     let error: Error = of_run(&[State { distance: -1.0, ..state }], &laws()).unwrap_err();
     assert!(error.to_string().contains("distance"), "{error}");
 }

@@ -112,14 +112,18 @@ impl Laws {
     /// The first that is not positive and finite.
     pub fn check(&self) -> Result<(), Error> {
         require_positive(Quantity::ShearYieldStress, self.fatigue.shear_yield_stress)?;
-        require_positive(Quantity::Hardness, self.archard.hardness)?;
         let Self { archard, energy, .. } = self;
-        for coefficient in [archard.mild, archard.severe, archard.catastrophic] {
-            require_positive(Quantity::WearCoefficient, coefficient)?;
-        }
-        for rate in [energy.mild, energy.catastrophic] {
-            require_positive(Quantity::WearRate, rate)?;
-        }
+        let constants = [
+            (Quantity::WearHardness, archard.hardness),
+            (Quantity::WearCoefficientMild, archard.mild),
+            (Quantity::WearCoefficientSevere, archard.severe),
+            (Quantity::WearCoefficientCatastrophic, archard.catastrophic),
+            (Quantity::WearRateMild, energy.mild),
+            (Quantity::WearRateCatastrophic, energy.catastrophic),
+        ];
+        constants
+            .into_iter()
+            .try_for_each(|(quantity, value)| require_positive(quantity, value))?;
         require_positive(Quantity::WheelRadiusX, self.wheel_radius)?;
         require_positive(Quantity::WheelDensity, self.densities[0])?;
         require_positive(Quantity::RailDensity, self.densities[1])

@@ -16,16 +16,16 @@ section! {
 
     "shear_yield_stress" [ShearYieldStress] quantity(&Measure::PRESSURE), MODULUS, Text("300 MPa"),
         "k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson 2002)";
-    "hardness" [] quantity(&Measure::PRESSURE), MODULUS, Text("2.7 GPa"),
+    "hardness" [WearHardness] quantity(&Measure::PRESSURE), MODULUS, Text("2.7 GPa"),
         "H of the softer body, for Archard's law of wear; that of rail steel R260";
-    "wear_coefficient_mild" [WearCoefficient] Kind::Number, COEFFICIENT, Text("5e-4"),
+    "wear_coefficient_mild" [WearCoefficientMild] Kind::Number, COEFFICIENT, Text("5e-4"),
         "k of Archard's law for mild wear (Jendel 2002)";
-    "wear_coefficient_severe" [WearCoefficient] Kind::Number, COEFFICIENT, Text("35e-4"),
+    "wear_coefficient_severe" [WearCoefficientSevere] Kind::Number, COEFFICIENT, Text("35e-4"),
         "the same for slip speeds between 0.2 and 0.7 m/s";
-    "wear_coefficient_catastrophic" [WearCoefficient] Kind::Number, COEFFICIENT, Text("350e-4"),
+    "wear_coefficient_catastrophic" [WearCoefficientCatastrophic] Kind::Number, COEFFICIENT, Text("350e-4"),
         "the same for pressures above 0.8 H";
-    "wear_rate_mild" [WearRate] quantity(&Measure::WEAR_RATE), RATE, Text("5.3 ug/J"),
+    "wear_rate_mild" [WearRateMild] quantity(&Measure::WEAR_RATE), RATE, Text("5.3 ug/J"),
         "mass worn per energy, up to 10.4 N/mm^2 (Braghin, Lewis, Dwyer-Joyce and Bruni 2006)";
-    "wear_rate_catastrophic" [WearRate] quantity(&Measure::WEAR_RATE), RATE, Text("61.9 ug/J"),
+    "wear_rate_catastrophic" [WearRateCatastrophic] quantity(&Measure::WEAR_RATE), RATE, Text("61.9 ug/J"),
         "the same beyond 77.2 N/mm^2";
 }
