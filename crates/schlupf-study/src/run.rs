@@ -122,7 +122,7 @@ pub enum Started {
     /// The table is there already.
     Done(Report),
     /// Batches are to be solved.
-    Open(Run),
+    Open(Box<Run>),
 }
 
 /// A run of a study whose batches are solved by the caller, say on other machines.
@@ -157,7 +157,7 @@ impl Run {
         let output = output.to_owned();
         let mut run = Self { contents, format, output, parts, chunks, left, resumed: 0 };
         run.resumed = run.rows_of(&done);
-        Ok(Started::Open(run))
+        Ok(Started::Open(Box::new(run)))
     }
 
     /// The batches that are left, for [`solve`].
