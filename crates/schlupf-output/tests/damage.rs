@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use schlupf::Status;
-use schlupf::damage::{ArchardWear, EnergyWear, Laws, State, SurfaceFatigue, of_run};
+use schlupf::damage::{ArchardWear, EnergyWear, Laws, RunPoint, State, SurfaceFatigue, of_run};
 use schlupf_output::Report;
 use schlupf_output::damage::{DamageReport, LeftOut};
 
@@ -90,7 +90,13 @@ fn the_summary_fits_a_terminal_and_tells_what_is_left_out() {
 #[test]
 fn figures_are_drawn_of_any_run() {
     for states in [1, 2, 5000] {
-        let report = report(states, LeftOut { states: 1, distance: 1.0 });
+        let mut report = report(states, LeftOut { states: 1, distance: 1.0 });
+        if states == 2 {
+            // At rest in the middle, without slip.
+            for point in &mut report.damage.points {
+                *point = RunPoint { position_y: 0.0, t_gamma: 0.0, energy: 0.0, ..*point };
+            }
+        }
         let drawings = report.drawings().unwrap();
         let names: Vec<String> = drawings.iter().map(|(name, _)| name.clone()).collect();
         assert_eq!(names, DamageReport::figure_names());
