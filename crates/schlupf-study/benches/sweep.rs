@@ -64,9 +64,10 @@ fn main() {
         println!("run by `cargo xtask bench`");
         return;
     }
-    println!("{}\n", sizes());
+    // First, because the peak of the memory stays.
+    println!("{}\n", many());
     println!("{}\n", cores());
-    println!("{}", many());
+    println!("{}", sizes());
 }
 
 /// What solving a study has taken, in s, and what of it were seconds of a processor.
