@@ -9,7 +9,7 @@ use schlupf::{Watch, parallel};
 use crate::batch;
 use crate::chunks::{self, Chunks};
 use crate::error::StudyError;
-use crate::parts::{Parts, sync};
+use crate::parts::{Parts, make_readable, sync};
 use crate::study::Study;
 use crate::table::{Cells, Contents, Format, Reader, Rows, Writer};
 
@@ -231,12 +231,7 @@ pub(crate) fn assemble(
         writer.append(&rows_of(batch)?)?;
     }
     writer.finish()?;
-    #[cfg(unix)]
-    {
-        // As any other new file, not readable by its owner alone.
-        use std::os::unix::fs::PermissionsExt;
-        let _ = std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o644));
-    }
+    make_readable(&path);
     unfinished.persist(output).map_err(|error| StudyError::file(output, error.error))?;
     sync(folder);
     Ok(())
