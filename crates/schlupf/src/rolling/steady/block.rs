@@ -94,8 +94,7 @@ mod tests {
         assert_eq!(a.times(a.inverse()), Block::ONE);
         assert_eq!(a.plus(-2.0, b), Block::of(&[[3.0, 1.0], [-1.0, -12.0]]));
         assert_eq!(image(&a, [1.0, -1.0]), [-1.0, -1.0]);
-        let both =
-            reduced_by([1.0, 1.0], &[a, b], &[Twice::of([1.0, -1.0]), Twice::of([2.0, 4.0])]);
+        let both = reduced_by([1.0, 1.0], &[a, b], &[Twice::of([1.0, -1.0]), Twice::of([2.0, 4.0])]);
         assert_eq!(both, [2.0, -34.0]);
     }
 }

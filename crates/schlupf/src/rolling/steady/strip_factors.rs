@@ -178,13 +178,7 @@ struct Local<'a> {
 
 impl Local<'_> {
     /// Adds the displacement of cell `j` times a weight to the row of cell `k`.
-    fn add(
-        &self,
-        cells: &Range<usize>,
-        j: usize,
-        weight: f64,
-        (k, row): (usize, &mut Row<Matrix>),
-    ) {
+    fn add(&self, cells: &Range<usize>, j: usize, weight: f64, (k, row): (usize, &mut Row<Matrix>)) {
         if !self.has_neighbours {
             let [[xx, xy], [_, yy]] = self.contact.local[j];
             add_block(row, (LOWER + j).wrapping_sub(k), weight, [xx, yy, xy]);
