@@ -217,7 +217,8 @@ def test_two_fields_make_a_map_of_the_largest_forces():
     found = curves.map
     assert found["force_x"].dims == ("normal.load", "kinematics.speed")
     alone = SMALL.with_(kinematics={"speed": 20.0}, normal={"load": 7e4})
-    peak = alone.curve(creepage_x=(0.0, 0.05), points=6).maximum.traction_coefficient
+    (curve,) = alone.curve(creepage_x=(0.0, 0.05), points=6)["curves"]
+    peak = curve["maximum"]["traction_coefficient"]
     largest = found["traction_coefficient"].sel({"normal.load": 7e4, "kinematics.speed": 20.0})
     assert float(largest) == pytest.approx(peak, rel=1e-5)
     assert curves.plot().get_xlabel() == "kinematics.speed (m/s)"

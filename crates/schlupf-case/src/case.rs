@@ -316,13 +316,15 @@ impl Case {
     /// A wheel without a rolling radius.
     pub fn damage_laws(&self) -> Result<Laws, CaseError> {
         let (fatigue, archard, energy) = read::damage(&self.file.settings)?;
-        Ok(Laws {
+        let laws = Laws {
             fatigue,
             archard,
             energy,
             wheel_radius: self.file.settings.number("kinematics.wheel_radius")?,
             densities: [self.problem.wheel.material.density, self.problem.rail.material.density],
-        })
+        };
+        laws.check().map_err(|error| self.explain(&error))?;
+        Ok(laws)
     }
 
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure

@@ -143,6 +143,11 @@ fn what_is_no_run_is_refused() {
     refused(&["study.toml"], "at least 2 states, but has 1");
     refused(&["none.csv", "--set", "damage.hardness=-1 GPa"], "damage.hardness must be");
     refused(&["none.csv", "--set", "damage.wear_rate_mild=5 ug"], "must be a mass per energy");
+    let straight = ["normal.model=ellipse", "normal.semi_axis_x=5 mm", "normal.semi_axis_y=5 mm"];
+    let straight = straight.iter().flat_map(|field| ["--set", field]);
+    let straight: Vec<&str> =
+        ["none.csv", "--set", "wheel.radius_x=inf"].into_iter().chain(straight).collect();
+    refused(&straight, "wheel.radius_x");
     bench.write("empty.toml", "[vary]\n");
     let empty = bench.run(&["sweep", "empty.toml", "--output", "e.csv"]);
     assert_eq!(empty.code, Some(2), "{}", empty.stderr);

@@ -89,7 +89,7 @@ impl StudyRun {
     fn new(py: Python<'_>, study: Py<Study>, output: PathBuf) -> PyResult<Self> {
         let started = Run::start(&study.get().study, [1, 1], &output);
         Ok(match started.map_err(|error| raised(py, error))? {
-            Started::Open(run) => Self { study, run: Mutex::new(Some(run)), report: None },
+            Started::Open(run) => Self { study, run: Mutex::new(Some(*run)), report: None },
             Started::Done(report) => {
                 Self { study, run: Mutex::new(None), report: Some(counts(report)) }
             }

@@ -10,7 +10,7 @@ use schlupf::columns::{Column as ResultColumn, Record};
 use schlupf::solution::Fields;
 
 use crate::error::StudyError;
-use crate::parts::sync;
+use crate::parts::{make_readable, sync};
 use crate::table::{Cells, Column, Contents, Format, Kind, Rows, Writer};
 
 /// A quantity of every cell.
@@ -104,6 +104,7 @@ impl Chunks {
             writer.append(rows)?;
         }
         writer.finish()?;
+        make_readable(&unfinished);
         unfinished.persist(&path).map_err(|error| StudyError::file(&path, error.error))?;
         sync(&self.folder);
         Ok(())

@@ -194,14 +194,13 @@ impl Run {
         // That of the last state that has a force.
         let mut friction = 1.0;
         for (row, distance) in distances.into_iter().enumerate() {
-            match self.state(row, distance, &mut friction) {
-                Some(state) => states.push(state),
-                None => {
-                    first.get_or_insert(row);
-                    left_out.states += 1;
-                    // Where a state has failed, its speed may be unknown, too.
-                    left_out.distance += if distance.is_finite() { distance } else { 0.0 };
-                }
+            if let Some(state) = self.state(row, distance, &mut friction) {
+                states.push(state);
+            } else {
+                first.get_or_insert(row);
+                left_out.states += 1;
+                // Where a state has failed, its speed may be unknown, too.
+                left_out.distance += if distance.is_finite() { distance } else { 0.0 };
             }
         }
         if states.is_empty() {

@@ -111,6 +111,17 @@ fn name(batch: usize) -> String {
     format!("batch-{batch:08}.csv")
 }
 
+/// Lets a file be read as any other new file, not by its owner alone as a temporary one.
+pub(crate) fn make_readable(path: &Path) {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let _ = fs::set_permissions(path, fs::Permissions::from_mode(0o644));
+    }
+    #[cfg(not(unix))]
+    let _ = path;
+}
+
 /// Makes sure that names of a folder are on the disk, where the system can do that.
 pub(crate) fn sync(folder: &Path) {
     let folder = if folder == Path::new("") { Path::new(".") } else { folder };

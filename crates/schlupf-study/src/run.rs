@@ -9,7 +9,7 @@ use schlupf::{Watch, parallel};
 use crate::batch;
 use crate::chunks::{self, Chunks};
 use crate::error::StudyError;
-use crate::parts::{Parts, sync};
+use crate::parts::{Parts, make_readable, sync};
 use crate::study::Study;
 use crate::table::{Cells, Contents, Format, Reader, Rows, Writer};
 
@@ -122,7 +122,7 @@ pub enum Started {
     /// The table is there already.
     Done(Report),
     /// Batches are to be solved.
-    Open(Run),
+    Open(Box<Run>),
 }
 
 /// A run of a study whose batches are solved by the caller, say on other machines.
@@ -157,7 +157,7 @@ impl Run {
         let output = output.to_owned();
         let mut run = Self { contents, format, output, parts, chunks, left, resumed: 0 };
         run.resumed = run.rows_of(&done);
-        Ok(Started::Open(run))
+        Ok(Started::Open(Box::new(run)))
     }
 
     /// The batches that are left, for [`solve`].
@@ -231,12 +231,7 @@ pub(crate) fn assemble(
         writer.append(&rows_of(batch)?)?;
     }
     writer.finish()?;
-    #[cfg(unix)]
-    {
-        // As any other new file, not readable by its owner alone.
-        use std::os::unix::fs::PermissionsExt;
-        let _ = std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o644));
-    }
+    make_readable(&path);
     unfinished.persist(output).map_err(|error| StudyError::file(output, error.error))?;
     sync(folder);
     Ok(())

@@ -71,7 +71,8 @@ impl CurveFamily {
             curve.points.iter().map(|point| point.abscissa).collect()
         };
         let (abscissae, quantity) = (x(first), first.path.abscissa().quantity());
-        let [columns_of_x, places] = [abscissae.clone(), self.numbers(0)?].map(ascending);
+        let [columns_of_x, places] =
+            [&abscissae, &self.numbers(0)?].map(|numbers| ascending(numbers));
         let is_like = |member: &Member| x(&member.curve) == abscissae;
         if !self.members.iter().all(is_like) || places.len() < FEWEST {
             return None;
@@ -189,7 +190,7 @@ impl Record for Peak {
 }
 
 /// The places of numbers in increasing order.
-fn ascending(numbers: Vec<f64>) -> Vec<usize> {
+fn ascending(numbers: &[f64]) -> Vec<usize> {
     let mut places: Vec<usize> = (0..numbers.len()).collect();
     places.sort_by(|one, other| numbers[*one].total_cmp(&numbers[*other]));
     places

@@ -98,15 +98,18 @@ fn run(report: &DamageReport) -> Option<String> {
         Panel { label: label.to_owned(), height: 150.0, curves: vec![curve] }
     };
     let kilojoules = &|point: &RunPoint| point.energy / 1e3;
+    let mut panels = vec![
+        panel("$Tγ$ (N)", BLUE, &|point| point.t_gamma),
+        panel("fatigue index", VERMILION, &|point| point.fatigue_index),
+        panel("energy (kJ)", BLUE, kilojoules),
+    ];
+    if points.iter().any(|point| point.position_y != points[0].position_y) {
+        panels.push(panel("$y$ of the patch (mm)", BLUE, &|point| point.position_y / 1e-3));
+    }
     let stack = Stack {
         x: [0.0, points.last()?.distance.max(distance) / unit],
         label,
-        panels: vec![
-            panel("$Tγ$ (N)", BLUE, &|point| point.t_gamma),
-            panel("fatigue index", VERMILION, &|point| point.fatigue_index),
-            panel("energy (kJ)", BLUE, kilojoules),
-            panel("$y$ of the patch (mm)", BLUE, &|point| point.position_y / 1e-3),
-        ],
+        panels,
         shaded: Vec::new(),
         shading: "",
     };

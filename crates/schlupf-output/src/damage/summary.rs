@@ -38,10 +38,8 @@ fn fatigue(text: &mut Summary, report: &DamageReport) {
     let yield_stress = number(report.laws.fatigue.shear_yield_stress / 1e6);
     let about = format!("largest, with k = {yield_stress} MPa; mean {}", number(fatigue.mean));
     entry(text, "fatigue index", fatigue.max, "", &about);
-    let positive = format!(
-        "of the distance with a positive index, which exceeds zero by {} on average",
-        number(fatigue.mean_excess)
-    );
+    let excess = number(fatigue.mean_excess);
+    let positive = format!("of the distance with a positive index; mean excess {excess}");
     entry(text, "", 100.0 * fatigue.share, "%", &positive);
     text.blank();
 }

@@ -196,6 +196,10 @@ impl Panel {
         let margin = 0.04 * (high - low);
         let about = ((self.height / 45.0) as usize).clamp(2, 8);
         let ([below, above], _) = round_axis(low, high, about);
+        if high <= low {
+            // All is zero.
+            return [below, above];
+        }
         // Up to the next tick, unless that would leave much of the panel empty.
         [below.max(low - 2.5 * margin), above.min(high + 2.5 * margin)]
     }
