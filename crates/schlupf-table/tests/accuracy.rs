@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 use std::path::Path;
-use std::sync::Arc;
 
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::contact_law::Coulomb;
@@ -146,12 +145,12 @@ fn states_all_over_the_table_are_within_one_per_cent() {
     assert_below(errors, [0.1, 0.4, 1.0]);
 }
 
-/// Another Poisson's ratio counts by its creep coefficients. What is lost is small for steel and
-/// cast iron, and grows towards rubber.
+/// Another Poisson's ratio counts by its creep coefficients: within 1 % for steel and cast iron, 5 %
+/// towards rubber.
 #[test]
 fn another_poisson_ratio_counts_by_its_creep_coefficients() {
     for (poisson_ratio, allowed) in
-        [(0.25, [0.2, 0.8, 2.0]), (0.3, [0.2, 0.6, 1.5]), (0.45, [1.0, 4.0, 8.0])]
+        [(0.25, [0.2, 0.6, 1.0]), (0.3, [0.2, 0.5, 1.0]), (0.45, [1.0, 2.5, 5.0])]
     {
         let errors = quantiles((0..50).map(|k| gap(k, poisson_ratio)).collect());
         println!("ν = {poisson_ratio}: errors in % of μN: {errors:.3?}");
