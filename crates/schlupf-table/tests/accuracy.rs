@@ -145,8 +145,8 @@ fn states_all_over_the_table_are_within_one_per_cent() {
     assert_below(errors, [0.1, 0.4, 1.0]);
 }
 
-/// Another Poisson's ratio counts by its creep coefficients: within 1 % for steel and cast iron, 5 %
-/// towards rubber.
+/// Another Poisson's ratio counts by its creep coefficients: within 1 % for steel and cast iron,
+/// 5 % towards rubber.
 #[test]
 fn another_poisson_ratio_counts_by_its_creep_coefficients() {
     for (poisson_ratio, allowed) in

@@ -95,8 +95,8 @@ fn kalker_1967_small_creepages() {
     assert!((small[0] + 1e-60 * c.c11).abs() < 1e-63);
 }
 
-/// No force exceeds μN. In large creepage it opposes the sliding; in spin alone the moment is that of
-/// sliding without rolling, on a circle 3π/16 μN a.
+/// No force exceeds μN. In large creepage it opposes the sliding; in spin alone the moment is that
+/// of sliding without rolling, on a circle 3π/16 μN a.
 #[test]
 fn forces_end_at_the_friction_limit() {
     for ratio in [0.1, 1.0, 10.0] {
@@ -131,8 +131,8 @@ fn forces_rise_with_the_creepage() {
     }
 }
 
-/// A shape outside the table is flagged and has the forces of the nearest one; at the ends the table
-/// still holds. What is not finite stays so.
+/// A shape outside the table is flagged and has the forces of the nearest one; at the ends the
+/// table still holds. What is not finite stays so.
 #[test]
 fn what_the_table_does_not_cover_is_flagged() {
     let at = [0.2, 0.1, 0.3];

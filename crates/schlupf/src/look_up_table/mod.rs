@@ -314,7 +314,8 @@ impl Rest {
     }
 }
 
-/// Adds what own creep coefficients add: a linear force over (1 + r)², which leaves sliding as it is.
+/// Adds what own creep coefficients add: a linear force over (1 + r)², which leaves sliding as it
+/// is.
 fn correct(
     correction: &[[f64; 3]; 3],
     coordinates: &Coordinates,

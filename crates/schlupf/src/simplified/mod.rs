@@ -6,7 +6,7 @@
 //! | Kalker's linear theory | forces, moment | a tenth of a microsecond |
 //! | [`shen_hedrick_elkins`] | forces, moment | the same |
 //! | [`polach`] | forces | the same |
-//! | a [look-up table](crate::look_up_table) of the half-space | forces, moment, derivatives | the same |
+//! | a [look-up table](crate::look_up_table) | forces, moment, derivatives | the same |
 //! | FASTSIM, modified FASTSIM | forces, moment, fields, temperatures | microseconds |
 //!
 //! All of them use Kalker's coefficients for the ellipse of the contact, which come from a table. A

@@ -3,8 +3,8 @@
 //!
 //! States are solved with Coulomb's law on the half-space and extrapolated from two grids; where
 //! these differ by more than 0.2 % of μN, from grids twice as fine. The limit of sliding without
-//! rolling is integrated. After each round the nodes that are farthest from what their neighbours on
-//! an axis say get new neighbours on that axis.
+//! rolling is integrated. After each round the nodes that are farthest from what their neighbours
+//! on an axis say get new neighbours on that axis.
 
 mod full_sliding;
 mod refinement;
