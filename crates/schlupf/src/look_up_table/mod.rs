@@ -134,13 +134,13 @@ impl LookUpTable {
         let strides =
             [azimuths * inclinations * saturations, inclinations * saturations, saturations];
         Ok(Self {
-            strides,
             nodes,
             axis_ratio,
             azimuth,
             inclination,
             saturation,
             coefficients,
+            strides,
             creep_coefficients,
         })
     }
@@ -420,8 +420,8 @@ fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
     // Signs of Fx, and of Fy and Mz.
     let azimuth = [1.0, -1.0].map(|sign| [sign, sign]);
     let inclination = [[1.0, -1.0], [-1.0, 1.0]];
-    let open = axes[0].from_values([1.0; 2])?;
-    let saturation = axes[3].from_values([1.0; 2])?;
+    let open = axes[0].interpolation([1.0; 2])?;
+    let saturation = axes[3].interpolation([1.0; 2])?;
     let counts = axes.map(|axis| axis.nodes().len());
     let mut whole: Vec<[f32; WIDTH]> =
         vec![[0.0; WIDTH]; axes.iter().map(|axis| axis.coefficients()).product()];
@@ -429,8 +429,8 @@ fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
         let parity = usize::from(component > 0);
         let matrices = [
             open.clone(),
-            axes[1].from_values(azimuth[parity])?,
-            axes[2].from_values(inclination[parity])?,
+            axes[1].interpolation(azimuth[parity])?,
+            axes[2].interpolation(inclination[parity])?,
             saturation.clone(),
         ];
         let mut field: Vec<f64> =
