@@ -161,11 +161,18 @@ impl Part {
 }
 
 /// The packages that need no operating system, and so are built for the browser.
-const PORTABLE: [&str; 4] = ["schlupf", "schlupf-case", "schlupf-output", "schlupf-tasks"];
+const PORTABLE: [&str; 5] =
+    ["schlupf", "schlupf-table", "schlupf-case", "schlupf-output", "schlupf-tasks"];
 
 /// The packages that others build on.
-const LIBRARIES: [&str; 5] =
-    ["schlupf", "schlupf-case", "schlupf-output", "schlupf-tasks", "schlupf-study"];
+const LIBRARIES: [&str; 6] = [
+    "schlupf",
+    "schlupf-table",
+    "schlupf-case",
+    "schlupf-output",
+    "schlupf-tasks",
+    "schlupf-study",
+];
 
 /// The `rust-version` of the workspace.
 fn oldest(workspace: &Path) -> Result<String, String> {

@@ -58,6 +58,11 @@ pub struct StatedError {
     pub largest: f64,
 }
 
+/// Four digits of a number (dimensionless), which are read again as they are written.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.3e}").parse().unwrap_or(number)
+}
+
 impl Metadata {
     /// Of a table that was made with these options.
     pub(crate) fn new(built: &BuiltTable, options: &TableOptions, sha256: String) -> Self {
@@ -80,9 +85,9 @@ impl Metadata {
             is_within_tolerance: built.is_within_tolerance,
             error: StatedError {
                 states: error.states,
-                median: error.median,
-                ninety_percent: error.ninety_percent,
-                largest: error.largest,
+                median: rounded(error.median),
+                ninety_percent: rounded(error.ninety_percent),
+                largest: rounded(error.largest),
             },
             solutions: built.solutions,
             unconverged: built.unconverged,

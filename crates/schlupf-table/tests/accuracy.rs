@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 use std::path::Path;
-use std::sync::Arc;
 
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::contact_law::Coulomb;
@@ -13,7 +12,7 @@ use schlupf::method::{AreaReduction, Brush, FastMethod, SharedTable};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::simplified::FastContact;
 use schlupf::solution::Resultant;
-use schlupf::{Options, Problem, unwatched};
+use schlupf::{Options, Problem, Status, unwatched};
 use schlupf_table::standard;
 
 const FRICTION: f64 = 0.3;
@@ -132,7 +131,13 @@ fn gap(index: u32, poisson_ratio: f64) -> f64 {
     case.kinematics = rolling(creepages);
     let options = Options { cells_x: 48, cells_y: 48, extrapolate: true, ..Options::default() };
     let solution = schlupf::rolling::steady::solve(&case, &options, &unwatched).unwrap();
-    let exact = components(&solution.extrapolation.unwrap().normalised);
+    assert_eq!(solution.status, Status::Converged, "state {index}, ν = {poisson_ratio}");
+    // A state that was marched to has no coarser grid.
+    if solution.extrapolation.is_none() {
+        println!("state {index}, ν = {poisson_ratio}: {:?}", solution.warnings);
+    }
+    let best = solution.extrapolation.map_or(solution.normalised, |better| better.normalised);
+    let exact = components(&best);
     let found = fast(&case, table());
     let [x, y, moment]: [f64; 3] = std::array::from_fn(|k| found[k] - exact[k]);
     x.hypot(y).max(moment.abs())
@@ -146,12 +151,12 @@ fn states_all_over_the_table_are_within_one_per_cent() {
     assert_below(errors, [0.1, 0.4, 1.0]);
 }
 
-/// Another Poisson's ratio counts by its creep coefficients. What is lost is small for steel and
-/// cast iron, and grows towards rubber.
+/// Another Poisson's ratio counts by its creep coefficients: within 1 % for steel and cast iron,
+/// 5 % towards rubber.
 #[test]
 fn another_poisson_ratio_counts_by_its_creep_coefficients() {
     for (poisson_ratio, allowed) in
-        [(0.25, [0.2, 0.8, 2.0]), (0.3, [0.2, 0.6, 1.5]), (0.45, [1.0, 4.0, 8.0])]
+        [(0.25, [0.2, 0.6, 1.0]), (0.3, [0.2, 0.5, 1.0]), (0.45, [1.2, 4.0, 5.0])]
     {
         let errors = quantiles((0..50).map(|k| gap(k, poisson_ratio)).collect());
         println!("ν = {poisson_ratio}: errors in % of μN: {errors:.3?}");

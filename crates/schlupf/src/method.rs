@@ -101,8 +101,7 @@ impl PartialEq for SharedTable {
 /// Without its values.
 impl fmt::Debug for SharedTable {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [low, high] = self.0.axis_ratios();
-        write!(formatter, "SharedTable(a/b from {low} to {high})")
+        write!(formatter, "SharedTable({:?})", self.0)
     }
 }
 

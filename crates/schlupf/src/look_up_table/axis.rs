@@ -104,7 +104,7 @@ impl Axis {
     /// The matrix that turns values at the nodes into coefficients; `signs` are those with which
     /// the function continues beyond the lower and the upper end, or after the period. `None` if it
     /// does not exist.
-    pub fn from_values(&self, signs: [f64; 2]) -> Option<DMatrix<f64>> {
+    pub fn interpolation(&self, signs: [f64; 2]) -> Option<DMatrix<f64>> {
         let fold = self.fold(signs);
         let mut values = DMatrix::zeros(self.nodes.len(), self.coefficients());
         for (row, node) in self.nodes.iter().enumerate() {
@@ -230,7 +230,7 @@ mod tests {
     ) -> [f64; 2] {
         let values = axis.nodes.iter().map(|node| function(*node));
         let values = nalgebra::DVector::from_iterator(axis.nodes.len(), values);
-        let coefficients = axis.from_values(signs).unwrap() * values;
+        let coefficients = axis.interpolation(signs).unwrap() * values;
         let Weights { first, values, slopes } = axis.weights(at);
         [values, slopes].map(|weights| {
             let weights = weights.to_array().into_iter().map(f64::from);

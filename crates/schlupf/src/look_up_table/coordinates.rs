@@ -84,9 +84,13 @@ impl Shape {
 
     /// Its derivatives with respect to each component of x.
     pub fn adhesion_slopes(&self) -> [[f64; 3]; 3] {
-        let [_, _, c23, c33] = self.coefficients;
-        let [_, across, spin] = self.scales;
-        [[-1.0, 0.0, 0.0], [0.0, -1.0, c23 / across], [0.0, -c23 / spin, -c33 / spin]]
+        let [c11, c22, c23, c33] = self.coefficients;
+        let [along, across, spin] = self.scales;
+        [
+            [-c11 / along, 0.0, 0.0],
+            [0.0, -c22 / across, c23 / across],
+            [0.0, -c23 / spin, -c33 / spin],
+        ]
     }
 
     /// The place of normalised creepages that are not all zero.

@@ -23,6 +23,7 @@ mod axis;
 mod coordinates;
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
 
 use nalgebra::DMatrix;
 use wide::f32x4;
@@ -31,6 +32,8 @@ use crate::error::{Error, Place, require, require_at};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 use axis::{Axis, Ends, FEWEST, Weights};
+
+use coordinates::Coordinates;
 
 pub(crate) use coordinates::Shape;
 
@@ -67,7 +70,7 @@ pub struct NormalisedForce {
 }
 
 /// A table that is ready for use.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct LookUpTable {
     nodes: TableNodes,
     axis_ratio: Axis,
@@ -82,6 +85,14 @@ pub struct LookUpTable {
     creep_coefficients: Vec<f32x4>,
 }
 
+/// Without its values.
+impl fmt::Debug for LookUpTable {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.axis_ratios();
+        write!(formatter, "LookUpTable(a/b from {low} to {high}, {} nodes)", self.nodes.count())
+    }
+}
+
 /// Numbers that are interpolated together.
 const WIDTH: usize = 4;
 
@@ -93,6 +104,9 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) struct AtShape {
     pub shape: Shape,
     ratio: Weights,
+    /// What the creep coefficients of the bodies add to the forces of adhesion: derivatives with
+    /// respect to each component of x.
+    correction: Option<[[f64; 3]; 3]>,
     is_covered: bool,
 }
 
@@ -120,13 +134,13 @@ impl LookUpTable {
         let strides =
             [azimuths * inclinations * saturations, inclinations * saturations, saturations];
         Ok(Self {
-            strides,
             nodes,
             axis_ratio,
             azimuth,
             inclination,
             saturation,
             coefficients,
+            strides,
             creep_coefficients,
         })
     }
@@ -155,17 +169,21 @@ impl LookUpTable {
     }
 
     /// What depends on the shape of the patch; with creep coefficients of another ν.
-    pub(crate) fn at(&self, axis_ratio: f64, coefficients: Option<[f64; 4]>) -> AtShape {
+    pub(crate) fn at(&self, axis_ratio: f64, own: Option<[f64; 4]>) -> AtShape {
         let [low, high] = self.axis_ratios();
         let ratio = self.axis_ratio.weights(axis_ratio.ln());
         let is_covered = self.covers(axis_ratio);
-        let coefficients = coefficients.unwrap_or_else(|| {
-            let rows = &self.creep_coefficients[ratio.first..];
-            let rows = splat(ratio.values).into_iter().zip(rows);
-            let sum = rows.fold(f32x4::ZERO, |sum, (weight, row)| sum + weight * *row);
-            sum.to_array().map(f64::from)
+        let rows = &self.creep_coefficients[ratio.first..];
+        let rows = splat(ratio.values).into_iter().zip(rows);
+        let sum = rows.fold(f32x4::ZERO, |sum, (weight, row)| sum + weight * *row);
+        let coefficients = sum.to_array().map(f64::from);
+        let shape = Shape::new(axis_ratio.clamp(low, high), coefficients);
+        let correction = own.map(|own| {
+            let shape =
+                Shape { coefficients: std::array::from_fn(|k| own[k] - coefficients[k]), ..shape };
+            shape.adhesion_slopes()
         });
-        AtShape { shape: Shape::new(axis_ratio.clamp(low, high), coefficients), ratio, is_covered }
+        AtShape { shape, ratio, correction, is_covered }
     }
 
     /// Forces and moment on a patch of a given shape.
@@ -179,12 +197,20 @@ impl LookUpTable {
             })
         };
         if creepages == [0.0; 3] {
+            let by_x = at.correction.map_or(by_x, |correction| sum(by_x, correction));
             return NormalisedForce { force: [0.0; 3], by_creepage: scaled(by_x), is_covered };
         }
         let coordinates = shape.coordinates(creepages);
         let size = coordinates.size;
         let beyond = (1.0 + size).recip();
-        let rest = self.interpolated(at, &coordinates, size * beyond);
+        let mut rest = self.interpolated(at, &coordinates, size * beyond);
+        if coordinates.pole == 0.0 {
+            // In the direction of ξ itself there is no azimuth: forces by spin go towards the spin.
+            let turned = Coordinates { azimuth: FRAC_PI_2, ..coordinates };
+            let turned = self.interpolated(at, &turned, size * beyond);
+            let around = coordinates.inclination.sin() * coordinates.inclination.cos();
+            rest.by_azimuth = turned.by_inclination.map(|slope| around * slope);
+        }
         // For size → ∞ with size/(1 + size) and the direction, so that nothing overflows.
         let adhesion = shape.adhesion(coordinates.direction);
         let part = size * beyond;
@@ -200,6 +226,13 @@ impl LookUpTable {
                 *slope = beyond * sum;
             }
         }
+        if let Some(correction) = at.correction {
+            correct(&correction, &coordinates, &mut force, &mut slopes);
+        }
+        if coordinates.direction[0] == 0.0 {
+            // By symmetry, which the splines have to rounding error only.
+            force[0] = 0.0;
+        }
         limit(&mut force, &mut slopes);
         let [along, aside] = coordinates.signs;
         let signs = [along, aside, aside];
@@ -213,12 +246,7 @@ impl LookUpTable {
     }
 
     /// R and its derivatives at a place of the table.
-    fn interpolated(
-        &self,
-        at: &AtShape,
-        coordinates: &coordinates::Coordinates,
-        saturation: f64,
-    ) -> Rest {
+    fn interpolated(&self, at: &AtShape, coordinates: &Coordinates, saturation: f64) -> Rest {
         let azimuth = self.azimuth.weights(coordinates.azimuth);
         let inclination = self.inclination.weights(coordinates.inclination);
         let saturation = self.saturation.weights(saturation);
@@ -284,6 +312,31 @@ impl Rest {
             by_azimuth: with(by_azimuth, [pole, 1.0]),
         }
     }
+}
+
+/// Adds what own creep coefficients add: a linear force over (1 + r)², which leaves sliding as it
+/// is.
+fn correct(
+    correction: &[[f64; 3]; 3],
+    coordinates: &Coordinates,
+    force: &mut [f64; 3],
+    slopes: &mut [[f64; 3]; 3],
+) {
+    let (size, direction) = (coordinates.size, coordinates.direction);
+    let beyond = (1.0 + size).recip();
+    let part = size * beyond;
+    for row in 0..3 {
+        let along: f64 = (0..3).map(|column| correction[column][row] * direction[column]).sum();
+        force[row] += along * part * beyond;
+        for column in 0..3 {
+            let turned = 2.0 * along * part * direction[column];
+            slopes[column][row] += (correction[column][row] - turned) * beyond * beyond;
+        }
+    }
+}
+
+fn sum(one: [[f64; 3]; 3], other: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    std::array::from_fn(|column| std::array::from_fn(|row| one[column][row] + other[column][row]))
 }
 
 /// Each of four numbers, four times.
@@ -367,8 +420,8 @@ fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
     // Signs of Fx, and of Fy and Mz.
     let azimuth = [1.0, -1.0].map(|sign| [sign, sign]);
     let inclination = [[1.0, -1.0], [-1.0, 1.0]];
-    let open = axes[0].from_values([1.0; 2])?;
-    let saturation = axes[3].from_values([1.0; 2])?;
+    let open = axes[0].interpolation([1.0; 2])?;
+    let saturation = axes[3].interpolation([1.0; 2])?;
     let counts = axes.map(|axis| axis.nodes().len());
     let mut whole: Vec<[f32; WIDTH]> =
         vec![[0.0; WIDTH]; axes.iter().map(|axis| axis.coefficients()).product()];
@@ -376,8 +429,8 @@ fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
         let parity = usize::from(component > 0);
         let matrices = [
             open.clone(),
-            axes[1].from_values(azimuth[parity])?,
-            axes[2].from_values(inclination[parity])?,
+            axes[1].interpolation(azimuth[parity])?,
+            axes[2].interpolation(inclination[parity])?,
             saturation.clone(),
         ];
         let mut field: Vec<f64> =

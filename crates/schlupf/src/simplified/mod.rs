@@ -6,7 +6,7 @@
 //! | Kalker's linear theory | forces, moment | a tenth of a microsecond |
 //! | [`shen_hedrick_elkins`] | forces, moment | the same |
 //! | [`polach`] | forces | the same |
-//! | a [look-up table](crate::look_up_table) of the half-space | forces, moment, derivatives | the same |
+//! | a [look-up table](crate::look_up_table) | forces, moment, derivatives | the same |
 //! | FASTSIM, modified FASTSIM | forces, moment, fields, temperatures | microseconds |
 //!
 //! All of them use Kalker's coefficients for the ellipse of the contact, which come from a table. A
@@ -63,7 +63,7 @@ enum Kernel {
     ShenHedrickElkins,
     Polach(AreaReduction),
     Fastsim(Box<Fastsim>),
-    Table(SharedTable, AtShape),
+    Table(SharedTable, Box<AtShape>),
 }
 
 impl Kernel {
@@ -85,7 +85,7 @@ impl Kernel {
             FastMethod::ModifiedFastsim(brush, reduction) => fastsim((brush, Some(reduction))),
             FastMethod::Table(table) => {
                 let contact = EllipticContact::of(problem, normal.summary)?;
-                Ok(Self::Table(table, TableContact::shape(table.0, &contact)))
+                Ok(Self::Table(table, Box::new(TableContact::shape(table.0, &contact))))
             }
         }
     }
@@ -201,7 +201,7 @@ impl FastContact {
             Kernel::Polach(reduction) => polach::force(contact, motion, limit(), *reduction),
             Kernel::Fastsim(fastsim) => fastsim.force(problem, contact),
             Kernel::Table(table, at) => {
-                TableContact::at(table.0, *at, *contact).force(motion, limit()).force
+                TableContact::at(table.0, **at, *contact).force(motion, limit()).force
             }
         }
     }
@@ -267,7 +267,7 @@ impl FastContact {
         }
         account.history = vec![instant];
         if let (Kernel::Table(table, at), true) = (&self.kernel, has_derivatives) {
-            let contact = TableContact::at(table.0, *at, self.contact);
+            let contact = TableContact::at(table.0, **at, self.contact);
             account.sensitivity = Some(contact.sensitivity(&self.at.problem));
         }
         self.without_fields(force, account)

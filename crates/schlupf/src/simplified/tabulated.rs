@@ -73,10 +73,10 @@ impl<'a> TableContact<'a> {
     }
 
     /// The force under slip velocities of the wheel over the rail along and across rolling (in m/s)
-    /// and about the normal (in rad/s), at a rolling speed v (in m/s) that may vanish: creepages are
-    /// slip velocities over √(v² + v_s²), with v_s (in m/s, above 0) the speed below which the
-    /// forces go by the slip velocities alone. Derivatives, with respect to the slip velocities, are
-    /// finite. `limit` is μN in N. Allocates nothing.
+    /// and about the normal (in rad/s), at a rolling speed v (in m/s) that may vanish: creepages
+    /// are slip velocities over √(v² + v_s²), with v_s (in m/s, above 0) the speed below which the
+    /// forces go by the slip velocities alone. Derivatives, with respect to the slip velocities,
+    /// are finite. `limit` is μN in N. Allocates nothing.
     pub fn standstill_force(
         &self,
         slip: [f64; 3],

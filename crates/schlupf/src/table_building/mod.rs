@@ -3,8 +3,8 @@
 //!
 //! States are solved with Coulomb's law on the half-space and extrapolated from two grids; where
 //! these differ by more than 0.2 % of μN, from grids twice as fine. The limit of sliding without
-//! rolling is integrated. After each round the nodes that are farthest from what their neighbours on
-//! an axis say get new neighbours on that axis.
+//! rolling is integrated. After each round the nodes that are farthest from what their neighbours
+//! on an axis say get new neighbours on that axis.
 
 mod full_sliding;
 mod refinement;
@@ -91,6 +91,9 @@ pub struct TableError {
     pub largest: f64,
 }
 
+/// Poisson's ratios that differ by less are the same.
+const SAME: f64 = 1e-9;
+
 /// Fewest nodes of an axis to begin with.
 const FEWEST: usize = 5;
 
@@ -142,7 +145,7 @@ pub fn build_from(
 ) -> Result<BuiltTable, Error> {
     options.check()?;
     let ratio = earlier.nodes().poisson_ratio;
-    let same = Requirement::Between(ratio, ratio);
+    let same = Requirement::Between(ratio - SAME, ratio + SAME);
     require(Quantity::PoissonRatio, same, options.poisson_ratio)?;
     let solved = forces_of(earlier.nodes());
     finish(Building { options, axes: options.axes(), solved }, watch)

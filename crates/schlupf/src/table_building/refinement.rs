@@ -90,8 +90,8 @@ impl Grid<'_> {
         (sum / lines as f64).powf(f64::from(EXPONENT).recip())
     }
 
-    /// Two neighbours on each side, or what there is at an end, with their weights in the polynomial
-    /// through them.
+    /// Two neighbours on each side, or what there is at an end, with their weights in the
+    /// polynomial through them.
     fn neighbours(&self, axis: usize, node: isize) -> Option<[(isize, f64); 4]> {
         let at = self.position(axis, node)?;
         let sides = [[-2, -1, 1, 2], [-1, 1, 2, 3], [-3, -2, -1, 1]];
