@@ -270,15 +270,10 @@ impl WheelOnRail {
             if is_fine && error <= SETTLED {
                 return Ok(self.solution(lowering, &lowered, solved, round + 1));
             }
-            is_fine |= error <= NEARLY_SETTLED || round == 0 && self.is_flat(&lowered);
+            is_fine |= error <= NEARLY_SETTLED || round == 0 && is_flat(&lowered);
             ratios = if round < UNDAMPED { next } else { damped(&ratios, next) };
         }
         Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: error }.into())
-    }
-
-    /// Whether friction hardly counts in the vertical force.
-    fn is_flat(&self, lowered: &Lowered) -> bool {
-        lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
     }
 
     fn ratios(&self, solved: &[(Pressed, Problem, Solution)]) -> Vec<FrictionRatio> {
@@ -362,7 +357,7 @@ impl WheelOnRail {
         let plane = &pressed.plane;
         let sign = self.side.outwards();
         let [x, y, z] = plane.origin;
-        let on_wheel = pose.to_wheelset(minus(plane.origin, pose.centre));
+        let on_wheel = pose.in_wheelset(minus(plane.origin, pose.centre));
         Contact {
             position: [x, sign * y, z],
             angle: -sign * plane.inclination,
@@ -390,6 +385,11 @@ impl WheelOnRail {
 
 /// Inclination of a contact below which its friction hardly carries, in rad.
 const FLAT: f64 = 0.02;
+
+/// Whether friction hardly counts in the vertical force.
+fn is_flat(lowered: &Lowered) -> bool {
+    lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
+}
 
 /// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.
 fn first_depth(lowering: &Lowering, force: f64) -> f64 {
