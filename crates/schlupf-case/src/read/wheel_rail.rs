@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schlupf::error::WheelRailError;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::contact_modulus;
 use schlupf::normal::{NormalContact, PressureSource};
@@ -205,6 +206,6 @@ pub struct Unsolved;
 
 impl PressureSource for Unsolved {
     fn normal_contact(&self, _load: Option<f64>) -> Result<NormalContact, Error> {
-        Err(Error::NoArea {})
+        Err(WheelRailError::Unsolved {}.into())
     }
 }
