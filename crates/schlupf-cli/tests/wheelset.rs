@@ -131,7 +131,10 @@ fn wrong_wheelsets_are_refused() {
     bench.write("plain.toml", "[normal]\nload = \"80 kN\"\n");
     for (arguments, expected) in [
         (&["wheelset", "plain.toml"][..], "normal.model must be \"wheel-rail\" for the contacts"),
-        (&["wheelset", "case.toml", "--lateral-position", "3..3 mm"], "must be a range"),
+        (
+            &["wheelset", "case.toml", "--lateral-position", "3..3 mm"],
+            "the end of the range must differ from its start",
+        ),
         (&["wheelset", "case.toml", "--lateral-position", "0..3 kN"], "--lateral-position"),
         (
             &["wheelset", "case.toml", "--lateral-position", "0..900 mm", "--points", "2"],

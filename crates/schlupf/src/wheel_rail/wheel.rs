@@ -114,6 +114,8 @@ pub struct WheelSolution {
     pub depth: f64,
     /// Rounds between height and friction.
     pub rounds: usize,
+    /// Whether one of the profiles was smoothed.
+    is_smoothed: bool,
 }
 
 impl WheelSolution {
@@ -126,12 +128,18 @@ impl WheelSolution {
     /// Warnings about the contacts as parts of a wheel.
     pub fn warnings(&self) -> Vec<Warning> {
         let turned = self.contacts.iter().filter(|contact| contact.turn > CONFORMAL);
-        turned.map(|contact| Warning::ConformalContact { turn: contact.turn }).collect()
+        let turned = turned.map(|contact| Warning::ConformalContact { turn: contact.turn });
+        let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
+        let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
+        turned.chain(rough.map(|parts| Warning::RoughProfile { parts })).collect()
     }
 }
 
 /// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
 const CONFORMAL: f64 = 0.3;
+
+/// Parts of a patch that two smooth profiles hardly have.
+const MANY_PARTS: usize = 3;
 
 /// Error of the vertical force at which height and friction count as settled, dimensionless.
 const SETTLED: f64 = 1e-4;
@@ -344,6 +352,7 @@ impl WheelOnRail {
             force,
             depth: lowered.depth,
             rounds,
+            is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
         }
     }
 
