@@ -144,11 +144,13 @@ fn wrong_wheelsets_are_refused() {
             &["solve", "case.toml", "--set", "wheelset.lateral_position=0.3 m"],
             "the wheel is beside the rail",
         ),
-        (&["solve", "case.toml", "--set", "rail.profile=none.csv"], "none.csv"),
         (&["solve", "case.toml", "--set", "normal.load="], "normal.load is missing"),
     ] {
         let run = bench.run(arguments);
         assert_eq!(run.code, Some(2), "{arguments:?}: {}", run.stderr);
         assert!(run.stderr.contains(expected), "{arguments:?}: {}", run.stderr);
     }
+    let run = bench.run(&["solve", "case.toml", "--set", "rail.profile=none.csv"]);
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    assert!(run.stderr.contains("none.csv") && run.stderr.contains("built in are \"60E1\""));
 }
