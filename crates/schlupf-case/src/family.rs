@@ -90,7 +90,8 @@ impl Family {
         let files = self.case_files(&case.file)?;
         parallel::try_map(files, |file| {
             let mut member = file.pose_like(case.micro_contact(), watch)?;
-            if !self.shapes_contact {
+            // All contacts of a wheel belong together.
+            if !self.shapes_contact && case.wheel.is_none() {
                 // The same, and so a solver can tell.
                 member.problem.normal = Arc::clone(&case.problem.normal);
                 member.problem.elasticity = Arc::clone(&case.problem.elasticity);

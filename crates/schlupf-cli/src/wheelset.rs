@@ -58,12 +58,6 @@ impl Task for Wheelset {
         let read = |text: &str| range(LATERAL, "wheelset.lateral_position", text);
         let given = self.lateral_position.as_deref().map(read).transpose();
         let range = given.map_err(CaseErrors::from)?.unwrap_or(RANGE);
-        if range[0] == range[1] {
-            return Err(Failure::Arguments(format!(
-                "{LATERAL} must be a range of positions, but both ends are {} m",
-                range[0]
-            )));
-        }
         Ok(wheelset::plan(&file, Request { range, points: self.points })?)
     }
 

@@ -76,6 +76,7 @@ fn unit(quantity: Quantity) -> &'static str {
         Quantity::Sliding => "0 or 1",
         Quantity::Convergence => "converged or not-converged",
         Quantity::Component => "x or y",
+        Quantity::WheelSide => "left or right",
         Quantity::Method | Quantity::Elasticity => "name",
         other if other.unit().is_empty() => "1",
         other => other.unit(),

@@ -360,6 +360,15 @@ messages! {
          0.3 rad the pressure is too high, and the spin of the plane's middle is taken for all of it"
     );
 
+    /// A patch of several parts on profiles that were not smoothed.
+    "rough-profile" RoughProfile {
+        /// Parts of the patch.
+        parts: usize,
+    } Quantity::ProfileSmoothing, |name, words| format!(
+        "{name}: a contact has {parts} separate parts, as noise of measured profiles makes them; smooth \
+         measured profiles, over some 5 mm"
+    );
+
     /// Residuals beyond the standard deviations of the data.
     "excess-scatter" ExcessScatter {
         /// How many times they are, dimensionless.

@@ -85,7 +85,7 @@ fn solve_with<R>(
             .reference(ReferencePoint::File)
             .friction(Constant::new(friction)?)
             .heat(schlupf::heat::Heat::none())
-            .elasticity(elasticity.clone());
+            .elasticity(elasticity);
         let problem = builder.build()?;
         Ok(Problem { normal, contact_law: Arc::clone(law), ..problem })
     };
@@ -423,7 +423,9 @@ fn noise_does_not_make_patches() {
     let mut noise = || {
         // Knuth's generator, two uniform numbers to nearly a normal one.
         let mut uniform = || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (state >> 11) as f64 / (1_u64 << 53) as f64
         };
         2e-6 * ((-2.0 * uniform().max(1e-300).ln()).sqrt() * (2.0 * PI * uniform()).cos())

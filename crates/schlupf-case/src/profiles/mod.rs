@@ -9,6 +9,7 @@ mod plain;
 mod points;
 mod simpack;
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use schlupf::Quantity;
@@ -69,14 +70,14 @@ fn read(settings: &Settings, fields: &ProfileFields) -> Result<Vec<[f64; 2]>, Ca
         let names = built_in::names(fields.is_wheel);
         error.help(format!("paths are relative to the case file; built in are {names}"))
     })?;
-    let ending = Path::new(&name).extension().map(|ending| ending.to_ascii_lowercase());
+    let ending = Path::new(&name).extension().map(OsStr::to_ascii_lowercase);
     let file = points::File::new(name, bytes, fields.profile)?;
     match ending.as_ref().and_then(|ending| ending.to_str()) {
         Some("prr" | "prw") => simpack::read(&file),
         Some("ban" | "whl") => miniprof::read(&file),
         _ if simpack::is_one(&file) => simpack::read(&file),
         _ if miniprof::is_one(&file) => miniprof::read(&file),
-        _ => plain::read(file),
+        _ => plain::read(&file),
     }
 }
 
@@ -92,7 +93,9 @@ fn oriented(
         VerticalAxis::Auto => points::is_upside_down(&points),
     };
     if is_down {
-        points.iter_mut().for_each(|[_, z]| *z = -*z);
+        for [_, z] in &mut points {
+            *z = -*z;
+        }
     }
     let is_inwards = match settings.chosen(fields.y)? {
         LateralAxis::Outwards => false,
@@ -100,7 +103,9 @@ fn oriented(
         LateralAxis::Auto => fields.is_wheel && points::has_flange_outside(&points),
     };
     if is_inwards {
-        points.iter_mut().for_each(|[y, _]| *y = -*y);
+        for [y, _] in &mut points {
+            *y = -*y;
+        }
     }
     Ok(points)
 }

@@ -14,7 +14,7 @@ const WANTED: [Column; 2] = [
 
 /// The points of a file whose header names `y` and `z` with their units, `y [mm],z [mm]` or
 /// `y_mm,z_mm`, or of one without a header: y and z in mm.
-pub fn read(file: File) -> Result<Vec<[f64; 2]>, CaseError> {
+pub fn read(file: &File) -> Result<Vec<[f64; 2]>, CaseError> {
     let first = file.lines(&['#', '!', '%']).find(|(_, line)| !line.is_empty());
     let Some((header_line, header)) = first else {
         return Err(file.error_of_all("the file must have points, but is empty"));
@@ -24,7 +24,7 @@ pub fn read(file: File) -> Result<Vec<[f64; 2]>, CaseError> {
         .find(|word| !word.is_empty())
         .is_some_and(|word| word.parse::<f64>().is_ok());
     if begins_with_number {
-        return bare(&file);
+        return bare(file);
     }
     let text = with_units(&file.source.text, header_line);
     let columns = Columns::read(file.source.name.clone(), text.into_bytes(), file.field, &WANTED)?;

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use schlupf::error::WheelRailError;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::contact_modulus;
 use schlupf::normal::{NormalContact, PressureSource};
@@ -24,6 +25,9 @@ const ROLL: &str = "wheelset.roll_angle";
 
 /// Cells across a contact where the case does not say how many.
 const CELLS: usize = 64;
+
+/// What makes a solver with given options.
+pub type MakesSolver<'a> = &'a dyn Fn(&Options) -> Box<dyn Solver>;
 
 /// A wheel on a rail, as far as it is known without solving.
 #[derive(Debug, Clone)]
@@ -142,18 +146,17 @@ fn support(settings: &Settings) -> Result<Support, CaseError> {
 fn motion(settings: &Settings) -> Result<Motion, CaseError> {
     const CREEPAGE: &str = "kinematics.creepage_x";
     let speed = settings.number("kinematics.speed")?;
-    let angular_velocity = match settings.optional_number("kinematics.angular_velocity")? {
-        Some(angular_velocity) => angular_velocity,
-        None => {
-            let creepage = settings.number(CREEPAGE)?;
-            if creepage >= 1.0 {
-                let message = format!(
-                    "{CREEPAGE} must be below 1, at which the wheel locks, but is {creepage}"
-                );
-                return Err(settings.error(CREEPAGE, message));
-            }
-            (1.0 - creepage) * speed / settings.number("kinematics.wheel_radius")?
+    let given = settings.optional_number("kinematics.angular_velocity")?;
+    let angular_velocity = if let Some(angular_velocity) = given {
+        angular_velocity
+    } else {
+        let creepage = settings.number(CREEPAGE)?;
+        if creepage >= 1.0 {
+            let message =
+                format!("{CREEPAGE} must be below 1, at which the wheel locks, but is {creepage}");
+            return Err(settings.error(CREEPAGE, message));
         }
+        (1.0 - creepage) * speed / settings.number("kinematics.wheel_radius")?
     };
     Ok(Motion {
         speed,
@@ -173,7 +176,7 @@ impl WheelRequest {
         &self,
         (draft, place): (&Problem, Option<f64>),
         complete: &dyn Fn(Problem) -> Result<Problem, Error>,
-        (solver, options): (&dyn Fn(&Options) -> Box<dyn Solver>, &Options),
+        (solver, options): (MakesSolver, &Options),
         watch: Watch,
     ) -> Result<Vec<WheelSolution>, Error> {
         let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
@@ -205,6 +208,6 @@ pub struct Unsolved;
 
 impl PressureSource for Unsolved {
     fn normal_contact(&self, _load: Option<f64>) -> Result<NormalContact, Error> {
-        Err(Error::NoArea {})
+        Err(WheelRailError::Unsolved {}.into())
     }
 }

@@ -36,7 +36,8 @@ struct Document<'a> {
 
 #[derive(Serialize)]
 struct Position<'a> {
-    lateral_position: f64,
+    #[serde(rename = "lateral_position")]
+    lateral: f64,
     rolling_radius_difference: Option<f64>,
     left: WheelDocument<'a>,
     right: WheelDocument<'a>,
@@ -46,7 +47,7 @@ impl<'a> Position<'a> {
     fn new(at: &'a WheelsetAt) -> Self {
         let [left, right] = at.wheels.each_ref().map(WheelDocument::new);
         Self {
-            lateral_position: at.lateral,
+            lateral: at.lateral,
             rolling_radius_difference: at.rolling_radius_difference(),
             left,
             right,

@@ -7,7 +7,7 @@ mod summary;
 
 use schlupf::Status;
 use schlupf::columns;
-use schlupf::columns::{Column, Record};
+use schlupf::columns::{Column, Record, Value};
 use schlupf::message::Message;
 use schlupf::wheel_rail::{Contact, Pair, WheelSolution};
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use std::sync::Arc;
 use crate::figures::{Drawing, FigureError};
 use crate::report::Report;
 use crate::summary::Summary;
-use crate::table::{Table, entries, entry};
+use crate::table;
 
 /// Names of the figures.
 const CONTACTS: &str = "contact_points";
@@ -78,52 +78,75 @@ impl Record for Conicity {
     }
 }
 
-/// A contact of a wheel, one row.
-#[derive(Debug, Clone)]
-pub(crate) struct Row<'a> {
+/// A contact of a wheel.
+struct Row<'a> {
     at: &'a WheelsetAt,
     wheel: &'a WheelSolution,
+    /// Its number, from one.
+    number: usize,
     contact: &'a Contact,
 }
 
-/// The columns of a contact in the table.
-type Entry = (&'static str, &'static str, fn(&Row) -> Option<f64>);
-
-/// Name, unit and value of the columns after side and number of a contact.
-const COLUMNS: &[Entry] = &[
-    ("wheelset_height", "m", |row| Some(row.wheel.height)),
-    ("roll_angle", "rad", |row| Some(row.wheel.position.roll)),
-    ("rolling_radius_difference", "m", |row| row.at.rolling_radius_difference()),
-    ("position.x", "m", |row| Some(row.contact.position[0])),
-    ("position.y", "m", |row| Some(row.contact.position[1])),
-    ("position.z", "m", |row| Some(row.contact.position[2])),
-    ("angle", "rad", |row| Some(row.contact.angle)),
-    ("rail_position", "m", |row| Some(row.contact.rail_position)),
-    ("wheel_position", "m", |row| Some(row.contact.wheel_position)),
-    ("rolling_radius", "m", |row| Some(row.contact.rolling_radius)),
-    ("creepage_x", "1", |row| Some(row.contact.solution.kinematics.creepage_x)),
-    ("creepage_y", "1", |row| Some(row.contact.solution.kinematics.creepage_y)),
-    ("spin", "1/m", |row| Some(row.contact.solution.kinematics.spin)),
-    ("normal.load", "N", |row| Some(row.contact.solution.normal.load)),
-    ("normal.semi_axis_x", "m", |row| Some(row.contact.solution.normal.semi_axis_x)),
-    ("normal.semi_axis_y", "m", |row| Some(row.contact.solution.normal.semi_axis_y)),
-    ("normal.peak_pressure", "Pa", |row| Some(row.contact.solution.normal.peak_pressure)),
-    ("force.x", "N", |row| Some(row.contact.solution.force.x)),
-    ("force.y", "N", |row| Some(row.contact.solution.force.y)),
-    ("force.moment_z", "N m", |row| row.contact.solution.force.moment_z),
-    ("wheel_force.x", "N", |row| Some(row.wheel.force[0])),
-    ("wheel_force.y", "N", |row| Some(row.wheel.force[1])),
-    ("wheel_force.z", "N", |row| Some(row.wheel.force[2])),
-];
-
 impl WheelsetReport {
-    fn rows(&self) -> impl Iterator<Item = (usize, Row<'_>)> {
+    fn contacts(&self) -> impl Iterator<Item = Row<'_>> {
         self.positions.iter().flat_map(|at| {
             at.wheels.iter().flat_map(move |wheel| {
                 let contacts = (1..).zip(&wheel.contacts);
-                contacts.map(move |(k, contact)| (k, Row { at, wheel, contact }))
+                contacts.map(move |(number, contact)| Row { at, wheel, number, contact })
             })
         })
+    }
+
+    /// What a row has in a column; unknown beyond the last row.
+    fn of<V: Into<Value>>(&self, row: usize, value: impl Fn(&Row) -> V) -> Value {
+        self.contacts().nth(row).map_or(Value::Unknown, |row| value(&row).into())
+    }
+}
+
+/// One row for each contact of each wheel at each position.
+impl Record for WheelsetReport {
+    fn rows(&self) -> usize {
+        self.contacts().count()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { WheelsetReport:
+            LateralPosition => |all, k| all.of(k, |row| row.at.lateral),
+            WheelSide "side" => |all, k| all.of(k, |row| Value::Name(row.wheel.side.name())),
+            ContactNumber "contact" => |all, k| all.of(k, |row| row.number),
+            WheelsetHeight => |all, k| all.of(k, |row| row.wheel.height),
+            RollAngle => |all, k| all.of(k, |row| row.wheel.position.roll),
+            RollingRadiusDifference => |all, k| all.of(k, |row| row.at.rolling_radius_difference()),
+            PositionX "position.x" => |all, k| all.of(k, |row| row.contact.position[0]),
+            PositionY "position.y" => |all, k| all.of(k, |row| row.contact.position[1]),
+            PositionZ "position.z" => |all, k| all.of(k, |row| row.contact.position[2]),
+            ContactAngle "angle" => |all, k| all.of(k, |row| row.contact.angle),
+            RailPosition => |all, k| all.of(k, |row| row.contact.rail_position),
+            WheelPosition => |all, k| all.of(k, |row| row.contact.wheel_position),
+            RollingRadius => |all, k| all.of(k, |row| row.contact.rolling_radius),
+            CreepageX => |all, k| all.of(k, |row| row.contact.solution.kinematics.creepage_x),
+            CreepageY => |all, k| all.of(k, |row| row.contact.solution.kinematics.creepage_y),
+            Spin => |all, k| all.of(k, |row| row.contact.solution.kinematics.spin),
+            Load "normal.load" => |all, k| all.of(k, |row| row.contact.solution.normal.load),
+            SemiAxisX "normal.semi_axis_x" => |all, k| {
+                all.of(k, |row| row.contact.solution.normal.semi_axis_x)
+            },
+            SemiAxisY "normal.semi_axis_y" => |all, k| {
+                all.of(k, |row| row.contact.solution.normal.semi_axis_y)
+            },
+            PeakPressure "normal.peak_pressure" => |all, k| {
+                all.of(k, |row| row.contact.solution.normal.peak_pressure)
+            },
+            ForceX "force.x" => |all, k| all.of(k, |row| row.contact.solution.force.x),
+            ForceY "force.y" => |all, k| all.of(k, |row| row.contact.solution.force.y),
+            MomentZ "force.moment_z" => |all, k| {
+                all.of(k, |row| row.contact.solution.force.moment_z)
+            },
+            WheelForceX "wheel_force.x" => |all, k| all.of(k, |row| row.wheel.force[0]),
+            WheelForceY "wheel_force.y" => |all, k| all.of(k, |row| row.wheel.force[1]),
+            WheelForceZ "wheel_force.z" => |all, k| all.of(k, |row| row.wheel.force[2]),
+            Convergence "status" => |all, k| all.of(k, |row| row.contact.solution.status),
+        }
     }
 }
 
@@ -147,27 +170,8 @@ impl Report for WheelsetReport {
         summary::text(self)
     }
 
-    /// One row for each contact of each wheel at each position.
     fn csv(&self) -> Option<String> {
-        let mut table = Table::default()
-            .with("lateral_position", "m")
-            .with("side", "left or right")
-            .with("contact", "number");
-        for (name, unit, _) in COLUMNS {
-            table = table.with(name, unit);
-        }
-        table = table.with("status", "converged or not-converged");
-        for (number, row) in self.rows() {
-            let first = [
-                entry(row.at.lateral.into()),
-                row.wheel.side.name().to_owned(),
-                number.to_string(),
-            ];
-            let values = COLUMNS.iter().map(|(_, _, value)| entry(value(&row).into()));
-            let status = row.contact.solution.status.name().to_owned();
-            table.push(first.into_iter().chain(values).chain([status]));
-        }
-        Some(table.csv("forces on the wheel; y to the left, z up"))
+        Some(table::csv(self, "forces on the wheel; y to the left, z up"))
     }
 
     fn figure_names() -> Vec<String> {
@@ -184,11 +188,7 @@ impl Report for WheelsetReport {
         if format != Self::CONICITY {
             return None;
         }
-        let mut table = Table::default().with_columns::<Conicity>();
-        for row in 0..self.conicity.rows() {
-            table.push(entries(&self.conicity, row));
-        }
-        Some(table.csv("").into_bytes())
+        Some(table::csv(&self.conicity, "").into_bytes())
     }
 }
 

@@ -14,7 +14,7 @@ pub(super) fn text(report: &WheelsetReport) -> Summary {
     line(&mut text, "wheelset on both rails; contact with the largest normal force of each wheel");
     let head =
         ["y (mm)", "Δr (mm)", "rail left", "angle", "p0 (MPa)", "rail right", "angle", "p0 (MPa)"];
-    line(&mut text, &columns(head.map(str::to_owned)));
+    line(&mut text, &columns(&head.map(str::to_owned)));
     for at in &report.positions {
         let millimetres = |value: f64| number(1e3 * value);
         let side = |wheel: &WheelSolution| {
@@ -30,7 +30,7 @@ pub(super) fn text(report: &WheelsetReport) -> Summary {
         };
         let [[a, b, c], [d, e, f]] = at.wheels.each_ref().map(side);
         let difference = number(at.rolling_radius_difference().map(|difference| 1e3 * difference));
-        line(&mut text, &columns([millimetres(at.lateral), difference, a, b, c, d, e, f]));
+        line(&mut text, &columns(&[millimetres(at.lateral), difference, a, b, c, d, e, f]));
     }
     let has_several = |at: &super::WheelsetAt| at.wheels.iter().any(|w| w.contacts.len() > 1);
     if report.positions.iter().any(has_several) {
@@ -52,6 +52,7 @@ pub(super) fn text(report: &WheelsetReport) -> Summary {
     text
 }
 
-fn columns(cells: [String; 8]) -> String {
-    cells.iter().map(|cell| format!("{cell:>11}")).collect()
+fn columns(cells: &[String; 8]) -> String {
+    let padded = cells.each_ref().map(|cell| format!("{cell:>11}"));
+    padded.concat()
 }

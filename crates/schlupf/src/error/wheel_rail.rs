@@ -98,6 +98,11 @@ messages! {
         "{name}: height and friction of the wheel did not settle in {rounds} rounds; the vertical force \
          is off by {residual:.1e} of itself"
     );
+
+    /// A normal contact of profiles that is not solved yet.
+    "unsolved-wheel" Unsolved {} Quantity::WheelProfile, |name, words| format!(
+        "{name}: the contacts of a wheel on a rail are known only once they are solved for together"
+    );
 }
 
 impl From<WheelRailError> for Error {

@@ -59,7 +59,7 @@ impl RestingWheelset {
             let least = Gap::new(pair, &attitude)?.least().ok_or(Error::NoArea {})?;
             let pose = attitude.at_height(pair.nominal_radius, -least.gap);
             let place = [least.wheel[0], least.y, least.rail[0]];
-            let [x, y, z] = pose.to_wheelset(minus(place, pose.centre));
+            let [x, y, z] = pose.in_wheelset(minus(place, pose.centre));
             let contact = RigidContact {
                 position: [place[0], sign * place[1], place[2]],
                 angle: -sign * least.inclination,

@@ -122,7 +122,7 @@ fn plane(pair: &Pair, region: &Region) -> ContactPlane {
     let mut plane = ContactPlane {
         origin: [region.x, region.y, z],
         inclination: region.inclination,
-        arcs: [arc, near.wheel[1]],
+        arcs: [arc, near.wheel[1] + arc - near.rail[1]],
         guess: [region.along.map(|x| x - region.x), [0.0; 2]],
         limits: [f64::NEG_INFINITY, f64::INFINITY],
     };

@@ -48,9 +48,9 @@ type OnWheel = [f64; 2];
 
 impl<'a> PlaneView<'a> {
     pub fn new(pair: &'a Pair, pose: &Pose, plane: &'a ContactPlane) -> Self {
-        let origin = pose.to_wheelset(minus(plane.origin, pose.centre));
+        let origin = pose.in_wheelset(minus(plane.origin, pose.centre));
         let axes = [[1.0, 0.0, 0.0], plane.across(), plane.normal()];
-        Self { pair, plane, origin, axes: axes.map(|axis| pose.to_wheelset(axis)) }
+        Self { pair, plane, origin, axes: axes.map(|axis| pose.in_wheelset(axis)) }
     }
 
     /// Distances at the positions `x` × `s` (in m, relative to the plane's origin), rows along x.

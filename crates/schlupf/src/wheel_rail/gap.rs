@@ -181,7 +181,7 @@ fn wheel_lines(pair: &Pair, attitude: &Attitude) -> Vec<Option<Seen>> {
                 return None;
             }
             let below = -(radius * radius - x * x).sqrt();
-            let [x, y, z] = pose.to_track([x, pair.wheel_offset + y, below]);
+            let [x, y, z] = pose.in_track([x, pair.wheel_offset + y, below]);
             Some(Seen { y, z, arc: *arc, extra: x })
         })
         .collect()

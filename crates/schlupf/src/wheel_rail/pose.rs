@@ -42,7 +42,7 @@ fn sin_cos(angle: f64) -> [f64; 2] {
 
 impl Pose {
     /// A point of the wheelset (in m) in the track frame.
-    pub fn to_track(&self, point: [f64; 3]) -> [f64; 3] {
+    pub fn in_track(&self, point: [f64; 3]) -> [f64; 3] {
         let turned = self.turned(point);
         [0, 1, 2].map(|k| self.centre[k] + turned[k])
     }
@@ -53,7 +53,7 @@ impl Pose {
     }
 
     /// A vector of the track in the wheelset's axes, in the unit of the vector.
-    pub fn to_wheelset(&self, direction: [f64; 3]) -> [f64; 3] {
+    pub fn in_wheelset(&self, direction: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| (0..3).map(|row| self.rotation[row][k] * direction[row]).sum())
     }
 }

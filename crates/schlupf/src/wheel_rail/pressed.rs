@@ -109,7 +109,9 @@ impl Pressing<'_> {
         let [x, s] = [positions(rectangle[0], columns), positions(rectangle[1], rows)];
         let Heights { mut distance, is_beyond } = view.heights(&x, &s);
         set_apart(plane, &s, &mut distance);
-        distance.iter_mut().for_each(|d| *d += raised);
+        for distance in &mut distance {
+            *distance += raised;
+        }
         if !distance.iter().any(|d| *d < 0.0) {
             return Ok(None);
         }

@@ -114,6 +114,8 @@ pub struct WheelSolution {
     pub depth: f64,
     /// Rounds between height and friction.
     pub rounds: usize,
+    /// Whether one of the profiles was smoothed.
+    is_smoothed: bool,
 }
 
 impl WheelSolution {
@@ -126,12 +128,18 @@ impl WheelSolution {
     /// Warnings about the contacts as parts of a wheel.
     pub fn warnings(&self) -> Vec<Warning> {
         let turned = self.contacts.iter().filter(|contact| contact.turn > CONFORMAL);
-        turned.map(|contact| Warning::ConformalContact { turn: contact.turn }).collect()
+        let turned = turned.map(|contact| Warning::ConformalContact { turn: contact.turn });
+        let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
+        let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
+        turned.chain(rough.map(|parts| Warning::RoughProfile { parts })).collect()
     }
 }
 
 /// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
 const CONFORMAL: f64 = 0.3;
+
+/// Parts of a patch that two smooth profiles hardly have.
+const MANY_PARTS: usize = 3;
 
 /// Error of the vertical force at which height and friction count as settled, dimensionless.
 const SETTLED: f64 = 1e-4;
@@ -270,15 +278,10 @@ impl WheelOnRail {
             if is_fine && error <= SETTLED {
                 return Ok(self.solution(lowering, &lowered, solved, round + 1));
             }
-            is_fine |= error <= NEARLY_SETTLED || round == 0 && self.is_flat(&lowered);
+            is_fine |= error <= NEARLY_SETTLED || round == 0 && is_flat(&lowered);
             ratios = if round < UNDAMPED { next } else { damped(&ratios, next) };
         }
         Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: error }.into())
-    }
-
-    /// Whether friction hardly counts in the vertical force.
-    fn is_flat(&self, lowered: &Lowered) -> bool {
-        lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
     }
 
     fn ratios(&self, solved: &[(Pressed, Problem, Solution)]) -> Vec<FrictionRatio> {
@@ -349,6 +352,7 @@ impl WheelOnRail {
             force,
             depth: lowered.depth,
             rounds,
+            is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
         }
     }
 
@@ -362,7 +366,7 @@ impl WheelOnRail {
         let plane = &pressed.plane;
         let sign = self.side.outwards();
         let [x, y, z] = plane.origin;
-        let on_wheel = pose.to_wheelset(minus(plane.origin, pose.centre));
+        let on_wheel = pose.in_wheelset(minus(plane.origin, pose.centre));
         Contact {
             position: [x, sign * y, z],
             angle: -sign * plane.inclination,
@@ -390,6 +394,11 @@ impl WheelOnRail {
 
 /// Inclination of a contact below which its friction hardly carries, in rad.
 const FLAT: f64 = 0.02;
+
+/// Whether friction hardly counts in the vertical force.
+fn is_flat(lowered: &Lowered) -> bool {
+    lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
+}
 
 /// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.
 fn first_depth(lowering: &Lowering, force: f64) -> f64 {

@@ -1,0 +1,253 @@
+//! Cases of a wheel on a rail: formats of profiles, which all give the same curve, and what cannot
+//! be.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::sync::Arc;
+
+use schlupf::unwatched;
+use schlupf::wheel_rail::{ProfileCurve, Side, Support};
+use schlupf_case::{Case, CaseFile, Folder, Overrides};
+
+const HEAD: &str = "\
+[normal]
+model = \"wheel-rail\"
+load = \"10 kN\"
+[kinematics]
+speed = \"2 m/s\"
+angular_velocity = \"4.35 rad/s\"
+[elasticity]
+model = \"half-space\"
+[friction]
+model = \"constant\"
+coefficient = 0.3
+[heat]
+model = \"none\"
+";
+
+/// A case with files in memory, or its message.
+fn read(text: &str, files: &[(&str, &str)]) -> Result<CaseFile, String> {
+    let files = files.iter().map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec()));
+    let files: BTreeMap<String, Vec<u8>> = files.collect();
+    CaseFile::from_str(text, "case.toml", Arc::new(files), Overrides::NONE)
+        .map_err(|errors| errors.to_string())
+}
+
+fn solve(text: &str) -> Case {
+    let file = CaseFile::from_str(text, "case.toml", Folder::new(""), Overrides::NONE).unwrap();
+    file.pose(&unwatched).unwrap()
+}
+
+/// The wheel's curve from a file of some name.
+fn wheel_curve(name: &str, text: &str) -> Result<ProfileCurve, String> {
+    let case =
+        format!("{HEAD}[wheel]\nprofile = {name:?}\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n");
+    let file = read(&case, &[(name, text)])?;
+    let pair = &file.wheel().map_err(|error| error.to_string())?.pair;
+    Ok(pair.wheel().clone())
+}
+
+/// Points of a flanged wheel, y outwards and z up, in mm.
+fn points() -> Vec<[f64; 2]> {
+    (-60..=60)
+        .map(|y| {
+            let y = f64::from(y);
+            let flange = -28.0 / (1.0 + ((y + 50.0) / 12.0).powi(4));
+            [y, flange + 0.05 * y]
+        })
+        .collect()
+}
+
+fn lines(line: impl Fn([f64; 2]) -> String) -> String {
+    points().into_iter().map(|point| line(point) + "\n").collect()
+}
+
+/// The same points in all formats, with axes either way, from either end: one curve.
+#[test]
+fn all_formats_give_the_same_curve() {
+    let csv = format!("y [mm],z [mm]\n{}", lines(|[y, z]| format!("{y},{z}")));
+    let expected = wheel_curve("a.csv", &csv).unwrap();
+    let mut reversed: Vec<String> =
+        lines(|[y, z]| format!("{y},{z}")).lines().map(str::to_owned).collect();
+    reversed.reverse();
+    let simpack = |head: &str, unit: f64, y_sign: f64, z_sign: f64| {
+        let mut text = format!(
+            "! a wheel\nheader.begin\n version = 1\n type = 1 ! wheel\nheader.end\nspline.begin\n{head}\n\
+             point.begin\n ! y z\n"
+        );
+        for [y, z] in points() {
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                text,
+                "  {:.9}  {:.9}  1.0 ! weight",
+                y_sign * y * unit,
+                z_sign * z * unit
+            );
+        }
+        text + "point.end\nspline.end\n"
+    };
+    let miniprof = |columns: &str, row: &dyn Fn([f64; 2]) -> String| {
+        format!("ProgramName=x\nDate=a\nXYPoints=121\n{columns}\n\n{}", lines(row))
+    };
+    let files = [
+        ("a.csv", format!("# z down\ny_mm,z_mm\n{}", lines(|[y, z]| format!("{y},{}", -z)))),
+        ("a.csv", format!("z [m],y [um]\n{}", lines(|[y, z]| format!("{},{}", 1e-3 * z, 1e3 * y)))),
+        ("a.csv", format!("y [mm],z [mm]\n{}", reversed.join("\n"))),
+        ("a.csv", format!("y [mm],z [mm]\n{}", lines(|[y, z]| format!("{},{z}", -y)))),
+        ("a.txt", lines(|[y, z]| format!("  {y}\t{z}"))),
+        ("a.prw", simpack("", 1.0, 1.0, 1.0)),
+        ("a.prw", simpack("units.len.f = 1.0", 1e-3, 1.0, -1.0)),
+        ("a.prw", simpack("units.len.f = 1000.\nmirror.y = 1\ninversion = 1", 1.0, -1.0, 1.0)),
+        ("a.whl", miniprof("ColumnDef=X,Y,A,C,N", &|[y, z]| format!("{y} {z} 0 0 1"))),
+        ("a.ban", miniprof("ColumnDef=N,Y,X", &|[y, z]| format!("7 {z} {y}"))),
+        ("a.whl", miniprof("", &|[y, z]| format!("{y} {z}"))),
+    ];
+    for (name, text) in files {
+        let curve = wheel_curve(name, &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        assert!((curve.length() - expected.length()).abs() < 1e-9, "{name}\n{}", &text[..80]);
+        for k in 0..=50 {
+            let s = expected.length() * f64::from(k) / 50.0;
+            let [one, two] = [curve.at(s).place, expected.at(s).place];
+            assert!((one[0] - two[0]).hypot(one[1] - two[1]) < 1e-9, "{name}\n{}", &text[..80]);
+        }
+    }
+    let shifted = wheel_curve("a.prw", &simpack("shift.y = 2.0\nshift.z = -1.0", 1.0, 1.0, 1.0));
+    let [y, z] = shifted.unwrap().at(0.0).place;
+    let [y0, z0] = expected.at(0.0).place;
+    assert!((y - y0 - 2e-3).abs() < 1e-12 && (z - z0 + 1e-3).abs() < 1e-12);
+}
+
+/// Each names the field, the file and the line.
+#[test]
+fn what_is_no_profile_is_told() {
+    let long = lines(|[y, z]| format!("{y},{z}"));
+    for (name, text, expected) in [
+        ("a.csv", "", "a.csv:1:1: wheel.profile: the file must have points, but is empty"),
+        ("a.csv", "y [mm],z [s]\n0,1\n", "column `z` must name its unit, m, mm or µm"),
+        (
+            "a.csv",
+            "y [mm],z [mm]\n0,1\n1,x\n",
+            "a.csv:3:1: z must be a finite number, but is \"x\"",
+        ),
+        ("a.csv", "y [mm],z [mm]\n0,1\n1,1\n", "wheel.profile needs at least 4 points"),
+        ("a.csv", "y [mm],h [mm]\n0,1\n", "the header must be such as `y [m],z [m]`"),
+        (
+            "a.txt",
+            "0 1\n1 2 3\n",
+            "a.txt:2:1: wheel.profile: a line must have y and z in mm, but has 3",
+        ),
+        ("a.prw", "header.begin\n", "points between point.begin and point.end"),
+        ("a.prw", "spline.begin\nunits.len.f = 0\n", "units.len.f must be positive, but is 0"),
+        ("a.prw", "spline.begin\nrotate = 0.1\n", "rotate must be 0, but is 0.1"),
+        (
+            "a.prw",
+            "spline.begin\npoint.begin\n1\n",
+            "a.prw:3:1: wheel.profile: a point must have y, z",
+        ),
+        ("a.whl", "ColumnDef=X,A\n\n1 2\n", "must name a column Y, but is \"X,A\""),
+        ("a.whl", "ColumnDef=X,Y,A\n\n1\n", "a row must have at least 2 numbers, but has 1"),
+    ] {
+        let error = wheel_curve(name, text).unwrap_err();
+        assert!(error.contains(expected), "{name}: {error}\n{expected}");
+    }
+    let metres = format!("y [m],z [m]\n{long}");
+    let error = wheel_curve("a.csv", &metres).unwrap_err();
+    assert!(error.contains("wheel.profile must be finite and at most ±1 m"), "{error}");
+}
+
+fn with(lines: &str) -> String {
+    format!("{HEAD}{lines}")
+}
+
+/// What goes with one contact only, and what is missing.
+#[test]
+fn contradictions_are_told() {
+    let profiles = "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n";
+    for (text, expected) in [
+        (
+            with("[rail]\nprofile = \"60E1\"\n"),
+            "wheel.profile is missing, which normal.model = \"wheel-rail\" needs",
+        ),
+        (
+            with("[wheel]\nprofile = \"S1003\"\n[rail]\nprofile = \"60E1\"\n"),
+            "built in are \"S1002\"",
+        ),
+        (
+            with(profiles).replace("load = \"10 kN\"\n", ""),
+            "normal.load is missing, which normal.model = \"wheel-rail\" needs",
+        ),
+        (
+            with(profiles).replace("load = \"10 kN\"", "") + "[wheelset]\nheight = \"0 mm\"\n",
+            "wheelset.roll_angle is missing, which wheelset.height needs",
+        ),
+        (
+            with(profiles) + "[history]\ntime = [\"0 s\", \"1 s\"]\ncreepage_y = [0.0, 0.1]\n",
+            "history.time must be left out with normal.model = \"wheel-rail\"",
+        ),
+        (
+            with(profiles).replace("angular_velocity = \"4.35 rad/s\"", "creepage_x = 1.5"),
+            "kinematics.creepage_x must be below 1, at which the wheel locks, but is 1.5",
+        ),
+        (
+            with(profiles)
+                + "[contact_law.roughness]\nrms_height = \"0.5 um\"\n\
+                   longest_wavelength = \"0.1 mm\"\nshortest_wavelength = \"2 um\"\n",
+            "the micro model of a roughness needs one patch, but normal.model is \"wheel-rail\"",
+        ),
+        (
+            with(profiles) + "[track]\ngauge = \"1435\"\n",
+            "track.gauge must be a length with its unit",
+        ),
+    ] {
+        let error = read(&text, &[]).map(|_| ()).unwrap_err();
+        assert!(error.contains(expected), "{error}\n{expected}");
+    }
+    let file = read("", &[]).unwrap();
+    let error = file.wheel().unwrap_err().to_string();
+    assert!(error.contains("normal.model must be \"wheel-rail\" for the contacts"), "{error}");
+}
+
+/// A case poses the contact with the largest normal force, and keeps the wheel; left out, the roll
+/// angle is that at which both wheels rest, and the case is as with that angle given.
+#[test]
+fn a_case_of_profiles_is_posed() {
+    let text = with(
+        "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n\
+         [wheelset]\nside = \"left\"\nlateral_position = \"3 mm\"\n",
+    );
+    let case = solve(&text);
+    let wheel = case.wheel.as_ref().unwrap();
+    assert_eq!(wheel.side, Side::Left);
+    let main = &wheel.contacts[0];
+    let normal = case.problem.normal.normal_contact(None).unwrap().summary;
+    assert_eq!(normal.load, main.solution.normal.load);
+    assert!((wheel.force[2] - 10e3).abs() < 2.0);
+    let roll = wheel.position.roll;
+    assert!(roll > 1e-5 && roll < 1e-3, "{roll}");
+    let given = solve(&format!("{text}roll_angle = \"{roll} rad\"\n"));
+    let given = given.wheel.unwrap();
+    assert!((given.height - wheel.height).abs() < 1e-9);
+    let file = read(&text, &[]).unwrap();
+    assert_eq!(file.wheel().unwrap().support, Support::Force(10e3));
+    let [left, right] = &file.wheels_at(3e-3, &unwatched).unwrap()[..] else { panic!() };
+    assert!((left.height - right.height).abs() < 1e-6 && (left.height - wheel.height).abs() < 1e-8);
+    assert!(file.files().is_empty());
+}
+
+/// Fast methods take the same contacts; their lateral forces are near the full one.
+#[test]
+fn fast_methods_solve_the_same_contacts() {
+    let text = with(
+        "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n\
+         [wheelset]\nlateral_position = \"-3 mm\"\nyaw_angle = \"-5 mrad\"\nroll_angle = \"0 mrad\"\n",
+    );
+    let full = solve(&text).wheel.unwrap();
+    for method in ["shen-hedrick-elkins", "fastsim"] {
+        let fast =
+            format!("{text}[solver]\nmethod = {method:?}\n[fastsim]\nbound = \"elliptic\"\n");
+        let fast = solve(&fast).wheel.unwrap();
+        let [one, two] = [&full, &fast].map(|wheel| wheel.contacts[0].solution.force);
+        assert!((one.y - two.y).abs() < 0.1 * one.y.abs(), "{method}: {one:?} {two:?}");
+        assert!((full.height - fast.height).abs() < 1e-6);
+    }
+}

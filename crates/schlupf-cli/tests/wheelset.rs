@@ -1,0 +1,156 @@
+//! Wheels on rails by the command: all contacts of `solve`, the table of `wheelset`, and what goes
+//! wrong.
+
+mod support;
+
+use serde_json::Value;
+use support::Bench;
+
+const CASE: &str = "\
+title = \"S1002 on 60 E1\"
+[kinematics]
+speed = \"20 m/s\"
+[wheel]
+profile = \"S1002\"
+[rail]
+profile = \"60E1\"
+cant = 0.025
+[normal]
+model = \"wheel-rail\"
+load = \"20 kN\"
+[elasticity]
+model = \"half-space\"
+[friction]
+model = \"constant\"
+coefficient = 0.3
+[grid]
+cells_x = 16
+cells_y = 16
+[heat]
+model = \"none\"
+";
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("case.toml", CASE);
+    bench
+}
+
+fn number(value: &Value, path: &str) -> f64 {
+    value.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}: {value}"))
+}
+
+/// The keys of the interface: contacts with their places, angles, creepages and forces, the sum of
+/// which is the force on the wheel; a running wheel centred on the track has no lateral sum left
+/// and right, and the first contact is what the other keys show.
+#[test]
+fn solve_writes_all_contacts() {
+    let bench = bench();
+    let solve = |side: &str| -> Value {
+        let side = format!("wheelset.side={side}");
+        let run = bench.run(&["solve", "case.toml", "--set", &side, "--json", "-"]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        serde_json::from_str(&run.stdout).unwrap()
+    };
+    let [left, right] = ["left", "right"].map(solve);
+    for result in [&left, &right] {
+        let contact = &result["contacts"][0];
+        assert_eq!(contact["force"], result["force"]);
+        assert_eq!(contact["normal"], result["normal"]);
+        let (sin, cos) = number(contact, "/angle").sin_cos();
+        let [normal, x, y] =
+            ["/normal/load", "/force/x", "/force/y"].map(|path| number(contact, path));
+        let sum = [x, normal * sin + y * cos, normal * cos - y * sin];
+        for (axis, expected) in ["x", "y", "z"].into_iter().zip(sum) {
+            let found = number(&result["wheel_force"], &format!("/{axis}"));
+            assert!((found - expected).abs() < 1e-6 * normal, "{axis}: {found} {expected}");
+        }
+        assert!((number(result, "/wheel_force/z") - 20e3).abs() < 4.0);
+    }
+    assert!(number(&left, "/contacts/0/position/y") > 0.7);
+    assert!(number(&left, "/contacts/0/angle") < 0.0);
+    let of = |result: &Value, path: &str| number(result, path);
+    for path in ["/wheel_force/y", "/contacts/0/angle", "/contacts/0/position/y"] {
+        let [one, two] = [of(&left, path), of(&right, path)];
+        assert!((one + two).abs() < 1e-4 * one.abs(), "{path}: {one} {two}");
+    }
+    assert!(of(&left, "/wheelset/roll_angle").abs() < 1e-6);
+    let summary = bench.run(&["solve", "case.toml"]).stdout;
+    assert!(summary.contains("right wheel") && summary.contains("force on the wheel"), "{summary}");
+}
+
+/// A row for each contact of each wheel; the conicity of this pair; figures.
+#[test]
+fn wheelset_tables_contacts_and_conicity() {
+    let bench = bench();
+    let run = bench.run(&[
+        "wheelset",
+        "case.toml",
+        "--lateral-position",
+        "-3..3 mm",
+        "--points",
+        "5",
+        "--csv",
+        "contacts.csv",
+        "--json",
+        "result.json",
+        "--conicity",
+        "conicity.csv",
+        "--figures",
+        "figures",
+    ]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("equivalent conicity"), "{}", run.stdout);
+    let csv = bench.read("contacts.csv");
+    let rows: Vec<Vec<&str>> =
+        csv.lines().filter(|line| !line.starts_with('#')).map(|l| l.split(',').collect()).collect();
+    assert!(rows.len() > 10, "{csv}");
+    let column = |name: &str| rows[0].iter().position(|cell| *cell == name).unwrap();
+    let at = |row: usize, name: &str| rows[row][column(name)].parse::<f64>().unwrap();
+    assert_eq!((at(1, "lateral_position"), rows[1][column("side")]), (-3e-3, "left"));
+    let json: Value = serde_json::from_str(&bench.read("result.json")).unwrap();
+    assert_eq!(json["positions"].as_array().unwrap().len(), 5);
+    let difference = |k: usize| number(&json, &format!("/positions/{k}/rolling_radius_difference"));
+    assert!(difference(4) > 0.8e-3 && (difference(0) + difference(4)).abs() < 1e-6);
+    assert!(difference(2).abs() < 1e-6);
+    assert_eq!(number(&json, "/positions/0/left/contacts/0/angle"), at(1, "angle"));
+    assert_eq!(bench.read("conicity.csv").lines().count(), 5);
+    let conicity = number(&json, "/equivalent_conicity/equivalent_conicity/2");
+    assert!(conicity > 0.15 && conicity < 0.22, "{conicity}");
+    for name in ["contact_points", "rolling_radius"] {
+        for ending in ["svg", "png"] {
+            assert!(bench.path(&format!("figures/{name}.{ending}")).exists());
+        }
+    }
+}
+
+/// What is wrong is told before the work, with where it stands.
+#[test]
+fn wrong_wheelsets_are_refused() {
+    let bench = bench();
+    bench.write("plain.toml", "[normal]\nload = \"80 kN\"\n");
+    for (arguments, expected) in [
+        (&["wheelset", "plain.toml"][..], "normal.model must be \"wheel-rail\" for the contacts"),
+        (
+            &["wheelset", "case.toml", "--lateral-position", "3..3 mm"],
+            "the end of the range must differ from its start",
+        ),
+        (&["wheelset", "case.toml", "--lateral-position", "0..3 kN"], "--lateral-position"),
+        (
+            &["wheelset", "case.toml", "--lateral-position", "0..900 mm", "--points", "2"],
+            "the wheel is beside the rail",
+        ),
+        (
+            &["solve", "case.toml", "--set", "wheelset.lateral_position=0.3 m"],
+            "the wheel is beside the rail",
+        ),
+        (&["solve", "case.toml", "--set", "normal.load="], "normal.load is missing"),
+    ] {
+        let run = bench.run(arguments);
+        assert_eq!(run.code, Some(2), "{arguments:?}: {}", run.stderr);
+        assert!(run.stderr.contains(expected), "{arguments:?}: {}", run.stderr);
+    }
+    let run = bench.run(&["solve", "case.toml", "--set", "rail.profile=none.csv"]);
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    assert!(run.stderr.contains("none.csv") && run.stderr.contains("built in are \"60E1\""));
+}
