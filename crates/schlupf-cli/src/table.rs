@@ -88,8 +88,13 @@ fn read(path: &Path, output: &Path) -> Result<StoredTable, Failure> {
     let input = Input { what: "--from".to_owned(), path: path.to_owned(), except: None };
     outputs::refuse_inputs(&outputs, None, &[input])?;
     let bytes = std::fs::read(path).map_err(|cause| Failure::file(path, cause))?;
-    StoredTable::from_bytes(&bytes)
-        .map_err(|error| Failure::Arguments(format!("--from: {} {error}", path.display())))
+    let refused =
+        |reason: String| Failure::Arguments(format!("--from: {} {reason}", path.display()));
+    let stored = StoredTable::from_bytes(&bytes).map_err(|error| refused(error.to_string()))?;
+    match stored.metadata.unconverged {
+        0 => Ok(stored),
+        count => Err(refused(format!("has {count} states that have not converged"))),
+    }
 }
 
 /// By the names of the options.

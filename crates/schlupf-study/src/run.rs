@@ -151,7 +151,14 @@ impl Run {
         let parts = Parts::of(output, &contents)?;
         let columns = study.fields.as_deref().map(chunks::columns);
         let chunks = columns.map(|columns| Chunks::of(output, &contents, columns, parts.is_new()));
-        let chunks = chunks.transpose()?;
+        let chunks = match chunks.transpose() {
+            // With a manifest the next try would take the other run's fields for its own.
+            Err(error) if parts.is_new() => {
+                parts.remove();
+                return Err(error);
+            }
+            chunks => chunks?,
+        };
         let (done, left): (Vec<usize>, Vec<usize>) =
             contents.own_batches().partition(|batch| parts.has(*batch));
         let output = output.to_owned();

@@ -353,10 +353,12 @@ fn fields_are_kept_in_chunks() {
             fs::read(chunk("other.csv", batch)).unwrap()
         );
     }
-    // A new run does not mix its fields with others.
+    // A new run does not mix its fields with others, however often it is begun.
     fs::remove_file(bench.path("other.csv")).unwrap();
-    let refused = bench.run([1, 1], "other.csv").unwrap_err().to_string();
-    assert!(refused.contains("fields of another run"), "{refused}");
+    for _ in 0..2 {
+        let refused = bench.run([1, 1], "other.csv").unwrap_err().to_string();
+        assert!(refused.contains("fields of another run"), "{refused}");
+    }
 }
 
 #[test]

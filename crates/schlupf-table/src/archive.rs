@@ -188,6 +188,8 @@ fn arrays(nodes: &TableNodes) -> [Vec<u8>; 6] {
 
 fn digest(arrays: &[Vec<u8>]) -> String {
     let mut hasher = Sha256::new();
-    arrays.iter().for_each(|bytes| hasher.update(bytes));
-    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    for bytes in arrays {
+        hasher.update(bytes);
+    }
+    format!("{:x}", hasher.finalize())
 }

@@ -85,10 +85,9 @@ fn kalker_1967_small_creepages() {
     let rest = table().normalised_force(1.0, [0.0; 3]);
     assert_eq!(rest.force, [0.0; 3]);
     let expected = [[-c.c11, 0.0, 0.0], [0.0, -c.c22, -c.c23], [0.0, c.c23, -c.c33]];
-    for row in 0..3 {
-        for column in 0..3 {
-            let gap = (rest.by_creepage[row][column] - expected[row][column]).abs();
-            assert!(gap < 1e-3 * c.c11, "{row} {column}");
+    for (found, expected) in rest.by_creepage.iter().zip(expected) {
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-3 * c.c11, "{found} {expected}");
         }
     }
     let small = table().normalised_force(1.0, [1e-60, 0.0, 0.0]).force;

@@ -27,6 +27,16 @@ fn start_of_column(k: usize) -> usize {
     k * (k + 1) / 2
 }
 
+/// Largest dimension of a Krylov space unless another one is asked for: if that is not sufficient,
+/// the step is inexact.
+const MAX_DIMENSION: usize = 120;
+
+impl Default for Gmres {
+    fn default() -> Self {
+        Self::new(MAX_DIMENSION)
+    }
+}
+
 impl Gmres {
     /// An empty workspace.
     pub fn new(max_dimension: usize) -> Self {

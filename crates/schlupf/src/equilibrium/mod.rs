@@ -51,6 +51,12 @@ pub trait Equilibrium: Send + Sync {
         None
     }
 
+    /// Whether directions of earlier Newton steps are used in later ones. Where kinks make the
+    /// Jacobian change much from step to step, Newton's method goes astray more often with them.
+    fn recycles(&self) -> bool {
+        false
+    }
+
     /// Replaces v by an approximation to the inverse Jacobian times v, linear in v.
     fn precondition(&mut self, v: &mut [f64]);
 }

@@ -3,7 +3,7 @@
 //! 1986): near Coulomb's law F has kinks, along which a norm that must decrease in every step makes
 //! little progress.
 
-use super::{Continues, Directions, Equilibrium, Limits, Outcome};
+use super::{Continues, Directions, Equilibrium, Gmres, Limits, Outcome};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -48,6 +48,7 @@ pub struct Newton {
     step: Vec<f64>,
     response_step: Vec<f64>,
     trial: [Vec<f64>; 3],
+    krylov: Gmres,
     directions: Directions,
 }
 
@@ -183,7 +184,10 @@ impl Newton {
             }
             return products;
         }
-        self.directions.solve(system, &self.residual, forcing, (target, continues))
+        if system.recycles() {
+            return self.directions.solve(system, &self.residual, forcing, (target, continues));
+        }
+        self.krylov.solve(system, &self.residual, forcing, (target, continues))
     }
 
     /// Goes along the step until the residual norm decreases sufficiently, and returns it; where

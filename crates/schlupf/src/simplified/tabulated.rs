@@ -66,7 +66,8 @@ impl<'a> TableContact<'a> {
         Self { table, at, contact }
     }
 
-    /// The force under a motion, with a friction limit μN in N. Allocates nothing.
+    /// The force under a motion, with a friction limit μN in N; without one (a wheel that lifts
+    /// off) no force. Allocates nothing.
     pub fn force(&self, motion: &Kinematics, limit: f64) -> TableForce {
         let creepages = [motion.creepage_x, motion.creepage_y, motion.spin];
         self.scaled(&self.normalised(creepages, limit), limit, 1.0)
@@ -90,6 +91,8 @@ impl<'a> TableContact<'a> {
     }
 
     fn normalised(&self, [xi, eta, spin]: [f64; 3], limit: f64) -> NormalisedForce {
+        // Without load or friction no force: any state will do, as it is multiplied by nothing.
+        let limit = if limit > 0.0 { limit } else { 1.0 };
         let unit = self.unit(limit);
         let creepages = [unit * xi, unit * eta, unit * self.contact.lever() * spin];
         self.table.force_at(&self.at, creepages)
@@ -105,7 +108,7 @@ impl<'a> TableContact<'a> {
     fn scaled(&self, normalised: &NormalisedForce, limit: f64, speed: f64) -> TableForce {
         let lever = self.contact.lever();
         let arms = [1.0, 1.0, lever];
-        let slope = limit * self.unit(limit) / speed;
+        let slope = if limit > 0.0 { limit * self.unit(limit) / speed } else { 0.0 };
         let [x, y, moment] = normalised.force;
         TableForce {
             force: Resultant::new(limit * x, limit * y, limit * lever * moment),

@@ -13,19 +13,22 @@ pub(super) struct FullSliding {
 }
 
 impl FullSliding {
-    /// With w = √(1 − ρ²) the load between two ellipses ρ is proportional to w² dw.
+    /// With ρ = sin θ the load between two ellipses is proportional to cos²θ sin θ dθ, and what
+    /// slides around the centre is a smooth function of θ.
     pub fn new(axis_ratio: f64) -> Self {
         let mut points = Vec::new();
-        let share = 3.0 / (f64::from(RINGS) * f64::from(SECTORS));
         for ring in 0..RINGS {
-            let depth = (f64::from(ring) + 0.5) / f64::from(RINGS);
-            let radius = (1.0 - depth * depth).sqrt();
+            let (radius, depth) = (0.5 * PI * (f64::from(ring) + 0.5) / f64::from(RINGS)).sin_cos();
             for sector in 0..SECTORS {
                 let angle = 2.0 * PI * (f64::from(sector) + 0.5) / f64::from(SECTORS);
                 let x = axis_ratio.sqrt() * radius * angle.cos();
                 let y = axis_ratio.sqrt().recip() * radius * angle.sin();
-                points.push([x, y, share * depth * depth]);
+                points.push([x, y, depth * depth * radius]);
             }
+        }
+        let total: f64 = points.iter().map(|[_, _, load]| load).sum();
+        for [_, _, load] in &mut points {
+            *load /= total;
         }
         Self { points }
     }

@@ -125,9 +125,17 @@ impl DiscreteContact {
     /// strips oscillate against each other. Linear interpolation cannot; with softer bristles it is
     /// half as accurate.
     fn cubic_share(&self) -> f64 {
-        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness();
         let [all, none] = CUBIC_RANGE;
-        ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
+        ((none / self.stiffness_ratio()).ln() / (none / all).ln()).clamp(0.0, 1.0)
+    }
+
+    fn stiffness_ratio(&self) -> f64 {
+        self.bristles * self.normal.peak_pressure / self.cell_stiffness()
+    }
+
+    /// Whether the bristles are so much stiffer than a cell that it sticks or slides as a whole.
+    pub fn has_stiff_bristles(&self) -> bool {
+        self.stiffness_ratio() > CUBIC_RANGE[0]
     }
 
     /// Derivative of that share with respect to the logarithm of the ratio of bristle to cell

@@ -13,7 +13,7 @@ pub(super) struct Block(Lanes);
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Twice(Lanes);
 
-#[inline(always)]
+#[inline]
 fn each(of: impl Fn(usize) -> f32) -> Lanes {
     [of(0), of(1), of(2), of(3)]
 }

@@ -97,6 +97,10 @@ impl Equilibrium for SteadyState<'_> {
         self.is_coupled()
     }
 
+    fn recycles(&self) -> bool {
+        self.problem.contact_law.is_coulomb() || !self.level().contact.has_stiff_bristles()
+    }
+
     fn precondition(&mut self, v: &mut [f64]) {
         precondition(self.levels, v);
     }
