@@ -40,10 +40,10 @@ fn a_table_has_a_summary_and_a_file_that_can_be_refined() {
 #[test]
 fn an_error_that_is_not_met_is_told() {
     let bench = Bench::new();
-    let options = [&QUICK[..5], &["--tolerance", "0.05", "--states", "20"]].concat();
+    let options = [&QUICK[..5], &["--tolerance", "0.005", "--states", "20"]].concat();
     let run = bench.run(&[&options[..], &["--most-solutions", "1"]].concat());
     assert_eq!(run.code, Some(3), "{}{}", run.stdout, run.stderr);
-    assert!(run.stdout.contains("not within 5.00 %"), "{}", run.stdout);
+    assert!(run.stdout.contains("not within 0.50 %"), "{}", run.stdout);
     assert_eq!(bench.list(), ["table.npz"]);
 }
 

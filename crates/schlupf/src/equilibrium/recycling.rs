@@ -128,8 +128,8 @@ fn remove(w: &mut [f64], basis: &[Vec<f64>], column: &mut [f64]) -> f64 {
 
 impl Directions {
     /// Solves J d = −`residual` until the linear residual falls below `forcing` times its initial
-    /// value. Writes d and L d, and returns the number of products. `continues` is asked before each
-    /// product of a large system.
+    /// value. Writes d and L d, and returns the number of products. `continues` is asked before
+    /// each product of a large system.
     ///
     /// # Errors
     /// That of `continues`.

@@ -75,6 +75,7 @@ impl Axis {
         Self { nodes, ends, starts, scales, pieces, powers, buckets, bucket_scale }
     }
 
+    /// Its nodes, in ascending order; dimensionless.
     pub fn nodes(&self) -> &[f64] {
         &self.nodes
     }
@@ -103,7 +104,7 @@ impl Axis {
 
     /// The matrix that turns values at the nodes into coefficients; `signs` are those with which
     /// the function continues beyond the lower and the upper end, or after the period. `None` if it
-    /// does not exist.
+    /// does not exist; dimensionless.
     pub fn interpolation(&self, signs: [f64; 2]) -> Option<DMatrix<f64>> {
         let fold = self.fold(signs);
         let mut values = DMatrix::zeros(self.nodes.len(), self.coefficients());

@@ -17,34 +17,34 @@ const POLE: f64 = 1e-3;
 /// What depends on the shape of the patch alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Shape {
-    /// C11, C22, C23, C33.
+    /// C11, C22, C23, C33; dimensionless.
     pub coefficients: [f64; 4],
-    /// x over the normalised creepages.
+    /// x over the normalised creepages; dimensionless.
     pub scales: [f64; 3],
-    /// Stretching of x for the direction.
+    /// Stretching of x for the direction; dimensionless.
     pub stretching: [f64; 3],
 }
 
 /// A state in the coordinates of the table, mirrored into their range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Coordinates {
-    /// r.
+    /// r; dimensionless.
     pub size: f64,
-    /// The direction of x, mirrored.
+    /// The direction of x, mirrored; dimensionless.
     pub direction: [f64; 3],
     /// Signs of Fx, and of Fy and Mz, relative to the mirrored state; also those of ξ, and of η and
-    /// φ.
+    /// φ; dimensionless.
     pub signs: [f64; 2],
-    /// In [0, π/2].
+    /// In [0, π/2]; in rad.
     pub inclination: f64,
-    /// In [0, π].
+    /// In [0, π]; in rad.
     pub azimuth: f64,
     /// 1 away from the direction of ξ; near it the part of the distance to which functions are
-    /// continued linearly.
+    /// continued linearly; dimensionless.
     pub pole: f64,
-    /// r times the derivatives of the inclination with respect to x.
+    /// r times the derivatives of the inclination with respect to x; dimensionless.
     pub inclination_slopes: [f64; 3],
-    /// r times the derivatives of the azimuth.
+    /// r times the derivatives of the azimuth; dimensionless.
     pub azimuth_slopes: [f64; 3],
 }
 
@@ -57,14 +57,14 @@ impl Shape {
         Self { coefficients, scales: [c11, c22, spin], stretching }
     }
 
-    /// Normalised creepages at a place of the table; `saturation` is r/(1 + r).
+    /// Normalised creepages at a place of the table; `saturation` is r/(1 + r); dimensionless.
     pub fn creepages(&self, saturation: f64, inclination: f64, azimuth: f64) -> [f64; 3] {
         let direction = self.direction(inclination, azimuth);
         let size = saturation / (1.0 - saturation);
         std::array::from_fn(|k| size * direction[k] / self.scales[k])
     }
 
-    /// The direction of x at a place of the table.
+    /// The direction of x at a place of the table; dimensionless.
     pub fn direction(&self, inclination: f64, azimuth: f64) -> [f64; 3] {
         let stretched = [
             inclination.cos(),
@@ -76,13 +76,13 @@ impl Shape {
         plain.map(|part| part / length)
     }
 
-    /// Forces and moment over μN and μN √(ab) in full adhesion, at an x: linear.
+    /// Forces and moment over μN and μN √(ab) in full adhesion, at an x: linear; dimensionless.
     pub fn adhesion(&self, x: [f64; 3]) -> [f64; 3] {
         let [_, by_y, by_spin] = self.adhesion_slopes();
         [-x[0], by_y[1] * x[1] + by_spin[1] * x[2], by_y[2] * x[1] + by_spin[2] * x[2]]
     }
 
-    /// Its derivatives with respect to each component of x.
+    /// Its derivatives with respect to each component of x; dimensionless.
     pub fn adhesion_slopes(&self) -> [[f64; 3]; 3] {
         let [c11, c22, c23, c33] = self.coefficients;
         let [along, across, spin] = self.scales;

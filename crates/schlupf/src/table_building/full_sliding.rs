@@ -33,7 +33,7 @@ impl FullSliding {
         Self { points }
     }
 
-    /// Fx/(μN), Fy/(μN), Mz/(μN √(ab)) under the rigid slip (ξ' − φ' y, η' + φ' x).
+    /// Fx/(μN), Fy/(μN), Mz/(μN √(ab)) under the rigid slip (ξ' − φ' y, η' + φ' x); dimensionless.
     pub fn force(&self, [along, across, spin]: [f64; 3]) -> [f64; 3] {
         let mut force = [0.0; 3];
         for [x, y, load] in &self.points {

@@ -47,7 +47,7 @@ pub(super) struct StateSolver {
 /// A state that was solved.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Solved {
-    /// Fx/(μN), Fy/(μN), Mz/(μN √(ab)).
+    /// Fx/(μN), Fy/(μN), Mz/(μN √(ab)); dimensionless.
     pub force: [f64; 3],
     pub converged: bool,
 }

@@ -126,16 +126,8 @@ impl DiscreteContact {
     /// half as accurate.
     fn cubic_share(&self) -> f64 {
         let [all, none] = CUBIC_RANGE;
-        ((none / self.stiffness_ratio()).ln() / (none / all).ln()).clamp(0.0, 1.0)
-    }
-
-    fn stiffness_ratio(&self) -> f64 {
-        self.bristles * self.normal.peak_pressure / self.cell_stiffness()
-    }
-
-    /// Whether the bristles are so much stiffer than a cell that it sticks or slides as a whole.
-    pub fn has_stiff_bristles(&self) -> bool {
-        self.stiffness_ratio() > CUBIC_RANGE[0]
+        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness();
+        ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
     }
 
     /// Derivative of that share with respect to the logarithm of the ratio of bristle to cell

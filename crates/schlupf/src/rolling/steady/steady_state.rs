@@ -98,7 +98,7 @@ impl Equilibrium for SteadyState<'_> {
     }
 
     fn recycles(&self) -> bool {
-        self.problem.contact_law.is_coulomb() || !self.level().contact.has_stiff_bristles()
+        self.problem.contact_law.is_coulomb()
     }
 
     fn precondition(&mut self, v: &mut [f64]) {
