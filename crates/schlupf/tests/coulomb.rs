@@ -192,7 +192,7 @@ fn slender_patches_converge_as_fast() {
     assert_below(found[1], [0.05, 0.1, 0.3]);
 }
 
-/// Products of a cold solution do not depend on the grid.
+/// Products of a cold solution hardly depend on the grid.
 #[test]
 fn cold_work_does_not_grow_with_the_grid() {
     for (across, step) in [(20, 1), (40, 2), (80, 5), (160, 13)] {
