@@ -63,7 +63,7 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
         ..TableOptions::default()
     };
     let earlier =
-        arguments.from.as_deref().map(|path| read(path, &arguments.output)).transpose()?;
+        arguments.from.as_deref().map(|path| read(path, arguments, options.cells)).transpose()?;
     let progress = Progress::start();
     let built = match &earlier {
         None => build(&options, &progress.watch()),
@@ -83,18 +83,23 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
 }
 
 /// A table made before, which must not be written over.
-fn read(path: &Path, output: &Path) -> Result<StoredTable, Failure> {
-    let outputs = [Output { option: OUTPUT, path: output.to_owned() }];
+fn read(path: &Path, arguments: &Table, cells: usize) -> Result<StoredTable, Failure> {
+    let outputs = [Output { option: OUTPUT, path: arguments.output.clone() }];
     let input = Input { what: "--from".to_owned(), path: path.to_owned(), except: None };
     outputs::refuse_inputs(&outputs, None, &[input])?;
     let bytes = std::fs::read(path).map_err(|cause| Failure::file(path, cause))?;
     let refused =
         |reason: String| Failure::Arguments(format!("--from: {} {reason}", path.display()));
     let stored = StoredTable::from_bytes(&bytes).map_err(|error| refused(error.to_string()))?;
-    match stored.metadata.unconverged {
-        0 => Ok(stored),
-        count => Err(refused(format!("has {count} states that have not converged"))),
+    let of = &stored.metadata;
+    if of.unconverged > 0 {
+        return Err(refused(format!("has {} states that did not converge", of.unconverged)));
     }
+    if of.cells != cells {
+        let reason = format!("must have been solved on {cells} cells, but was on {}", of.cells);
+        return Err(refused(reason));
+    }
+    Ok(stored)
 }
 
 /// By the names of the options.

@@ -36,7 +36,7 @@ pub struct Metadata {
     pub error: StatedError,
     /// Solutions at nodes.
     pub solutions: usize,
-    /// Solutions of these that did not converge.
+    /// Solutions of these, and of the random states, that did not converge.
     pub unconverged: usize,
     /// Cells across the patch of the coarser grids.
     pub cells: usize,

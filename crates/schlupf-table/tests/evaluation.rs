@@ -65,12 +65,15 @@ fn derivatives_are_those_of_central_differences() {
                 let (plus, minus) = (moved(1.0), moved(-1.0));
                 std::array::from_fn(|row| (plus[row] - minus[row]) / (2.0 * step))
             };
-            for column in 0..3 {
-                let difference = slope(column, 3e-4 * size);
-                for row in 0..3 {
-                    let (exact, difference) = (found.by_creepage[row][column], difference[row]);
-                    let error = (exact - difference).abs() * size;
-                    assert!(error < allowed, "{ratio} {at:?} {row} {column}: {exact} {difference}");
+            let slopes = [0, 1, 2].map(|column| slope(column, 3e-4 * size));
+            let largest = slopes.as_flattened().iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+            // At small creepages errors are small beside the force whatever the slopes are.
+            let allowed = (allowed / size).min(0.05 * largest.max(1e-2 / size));
+            for (column, slopes) in slopes.iter().enumerate() {
+                for (row, difference) in slopes.iter().enumerate() {
+                    let exact = found.by_creepage[row][column];
+                    let gap = (exact - difference).abs();
+                    assert!(gap < allowed, "{ratio} {at:?} {row} {column}: {exact} {difference}");
                 }
             }
         }
@@ -195,10 +198,13 @@ fn a_solution_has_derivatives() {
     let (_, sensitivity) = force(at, load, friction);
     let sensitivity = sensitivity.unwrap();
     let check = |exact: Resultant, plus: Resultant, minus: Resultant, step: f64| {
+        // The moment with a lever of about the size of the patch.
+        let [exact_moment, plus_moment, minus_moment] =
+            [exact, plus, minus].map(|force| force.moment_z.unwrap() / 5e-3);
         let pairs = [
             (exact.x, plus.x - minus.x),
             (exact.y, plus.y - minus.y),
-            (exact.moment_z.unwrap(), plus.moment_z.unwrap() - minus.moment_z.unwrap()),
+            (exact_moment, plus_moment - minus_moment),
         ];
         let scale = pairs.iter().fold(0.0_f64, |scale, pair| scale.max(pair.0.abs()));
         for (exact, difference) in pairs {

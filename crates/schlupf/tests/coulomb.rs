@@ -123,14 +123,14 @@ fn vollebregt_2022_creep_forces_on_20_cells() {
 }
 
 /// Extrapolated from 10 and 20 cells, and from 20 and 40: errors are less than half of those on
-/// the finer grid, and the estimated error of that is nearly right; which costs a few products.
+/// the finer grid, in the median and for 90 %. The size of the estimated error of the finer grid is
+/// right to half of it in the median and never off by more than the error itself, as far as the
+/// reference can tell.
 #[test]
 fn vollebregt_2022_extrapolated_creep_forces() {
-    for (across, allowed, estimated) in
-        [(20, [0.05, 0.15, 0.5], [0.05, 0.15, 0.5]), (40, [0.03, 0.06, 0.15], [0.03, 0.06, 0.15])]
-    {
+    for (across, allowed) in [(20, [0.03, 0.09, 0.39]), (40, [0.01, 0.04, 0.11])] {
         let (mut errors, mut products) = (Vec::new(), Vec::new());
-        let mut missed = Vec::new();
+        let (mut plainly, mut missed) = (Vec::new(), Vec::new());
         for reference in references() {
             let problem = coulomb(reference.semi_axes, reference.creepage);
             let options = Options { extrapolate: true, ..cells(across) };
@@ -143,17 +143,23 @@ fn vollebregt_2022_extrapolated_creep_forces() {
                 (force.x - x).hypot(force.y - y).max(aside)
             };
             errors.push(100.0 * (gap(found.normalised) - reference.uncertain).max(0.0));
+            plainly.push(100.0 * (gap(plain) - reference.uncertain).max(0.0));
             let limit = 0.3 * 52_359.878;
-            let off =
-                (plain.x - x - found.error.x / limit).hypot(plain.y - y - found.error.y / limit);
-            missed.push(100.0 * (off - reference.uncertain).max(0.0));
+            let (known, estimated) =
+                ((plain.x - x).hypot(plain.y - y), found.error.x.hypot(found.error.y) / limit);
+            if known > 5.0 * reference.uncertain && known > 2e-4 {
+                missed.push((estimated / known - 1.0).abs());
+            }
             products.push(solution.work.operator_products);
         }
-        let found = [errors, missed, products].map(quantiles);
+        assert!(missed.len() > 5, "{}", missed.len());
+        println!("{} estimates", missed.len());
+        let found = [errors, plainly, missed, products].map(quantiles);
         println!("{across} cells extrapolated: {found:.3?}");
         assert_below(found[0], allowed);
-        assert_below(found[1], estimated);
-        assert_below(found[2], [30.0, 40.0, 50.0]);
+        assert!(found[0][0] <= 0.5 * found[1][0] && found[0][1] <= 0.5 * found[1][1]);
+        assert_below(found[2], [0.5, 1.0, 1.0]);
+        assert_below(found[3], [30.0, 40.0, 50.0]);
     }
     let few = Options { extrapolate: true, ..cells(12) };
     let problem = coulomb(semi_axes(1.0), [1e-3, 0.0, 0.0]);
@@ -175,7 +181,7 @@ fn vollebregt_2022_creep_forces_on_40_cells() {
 fn slender_patches_converge_as_fast() {
     let (mut on_20, mut on_40) = (Vec::new(), Vec::new());
     for ratio in [0.2, 2.0, 5.0] {
-        for motion in motions().into_iter().step_by(7) {
+        for motion in motions() {
             let problem = coulomb(semi_axes(ratio), motion);
             let fine = solve(&problem, 160).normalised;
             for (across, errors) in [(20, &mut on_20), (40, &mut on_40)] {
@@ -195,7 +201,7 @@ fn slender_patches_converge_as_fast() {
 /// Products of a cold solution hardly depend on the grid.
 #[test]
 fn cold_work_does_not_grow_with_the_grid() {
-    for (across, step) in [(20, 1), (40, 2), (80, 5), (160, 13)] {
+    for (across, step) in [(20, 1), (40, 1), (80, 5), (160, 11)] {
         let mut products = Vec::new();
         for ratio in [0.2, 0.5, 1.0, 2.0, 5.0] {
             for motion in motions().into_iter().step_by(step) {

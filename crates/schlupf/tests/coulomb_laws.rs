@@ -188,9 +188,7 @@ fn derivatives_are_those_of_central_differences() {
     for law in laws {
         let at = |motion: [f64; 3], coefficient: f64, load: f64| {
             let mut rubbing = coulomb(motion);
-            let scale = (load / 80e3).cbrt();
-            rubbing.normal =
-                Arc::new(Ellipse::from_load(6e-3 * scale, 5e-3 * scale, load).unwrap());
+            rubbing.normal = Arc::new(Ellipse::from_load(6e-3, 5e-3, load).unwrap());
             rubbing.friction.law = law(coefficient);
             rubbing.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
             let options = Options { tolerance: 1e-11, sensitivity: true, ..cells(14) };
@@ -204,6 +202,10 @@ fn derivatives_are_those_of_central_differences() {
             let size = x.hypot(y);
             assert!((exact.x - x).abs() < 1e-4 * size, "{exact:?} {x} {y}");
             assert!((exact.y - y).abs() < 1e-4 * size, "{exact:?} {x} {y}");
+            let moments = [plus, minus].map(|solution| solution.force.moment_z.unwrap());
+            let moment = over(moments[0], moments[1]);
+            let aside = (exact.moment_z.unwrap() - moment).abs();
+            assert!(aside < 1e-4 * size.mul_add(5e-3, moment.abs()), "{exact:?} {moment}");
         };
         let moved = |c: usize, h: f64| {
             let mut motion = MOTION;
@@ -219,6 +221,8 @@ fn derivatives_are_those_of_central_differences() {
         }
         let by_friction = exact.friction_coefficient;
         check(&by_friction, &at(MOTION, 0.4 + 1e-6, 80e3), &at(MOTION, 0.4 - 1e-6, 80e3), 1e-6);
+        let by_load = exact.load.unwrap();
+        check(&by_load, &at(MOTION, 0.4, 80e3 + 0.2), &at(MOTION, 0.4, 80e3 - 0.2), 0.2);
     }
 }
 

@@ -194,7 +194,7 @@ impl Directions {
 }
 
 impl Direction {
-    /// Makes it the preconditioned residual, of unit length.
+    /// Makes it what the preconditioner gives for the residual, scaled to unit length.
     fn lead_along(&mut self, system: &mut impl Equilibrium, residual: &[f64]) {
         let Self { z, response } = self;
         z.clear();

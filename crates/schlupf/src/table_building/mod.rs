@@ -65,13 +65,14 @@ impl Default for TableOptions {
 pub struct BuiltTable {
     /// The table.
     pub table: LookUpTable,
-    /// Its error in random states that had no part in making it.
+    /// Its error in random states that chose none of its nodes. Where they confirm the tolerance
+    /// they also end the work, so that the largest error is that of a set which passed.
     pub error: TableError,
     /// Whether the tolerance was met by the random states that decide.
     pub is_within_tolerance: bool,
     /// Solutions at nodes.
     pub solutions: usize,
-    /// Solutions of these that did not converge.
+    /// Solutions of these, and of the random states, that did not converge.
     pub unconverged: usize,
     /// Rounds of refinement.
     pub rounds: usize,
@@ -180,7 +181,7 @@ fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
                 error,
                 is_within_tolerance,
                 solutions: building.solved.len(),
-                unconverged: unconverged.count(),
+                unconverged: unconverged.count() + states.unconverged,
                 rounds: round,
             });
         }
@@ -426,6 +427,7 @@ fn node(at: [f64; 4]) -> Node {
 struct RandomStates {
     /// a/b, normalised creepages and forces.
     states: Vec<(f64, [f64; 3], [f64; 3])>,
+    unconverged: usize,
 }
 
 impl RandomStates {
@@ -448,10 +450,11 @@ impl RandomStates {
             let shape = shape(ratio, options.poisson_ratio)?;
             let creepages = std::array::from_fn(|k| size * direction[k] / shape.scales[k]);
             let mut solver = StateSolver::new(ratio, options.poisson_ratio, 2 * options.cells)?;
-            let force = solver.solve(creepages, &crate::progress::unwatched)?.force;
-            Ok::<_, Error>((ratio, creepages, force))
+            let solved = solver.solve(creepages, &crate::progress::unwatched)?;
+            Ok::<_, Error>(((ratio, creepages, solved.force), solved.converged))
         })?;
-        Ok(Self { states })
+        let unconverged = states.iter().filter(|(_, converged)| !converged).count();
+        Ok(Self { states: states.into_iter().map(|(state, _)| state).collect(), unconverged })
     }
 
     fn error(&self, table: &LookUpTable) -> TableError {

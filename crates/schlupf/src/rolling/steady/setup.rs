@@ -68,6 +68,10 @@ const LEAST_NEWS: f64 = 1.5e-2;
 /// both.
 const EXTRAPOLATED: f64 = 10.0;
 
+/// The largest such tolerance, whatever that of the finest grid: far below what the grids differ
+/// by, dimensionless.
+const EXTRAPOLATED_TOLERANCE: f64 = 1e-5;
+
 /// Least ratio of the sizes of their cells, dimensionless.
 const LEAST_COARSER: f64 = 1.5;
 
@@ -100,7 +104,11 @@ impl Setup {
         if outcome.converged {
             return Ok(outcome);
         }
-        for softer in softened(problem) {
+        let softer = softened(problem);
+        if softer.is_empty() {
+            return Ok(outcome);
+        }
+        for softer in softer {
             let found = self.find_equilibrium(&softer, search)?;
             if !found.converged {
                 return Ok(outcome);
@@ -132,7 +140,7 @@ impl Setup {
             let tolerance = match depth {
                 0 => search.options.tolerance,
                 1 if search.options.extrapolate => {
-                    coarse.min(EXTRAPOLATED * search.options.tolerance)
+                    EXTRAPOLATED_TOLERANCE.min(EXTRAPOLATED * search.options.tolerance)
                 }
                 _ => coarse,
             };
