@@ -57,6 +57,12 @@ messages! {
         "{name}: a linear system at the solution was not solved; the derivatives are left out"
     );
 
+    /// Forces were not extrapolated.
+    "no-extrapolation" NoExtrapolation {} Quantity::Extrapolate, |name, words| format!(
+        "{name}: this takes a grid half as fine that is solved, too, which there is from 16 cells \
+         in each direction on (8 on a layer); the forces are those of the grid alone"
+    );
+
     /// A pressure beyond the elastic range of any metal.
     "beyond-elastic" BeyondElastic {
         /// Largest pressure, in Pa.

@@ -66,9 +66,10 @@ impl PlaneStrain {
 }
 
 impl Elasticity for PlaneStrain {
-    /// With the mean over the cell undone as in the half-space: h²u''/12.
+    /// With the mean over the cell undone as in the half-space: h²u''/12. The rows share the load.
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
-        let at = |i: isize| self.influence(grid.spacing_x, i);
+        let rows = grid.rows as f64;
+        let at = |i: isize| self.influence(grid.spacing_x, i).map(|entry| entry / rows);
         Ok(Box::new(Convolution::new(grid, |i, _| {
             let (here, ahead, behind) = (at(i), at(i + 1), at(i - 1));
             std::array::from_fn(|c| here[c] + (2.0 * here[c] - ahead[c] - behind[c]) / 12.0)

@@ -6,12 +6,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, rolling};
-use schlupf::interface::contact_law::Coulomb;
+use schlupf::interface::contact_law::{Coulomb, Incremental};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::Resultant;
-use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
+use schlupf::{Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 /// One line of `data/contact_creep.csv`.
 struct Reference {
@@ -165,6 +165,7 @@ fn vollebregt_2022_extrapolated_creep_forces() {
     let problem = coulomb(semi_axes(1.0), [1e-3, 0.0, 0.0]);
     let alone = schlupf::rolling::steady::solve(&problem, &few, &unwatched).unwrap();
     assert_eq!(alone.extrapolation, None);
+    assert!(alone.warnings.contains(&Warning::NoExtrapolation {}), "{:?}", alone.warnings);
 }
 
 /// The same on 40 cells: 0.05 %, 0.1 % and 0.3 %.
@@ -213,6 +214,63 @@ fn cold_work_does_not_grow_with_the_grid() {
         let found = quantiles(products);
         println!("{across} cells: products {found:.1?}");
         assert_below(found, [30.0, 40.0, 50.0]);
+    }
+}
+
+/// Bristles from k_c = 10⁷/m to 10¹⁰/m take no more than twice as many products as the limit may,
+/// on any grid.
+#[test]
+fn stiff_bristles_take_no_more_work() {
+    for (across, step) in [(20, 1), (40, 5), (80, 13)] {
+        for stiffness in [1e7, 3e7, 1e8, 1e9, 1e10] {
+            let mut products = Vec::new();
+            for ratio in [0.2, 0.5, 1.0, 2.0, 5.0] {
+                for motion in motions().into_iter().step_by(step) {
+                    let problem = bristly(ratio, motion, stiffness);
+                    let solution = solve(&problem, across);
+                    assert_eq!(solution.status, Status::Converged, "{ratio} {motion:?}");
+                    assert_eq!(solution.work.steps, 0, "{ratio} {motion:?}");
+                    products.push(solution.work.operator_products);
+                }
+            }
+            let found = quantiles(products);
+            println!("{across} cells, k_c = {stiffness:e}/m: products {found:.1?}");
+            assert_below(found, [40.0, 80.0, 100.0]);
+        }
+    }
+}
+
+fn bristly(ratio: f64, motion: [f64; 3], stiffness: f64) -> Problem {
+    let contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    Problem { contact_law, ..coulomb(semi_axes(ratio), motion) }
+}
+
+/// As k_c grows by tenths from soft bristles to stiff ones, no force bends by more than 0.1 % of μN
+/// from one value to the next, where the treatment of the law changes neither; and the stiffest
+/// ones lead to Coulomb's law, to what its other interpolation at the edge makes on few cells.
+#[test]
+fn forces_do_not_jump_with_the_stiffness_of_the_bristles() {
+    let motions = [[1e-3, 0.0, 0.0], [7e-4, 7e-4, 0.0], [0.0, 5e-4, 0.15], [0.0, 0.0, 0.3]];
+    for (across, allowed) in [(20, 2e-3), (40, 1e-3)] {
+        for (ratio, motion) in [0.5, 1.0, 2.0].into_iter().flat_map(|r| motions.map(|m| (r, m))) {
+            let of = |problem: &Problem| {
+                let force = solve(problem, across).normalised;
+                [force.x, force.y, force.moment_z.unwrap()]
+            };
+            let at = |step: i32| of(&bristly(ratio, motion, 8e6 * 1.1_f64.powi(step)));
+            let forces: Vec<[f64; 3]> = (0..28).map(at).collect();
+            let bend = |three: &[[f64; 3]]| {
+                let of = |c: usize| (three[0][c] - 2.0 * three[1][c] + three[2][c]).abs();
+                of(0).max(of(1)).max(of(2))
+            };
+            let largest = forces.windows(3).map(bend).fold(0.0, f64::max);
+            let limit = of(&coulomb(semi_axes(ratio), motion));
+            let stiffest = of(&bristly(ratio, motion, 1e13));
+            let off = (0..3).map(|c| (limit[c] - stiffest[c]).abs()).fold(0.0, f64::max);
+            println!("{across} cells, a/b = {ratio}, {motion:?}: {largest:.5}, {off:.5}");
+            assert!(largest < 1e-3, "{across} {ratio} {motion:?}: {largest}");
+            assert!(off < allowed, "{across} {ratio} {motion:?}: {off}");
+        }
     }
 }
 

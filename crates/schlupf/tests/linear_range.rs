@@ -139,6 +139,8 @@ fn marching_at_the_smallest_creepage() {
             let force = |size: f64| {
                 let mut small = problem(moving(direction, size));
                 small.elasticity = Arc::clone(&elasticity);
+                // Soft against so large cells: both find the state with the same equations.
+                small.contact_law = Arc::new(Incremental::new(2e6).unwrap());
                 let (marched, steady) = (solve(&small, &cells(8)), at_once(&small, &cells(8)));
                 [marched, steady].map(|solution| per_size(&solution.force, size))
             };

@@ -93,15 +93,18 @@ fn check_at(name: &str, base: &Problem, friction: Setter, (stiffness, k_c): (Set
     let Sensitivity { creepage_x, creepage_y, spin, load, friction_coefficient, contact_stiffness } =
         solution.sensitivity.unwrap();
     let k = base.kinematics;
-    let parameters: [(&str, Resultant, Setter, f64, f64); 6] = [
-        ("ξ", creepage_x, &|p, v| moved(p, |k| k.creepage_x = v), k.creepage_x, 1e-3),
-        ("η", creepage_y, &|p, v| moved(p, |k| k.creepage_y = v), k.creepage_y, 1e-3),
-        ("φ", spin, &|p, v| moved(p, |k| k.spin = v), k.spin, 0.2),
-        ("N", load.unwrap(), &|p, v| Problem { normal: hertz(v), ..p.clone() }, LOAD, LOAD),
-        ("μ0", friction_coefficient, friction, 0.4, 0.4),
-        ("k_c", contact_stiffness, stiffness, k_c, k_c),
+    let is_calibrated = k_c > 5e6 && base.elasticity.under_ellipsoid([5e-3; 2]).is_none();
+    assert_eq!(load.is_none(), is_calibrated, "{name}");
+    let parameters: [(&str, Option<Resultant>, Setter, f64, f64); 6] = [
+        ("ξ", Some(creepage_x), &|p, v| moved(p, |k| k.creepage_x = v), k.creepage_x, 1e-3),
+        ("η", Some(creepage_y), &|p, v| moved(p, |k| k.creepage_y = v), k.creepage_y, 1e-3),
+        ("φ", Some(spin), &|p, v| moved(p, |k| k.spin = v), k.spin, 0.2),
+        ("N", load, &|p, v| Problem { normal: hertz(v), ..p.clone() }, LOAD, LOAD),
+        ("μ0", Some(friction_coefficient), friction, 0.4, 0.4),
+        ("k_c", Some(contact_stiffness), stiffness, k_c, k_c),
     ];
     for (parameter, exact, with, value, scale) in parameters {
+        let Some(exact) = exact else { continue };
         let approximate = difference(base, with, [value, scale], tolerance);
         assert_alike(&format!("{name}, {parameter}"), &exact, approximate, scale);
     }
@@ -337,8 +340,9 @@ fn kalker_1967_at_rest() {
     let moved = at(&Problem { kinematics: rolling(small, 0.0, 0.0), ..rest.clone() }).force;
     assert!((slope.creepage_x.x * small / moved.x - 1.0).abs() < 1e-4, "{slope:?} {moved:?}");
     // By reciprocity C23 is in Fy under spin and in −Mz under lateral creepage, where the bristles,
-    // whose stiffness goes with the pressure, give way little; the rest is the grid's.
-    let stiff = incremental(&rest, 1e8);
+    // whose stiffness goes with the pressure, give way little; the rest is the grid's, which is
+    // twice as much where stiff bristles are in series with stick and slip.
+    let stiff = incremental(&rest, 2e7);
     let slope = on_cells(&stiff, 40, 1e-9).sensitivity.unwrap();
     let (by_spin, by_lateral) = (slope.spin.y, slope.creepage_y.moment_z.unwrap());
     assert!((by_spin / by_lateral + 1.0).abs() < 0.02, "{by_spin} {by_lateral}");

@@ -53,6 +53,13 @@ pub trait ContactLaw: Debug + Send + Sync {
         Ok(None)
     }
 
+    /// k_c (in 1/m) of a law by which the traction over μ pₙ relaxes to the direction of sliding, dq
+    /// = k_c (ds − q |ds|): if its bristles are stiff against the cells, they can be treated as in
+    /// series with Coulomb's law. `None` for any other law.
+    fn relaxation(&self) -> Option<f64> {
+        None
+    }
+
     /// Whether this is Coulomb's law: where a point sticks, its traction is whatever equilibrium
     /// requires and no function of the sliding, so the solver must treat it in its own way.
     fn is_coulomb(&self) -> bool {
@@ -165,6 +172,10 @@ impl ContactLaw for Incremental {
 
     fn with_stiffness(&self, stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
         Ok(Some(Arc::new(Self::new(stiffness)?)))
+    }
+
+    fn relaxation(&self) -> Option<f64> {
+        Some(self.stiffness)
     }
 }
 

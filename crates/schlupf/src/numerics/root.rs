@@ -41,10 +41,24 @@ const EVALUATIONS: usize = 60;
 /// Relative accuracy of a fixed point.
 const ACCURACY: f64 = 1e-12;
 
+/// Slopes between which one is remembered: others are those of a kink.
+const STEEPEST: f64 = 10.0;
+const FLATTEST: f64 = 0.5;
+
 /// The x ≥ 0 with answer(x) = x: by the secant through the last two points, and by bisection if
 /// that leaves the bracket. `answer` is never negative. If there are several roots, one of them is
 /// returned.
-pub(crate) fn fixed_point(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn fixed_point(start: f64, answer: impl FnMut(f64) -> f64) -> f64 {
+    fixed_point_near(start, &mut 0.0, answer)
+}
+
+/// The same with an estimate of the slope of `answer`, which is improved for the next one of a
+/// series of similar functions.
+pub(crate) fn fixed_point_near(
+    start: f64,
+    slope: &mut f64,
+    mut answer: impl FnMut(f64) -> f64,
+) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut tried = start;
     let mut last: Option<[f64; 2]> = None;
@@ -62,9 +76,11 @@ pub(crate) fn fixed_point(start: f64, mut answer: impl FnMut(f64) -> f64) -> f64
         let next = match last {
             // Every eighth step bisects, so that neither end of the interval stagnates.
             Some([before, excess_before]) if excess != excess_before && evaluation % 8 != 7 => {
-                tried - excess * (tried - before) / (excess - excess_before)
+                let change = (excess - excess_before) / (tried - before);
+                *slope = (1.0 + change).clamp(-STEEPEST, FLATTEST);
+                tried - excess / change
             }
-            None => asked,
+            None => tried + excess / (1.0 - *slope),
             _ => f64::NAN,
         };
         last = Some([tried, excess]);
@@ -111,6 +127,16 @@ mod tests {
         assert!(count(&|mu| 0.4 - 0.2 * mu, 1.0 / 3.0) <= 4);
         assert!(count(&|mu| 0.4 / (1.0 + 9.0 * mu), (15.4_f64.sqrt() - 1.0) / 18.0) <= 9);
         assert!(count(&|mu| 0.1 + 0.5 * mu, 0.2) <= 5);
+        let mut slope = 0.0;
+        for (shift, most) in [(0.0, 4), (0.01, 3), (0.02, 3)] {
+            let mut evaluations = 0;
+            let found = fixed_point_near(0.3, &mut slope, |mu| {
+                evaluations += 1;
+                0.4 - shift - 0.2 * mu
+            });
+            assert_relative_eq!(found, (0.4 - shift) / 1.2, epsilon = 1e-11);
+            assert!(evaluations <= most, "{shift}: {evaluations}");
+        }
         count(&|mu| if mu > 0.25 { 0.1 } else { 0.4 }, 0.25);
         count(&|mu| (0.4 - 50.0 * mu).max(0.0), 0.4 / 51.0);
     }

@@ -4,6 +4,7 @@ use crate::elasticity::Compliance;
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
 use crate::interface::contact_law::Slide;
+use crate::interface::friction::FrictionState;
 use crate::normal::{NormalContact, NormalSummary};
 use crate::numerics::vector::{dot, norm};
 use crate::patch::{Interpolation, Patch};
@@ -24,6 +25,8 @@ pub(crate) struct DiscreteContact {
     /// See [`Self::row_compliances`]; without regard to where in the cell its point is.
     row: Row,
     estimates: Option<Estimates>,
+    /// The cubic share of the interpolation, if it is not to follow the contact law.
+    cubic_share: Option<f64>,
 }
 
 /// Displacement of the cells at a distance of 0, 1, … columns in a row under a unit traction on one
@@ -62,6 +65,52 @@ struct Estimates {
 /// above which it is linear; dimensionless.
 const CUBIC_RANGE: [f64; 2] = [250.0, 1250.0];
 
+/// How far bristles are taken to be in series with Coulomb's law, which is accurate where they are
+/// stiff, and not to be followed from cell to cell, which is accurate where they are soft.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct StickShare {
+    /// Dimensionless, from zero to one.
+    pub value: f64,
+    /// Its derivative by the logarithm of the stiffness of the bristles, dimensionless.
+    pub by_stiffness: f64,
+}
+
+/// Ratios of the bristle stiffness to that of a cell between which that share grows,
+/// dimensionless.
+const STIFF: [f64; 2] = [30.0, 60.0];
+
+/// Slip speeds at which it is asked whether friction depends on them, in m/s.
+const SPEEDS: [f64; 4] = [1e-3, 0.1, 1.0, 10.0];
+
+impl StickShare {
+    const COULOMB: Self = Self { value: 1.0, by_stiffness: 0.0 };
+
+    /// Of a problem with a peak pressure (in Pa) and the stiffness of a cell, in Pa/m. Friction that
+    /// depends on the slip speed wants the slip of every cell, so it goes with bristles.
+    pub fn of(problem: &Problem, peak_pressure: f64, cell_stiffness: f64) -> Self {
+        if problem.contact_law.is_coulomb() {
+            return Self::COULOMB;
+        }
+        let follows_slip = || {
+            let at = |slip_speed| FrictionState { slip_speed, ..FrictionState::default() };
+            let law = &problem.friction.law;
+            problem.friction.memory.is_some()
+                || SPEEDS.iter().any(|speed| law.respond(&at(*speed)).by_slip_speed != 0.0)
+        };
+        if problem.contact_law.relaxation().is_none() || follows_slip() {
+            return Self::default();
+        }
+        let [low, high] = STIFF;
+        let range = (high / low).ln();
+        let ratio = bristles(problem) * peak_pressure / cell_stiffness;
+        let place = ((ratio / low).ln() / range).clamp(0.0, 1.0);
+        Self {
+            value: place * place * (3.0 - 2.0 * place),
+            by_stiffness: 6.0 * place * (1.0 - place) / range,
+        }
+    }
+}
+
 impl DiscreteContact {
     /// The normal contact of a problem on a grid that covers it.
     pub fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
@@ -78,6 +127,7 @@ impl DiscreteContact {
             cell_stiffness: 0.0,
             row: Row::default(),
             estimates: None,
+            cubic_share: None,
         };
         contact.settle();
         Ok(contact)
@@ -112,6 +162,12 @@ impl DiscreteContact {
         self.interpolate();
     }
 
+    /// Interpolates alike whatever the contact law, with the cubic share, dimensionless.
+    pub fn fix_interpolation(&mut self, cubic_share: f64) {
+        self.cubic_share = Some(cubic_share);
+        self.interpolate();
+    }
+
     fn interpolate(&mut self) {
         if self.compliance.couples_cells() {
             self.interpolation = Interpolation::new(&self.patch, self.cubic_share());
@@ -125,9 +181,25 @@ impl DiscreteContact {
     /// strips oscillate against each other. Linear interpolation cannot; with softer bristles it is
     /// half as accurate.
     fn cubic_share(&self) -> f64 {
+        if let Some(share) = self.cubic_share {
+            return share;
+        }
         let [all, none] = CUBIC_RANGE;
-        let stiffness = self.bristles * self.normal.peak_pressure / self.cell_stiffness();
+        let stiffness = self.over_cells(self.bristles);
         ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
+    }
+
+    /// The share of stick and slip in the steady state of a problem.
+    pub fn stick_share(&self, problem: &Problem) -> StickShare {
+        if problem.contact_law.is_coulomb() || self.compliance.couples_cells() {
+            return StickShare::of(problem, self.normal.peak_pressure, self.cell_stiffness());
+        }
+        StickShare::default()
+    }
+
+    /// Ratio of the stiffness of bristles with μ0 k_c (in 1/m) to that of a cell, dimensionless.
+    fn over_cells(&self, bristles: f64) -> f64 {
+        bristles * self.normal.peak_pressure / self.cell_stiffness()
     }
 
     /// Derivative of that share with respect to the logarithm of the ratio of bristle to cell
@@ -135,7 +207,8 @@ impl DiscreteContact {
     pub fn cubic_share_by_stiffness(&self) -> f64 {
         let [all, none] = CUBIC_RANGE;
         let share = self.cubic_share();
-        if share > 0.0 && share < 1.0 && self.compliance.couples_cells() {
+        let is_fixed = self.cubic_share.is_some();
+        if !is_fixed && share > 0.0 && share < 1.0 && self.compliance.couples_cells() {
             -(none / all).ln().recip()
         } else {
             0.0

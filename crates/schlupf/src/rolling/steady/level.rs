@@ -7,6 +7,7 @@ use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
 
+use super::blend::Blend;
 use super::bristles::Bristles;
 use super::steady_friction::SteadyFriction;
 use super::stick_slip::StickSlip;
@@ -74,7 +75,8 @@ pub(super) fn nested(
     loop {
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
-        let level = Level::new(problem, normal, grid)?;
+        let finest = levels.first().map(|finest| &finest.contact);
+        let level = Level::new(problem, normal, grid, finest)?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
             let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
@@ -91,16 +93,39 @@ pub(super) fn nested(
     }
 }
 
+/// The contact law along the strips of a patch, as it is treated on the finest grid.
+fn strips(
+    problem: &Problem,
+    normal: &NormalContact,
+    contact: &mut DiscreteContact,
+    finest: Option<&DiscreteContact>,
+) -> Result<Box<dyn StripLaw>, Error> {
+    let finest = finest.unwrap_or(contact);
+    let (share, finest_cell) = (finest.stick_share(problem).value, finest.cell_stiffness());
+    if share == 0.0 {
+        return Ok(Box::new(Bristles::new(problem, &contact.patch)));
+    }
+    if !problem.contact_law.is_coulomb() {
+        contact.fix_interpolation(1.0);
+    }
+    if share == 1.0 {
+        return Ok(Box::new(StickSlip::new(problem, normal, contact)?));
+    }
+    Ok(Box::new(Blend::new(problem, normal, contact, finest_cell)?))
+}
+
 impl Level {
-    fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
+    /// A grid; with the contact on the finest one, if this is another.
+    fn new(
+        problem: &Problem,
+        normal: &NormalContact,
+        grid: Grid,
+        finest: Option<&DiscreteContact>,
+    ) -> Result<Self, Error> {
         let mut contact = DiscreteContact::new(problem, normal, grid)?;
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
-        let strips: Box<dyn StripLaw> = if problem.contact_law.is_coulomb() {
-            Box::new(StickSlip::new(problem, normal, &mut contact)?)
-        } else {
-            Box::new(Bristles::new(problem, &contact.patch))
-        };
+        let strips = strips(problem, normal, &mut contact, finest)?;
         Ok(Self {
             strips,
             friction: SteadyFriction::new(problem, &contact.patch),

@@ -196,8 +196,9 @@ impl<'a> Derivatives<'a> {
     }
 
     /// Adds the effect of a change of ln(μ0 k_c p0 / cell stiffness) on the interpolation at the
-    /// leading edge.
+    /// leading edge, and on how the contact law is treated.
     fn stiffen(&self, direct: &mut Direct, change: f64) {
+        direct.cause.over_cells = change;
         if let Some(by_bristles) = &self.by_bristles {
             direct.response.resize(by_bristles.len(), 0.0);
             add_scaled(&mut direct.response, change, by_bristles);
@@ -215,6 +216,9 @@ impl<'a> Derivatives<'a> {
     /// Direct changes with the logarithm of the load, if the elasticity knows how it scales.
     fn direct_by_load(&mut self) -> Option<Direct> {
         let load_exponent = self.problem.normal.load_exponent()?;
+        if load_exponent != 0.0 && !self.scales() {
+            return None;
+        }
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.response = vec![0.0; self.response_step.len()];
         let mut system = SteadyState::new(self.problem, self.levels);
@@ -263,6 +267,19 @@ impl<'a> Derivatives<'a> {
         Some(direct)
     }
 
+    /// Whether all that is computed of the displacement scales with the patch. The calibration of
+    /// stick and slip does so with that of the half-space, but not in a mean with bristles.
+    fn scales(&self) -> bool {
+        let Level { contact, strips, .. } = &self.levels[0];
+        let semi_axes = [contact.normal.semi_axis_x, contact.normal.semi_axis_y];
+        let is_half_space = || self.problem.elasticity.under_ellipsoid(semi_axes).is_some();
+        match strips.stick_share() {
+            0.0 => true,
+            1.0 => !contact.compliance.couples_cells() || is_half_space(),
+            _ => false,
+        }
+    }
+
     fn by_load(&mut self, direct: &Direct) -> Option<Resultant> {
         let load_exponent = self.problem.normal.load_exponent()?;
         let moved = self.by(direct)?;
@@ -275,7 +292,10 @@ impl<'a> Derivatives<'a> {
 
     /// Derivative of ln(cell stiffness) with respect to that of the patch size, where it matters.
     fn stiffness_by_size(&mut self) -> Option<f64> {
-        self.by_bristles.as_ref()?;
+        let share = self.levels[0].strips.stick_share();
+        if self.by_bristles.is_none() && (share == 0.0 || share == 1.0) {
+            return None;
+        }
         self.products += 1;
         self.levels[0].contact.cell_stiffness_by_size()
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
-use crate::interface::contact_law::Slide;
+use crate::interface::contact_law::{ContactLaw, Coulomb, Slide};
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::numerics::vector::dot;
@@ -38,6 +38,8 @@ pub(super) struct Setup {
     /// The problem solved last.
     problem: Problem,
     pub levels: Vec<Level>,
+    /// Share of stick and slip of the first problem: none, all, or a part of it like in all others.
+    stick_share: f64,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
 }
@@ -53,6 +55,26 @@ fn softened(problem: &Problem) -> Vec<Problem> {
         Some(Problem { contact_law, ..problem.clone() })
     };
     SOFTER.into_iter().filter_map(soften).collect()
+}
+
+/// Multiples of k_c through which the state of stiff bristles is approached from that under
+/// Coulomb's law.
+const STIFFER: [f64; 2] = [30.0, 5.0];
+
+/// The same problem under Coulomb's law and with stiffer bristles, the stiffest first; nothing if
+/// it has none.
+fn stiffened(problem: &Problem) -> Vec<Problem> {
+    let Some(stiffness) = problem.contact_law.relaxation() else { return Vec::new() };
+    let stiffen = |times: f64| problem.contact_law.with_stiffness(times * stiffness).ok()?;
+    let stiffer = STIFFER.into_iter().filter_map(stiffen);
+    let coulomb: Arc<dyn ContactLaw> = Arc::new(Coulomb);
+    let with = |contact_law| Problem { contact_law, ..problem.clone() };
+    std::iter::once(coulomb).chain(stiffer).map(with).collect()
+}
+
+/// Whether two shares of stick and slip are both none, both all, or both between.
+fn is_alike(one: f64, other: f64) -> bool {
+    (one == 0.0, one == 1.0) == (other == 0.0, other == 1.0)
 }
 
 /// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same if
@@ -82,17 +104,25 @@ impl Setup {
     pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
         let levels = level::nested(problem, &normal, options, watch)?;
-        Ok(Self { problem: problem.clone(), levels, earlier: Vec::new() })
+        let stick_share = levels[0].contact.stick_share(problem).value;
+        Ok(Self { problem: problem.clone(), levels, stick_share, earlier: Vec::new() })
     }
 
     pub fn fits(&self, problem: &Problem) -> bool {
         Arc::ptr_eq(&self.problem.normal, &problem.normal)
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
             && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
+            && is_alike(self.levels[0].contact.stick_share(problem).value, self.stick_share)
+    }
+
+    /// Whether cells stick without sliding, at least in part.
+    fn sticks(&self) -> bool {
+        self.stick_share > 0.0
     }
 
     /// The steady state, starting from previous solutions; if that fails, from none; and then
-    /// through softer bristles, with which the problem is smoother.
+    /// through softer bristles, with which the problem is smoother, or, if they are stiff, from the
+    /// state without any.
     pub fn find(&mut self, problem: &Problem, search: &mut Search) -> Result<Outcome, Error> {
         if !self.earlier.is_empty() {
             let outcome = self.find_equilibrium(problem, search)?;
@@ -104,12 +134,12 @@ impl Setup {
         if outcome.converged {
             return Ok(outcome);
         }
-        let softer = softened(problem);
-        if softer.is_empty() {
+        let easier = if self.sticks() { stiffened(problem) } else { softened(problem) };
+        if easier.is_empty() {
             return Ok(outcome);
         }
-        for softer in softer {
-            let found = self.find_equilibrium(&softer, search)?;
+        for easier in easier {
+            let found = self.find_equilibrium(&easier, search)?;
             if !found.converged {
                 return Ok(outcome);
             }
@@ -125,13 +155,13 @@ impl Setup {
     ) -> Result<Outcome, Error> {
         let cells = self.levels[0].contact.patch.len();
         (search.work.cells, search.work.outer_iterations) = (cells, 1);
-        let is_coulomb = problem.contact_law.is_coulomb();
-        if self.earlier.len() == 1 && !is_coulomb {
+        let sticks = self.sticks();
+        if self.earlier.len() == 1 && !sticks {
             self.finish_coarse(search)?;
         }
         let ahead = self.extrapolation(problem);
         self.problem = problem.clone();
-        let is_fine = !self.earlier.is_empty() || is_coulomb;
+        let is_fine = !self.earlier.is_empty() || sticks;
         let coarse = COARSE_TOLERANCE[usize::from(is_fine)];
         let mut outcome = Outcome::default();
         for depth in (0..self.levels.len()).rev() {
@@ -363,13 +393,16 @@ impl Setup {
         now.surfaces = friction.surfaces(patch);
         let is_found =
             outcome.converged && now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
-        let warnings = warnings(problem, options, contact, &now);
+        let mut warnings = warnings(problem, options, contact, &now);
         let forces = summary::force(&contact.patch, &now);
         let extrapolation = if options.extrapolate && is_found {
             self.extrapolated(problem, &forces)
         } else {
             None
         };
+        if options.extrapolate && extrapolation.is_none() {
+            warnings.push(Warning::NoExtrapolation {});
+        }
         let Level { contact, .. } = &self.levels[0];
         let view = View { normal: &contact.normal, patch: &contact.patch, now: &now };
         let whole = Outcome { iterations: work.newton_iterations, ..*outcome };

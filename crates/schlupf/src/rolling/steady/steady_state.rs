@@ -98,7 +98,7 @@ impl Equilibrium for SteadyState<'_> {
     }
 
     fn recycles(&self) -> bool {
-        self.problem.contact_law.is_coulomb()
+        self.level().strips.stick_share() > 0.0
     }
 
     fn precondition(&mut self, v: &mut [f64]) {
@@ -153,6 +153,7 @@ impl Direct {
                 rigid: vec![0.0; 2 * cells],
                 turn: vec![0.0; 2 * cells],
                 stiffness: 0.0,
+                over_cells: 0.0,
             },
             response: Vec::new(),
             bound: vec![0.0; cells],

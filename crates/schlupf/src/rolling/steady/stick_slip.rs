@@ -1,5 +1,6 @@
 //! Coulomb's law along the strips of a patch in steady rolling: p = P(p + γ s) for every cell, with
-//! s = D − b the sliding at the cell over the way into it.
+//! s = D − b the sliding at the cell over the way into it; less what stretches the bristles of a
+//! law in which they are stiff.
 
 use crate::error::Error;
 use crate::normal::NormalContact;
@@ -8,22 +9,27 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    CoulombContact, NODES, SlipStencil, Slope, reduced, saturation,
+    CoulombContact, NODES, SlipStencil, Slope, reduced, saturation, slide,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Element, TrackPoint};
 
 use super::steady_friction::SteadyFriction;
+use super::stretching::{Cells, Stretching};
 use super::strip_factors::StripFactors;
 use super::strip_law::{Cause, Changed, StripLaw};
 
 /// Coulomb's law along the strips of a patch, and its tangent at the last residual.
 pub(super) struct StickSlip {
     gamma: f64,
+    /// In Pa.
+    peak_pressure: f64,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
     contact: CoulombContact,
     stencils: Vec<SlipStencil>,
+    /// The bristles in series with the slider, if there are any.
+    stretching: Option<Stretching>,
     factors: StripFactors,
     /// Whether factors and inverses are those of the last residual.
     is_factorised: bool,
@@ -63,9 +69,11 @@ impl StickSlip {
         }
         Ok(Self {
             gamma: 0.0,
+            peak_pressure: normal.summary.peak_pressure,
             bound: vec![0.0; cells],
             factors: StripFactors::new(patch, &contact, &stencils, &row),
             stencils,
+            stretching: None,
             is_factorised: false,
             is_first,
             rigid_since_entry: vec![0.0; 2 * cells],
@@ -77,9 +85,14 @@ impl StickSlip {
         })
     }
 
-    /// Sliding at a cell over the way into it, in m.
+    /// Sliding at a cell over the way into it, without what stretches bristles, in m.
     fn sliding(&self, b: &[f64], k: usize) -> [f64; 2] {
-        [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c])
+        let stretching = self.stretching.as_ref().map_or([0.0; 2], |s| pair(&s.sliding, k));
+        [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c] - stretching[c])
+    }
+
+    fn cells(&self) -> Cells<'_> {
+        Cells { kept: &self.contact.slivers.kept, stencils: &self.stencils }
     }
 
     /// q = p + γ s, in Pa.
@@ -89,8 +102,12 @@ impl StickSlip {
     }
 
     fn inverse(&self, k: usize) -> Matrix {
-        let weight = self.gamma * self.stencils[k].own();
-        let stiffening = self.contact.local[k].map(|row| row.map(|entry| weight * entry));
+        let weight = self.stencils[k].own();
+        let stretching =
+            self.stretching.as_ref().map_or_else(Matrix::default, |s| s.block(k, self.cells()));
+        let local = &self.contact.local[k];
+        let slip = |r: usize, c: usize| self.gamma * (weight * local[r][c] + stretching[r][c]);
+        let stiffening = [0, 1].map(|r| [0, 1].map(|c| slip(r, c)));
         inverse_2x2(self.slopes[k].jacobian(&stiffening))
     }
 
@@ -117,9 +134,12 @@ impl StripLaw for StickSlip {
             patch.cells.iter().flat_map(|cell| cell.since_entry.rigid_slip(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
         self.rigid.copy_from_slice(&self.rigid_since_entry);
-        let mut rigid = std::mem::take(&mut self.rigid);
-        self.slide(&mut rigid);
-        self.rigid = rigid;
+        slide(&self.stencils, &mut self.rigid);
+        self.stretching = Stretching::of(problem, patch.len());
+        if let Some(stretching) = &self.stretching {
+            let highest = problem.friction.cold_coefficient() * self.peak_pressure;
+            self.gamma = (gamma.recip() + stretching.compliance(highest)).recip();
+        }
     }
 
     fn bound(&self) -> &[f64] {
@@ -136,7 +156,7 @@ impl StripLaw for StickSlip {
 
     fn relate(&self, p: &[f64], b: &mut [f64]) {
         self.contact.calibration.add(p, b);
-        self.slide(b);
+        slide(&self.stencils, b);
     }
 
     /// The direction of the rigid slip.
@@ -149,6 +169,7 @@ impl StripLaw for StickSlip {
         (0..self.len()).map(direction).collect()
     }
 
+    /// With the bristles stretched as at the last residual.
     fn defect(&self, p: &[f64], b: &[f64]) -> f64 {
         let square = |k: usize| {
             let onto = reduced(self.pull(p, b, k), self.bound[k]);
@@ -159,6 +180,10 @@ impl StripLaw for StickSlip {
 
     fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
         residual.fill(0.0);
+        if let Some(stretching) = &mut self.stretching {
+            let kept = &self.contact.slivers.kept;
+            stretching.evaluate(p, &self.bound, Cells { kept, stencils: &self.stencils });
+        }
         for strip in 0..self.contact.slivers.kept.len() {
             for k in self.contact.slivers.kept[strip].clone() {
                 let q = self.pull(p, b, k);
@@ -175,14 +200,18 @@ impl StripLaw for StickSlip {
     fn tangent(&self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
         let rigid = cause.map(|cause| {
             let mut slid = self.since_entry(&cause.rigid);
-            self.slide(&mut slid);
+            slide(&self.stencils, &mut slid);
             slid
         });
+        let stretching = self.stretching.as_ref();
+        let stretched = stretching.map(|s| s.change(change, cause, self.cells()));
         product.fill(0.0);
         for k in self.contact.kept() {
             let pulled = [0, 1].map(|c| {
-                let slid = rigid.as_ref().map_or(0.0, |rigid| rigid[2 * k + c]);
-                change.traction[2 * k + c] + self.gamma * (slid - change.response[2 * k + c])
+                let of =
+                    |part: &Option<Vec<f64>>| part.as_ref().map_or(0.0, |part| part[2 * k + c]);
+                let slid = of(&rigid) - change.response[2 * k + c] - of(&stretched);
+                change.traction[2 * k + c] + self.gamma * slid
             });
             let Slope { by_pull, by_bound } = &self.slopes[k];
             let moved = times(by_pull, pulled);
@@ -222,13 +251,16 @@ impl StripLaw for StickSlip {
         let mut elements = Vec::with_capacity(self.len());
         for (number, strip) in patch.strips.iter().enumerate() {
             for k in strip.cells.clone() {
+                let is_coulomb = self.stretching.is_none();
+                let track =
+                    if is_coulomb { self.track(patch, &slid, number, k) } else { Vec::new() };
                 elements.push(Element {
                     index: patch.cells[k].index,
                     traction: pair(p, k),
                     saturation: saturation(pair(p, k), self.bound[k]),
                     sliding: pair(&slid, k),
                     stretch: pair(b, k).map(|b| -b / patch.cells[k].path_in.distance),
-                    track: self.track(patch, &slid, number, k),
+                    track,
                     ..Element::default()
                 });
             }
@@ -236,17 +268,22 @@ impl StripLaw for StickSlip {
         elements
     }
 
+    fn stick_share(&self) -> f64 {
+        1.0
+    }
+
     fn complete(&self, p: &mut [f64]) {
         self.contact.slivers.complete(p);
     }
 
-    /// Exactly zero where a cell sticks: the friction power, from mean slips over the cells, is
+    /// Exactly zero where a cell sticks without bristles: the friction power, from mean slips over the cells, is
     /// not.
     fn take_slip(&self, b: &[f64], speed: f64, slip: &mut [[f64; 2]]) {
         for k in self.contact.kept() {
             let per_way = speed / self.stencils[k].way;
             let sliding = if self.slopes[k].is_sliding() { self.sliding(b, k) } else { [0.0; 2] };
-            slip[k] = sliding.map(|s| per_way * s);
+            let stretching = self.stretching.as_ref().map_or([0.0; 2], |s| pair(&s.sliding, k));
+            slip[k] = [0, 1].map(|c| per_way * (sliding[c] + stretching[c]));
         }
         self.contact.slivers.copy(slip);
     }
@@ -257,20 +294,21 @@ impl StripLaw for StickSlip {
 }
 
 impl StickSlip {
-    /// Converts what the cells have slid since entry into the sliding at them, in place; both in
-    /// m.
-    fn slide(&self, values: &mut [f64]) {
-        let mut ahead = [0.0; 2];
-        for (k, stencil) in self.stencils.iter().enumerate().rev() {
-            let since_entry = pair(values, k);
-            let slid = stencil.apply(values, k, ahead);
-            values[2 * k..2 * k + 2].copy_from_slice(&slid);
-            ahead = since_entry;
-        }
+    /// Puts in place of what belongs to slivers by how much their traction is not that which
+    /// follows from the others, in the unit of the traction.
+    pub fn depart(&self, p: &[f64], departure: &mut [f64]) {
+        self.contact.slivers.depart(p, departure);
+    }
+
+    /// Adds the values of the slivers among some given ones.
+    pub fn add_to_slivers(&self, values: &[f64], to: &mut [f64]) {
+        self.contact.slivers.add(values, to);
     }
 
     fn factorise(&mut self, is_coupled: bool) {
-        self.factors.factorise(&self.contact.slivers.kept, &self.slopes, self.gamma);
+        let cells = Cells { kept: &self.contact.slivers.kept, stencils: &self.stencils };
+        let stretching = self.stretching.as_ref().map(|stretching| (stretching, cells));
+        self.factors.factorise(cells.kept, &self.slopes, self.gamma, stretching);
         if is_coupled {
             for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
                 self.inverses[k] = self.inverse(k);

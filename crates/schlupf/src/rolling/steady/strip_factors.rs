@@ -10,6 +10,7 @@ use crate::patch::Patch;
 use crate::rolling::shared::coulomb::{CoulombContact, Matrix, SlipStencil, Slope};
 
 use super::block::{Block, Twice, image, reduced_by};
+use super::stretching::{Cells, Stretching};
 
 /// Number of neighbours on either side that displace a cell.
 const NEIGHBOURS: usize = 2;
@@ -86,24 +87,56 @@ impl StripFactors {
         }
     }
 
-    /// Factorises the Jacobian of all strips, with γ in Pa/m.
-    pub fn factorise(&mut self, strips: &[Range<usize>], slopes: &[Slope], gamma: f64) {
+    /// Factorises the Jacobian of all strips, with γ in Pa/m and the stretching of the bristles, if
+    /// there are any.
+    pub fn factorise(
+        &mut self,
+        strips: &[Range<usize>],
+        slopes: &[Slope],
+        gamma: f64,
+        stretching: Option<(&Stretching, Cells)>,
+    ) {
         let stiffness = (gamma * self.own) as f32;
         for cells in strips.chunks(AT_ONCE) {
             let longest = cells.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
             for n in 0..longest {
                 for cells in cells.iter().filter(|cells| n < cells.len()) {
-                    self.factorise_row(cells.start + n, n, &slopes[cells.start + n], stiffness);
+                    let k = cells.start + n;
+                    let mut slips = self.slips[k];
+                    if let Some((stretching, cells)) = stretching {
+                        self.add_bristles(&mut slips, k, stretching.blocks(k, cells));
+                    }
+                    self.factorise_row((k, n), &slips, &slopes[k], stiffness);
                 }
             }
         }
     }
 
-    /// Of a cell with `upstream` cells before it.
-    fn factorise_row(&mut self, k: usize, upstream: usize, slope: &Slope, stiffness: f32) {
+    /// Adds the stretching of the bristles to the row of cell `k`.
+    fn add_bristles(
+        &self,
+        row: &mut Row<Block>,
+        k: usize,
+        blocks: impl Iterator<Item = (usize, Matrix)>,
+    ) {
+        for (j, block) in blocks {
+            if let Some(at) = row.get_mut((LOWER + j).wrapping_sub(k)) {
+                *at = at.plus(self.own.recip() as f32, Block::of(&block));
+            }
+        }
+    }
+
+    /// Of a cell with `upstream` cells before it, from the blocks of its slip.
+    fn factorise_row(
+        &mut self,
+        (k, upstream): (usize, usize),
+        slips: &Row<Block>,
+        slope: &Slope,
+        stiffness: f32,
+    ) {
         let slope = Block::of(&slope.by_pull);
         let mut row = [Block::default(); WIDTH];
-        for (block, slip) in row.iter_mut().zip(&self.slips[k]) {
+        for (block, slip) in row.iter_mut().zip(slips) {
             *block = block.plus(stiffness, slope.times(*slip));
         }
         row[LOWER] = row[LOWER].plus(-1.0, slope).plus(1.0, Block::ONE);
@@ -242,7 +275,7 @@ mod tests {
             (0..14).map(|k| Slope::at([0.3 * f64::from(k), 1.0], 2.0)).collect();
         let single = slips.iter().map(|row| row.map(|block| Block::of(&block)));
         let mut factors = StripFactors::of(single.collect());
-        factors.factorise(std::slice::from_ref(&cells), &slopes, 3.0);
+        factors.factorise(std::slice::from_ref(&cells), &slopes, 3.0, None);
         let right: Vec<f64> = (0..28).map(|n| f64::from((5 * n) % 9) - 4.0).collect();
         let mut v = right.clone();
         factors.solve(std::slice::from_ref(&cells), &mut v);

@@ -55,6 +55,12 @@ pub(super) trait StripLaw: Send + Sync {
     /// it has one of its own.
     fn take_slip(&self, _b: &[f64], _speed: f64, _slip: &mut [[f64; 2]]) {}
 
+    /// Share of F in which cells stick without sliding, but for what stretches bristles;
+    /// dimensionless.
+    fn stick_share(&self) -> f64 {
+        0.0
+    }
+
     /// Number of cells.
     fn len(&self) -> usize {
         self.bound().len()
@@ -86,4 +92,6 @@ pub(super) struct Cause {
     pub turn: Vec<f64>,
     /// Relative change of k_c, dimensionless.
     pub stiffness: f64,
+    /// Relative change of the stiffness of bristles over that of cells, dimensionless.
+    pub over_cells: f64,
 }

@@ -28,7 +28,7 @@ use crate::heat::{HeatModel, HeatStep};
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
 use crate::normal::{NormalContact, NormalSummary, Pressure};
-use crate::numerics::root::fixed_point;
+use crate::numerics::root::fixed_point_near;
 use crate::patch::{Cell, Patch};
 use crate::problem::{Options, Problem};
 use crate::solution::Resultant;
@@ -37,7 +37,7 @@ use crate::summary::snapshot::Snapshot;
 use super::elliptic_contact::{EllipticContact, friction_limit};
 use cell::{Carried, cut};
 use flexibility::{Flexibility, slope_reduction};
-use passage::Passage;
+use passage::{Approach, Passage};
 
 /// Bristles, and their softening in modified FASTSIM.
 type Kind = (Brush, Option<SlopeReduction>);
@@ -159,32 +159,37 @@ impl Fastsim {
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
         let motion = &problem.kinematics;
         let conduction = problem.conduction(motion);
-        let mut start = problem.friction.cold_coefficient();
+        let mut last = [problem.friction.cold_coefficient(); 2];
+        let mut slope = 0.0;
         for strip in &patch.strips {
             let mut carried = Carried::default();
             let mut pressure_before = 0.0;
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
                 let inherited = heat.inherited(k);
-                let stick_increment = flexibility.stick_increment(motion, &cell.path_in);
+                let approach = Approach::new(flexibility, motion, &cell.path_in);
+                let pressure_here = pressure(cell);
                 let arrive = |mu: f64| {
-                    let next = carried.next(stick_increment, mu * pressure(cell));
+                    let next = carried.next(approach.stick_increment, mu * pressure_here);
                     let ends = [cut(carried.traction, mu * pressure_before), next.traction];
-                    (next, Passage::new(flexibility, motion, &cell.path_in, ends))
+                    (next, approach.passage(ends))
                 };
-                let mu = fixed_point(start, |mu| {
+                let start = (2.0 * last[0] - last[1]).max(0.0);
+                let mu = fixed_point_near(start, &mut slope, |mu| {
                     let (_, passage) = arrive(mu);
                     let scaled_rise = heat.scaled_rise(k, inherited, passage.heat());
-                    let slip_speed = passage.slip[0].hypot(passage.slip[1]);
+                    let [x, y] = passage.slip;
+                    let slip_speed = (x * x + y * y).sqrt();
                     problem
                         .friction_response(&conduction, scaled_rise, slip_speed, cell.y)
                         .coefficient
                 });
                 let (next, passage) = arrive(mu);
                 heat.flux[k] = passage.heat();
-                (start, friction[k], traction[k]) = (mu, mu, next.traction);
+                (friction[k], traction[k]) = (mu, next.traction);
+                last = [mu, last[0]];
                 carried = next;
-                pressure_before = pressure(cell);
+                pressure_before = pressure_here;
             }
         }
     }

@@ -23,18 +23,42 @@ impl Passage {
         flexibility: &Flexibility,
         motion: &Kinematics,
         way: &Travel,
-        [from, to]: [[f64; 2]; 2],
+        ends: [[f64; 2]; 2],
     ) -> Self {
-        let rate = motion.speed / way.distance;
-        let stick_increment = flexibility.stick_increment(motion, way);
-        let scale = rate * flexibility.along(stick_increment, way.rigid_slip(motion));
-        let slip = [0, 1].map(|c| scale * (stick_increment[c] - (to[c] - from[c])));
-        let power = 0.5 * ((from[0] + to[0]) * slip[0] + (from[1] + to[1]) * slip[1]);
-        Self { distance: way.distance, slip, power }
+        Approach::new(flexibility, motion, way).passage(ends)
     }
 
     /// The heat released, in W/m².
     pub fn heat(&self) -> f64 {
         self.power.max(0.0)
+    }
+}
+
+/// What a path is, whatever the tractions at its ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Approach {
+    /// Growth of the traction on the rail along it in adhesion, in Pa.
+    pub stick_increment: [f64; 2],
+    /// Ratio of the slip velocity to what is missing of that growth, in m/(s Pa).
+    scale: f64,
+    /// In m.
+    distance: f64,
+}
+
+impl Approach {
+    pub fn new(flexibility: &Flexibility, motion: &Kinematics, way: &Travel) -> Self {
+        let rate = motion.speed / way.distance;
+        let stick_increment = flexibility.stick_increment(motion, way);
+        let scale = rate * flexibility.along(stick_increment, way.rigid_slip(motion));
+        Self { stick_increment, scale, distance: way.distance }
+    }
+
+    /// With the tractions on the rail (in Pa) at both ends.
+    #[inline]
+    pub fn passage(&self, [from, to]: [[f64; 2]; 2]) -> Passage {
+        let Self { stick_increment, scale, distance } = *self;
+        let slip = [0, 1].map(|c| scale * (stick_increment[c] - (to[c] - from[c])));
+        let power = 0.5 * ((from[0] + to[0]) * slip[0] + (from[1] + to[1]) * slip[1]);
+        Passage { distance, slip, power }
     }
 }

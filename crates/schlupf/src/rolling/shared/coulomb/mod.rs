@@ -10,9 +10,11 @@ mod slivers;
 mod calibration;
 mod slip_stencil;
 mod reduction;
+mod stretch;
 mod contact;
 
 pub(in crate::rolling) use calibration::Calibration;
 pub(in crate::rolling) use contact::CoulombContact;
 pub(in crate::rolling) use reduction::{Matrix, Slope, reduced, saturation};
-pub(in crate::rolling) use slip_stencil::{NODES, SlipStencil, through};
+pub(in crate::rolling) use slip_stencil::{NODES, SlipStencil, slide, through};
+pub(in crate::rolling) use stretch::Stretch;

@@ -97,6 +97,18 @@ impl SlipStencil {
     }
 }
 
+/// Converts values since entry (x and y of each cell in turn) into their changes over the way into
+/// each cell, in place.
+pub(in crate::rolling) fn slide(stencils: &[SlipStencil], values: &mut [f64]) {
+    let mut ahead = [0.0; 2];
+    for (k, stencil) in stencils.iter().enumerate().rev() {
+        let since_entry = [values[2 * k], values[2 * k + 1]];
+        let changed = stencil.apply(values, k, ahead);
+        values[2 * k..2 * k + 2].copy_from_slice(&changed);
+        ahead = since_entry;
+    }
+}
+
 /// Weights (dimensionless) of the derivative at a place, times the way to the nearest node
 /// upstream, of the polynomial through a node at a distance ahead of it (in m), the place itself,
 /// and the two nodes behind it, one after another.

@@ -1,0 +1,159 @@
+//! Bristles neither soft nor stiff against a cell: F is a mean of that of [`Bristles`] and that of
+//! [`StickSlip`], which are discretised differently, so that forces do not jump where one takes
+//! over from the other.
+
+use crate::error::Error;
+use crate::normal::NormalContact;
+use crate::numerics::vector::norm;
+use crate::patch::{Cell, Patch};
+use crate::problem::Problem;
+use crate::rolling::shared::contact::{DiscreteContact, StickShare};
+use crate::state::Element;
+
+use super::bristles::Bristles;
+use super::steady_friction::SteadyFriction;
+use super::stick_slip::StickSlip;
+use super::strip_law::{Cause, Changed, StripLaw};
+
+/// Both laws along the strips of a patch.
+pub(super) struct Blend {
+    bristles: Bristles,
+    stick_slip: StickSlip,
+    /// Stiffness of a cell of the finest grid, in Pa/m.
+    finest_cell: f64,
+    /// In Pa.
+    peak_pressure: f64,
+    share: StickShare,
+    /// F of both at the last residual, in Pa.
+    residuals: [Vec<f64>; 2],
+}
+
+impl Blend {
+    /// The strips of a patch; [`StripLaw::set_problem`] sets motion and laws. The share goes by the
+    /// stiffness of a cell of the finest grid, in Pa/m.
+    ///
+    /// # Errors
+    /// Those of [`StickSlip::new`].
+    pub fn new(
+        problem: &Problem,
+        normal: &NormalContact,
+        contact: &mut DiscreteContact,
+        finest_cell: f64,
+    ) -> Result<Self, Error> {
+        let zeros = || vec![0.0; 2 * contact.patch.len()];
+        Ok(Self {
+            bristles: Bristles::new(problem, &contact.patch),
+            finest_cell,
+            peak_pressure: normal.summary.peak_pressure,
+            share: StickShare::default(),
+            residuals: [zeros(), zeros()],
+            stick_slip: StickSlip::new(problem, normal, contact)?,
+        })
+    }
+
+    /// The response of each law to a traction, from the displacements relative to the entry.
+    fn responses(&self, p: &[f64], relative: &[f64]) -> [Vec<f64>; 2] {
+        let relative = &relative[..p.len()];
+        let mut responses = [relative.to_vec(), relative.to_vec()];
+        let [of_bristles, of_stick_slip] = &mut responses;
+        self.bristles.relate(p, of_bristles);
+        self.stick_slip.relate(p, of_stick_slip);
+        responses
+    }
+
+    /// The mean of what both laws give, in place of the first.
+    fn mean(&self, values: &mut [f64], of_stick_slip: &[f64]) {
+        let share = self.share.value;
+        for (value, other) in values.iter_mut().zip(of_stick_slip) {
+            *value = (1.0 - share) * *value + share * other;
+        }
+    }
+
+    /// Whether the bristles count: under Coulomb's law they would be infinitely stiff.
+    fn has_bristles(&self) -> bool {
+        self.share.value < 1.0
+    }
+}
+
+impl StripLaw for Blend {
+    fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64) {
+        self.share = StickShare::of(problem, self.peak_pressure, self.finest_cell);
+        self.bristles.set_problem(problem, patch, gamma);
+        self.stick_slip.set_problem(problem, patch, gamma);
+    }
+
+    fn bound(&self) -> &[f64] {
+        self.bristles.bound()
+    }
+
+    fn set_bound(&mut self, cells: &[Cell], coefficient: &[f64]) {
+        self.bristles.set_bound(cells, coefficient);
+        self.stick_slip.set_bound(cells, coefficient);
+    }
+
+    /// Each law has its own response, so b remains the relative displacement.
+    fn relate(&self, _p: &[f64], _b: &mut [f64]) {}
+
+    fn rigid_saturation(&self) -> Vec<[f64; 2]> {
+        self.stick_slip.rigid_saturation()
+    }
+
+    /// ‖F‖₂ of the last residual, in Pa.
+    fn defect(&self, _p: &[f64], _b: &[f64]) -> f64 {
+        let [of_bristles, of_stick_slip] = &self.residuals;
+        let mut residual = of_bristles.clone();
+        self.mean(&mut residual, of_stick_slip);
+        norm(&residual)
+    }
+
+    fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
+        let [of_bristles, of_stick_slip] = self.responses(p, b);
+        let [first, second] = &mut self.residuals;
+        first.fill(0.0);
+        if self.share.value < 1.0 {
+            self.bristles.residual(p, &of_bristles, first);
+        }
+        self.stick_slip.residual(p, &of_stick_slip, second);
+        self.stick_slip.depart(p, second);
+        residual.copy_from_slice(first);
+        self.mean(residual, &self.residuals[1]);
+    }
+
+    fn tangent(&self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
+        let [of_bristles, of_stick_slip] = self.responses(change.traction, change.response);
+        product.fill(0.0);
+        if self.has_bristles() {
+            let change = Changed { response: &of_bristles, ..*change };
+            self.bristles.tangent(&change, cause, product);
+        }
+        let mut other = vec![0.0; product.len()];
+        let change = Changed { response: &of_stick_slip, ..*change };
+        self.stick_slip.tangent(&change, cause, &mut other);
+        self.stick_slip.depart(change.traction, &mut other);
+        self.mean(product, &other);
+        let more = cause.map_or(0.0, |cause| self.share.by_stiffness * cause.over_cells);
+        let [first, second] = &self.residuals;
+        for (product, (first, second)) in product.iter_mut().zip(first.iter().zip(second)) {
+            *product += more * (second - first);
+        }
+    }
+
+    fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
+        let mut other = v.to_vec();
+        self.stick_slip.precondition(&mut other, friction);
+        self.stick_slip.add_to_slivers(v, &mut other);
+        if self.has_bristles() {
+            self.bristles.precondition(v, friction);
+        }
+        self.mean(v, &other);
+    }
+
+    fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], relative: &[f64]) -> Vec<Element> {
+        let [of_bristles, _] = self.responses(p, b);
+        self.bristles.elements(patch, p, &of_bristles, relative)
+    }
+
+    fn stick_share(&self) -> f64 {
+        self.share.value
+    }
+}
