@@ -8,7 +8,7 @@ use crate::elasticity::half_space::HalfSpace;
 use crate::error::Error;
 use crate::heat::Heat;
 use crate::heat::partition::Partition;
-use crate::interface::contact_law::Incremental;
+use crate::interface::contact_law::{ContactLaw, Incremental, Response, Slide};
 use crate::interface::friction::Friction;
 use crate::interface::friction::constant::Constant;
 use crate::kalker_coefficients::creep_coefficients;
@@ -29,6 +29,22 @@ pub(super) const FRICTION: f64 = 0.3;
 
 /// k_c, in 1/m: close to Coulomb's law.
 const STIFFNESS: f64 = 1e8;
+
+/// The law without the treatment of stiff bristles as in series with stick and slip. Its displacement
+/// is calibrated on finer grids, of the layer too, whereas stiffnesses are to be found that serve on
+/// the grid that is used.
+#[derive(Debug)]
+struct FromCellToCell(Incremental);
+
+impl ContactLaw for FromCellToCell {
+    fn respond(&self, slide: &Slide) -> Response {
+        self.0.respond(slide)
+    }
+
+    fn with_stiffness(&self, stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
+        Ok(Some(Arc::new(Self(Incremental::new(stiffness)?))))
+    }
+}
 
 /// One ellipse between half-spaces.
 pub(super) struct RollingContact {
@@ -54,7 +70,7 @@ impl RollingContact {
             rail: Body { material, ..Body::STEEL },
             normal: Arc::new(ellipse),
             elasticity: Arc::new(bodies),
-            contact_law: Arc::new(Incremental::new(STIFFNESS)?),
+            contact_law: Arc::new(FromCellToCell(Incremental::new(STIFFNESS)?)),
             friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
             heat: Heat { model: None, partition: Partition::Given(0.5) },
         };

@@ -45,7 +45,7 @@ impl Blend {
             bristles: Bristles::new(problem, &contact.patch),
             finest_cell,
             peak_pressure: normal.summary.peak_pressure,
-            share: StickShare::default(),
+            share: StickShare::of(problem, normal.summary.peak_pressure, finest_cell),
             residuals: [zeros(), zeros()],
             stick_slip: StickSlip::new(problem, normal, contact)?,
         })

@@ -63,12 +63,13 @@ const COARSEST: usize = 16;
 /// The same if displacements decay within the patch.
 const COARSEST_SHORT_RANGED: usize = 8;
 
-/// The nested grids of a normal contact, the finest first.
+/// The nested grids of a normal contact, the finest first; where the bristles are stiff, with stick
+/// and slip if `sticks`.
 pub(super) fn nested(
     problem: &Problem,
     normal: &NormalContact,
     options: &Options,
-    watch: Watch,
+    (sticks, watch): (bool, Watch),
 ) -> Result<Vec<Level>, Error> {
     let mut cells = [options.cells_x, options.cells_y];
     let mut levels: Vec<Level> = Vec::new();
@@ -76,7 +77,7 @@ pub(super) fn nested(
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
         let finest = levels.first().map(|finest| &finest.contact);
-        let level = Level::new(problem, normal, grid, finest)?;
+        let level = Level::new(problem, normal, grid, (sticks, finest))?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
             let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
@@ -93,16 +94,17 @@ pub(super) fn nested(
     }
 }
 
-/// The contact law along the strips of a patch, as it is treated on the finest grid.
+/// The contact law along the strips of a patch, as it is treated on the finest grid; where the
+/// bristles are stiff, with stick and slip if `sticks`.
 fn strips(
     problem: &Problem,
     normal: &NormalContact,
     contact: &mut DiscreteContact,
-    finest: Option<&DiscreteContact>,
+    (sticks, finest): (bool, Option<&DiscreteContact>),
 ) -> Result<Box<dyn StripLaw>, Error> {
     let finest = finest.unwrap_or(contact);
     let (share, finest_cell) = (finest.stick_share(problem).value, finest.cell_stiffness());
-    if share == 0.0 {
+    if share == 0.0 || (!sticks && !problem.contact_law.is_coulomb()) {
         return Ok(Box::new(Bristles::new(problem, &contact.patch)));
     }
     if !problem.contact_law.is_coulomb() {
@@ -120,12 +122,12 @@ impl Level {
         problem: &Problem,
         normal: &NormalContact,
         grid: Grid,
-        finest: Option<&DiscreteContact>,
+        treated: (bool, Option<&DiscreteContact>),
     ) -> Result<Self, Error> {
         let mut contact = DiscreteContact::new(problem, normal, grid)?;
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
-        let strips = strips(problem, normal, &mut contact, finest)?;
+        let strips = strips(problem, normal, &mut contact, treated)?;
         Ok(Self {
             strips,
             friction: SteadyFriction::new(problem, &contact.patch),

@@ -102,9 +102,22 @@ const FARTHEST: f64 = 2.5;
 
 impl Setup {
     pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
+        Self::treated(problem, options, (true, watch))
+    }
+
+    /// With bristles that are followed from cell to cell however stiff they are.
+    pub fn of_bristles(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
+        Self::treated(problem, options, (false, watch))
+    }
+
+    fn treated(
+        problem: &Problem,
+        options: &Options,
+        treated: (bool, Watch),
+    ) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
-        let levels = level::nested(problem, &normal, options, watch)?;
-        let stick_share = levels[0].contact.stick_share(problem).value;
+        let levels = level::nested(problem, &normal, options, treated)?;
+        let stick_share = levels[0].strips.stick_share();
         Ok(Self { problem: problem.clone(), levels, stick_share, earlier: Vec::new() })
     }
 
@@ -113,6 +126,11 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
             && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
             && is_alike(self.levels[0].contact.stick_share(problem).value, self.stick_share)
+    }
+
+    /// Whether the bristles of a problem are in series with stick and slip, at least in part.
+    pub fn has_stiff_bristles(&self, problem: &Problem) -> bool {
+        self.sticks() && !problem.contact_law.is_coulomb()
     }
 
     /// Whether cells stick without sliding, at least in part.

@@ -161,6 +161,10 @@ impl SteadySolver {
             watch,
         };
         let mut outcome = setup.find(problem, &mut search)?;
+        if !outcome.converged && setup.has_stiff_bristles(problem) {
+            setup = Setup::of_bristles(problem, &self.options, watch)?;
+            outcome = setup.find(problem, &mut search)?;
+        }
         let mut warning = None;
         if branches::may_be_several(problem, &setup.levels[0], outcome.converged) {
             (outcome, warning) = setup.follow_branches(problem, &mut search)?;
