@@ -183,22 +183,18 @@ fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
         building.solve(watch)?;
         let nodes = building.nodes()?;
         let table = LookUpTable::new(nodes)?;
-        eprintln!("DEBUG round {round} {:?} solved {} {:?} {:?}", building.axes.each_ref().map(Vec::len), building.solved.len(), states.error(&table), states.sliding_error(&table)); states.worst(&table);
-        let is_within = |states: &RandomStates| {
-            states.largest_error(&table) <= DECISIVE * options.tolerance
-        };
+        let is_within =
+            |states: &RandomStates| states.largest_error(&table) <= DECISIVE * options.tolerance;
         let mut is_good = is_within(&states);
         if is_good {
             // Other states confirm it, or decide from then on.
             states = draw()?;
             unconverged += states.unconverged;
             is_good = is_within(&states);
-            eprintln!("DEBUG other {:?} {:?}", states.error(&table), states.sliding_error(&table)); states.worst(&table);
         }
         let error = WORST * states.largest_error(&table);
         let places = states.places_beyond(&table, error);
         let additions = Grid { nodes: table.nodes() }.additions(&places);
-        eprintln!("DEBUG {} places, add {additions:?}", places.len());
         let is_last = round == MOST_ROUNDS || !building.can_refine(&additions);
         if is_good || is_last {
             let measuring = draw()?;

@@ -100,18 +100,6 @@ impl RandomStates {
         states.filter(|state| state.error(table) > error).map(State::place).collect()
     }
 
-    pub fn worst(&self, table: &LookUpTable) {
-        for set in [&self.rolling, &self.sliding] {
-            let mut all: Vec<_> = set.iter().map(|s| (super::distance(table.normalised_force(s.axis_ratio, s.creepages).force, s.force), s)).collect();
-            all.sort_by(|a, b| b.0.total_cmp(&a.0));
-            for (e, s) in all.iter().take(6) {
-                let shape = shape(s.axis_ratio, 0.28).unwrap();
-                let c = shape.coordinates(s.creepages);
-                eprintln!("DEBUG   {e:.5} a/b {:.3} r {:.2} s {:.4} az {:.4} inc {:.4} {:.4?} {:.4?}", s.axis_ratio, c.size, c.size / (1.0 + c.size), c.azimuth, c.inclination, s.force, table.normalised_force(s.axis_ratio, s.creepages).force);
-            }
-        }
-    }
-
     /// The largest of all; dimensionless.
     pub fn largest_error(&self, table: &LookUpTable) -> f64 {
         self.error(table).largest.max(self.sliding_error(table).largest)
@@ -136,10 +124,8 @@ impl Drawn {
             [height, across * cosine, across * sine]
         } else {
             let radius = of_height.sqrt();
-            let [x, y] = [
-                radius * cosine * axis_ratio.sqrt(),
-                radius * sine * axis_ratio.sqrt().recip(),
-            ];
+            let [x, y] =
+                [radius * cosine * axis_ratio.sqrt(), radius * sine * axis_ratio.sqrt().recip()];
             let [along, across, spin] = shape.scales;
             let plain = [along * y, -across * x, spin];
             let length = plain.iter().map(|part| part * part).sum::<f64>().sqrt();
