@@ -56,9 +56,9 @@ impl Default for TableOptions {
             poisson_ratio: 0.28,
             axis_ratios: [0.1, 10.0],
             tolerance: STANDARD_TOLERANCE,
-            most_solutions: 350_000,
+            most_solutions: 200_000,
             cells: 24,
-            states: 4000,
+            states: 1000,
         }
     }
 }
@@ -111,22 +111,15 @@ const INTERVALS_OF_A_DECADE: f64 = 8.0;
 /// The tolerance of the standard table.
 const STANDARD_TOLERANCE: f64 = 0.01;
 
-/// Sliding is to be right within this part of the tolerance in the middle between nodes: in other
-/// places it may be off by more.
+/// Nodes are added where the table is off by this part of the largest error, or of the tolerance,
+/// because in other places it may be off by more.
 const MARGIN: f64 = 0.5;
-
-/// The random states that decide are to be within this part of the tolerance, so that all others
-/// are within the tolerance.
-const DECISIVE: f64 = 0.8;
-
-/// Nodes are added where the table is off by this part of the largest error.
-const WORST: f64 = 0.8;
 
 /// r in sliding without rolling.
 const NEARLY_INFINITE: f64 = 1e12;
 
 /// Most rounds of refinement; each adds at least one node to an axis.
-const MOST_ROUNDS: usize = 100;
+const MOST_ROUNDS: usize = 60;
 
 /// Makes a table.
 ///
@@ -183,8 +176,7 @@ fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
         building.solve(watch)?;
         let nodes = building.nodes()?;
         let table = LookUpTable::new(nodes)?;
-        let is_within =
-            |states: &RandomStates| states.largest_error(&table) <= DECISIVE * options.tolerance;
+        let is_within = |states: &RandomStates| states.largest_error(&table) <= options.tolerance;
         let mut is_good = is_within(&states);
         if is_good {
             // Other states confirm it, or decide from then on.
@@ -192,7 +184,7 @@ fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
             unconverged += states.unconverged;
             is_good = is_within(&states);
         }
-        let error = WORST * states.largest_error(&table);
+        let error = MARGIN * states.largest_error(&table).max(options.tolerance);
         let places = states.places_beyond(&table, error);
         let additions = Grid { nodes: table.nodes() }.additions(&places);
         let is_last = round == MOST_ROUNDS || !building.can_refine(&additions);

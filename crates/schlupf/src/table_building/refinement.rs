@@ -4,7 +4,7 @@
 use crate::look_up_table::TableNodes;
 
 /// Intervals are halved on axes on which the deviation is at least this part of the largest.
-const PART: f64 = 0.8;
+const PART: f64 = 0.5;
 
 /// The values at the nodes on a grid, and where they continue beyond its ends.
 pub(super) struct Grid<'a> {
