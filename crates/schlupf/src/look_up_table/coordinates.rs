@@ -13,7 +13,7 @@
 
 use wide::f64x2;
 
-/// Nearer to the direction of ξ than this, functions of the direction are continued linearly.
+/// Nearer to the direction of ξ than this, functions of η and φ are linear.
 const POLE: f64 = 1e-3;
 
 /// Below this, and above its inverse, a square may not be a number of full precision.

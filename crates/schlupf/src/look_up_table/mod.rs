@@ -212,14 +212,11 @@ impl LookUpTable {
         let coordinates = shape.coordinates(creepages);
         let size = coordinates.size;
         let beyond = (1.0 + size).recip();
-        let mut rest = self.interpolated(at, &coordinates, size * beyond);
-        if coordinates.pole == 0.0 {
-            // In the direction of ξ itself there is no azimuth: forces by spin go towards the spin.
-            let turned = Coordinates { azimuth: FRAC_PI_2, ..coordinates };
-            let turned = self.interpolated(at, &turned, size * beyond);
-            let around = coordinates.inclination.sin() * coordinates.inclination.cos();
-            rest.by_azimuth = turned.by_inclination.map(|slope| around * slope);
-        }
+        let rest = if coordinates.pole < 1.0 {
+            self.near_pole(at, &coordinates, size * beyond)
+        } else {
+            self.interpolated(at, &coordinates, size * beyond)
+        };
         // For size → ∞ with size/(1 + size) and the direction, so that nothing overflows.
         let adhesion = shape.adhesion(coordinates.direction);
         let part = size * beyond;
@@ -252,6 +249,33 @@ impl LookUpTable {
         }
         let force = std::array::from_fn(|k| signs[k] * force[k]);
         NormalisedForce { force, by_creepage: scaled(slopes), is_covered }
+    }
+
+    /// R and its derivatives near the direction of ξ, where Fy and Mz are linear in η and φ: a plane
+    /// through those of both, so that derivatives do not depend on the side.
+    fn near_pole(&self, at: &AtShape, coordinates: &Coordinates, saturation: f64) -> Rest {
+        let pole = coordinates.pole;
+        let (spin, across) = coordinates.azimuth.sin_cos();
+        let [one, other] = [0.0, FRAC_PI_2].map(|azimuth| {
+            let there = Coordinates { azimuth, pole: 1.0, ..*coordinates };
+            self.interpolated(at, &there, saturation)
+        });
+        let odd = |one: f64, other: f64| across * one + spin * other;
+        let even = |one: f64, other: f64| across * across * one + spin * spin * other;
+        let mixed = |one: [f64; 3], other: [f64; 3], factors: [f64; 2]| {
+            std::array::from_fn(|k| match k {
+                0 => factors[0] * even(one[k], other[k]),
+                _ => factors[1] * odd(one[k], other[k]),
+            })
+        };
+        let turned =
+            |k: usize| if k == 0 { 0.0 } else { across * other.values[k] - spin * one.values[k] };
+        Rest {
+            values: mixed(one.values, other.values, [1.0, pole]),
+            by_saturation: mixed(one.by_saturation, other.by_saturation, [1.0, pole]),
+            by_inclination: mixed(one.by_inclination, other.by_inclination, [pole, 1.0]),
+            by_azimuth: std::array::from_fn(turned),
+        }
     }
 
     /// R and its derivatives at a place of the table.
@@ -292,7 +316,7 @@ impl LookUpTable {
             along_row(&by_inclination, saturation.values),
             along_row(&by_azimuth, saturation.values),
         ];
-        Rest::new(sums, coordinates.pole)
+        Rest::new(sums)
     }
 }
 
@@ -334,21 +358,11 @@ struct Rest {
 }
 
 impl Rest {
-    /// Near the direction of ξ, Fx is even in the distance to it, Fy and Mz are odd: there is part
-    /// `pole` of the distance left to where they were interpolated.
     #[inline]
-    fn new(sums: [[f32; COMPONENTS]; 4], pole: f64) -> Self {
-        let [values, by_saturation, by_inclination, by_azimuth] = sums;
-        let with = |sums: [f32; COMPONENTS], factors: [f64; 2]| {
-            let [x, y, moment] = sums.map(f64::from);
-            [factors[0] * x, factors[1] * y, factors[1] * moment]
-        };
-        Self {
-            values: with(values, [1.0, pole]),
-            by_saturation: with(by_saturation, [1.0, pole]),
-            by_inclination: with(by_inclination, [pole, 1.0]),
-            by_azimuth: with(by_azimuth, [pole, 1.0]),
-        }
+    fn new(sums: [[f32; COMPONENTS]; 4]) -> Self {
+        let [values, by_saturation, by_inclination, by_azimuth] =
+            sums.map(|sums| sums.map(f64::from));
+        Self { values, by_saturation, by_inclination, by_azimuth }
     }
 }
 
