@@ -17,6 +17,7 @@ from ._case import Case, Section
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
+from ._look_up_table import LookUpTable, TableForces
 from ._plots import ResultPlots
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
@@ -47,6 +48,7 @@ __all__ = [
     "Curve",
     "Damage",
     "Fit",
+    "LookUpTable",
     "NotConverged",
     "Preset",
     "Record",
@@ -59,6 +61,7 @@ __all__ = [
     "Section",
     "Solver",
     "Sweep",
+    "TableForces",
     "Temperatures",
     "__version__",
     "animate",

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 __all__ = [
     "BatchSolver",
     "CaseFile",
+    "LookUpTable",
     "Report",
     "Solution",
     "Study",
@@ -56,6 +57,17 @@ class CaseFile:
     def given(self) -> list[str]: ...
     def effective(self) -> list[tuple[str, str, bool]]: ...
     def solve(self, initial_state: bytes | None = None, fields_every: int = 0) -> Solution: ...
+
+@final
+class LookUpTable:
+    def __new__(cls, path: Path | None = None) -> LookUpTable: ...
+    def metadata(self) -> str: ...
+    def axis_ratios(self) -> list[float]: ...
+    def normalised(
+        self,
+        axis_ratio: NDArray[np.float64],
+        creepages: list[NDArray[np.float64]],
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]: ...
 
 @final
 class Solution:

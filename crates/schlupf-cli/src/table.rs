@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use schlupf::table_building::{TableOptions, build, build_from};
 use schlupf::{Error, Quantity};
-use schlupf_table::{StoredTable, TableFileError};
+use schlupf_table::{StatedError, StoredTable, TableFileError};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::outputs::{self, Input, Output};
@@ -120,9 +120,21 @@ fn unwritten(error: &TableFileError) -> Failure {
 
 fn summary(arguments: &Table, stored: &StoredTable, size: usize) -> String {
     let metadata = &stored.metadata;
-    let error = metadata.error;
     let [ratios, azimuths, inclinations, saturations] = metadata.nodes;
     let percent = |part: f64| format!("{:.2} %", 100.0 * part);
+    let of_set = |error: &StatedError| {
+        format!(
+            "median {}, 90 % below {}, largest {} of μN in {} random states",
+            percent(error.median),
+            percent(error.ninety_percent),
+            percent(error.largest),
+            error.states,
+        )
+    };
+    let sliding = metadata
+        .sliding_error
+        .as_ref()
+        .map_or(String::new(), |error| format!("\nsliding    {}", of_set(error)));
     let verdict = if metadata.is_within_tolerance {
         String::new()
     } else {
@@ -134,14 +146,11 @@ fn summary(arguments: &Table, stored: &StoredTable, size: usize) -> String {
     };
     format!(
         "{}\n\nnodes      {ratios} x {azimuths} x {inclinations} x {saturations}: a/b, azimuth, \
-         inclination, saturation\nsolved     {} states{unconverged}\nerror      median {}, 90 % \
-         below {}, largest {} of μN in {} random states{verdict}\nsize       {:.2} MB\n",
+         inclination, saturation\nsolved     {} states{unconverged}\nerror      {}{sliding}{verdict}\n\
+         size       {:.2} MB\n",
         arguments.output.display(),
         metadata.solutions,
-        percent(error.median),
-        percent(error.ninety_percent),
-        percent(error.largest),
-        error.states,
+        of_set(&metadata.error),
         size as f64 / 1e6,
     )
 }

@@ -36,6 +36,42 @@ fn a_table_has_a_summary_and_a_file_that_can_be_refined() {
     assert!(bytes("t.npz") == bytes("v.npz"));
 }
 
+/// A table of one's own as a method: it is used, and what is none is refused at its field.
+#[test]
+fn a_case_names_its_own_table() {
+    let bench = Bench::new();
+    let options = ["--poisson-ratio", "0.25", "--output", "own.npz", "--quiet"];
+    assert_eq!(bench.run(&[&QUICK[..], &options].concat()).code, Some(0));
+    let case = "[kinematics]\ncreepage_x = 0.0005\n[normal]\nmodel = \"ellipse\"\n\
+                semi_axis_x = \"5 mm\"\nsemi_axis_y = \"5 mm\"\nload = \"80 kN\"\n[friction]\n\
+                model = \"constant\"\n[solver]\nmethod = \"table\"\n";
+    bench.write("case.toml", case);
+    let force = |table: &str| {
+        let set = format!("solver.table={table}");
+        let options = if table.is_empty() { vec![] } else { vec!["--set", set.as_str()] };
+        let run =
+            bench.run(&[&["solve", "case.toml", "--json", "-", "--quiet"], &options[..]].concat());
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        document["normalised"]["x"].as_f64().unwrap()
+    };
+    let (own, standard) = (force("own.npz"), force(""));
+    assert!(own != standard && (own - standard).abs() < 0.1, "{own} {standard}");
+    bench.write("text.npz", "no table");
+    fs::write(bench.path("cut.npz"), &fs::read(bench.path("own.npz")).unwrap()[..2000]).unwrap();
+    for (table, told) in [
+        ("text.npz", "must be a look-up table"),
+        ("cut.npz", "must be a look-up table"),
+        ("missing.npz", "must be the path of a readable file"),
+    ] {
+        let set = format!("solver.table={table}");
+        let run = bench.run(&["solve", "case.toml", "--set", &set]);
+        assert!(matches!(run.code, Some(1 | 2)), "{table} {:?}", run.code);
+        assert!(run.stderr.contains(told) && run.stderr.contains("solver.table"), "{}", run.stderr);
+        assert!(run.stderr.contains(table), "{}", run.stderr);
+    }
+}
+
 /// A table that may not have enough nodes is written and marked.
 #[test]
 fn an_error_that_is_not_met_is_told() {

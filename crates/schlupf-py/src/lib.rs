@@ -11,6 +11,7 @@ mod errors;
 mod fields;
 mod interruptible;
 mod laws;
+mod look_up_table;
 mod records;
 mod report;
 mod solution;
@@ -28,6 +29,8 @@ mod _core {
     use super::conditions::{BatchSolver, batch, conditions};
     #[pymodule_export]
     use super::fields::{command, field_table, presets, warning_codes};
+    #[pymodule_export]
+    use super::look_up_table::LookUpTable;
     #[pymodule_export]
     use super::report::Report;
     #[pymodule_export]

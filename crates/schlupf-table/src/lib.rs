@@ -9,8 +9,10 @@
 mod archive;
 mod metadata;
 mod npy;
+mod shared;
 mod standard;
 
 pub use archive::{StoredTable, TableFileError};
 pub use metadata::{Metadata, StatedError};
+pub use shared::shared;
 pub use standard::standard;

@@ -1,6 +1,6 @@
 //! What a file says about its table.
 
-use schlupf::table_building::{BuiltTable, TableOptions};
+use schlupf::table_building::{BuiltTable, TableError, TableOptions};
 use serde::{Deserialize, Serialize};
 
 /// What `metadata.json` calls the format.
@@ -32,8 +32,11 @@ pub struct Metadata {
     pub tolerance: f64,
     /// Whether random states were within it.
     pub is_within_tolerance: bool,
-    /// Error in other random states.
+    /// Error in other random states of rolling.
     pub error: StatedError,
+    /// Error in other random states of sliding without rolling; earlier files do not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sliding_error: Option<StatedError>,
     /// Solutions at nodes.
     pub solutions: usize,
     /// Solutions of these, and of the random states, that did not converge.
@@ -58,6 +61,17 @@ pub struct StatedError {
     pub largest: f64,
 }
 
+impl StatedError {
+    fn new(error: &TableError) -> Self {
+        Self {
+            states: error.states,
+            median: rounded(error.median),
+            ninety_percent: rounded(error.ninety_percent),
+            largest: rounded(error.largest),
+        }
+    }
+}
+
 /// Four digits of a number (dimensionless), which are read again as they are written.
 fn rounded(number: f64) -> f64 {
     format!("{number:.3e}").parse().unwrap_or(number)
@@ -66,7 +80,7 @@ fn rounded(number: f64) -> f64 {
 impl Metadata {
     /// Of a table that was made with these options.
     pub(crate) fn new(built: &BuiltTable, options: &TableOptions, sha256: String) -> Self {
-        let (nodes, error) = (built.table.nodes(), built.error);
+        let nodes = built.table.nodes();
         Self {
             format: FORMAT.to_owned(),
             version: VERSION,
@@ -83,12 +97,8 @@ impl Metadata {
             ],
             tolerance: options.tolerance,
             is_within_tolerance: built.is_within_tolerance,
-            error: StatedError {
-                states: error.states,
-                median: rounded(error.median),
-                ninety_percent: rounded(error.ninety_percent),
-                largest: rounded(error.largest),
-            },
+            error: StatedError::new(&built.error),
+            sliding_error: Some(StatedError::new(&built.sliding_error)),
             solutions: built.solutions,
             unconverged: built.unconverged,
             cells: options.cells,

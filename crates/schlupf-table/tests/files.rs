@@ -23,6 +23,14 @@ fn the_standard_table_states_its_error() {
     assert_eq!(metadata.unconverged, 0);
 }
 
+/// Files of the same bytes give the same table, others another one.
+#[test]
+fn a_file_is_kept_once() {
+    let standard = schlupf_table::shared(STANDARD).unwrap();
+    assert!(std::ptr::eq(standard, schlupf_table::shared(STANDARD).unwrap()));
+    assert!(schlupf_table::shared(b"no table").is_err());
+}
+
 /// A table that is made, written and read again is the same, and so is one made from it.
 #[test]
 fn a_table_survives_its_file() {
@@ -38,6 +46,8 @@ fn a_table_survives_its_file() {
     let again = build_from(&read.table, &options(), &unwatched).unwrap();
     assert_eq!(again.solutions, solutions);
     assert!((again.error.largest - error.largest).abs() < 1e-6);
+    let sliding = stored.metadata.sliding_error.as_ref().map(|error| error.states);
+    assert_eq!(sliding, Some(10 * options().states));
     let other = TableOptions { poisson_ratio: 0.3, ..options() };
     let refused = build_from(&read.table, &other, &unwatched).unwrap_err().to_string();
     assert!(refused.starts_with("poisson_ratio"), "{refused}");

@@ -5,10 +5,13 @@ use schlupf::method::{
 };
 use schlupf::problem::Branch;
 use schlupf::{Method, Options};
+use schlupf_table::StoredTable;
 
 use crate::error::CaseError;
 use crate::fields::choice::{BoundChoice, BranchChoice, Driver, FlexibilitiesChoice, MethodChoice};
 use crate::settings::Settings;
+
+const TABLE: &str = "solver.table";
 
 /// Numerical options.
 pub fn options(settings: &Settings) -> Result<Options, CaseError> {
@@ -44,12 +47,7 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
             area_adhesion: settings.number("solver.polach_area_adhesion")?,
             area_slip: settings.number("solver.polach_area_slip")?,
         }),
-        MethodChoice::Table => {
-            let standard = schlupf_table::standard().map_err(|error| {
-                settings.error("solver.method", format!("the standard table {error}"))
-            })?;
-            FastMethod::Table(SharedTable(&standard.table))
-        }
+        MethodChoice::Table => FastMethod::Table(SharedTable(&look_up_table(settings)?.table)),
         MethodChoice::Fastsim => FastMethod::Fastsim(brush(settings)?),
         MethodChoice::ModifiedFastsim => {
             let reduction = SlopeReduction {
@@ -62,6 +60,18 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
     };
     method.check().map_err(|error| settings.explain(&error))?;
     Ok(Method::Fast(method))
+}
+
+/// The table that was given, or the standard one.
+fn look_up_table(settings: &Settings) -> Result<&'static StoredTable, CaseError> {
+    if !settings.is_given(TABLE) {
+        return schlupf_table::standard().map_err(|error| {
+            settings.error("solver.method", format!("the standard table {error}"))
+        });
+    }
+    let (name, bytes) = settings.read_file(TABLE)?;
+    schlupf_table::shared(&bytes)
+        .map_err(|error| settings.error(TABLE, format!("{TABLE}: {name} {error}")))
 }
 
 fn brush(settings: &Settings) -> Result<Brush, CaseError> {

@@ -30,7 +30,7 @@ pub fn table() -> String {
 
 fn empty() -> LookUpTable {
     let line = |count: usize, last: f64, intervals: usize| -> Vec<f64> {
-        (0..count).map(|k| last * k as f64 / intervals as f64).collect()
+        (0..count).map(|k| last * (k as f64 / intervals as f64)).collect()
     };
     let [ratios, azimuths, inclinations, saturations] = NODES;
     let nodes = TableNodes {

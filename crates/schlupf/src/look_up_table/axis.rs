@@ -21,8 +21,8 @@ pub(crate) const FEWEST: usize = 4;
 /// Number of non-zero basis functions at a point, and of coefficients of a cubic polynomial.
 const LOCAL: usize = 4;
 
-/// Buckets for the search of the interval, per interval.
-const BUCKETS: usize = 4;
+/// Most buckets for the search of the interval.
+const MOST_BUCKETS: f64 = 4096.0;
 
 /// Nodes, and the cubic B-splines that belong to them.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,15 +31,22 @@ pub(crate) struct Axis {
     ends: Ends,
     /// Where the pieces of the splines begin; the last entry is the upper end.
     starts: Vec<f64>,
-    /// 1/width of each piece.
-    scales: Vec<f64>,
+    pieces: Vec<Piece>,
     /// Coefficients of the four basis functions on each piece, in powers of the part of its width.
-    pieces: Vec<[[f64; LOCAL]; LOCAL]>,
-    /// The same for each power, in single precision: all four functions at once.
-    powers: Vec<[f32x4; LOCAL]>,
+    exact: Vec<[[f64; LOCAL]; LOCAL]>,
     /// The piece at the start of each bucket.
     buckets: Vec<u32>,
     bucket_scale: f64,
+}
+
+/// What the basis functions on a piece follow from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Piece {
+    start: f64,
+    /// 1/width.
+    scale: f64,
+    /// For each power of the part of the width the coefficients of all four functions.
+    powers: [f32x4; LOCAL],
 }
 
 /// The basis functions at a point.
@@ -58,13 +65,20 @@ impl Axis {
         let knots = knots(&nodes, ends);
         let count = knots.len() - LOCAL;
         let spans: Vec<usize> = (LOCAL - 1..count).filter(|k| knots[*k + 1] > knots[*k]).collect();
-        let pieces: Vec<_> = spans.iter().map(|span| polynomials(&knots, *span)).collect();
-        let powers = pieces.iter().map(powers).collect();
-        let mut starts: Vec<f64> = spans.iter().map(|span| knots[*span]).collect();
-        let scales = spans.iter().map(|span| (knots[span + 1] - knots[*span]).recip()).collect();
+        let exact: Vec<_> = spans.iter().map(|span| polynomials(&knots, *span)).collect();
+        let piece = |(span, exact): (&usize, &[[f64; LOCAL]; LOCAL])| Piece {
+            start: knots[*span],
+            scale: (knots[span + 1] - knots[*span]).recip(),
+            powers: powers(exact),
+        };
+        let pieces: Vec<Piece> = spans.iter().zip(&exact).map(piece).collect();
+        let mut starts: Vec<f64> = pieces.iter().map(|piece| piece.start).collect();
         let (low, high) = (knots[LOCAL - 1], knots[count]);
         starts.push(high);
-        let bucket_count = BUCKETS * spans.len();
+        // No more than one piece begins in a bucket.
+        let widths = starts.windows(2).map(|pair| pair[1] - pair[0]);
+        let narrowest = widths.fold(high - low, f64::min);
+        let bucket_count = ((high - low) / narrowest).ceil().min(MOST_BUCKETS) as usize + 1;
         let piece_at = |bucket: usize| {
             let start = low + (high - low) * bucket as f64 / bucket_count as f64;
             let above = starts[1..spans.len()].iter().filter(|knot| **knot <= start);
@@ -72,7 +86,7 @@ impl Axis {
         };
         let buckets = (0..bucket_count).map(piece_at).collect();
         let bucket_scale = bucket_count as f64 / (high - low);
-        Self { nodes, ends, starts, scales, pieces, powers, buckets, bucket_scale }
+        Self { nodes, ends, starts, pieces, exact, buckets, bucket_scale }
     }
 
     /// Its nodes, in ascending order; dimensionless.
@@ -86,17 +100,21 @@ impl Axis {
     }
 
     /// The basis functions at a point; beyond the ends those at the end.
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "the axes' chains of dependent steps then overlap")]
     pub fn weights(&self, at: f64) -> Weights {
         let last = self.pieces.len() - 1;
-        let at = at.clamp(self.starts[0], self.starts[last + 1]);
-        let bucket = ((at - self.starts[0]) * self.bucket_scale) as usize;
+        let low = self.starts[0];
+        let at = at.max(low).min(self.starts[last + 1]);
+        let bucket = ((at - low) * self.bucket_scale) as usize;
         let mut piece = self.buckets[bucket.min(self.buckets.len() - 1)] as usize;
+        // Without a branch, whose outcome nothing would foretell.
+        piece = (piece + usize::from(at >= self.starts[piece + 1])).min(last);
         while piece < last && at >= self.starts[piece + 1] {
             piece += 1;
         }
-        let scale = self.scales[piece];
-        let u = f32x4::splat(((at - self.starts[piece]) * scale) as f32);
-        let [c0, c1, c2, c3] = self.powers[piece];
+        let Piece { start, scale, powers: [c0, c1, c2, c3] } = self.pieces[piece];
+        let u = f32x4::splat(((at - start) * scale) as f32);
         let values = c0 + u * (c1 + u * (c2 + u * c3));
         let slopes = c1 + u * (c2 + c2 + u * (c3 + c3 + c3));
         Weights { first: piece, values, slopes: slopes * f32x4::splat(scale as f32) }
@@ -119,9 +137,10 @@ impl Axis {
 
     /// The basis functions at a point in double precision.
     fn exact(&self, at: f64) -> [f64; LOCAL] {
-        let piece = self.weights(at).first;
-        let u = (at - self.starts[piece]) * self.scales[piece];
-        self.pieces[piece].map(|[c0, c1, c2, c3]| c0 + u * (c1 + u * (c2 + u * c3)))
+        let first = self.weights(at).first;
+        let piece = &self.pieces[first];
+        let u = (at - piece.start) * piece.scale;
+        self.exact[first].map(|[c0, c1, c2, c3]| c0 + u * (c1 + u * (c2 + u * c3)))
     }
 
     /// All coefficients from those that belong to nodes.

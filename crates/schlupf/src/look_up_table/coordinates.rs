@@ -11,8 +11,13 @@
 //! inclination to the axis of ξ and an azimuth from η towards φ. For that, ξ is stretched on long
 //! patches and η on wide ones, which under spin turn the direction of sliding most.
 
-/// Nearer to the direction of ξ than this, functions of the direction are continued linearly.
+use wide::f64x2;
+
+/// Nearer to the direction of ξ than this, functions of η and φ are linear.
 const POLE: f64 = 1e-3;
+
+/// Below this, and above its inverse, a square may not be a number of full precision.
+const SMALL: f64 = 1e-100;
 
 /// What depends on the shape of the patch alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +54,7 @@ pub(crate) struct Coordinates {
 }
 
 impl Shape {
+    #[inline]
     pub fn new(axis_ratio: f64, coefficients: [f64; 4]) -> Self {
         let [c11, c22, ..] = coefficients;
         let spin = ((c22 * c22 * axis_ratio + c11 * c11 / axis_ratio) / 5.0).sqrt();
@@ -77,12 +83,14 @@ impl Shape {
     }
 
     /// Forces and moment over μN and μN √(ab) in full adhesion, at an x: linear; dimensionless.
+    #[inline]
     pub fn adhesion(&self, x: [f64; 3]) -> [f64; 3] {
         let [_, by_y, by_spin] = self.adhesion_slopes();
         [-x[0], by_y[1] * x[1] + by_spin[1] * x[2], by_y[2] * x[1] + by_spin[2] * x[2]]
     }
 
     /// Its derivatives with respect to each component of x; dimensionless.
+    #[inline]
     pub fn adhesion_slopes(&self) -> [[f64; 3]; 3] {
         let [c11, c22, c23, c33] = self.coefficients;
         let [along, across, spin] = self.scales;
@@ -94,45 +102,47 @@ impl Shape {
     }
 
     /// The place of normalised creepages that are not all zero.
+    #[inline]
     pub fn coordinates(&self, creepages: [f64; 3]) -> Coordinates {
         let x: [f64; 3] = std::array::from_fn(|k| creepages[k] * self.scales[k]);
-        // Neither overflows nor vanishes when it is squared.
+        // Neither overflows nor vanishes when it is squared; hardly ever needs a division.
         let largest = x[0].abs().max(x[1].abs()).max(x[2].abs());
-        let part = x.map(|x| x / largest);
-        let length = (part[0] * part[0] + part[1] * part[1] + part[2] * part[2]).sqrt();
+        let unit = if (SMALL..SMALL.recip()).contains(&largest) { 1.0 } else { largest };
+        let part = if unit == 1.0 { x } else { x.map(|x| x / unit) };
         let flip = |negative: bool| if negative { -1.0 } else { 1.0 };
         let signs = [flip(x[0] < 0.0), flip(x[2] < 0.0)];
-        let inverse = length.recip();
-        let direction =
-            [part[0].abs() * inverse, signs[1] * part[1] * inverse, part[2].abs() * inverse];
-        self.placed(largest * length, direction, signs)
+        self.placed(unit, [part[0].abs(), signs[1] * part[1], part[2].abs()], signs)
     }
 
-    fn placed(&self, size: f64, direction: [f64; 3], signs: [f64; 2]) -> Coordinates {
+    /// The place of x over a unit. The angles do not wait for its length.
+    #[inline]
+    fn placed(&self, unit: f64, x: [f64; 3], signs: [f64; 2]) -> Coordinates {
         let [kx, ky, ks] = self.stretching;
-        let [along, across, spin] = [kx * direction[0], ky * direction[1], ks * direction[2]];
+        let [along, across, spin] = [kx * x[0], ky * x[1], ks * x[2]];
         let distance = (across * across + spin * spin).sqrt();
-        let (kept, toward) = if distance > 0.0 {
-            (distance.max(POLE * along), [across / distance, spin / distance])
-        } else {
-            (POLE * along, [1.0, 0.0])
-        };
-        let squared = along * along + kept * kept;
-        let by_distance = along / squared;
-        let [toward_y, toward_spin] = toward;
+        let kept = distance.max(POLE * along);
+        let toward = if distance > 0.0 { [across, spin] } else { [1.0, 0.0] };
+        let angles = f64x2::from([kept, toward[1]]).atan2(f64x2::from([along, toward[0]]));
+        let [inclination, azimuth] = angles.to_array();
+        let length = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
+        let inverse = length.recip();
+        let by_distance = if distance > 0.0 { distance.recip() } else { 1.0 };
+        let [toward_y, toward_spin] = toward.map(|part| part * by_distance);
+        let around = length / kept;
+        let radial = length / (along * along + kept * kept);
         Coordinates {
-            size,
-            direction,
+            size: unit * length,
+            direction: x.map(|part| part * inverse),
             signs,
-            inclination: kept.atan2(along),
-            azimuth: toward_spin.atan2(toward_y),
+            inclination,
+            azimuth,
             pole: if kept > distance { distance / kept } else { 1.0 },
             inclination_slopes: [
-                -kx * kept / squared,
-                ky * by_distance * toward_y,
-                ks * by_distance * toward_spin,
+                -kx * kept * radial,
+                ky * along * radial * toward_y,
+                ks * along * radial * toward_spin,
             ],
-            azimuth_slopes: [0.0, -ky * toward_spin / kept, ks * toward_y / kept],
+            azimuth_slopes: [0.0, -ky * toward_spin * around, ks * toward_y * around],
         }
     }
 }

@@ -77,10 +77,10 @@ pub struct LookUpTable {
     azimuth: Axis,
     inclination: Axis,
     saturation: Axis,
-    /// For each a/b, azimuth, inclination and saturation; the fourth number is unused.
-    coefficients: Vec<f32x4>,
-    /// Distances between neighbours in a/b, azimuth and inclination.
-    strides: [usize; 3],
+    /// Of Fx, Fy and Mz for each a/b, azimuth, inclination and saturation.
+    coefficients: Vec<f32>,
+    /// Distances between neighbours in a/b, azimuth, inclination and saturation.
+    strides: [usize; 4],
     /// C11, C22, C23 and C33 for each coefficient in a/b.
     creep_coefficients: Vec<f32x4>,
 }
@@ -93,8 +93,14 @@ impl fmt::Debug for LookUpTable {
     }
 }
 
-/// Numbers that are interpolated together.
+/// Fx, Fy and Mz.
+const COMPONENTS: usize = 3;
+
+/// Non-zero basis functions on an axis, and numbers that are computed together.
 const WIDTH: usize = 4;
+
+/// The components at the four nodes in saturation that count, one after the other.
+type Row = [f32x4; COMPONENTS];
 
 /// The same shape of the patch, as far as rounding goes.
 const ROUNDING: f64 = 1e-9;
@@ -131,8 +137,8 @@ impl LookUpTable {
         })?;
         let [azimuths, inclinations, saturations] =
             [&azimuth, &inclination, &saturation].map(Axis::coefficients);
-        let strides =
-            [azimuths * inclinations * saturations, inclinations * saturations, saturations];
+        let line = COMPONENTS * saturations;
+        let strides = [azimuths * inclinations * line, inclinations * line, line, COMPONENTS];
         Ok(Self {
             nodes,
             axis_ratio,
@@ -164,11 +170,13 @@ impl LookUpTable {
 
     /// Forces and moment at a/b and (ξ', η', φ') = G ab/(μN) (ξ, η, √(ab) φ), all dimensionless.
     /// Allocates nothing. Values that are not finite give forces that are not.
+    #[inline]
     pub fn normalised_force(&self, axis_ratio: f64, creepages: [f64; 3]) -> NormalisedForce {
         self.force_at(&self.at(axis_ratio, None), creepages)
     }
 
     /// What depends on the shape of the patch; with creep coefficients of another ν.
+    #[inline]
     pub(crate) fn at(&self, axis_ratio: f64, own: Option<[f64; 4]>) -> AtShape {
         let [low, high] = self.axis_ratios();
         let ratio = self.axis_ratio.weights(axis_ratio.ln());
@@ -187,6 +195,7 @@ impl LookUpTable {
     }
 
     /// Forces and moment on a patch of a given shape.
+    #[inline]
     pub(crate) fn force_at(&self, at: &AtShape, creepages: [f64; 3]) -> NormalisedForce {
         let AtShape { shape, is_covered, .. } = *at;
         let by_x = shape.adhesion_slopes();
@@ -203,14 +212,11 @@ impl LookUpTable {
         let coordinates = shape.coordinates(creepages);
         let size = coordinates.size;
         let beyond = (1.0 + size).recip();
-        let mut rest = self.interpolated(at, &coordinates, size * beyond);
-        if coordinates.pole == 0.0 {
-            // In the direction of ξ itself there is no azimuth: forces by spin go towards the spin.
-            let turned = Coordinates { azimuth: FRAC_PI_2, ..coordinates };
-            let turned = self.interpolated(at, &turned, size * beyond);
-            let around = coordinates.inclination.sin() * coordinates.inclination.cos();
-            rest.by_azimuth = turned.by_inclination.map(|slope| around * slope);
-        }
+        let rest = if coordinates.pole < 1.0 {
+            self.near_pole(at, &coordinates, size * beyond)
+        } else {
+            self.interpolated(at, &coordinates, size * beyond)
+        };
         // For size → ∞ with size/(1 + size) and the direction, so that nothing overflows.
         let adhesion = shape.adhesion(coordinates.direction);
         let part = size * beyond;
@@ -245,47 +251,102 @@ impl LookUpTable {
         NormalisedForce { force, by_creepage: scaled(slopes), is_covered }
     }
 
+    /// R and its derivatives near the direction of ξ, where Fy and Mz are linear in η and φ: a plane
+    /// through those of both, so that derivatives do not depend on the side.
+    fn near_pole(&self, at: &AtShape, coordinates: &Coordinates, saturation: f64) -> Rest {
+        let pole = coordinates.pole;
+        let (spin, across) = coordinates.azimuth.sin_cos();
+        let [one, other] = [0.0, FRAC_PI_2].map(|azimuth| {
+            let there = Coordinates { azimuth, pole: 1.0, ..*coordinates };
+            self.interpolated(at, &there, saturation)
+        });
+        let odd = |one: f64, other: f64| across * one + spin * other;
+        let even = |one: f64, other: f64| across * across * one + spin * spin * other;
+        let mixed = |one: [f64; 3], other: [f64; 3], factors: [f64; 2]| {
+            std::array::from_fn(|k| match k {
+                0 => factors[0] * even(one[k], other[k]),
+                _ => factors[1] * odd(one[k], other[k]),
+            })
+        };
+        let turned =
+            |k: usize| if k == 0 { 0.0 } else { across * other.values[k] - spin * one.values[k] };
+        Rest {
+            values: mixed(one.values, other.values, [1.0, pole]),
+            by_saturation: mixed(one.by_saturation, other.by_saturation, [1.0, pole]),
+            by_inclination: mixed(one.by_inclination, other.by_inclination, [pole, 1.0]),
+            by_azimuth: std::array::from_fn(turned),
+        }
+    }
+
     /// R and its derivatives at a place of the table.
+    #[inline]
     fn interpolated(&self, at: &AtShape, coordinates: &Coordinates, saturation: f64) -> Rest {
         let azimuth = self.azimuth.weights(coordinates.azimuth);
         let inclination = self.inclination.weights(coordinates.inclination);
         let saturation = self.saturation.weights(saturation);
         let ratios = splat(at.ratio.values);
-        let [values, slopes] = [saturation.values, saturation.slopes].map(splat);
         let [across, along] = [inclination.values, inclination.slopes].map(splat);
         let [around, turning] = [azimuth.values, azimuth.slopes].map(splat);
-        let first = at.ratio.first * self.strides[0]
-            + azimuth.first * self.strides[1]
-            + inclination.first * self.strides[2]
-            + saturation.first;
-        let mut rest = [f32x4::ZERO; 4];
+        let firsts = [at.ratio.first, azimuth.first, inclination.first, saturation.first];
+        let first: usize = firsts.iter().zip(self.strides).map(|(first, step)| first * step).sum();
+        let [planes, _, lines, _] = self.strides;
+        let planes: [&[f32]; WIDTH] =
+            std::array::from_fn(|k| &self.coefficients[first + k * planes..]);
+        let extent = 3 * lines + WIDTH * COMPONENTS;
+        let (mut values, mut by_inclination, mut by_azimuth) = (EMPTY, EMPTY, EMPTY);
         for i in 0..WIDTH {
-            let mut row = [f32x4::ZERO; 3];
+            let start = i * self.strides[1];
+            let parts = planes.map(|plane| &plane[start..start + extent]);
+            let (mut value, mut slope) = (EMPTY, EMPTY);
             for j in 0..WIDTH {
-                let line = first + i * self.strides[1] + j * self.strides[2];
-                let mut sums = [f32x4::ZERO; WIDTH];
-                for (k, ratio) in ratios.iter().enumerate() {
-                    let start = line + k * self.strides[0];
-                    for (sum, nodes) in sums.iter_mut().zip(&self.coefficients[start..start + 4]) {
-                        *sum += *ratio * *nodes;
-                    }
+                let mut sum = EMPTY;
+                for (ratio, part) in ratios.iter().zip(parts) {
+                    add(&mut sum, *ratio, &row(&part[j * lines..]));
                 }
-                let (mut value, mut slope) = (f32x4::ZERO, f32x4::ZERO);
-                for (k, sum) in sums.into_iter().enumerate() {
-                    value += values[k] * sum;
-                    slope += slopes[k] * sum;
-                }
-                row[0] += across[j] * value;
-                row[1] += across[j] * slope;
-                row[2] += along[j] * value;
+                add(&mut value, across[j], &sum);
+                add(&mut slope, along[j], &sum);
             }
-            for (rest, row) in rest.iter_mut().zip(row) {
-                *rest += around[i] * row;
-            }
-            rest[3] += turning[i] * row[0];
+            add(&mut values, around[i], &value);
+            add(&mut by_azimuth, turning[i], &value);
+            add(&mut by_inclination, around[i], &slope);
         }
-        Rest::new(rest, coordinates.pole)
+        let sums = [
+            along_row(&values, saturation.values),
+            along_row(&values, saturation.slopes),
+            along_row(&by_inclination, saturation.values),
+            along_row(&by_azimuth, saturation.values),
+        ];
+        Rest::new(sums)
     }
+}
+
+#[inline]
+fn row(part: &[f32]) -> Row {
+    let (quarters, _) = part[..WIDTH * COMPONENTS].as_chunks::<WIDTH>();
+    std::array::from_fn(|k| f32x4::new(quarters[k]))
+}
+
+const EMPTY: Row = [f32x4::ZERO; COMPONENTS];
+
+/// Adds a row with a weight.
+#[inline]
+fn add(sum: &mut Row, weight: f32x4, row: &Row) {
+    for (sum, row) in sum.iter_mut().zip(row) {
+        *sum += weight * *row;
+    }
+}
+
+/// The components of a row with a weight for each of its nodes.
+#[inline]
+fn along_row(row: &Row, weights: f32x4) -> [f32; COMPONENTS] {
+    let [w0, w1, w2, w3] = weights.to_array();
+    let [a, b, c] = [
+        row[0] * f32x4::from([w0, w0, w0, w1]),
+        row[1] * f32x4::from([w1, w1, w2, w2]),
+        row[2] * f32x4::from([w2, w3, w3, w3]),
+    ]
+    .map(f32x4::to_array);
+    [a[0] + a[3] + b[2] + c[1], a[1] + b[0] + b[3] + c[2], a[2] + b[1] + c[0] + c[3]]
 }
 
 /// R of Fx, Fy and Mz, and its derivatives along the axes of the table.
@@ -297,20 +358,11 @@ struct Rest {
 }
 
 impl Rest {
-    /// Near the direction of ξ, Fx is even in the distance to it, Fy and Mz are odd: there is part
-    /// `pole` of the distance left to where they were interpolated.
-    fn new(sums: [f32x4; 4], pole: f64) -> Self {
-        let [values, by_saturation, by_inclination, by_azimuth] = sums;
-        let with = |sums: f32x4, factors: [f64; 2]| {
-            let [x, y, moment, _] = sums.to_array().map(f64::from);
-            [factors[0] * x, factors[1] * y, factors[1] * moment]
-        };
-        Self {
-            values: with(values, [1.0, pole]),
-            by_saturation: with(by_saturation, [1.0, pole]),
-            by_inclination: with(by_inclination, [pole, 1.0]),
-            by_azimuth: with(by_azimuth, [pole, 1.0]),
-        }
+    #[inline]
+    fn new(sums: [[f32; COMPONENTS]; 4]) -> Self {
+        let [values, by_saturation, by_inclination, by_azimuth] =
+            sums.map(|sums| sums.map(f64::from));
+        Self { values, by_saturation, by_inclination, by_azimuth }
     }
 }
 
@@ -340,11 +392,13 @@ fn sum(one: [[f64; 3]; 3], other: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
 }
 
 /// Each of four numbers, four times.
+#[inline]
 fn splat(numbers: f32x4) -> [f32x4; WIDTH] {
     numbers.to_array().map(f32x4::splat)
 }
 
 /// Scales a force that the splines let exceed the friction limit back to it; `slopes` are columns.
+#[inline]
 fn limit(force: &mut [f64; 3], slopes: &mut [[f64; 3]; 3]) {
     let squared = force[0] * force[0] + force[1] * force[1];
     if squared <= 1.0 {
@@ -413,7 +467,7 @@ impl TableNodes {
     }
 }
 
-type Coefficients = (Vec<f32x4>, Vec<f32x4>);
+type Coefficients = (Vec<f32>, Vec<f32x4>);
 
 /// Coefficients of the splines through all values, and through the creep coefficients.
 fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
@@ -423,9 +477,9 @@ fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
     let open = axes[0].interpolation([1.0; 2])?;
     let saturation = axes[3].interpolation([1.0; 2])?;
     let counts = axes.map(|axis| axis.nodes().len());
-    let mut whole: Vec<[f32; WIDTH]> =
-        vec![[0.0; WIDTH]; axes.iter().map(|axis| axis.coefficients()).product()];
-    for component in 0..3 {
+    let mut whole: Vec<[f32; COMPONENTS]> =
+        vec![[0.0; COMPONENTS]; axes.iter().map(|axis| axis.coefficients()).product()];
+    for component in 0..COMPONENTS {
         let parity = usize::from(component > 0);
         let matrices = [
             open.clone(),
@@ -453,7 +507,7 @@ fn splines(axes: [&Axis; 4], nodes: &TableNodes) -> Option<Coefficients> {
         }
         f32x4::from(sum.map(|value: f64| value as f32))
     });
-    Some((whole.into_iter().map(f32x4::from).collect(), creep.collect()))
+    Some((whole.concat(), creep.collect()))
 }
 
 /// A field on a grid of a given shape with a matrix applied along one of its axes.

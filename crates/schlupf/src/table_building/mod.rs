@@ -3,19 +3,20 @@
 //!
 //! States are solved with Coulomb's law on the half-space and extrapolated from two grids; where
 //! these differ by more than 0.2 % of μN, from grids twice as fine. The limit of sliding without
-//! rolling is integrated. After each round the nodes that are farthest from what their neighbours
-//! on an axis say get new neighbours on that axis.
+//! rolling is integrated. It changes fastest with the direction of the creepages, where slender
+//! patches spin about a point within them, and needs no solution: nodes are added until it alone
+//! is right everywhere. Then, after each round of solutions, intervals around random states in
+//! which the table is off are halved.
 
+mod first_nodes;
 mod full_sliding;
+mod random_states;
 mod refinement;
 mod states;
 
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::{AtomicUsize, Ordering};
-
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use crate::error::{Error, require, require_several};
 use crate::kalker_coefficients::interpolated_coefficients;
@@ -24,7 +25,9 @@ use crate::parallel;
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
+use first_nodes::first_nodes;
 use full_sliding::FullSliding;
+use random_states::RandomStates;
 use refinement::{Additions, Grid};
 use states::{Solved, StateSolver};
 
@@ -41,8 +44,8 @@ pub struct TableOptions {
     pub most_solutions: usize,
     /// Cells across the patch of the coarser of the two pairs of grids, at least 20.
     pub cells: usize,
-    /// Random states that decide whether the table is good enough, and as many that then measure
-    /// its error.
+    /// Random states that decide whether the table is good enough, as many that confirm it, and as
+    /// many that then measure its error.
     pub states: usize,
 }
 
@@ -65,10 +68,12 @@ impl Default for TableOptions {
 pub struct BuiltTable {
     /// The table.
     pub table: LookUpTable,
-    /// Its error in random states that chose none of its nodes. Where they confirm the tolerance
-    /// they also end the work, so that the largest error is that of a set which passed.
+    /// Its error in rolling with slip: in random states that had no part in making it or in ending
+    /// the work.
     pub error: TableError,
-    /// Whether the tolerance was met by the random states that decide.
+    /// Its error in sliding without rolling, likewise.
+    pub sliding_error: TableError,
+    /// Whether the tolerance was met by the random states that decide and by those that confirm it.
     pub is_within_tolerance: bool,
     /// Solutions at nodes.
     pub solutions: usize,
@@ -79,7 +84,9 @@ pub struct BuiltTable {
 }
 
 /// Errors of forces over μN and moments over μN √(ab), the larger of both, in random states: a/b
-/// and r uniform in their logarithms (r from 0.03 to 30), the direction uniform on the sphere.
+/// and r uniform in their logarithms (r from 0.03 to 1000, or infinite), the direction of the
+/// creepages uniform on the sphere in every other state; in the others the patch spins about a
+/// point within it, uniform over its area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TableError {
     /// Number of states.
@@ -104,8 +111,12 @@ const INTERVALS_OF_A_DECADE: f64 = 8.0;
 /// The tolerance of the standard table.
 const STANDARD_TOLERANCE: f64 = 0.01;
 
-/// Random r lie within this factor of 1.
-const SPREAD: f64 = 30.0;
+/// Nodes are added where the table is off by this part of the largest error, or of the tolerance,
+/// because in other places it may be off by more.
+const MARGIN: f64 = 0.5;
+
+/// r in sliding without rolling.
+const NEARLY_INFINITE: f64 = 1e12;
 
 /// Most rounds of refinement; each adds at least one node to an axis.
 const MOST_ROUNDS: usize = 60;
@@ -131,7 +142,7 @@ const MOST_ROUNDS: usize = 60;
 /// Options outside their bounds, and [`Error::Stopped`].
 pub fn build(options: &TableOptions, watch: Watch) -> Result<BuiltTable, Error> {
     options.check()?;
-    finish(Building { options, axes: options.axes(), solved: BTreeMap::new() }, watch)
+    finish(Building { options, axes: options.axes()?, solved: BTreeMap::new() }, watch)
 }
 
 /// The same, where nodes that an earlier table of the same ν has, too, are taken from there. They
@@ -149,39 +160,44 @@ pub fn build_from(
     let same = Requirement::Between(ratio - SAME, ratio + SAME);
     require(Quantity::PoissonRatio, same, options.poisson_ratio)?;
     let solved = forces_of(earlier.nodes());
-    finish(Building { options, axes: options.axes(), solved }, watch)
+    finish(Building { options, axes: options.axes()?, solved }, watch)
 }
 
 /// Solves and refines until random states are within the tolerance.
 fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
     let options = building.options;
-    let mut states = RandomStates::new(options, 0, watch)?;
-    let mut sets = 1;
+    let mut sets = 0..;
+    let mut draw = || RandomStates::new(options, sets.next().unwrap_or(u64::MAX), watch);
+    let mut states = draw()?;
+    let mut unconverged = states.unconverged;
     let mut round = 0;
     loop {
         round += 1;
         building.solve(watch)?;
         let nodes = building.nodes()?;
-        let additions = Grid { nodes: &nodes }.additions();
         let table = LookUpTable::new(nodes)?;
-        let mut error = states.error(&table);
-        let is_good = error.largest <= options.tolerance;
+        let is_within = |states: &RandomStates| states.largest_error(&table) <= options.tolerance;
+        let mut is_good = is_within(&states);
+        if is_good {
+            // Other states confirm it, or decide from then on.
+            states = draw()?;
+            unconverged += states.unconverged;
+            is_good = is_within(&states);
+        }
+        let error = MARGIN * states.largest_error(&table).max(options.tolerance);
+        let places = states.places_beyond(&table, error);
+        let additions = Grid { nodes: table.nodes() }.additions(&places);
         let is_last = round == MOST_ROUNDS || !building.can_refine(&additions);
         if is_good || is_last {
-            // Other states confirm it, or decide from then on.
-            states = RandomStates::new(options, sets, watch)?;
-            sets += 1;
-            error = states.error(&table);
-        }
-        let is_within_tolerance = is_good && error.largest <= options.tolerance;
-        if is_within_tolerance || is_last {
-            let unconverged = building.solved.values().filter(|solved| !solved.converged);
+            let measuring = draw()?;
+            let at_nodes = building.solved.values().filter(|solved| !solved.converged);
             return Ok(BuiltTable {
+                error: measuring.error(&table),
+                sliding_error: measuring.sliding_error(&table),
                 table,
-                error,
-                is_within_tolerance,
+                is_within_tolerance: is_good,
                 solutions: building.solved.len(),
-                unconverged: unconverged.count() + states.unconverged,
+                unconverged: at_nodes.count() + unconverged + measuring.unconverged,
                 rounds: round,
             });
         }
@@ -220,7 +236,7 @@ impl TableOptions {
     }
 
     /// The nodes to begin with.
-    fn axes(&self) -> [Vec<f64>; 4] {
+    fn axes(&self) -> Result<[Vec<f64>; 4], Error> {
         let between = |low: f64, high: f64, count: usize, intervals: usize| -> Vec<f64> {
             (0..count).map(|k| low + (high - low) * (k as f64 / intervals as f64)).collect()
         };
@@ -230,12 +246,12 @@ impl TableOptions {
             between(low.ln(), high.ln(), ratios, ratios - 1).iter().map(|x| x.exp()).collect();
         // Without the rounding error of the logarithm.
         (axis_ratios[0], axis_ratios[ratios - 1]) = (low, high);
-        [
-            axis_ratios,
+        let directions = [
             between(0.0, PI, azimuths, azimuths),
             between(0.0, FRAC_PI_2, inclinations, inclinations - 1),
-            between(0.0, 1.0, saturations, saturations - 1),
-        ]
+        ];
+        let [axis_ratios, azimuths, inclinations] = first_nodes(self, axis_ratios, directions)?;
+        Ok([axis_ratios, azimuths, inclinations, between(0.0, 1.0, saturations, saturations - 1)])
     }
 }
 
@@ -308,9 +324,9 @@ impl Building<'_> {
     fn nodes(&self) -> Result<TableNodes, Error> {
         let [axis_ratios, azimuths, inclinations, saturations] = self.axes.clone();
         let poisson_ratio = self.options.poisson_ratio;
+        let sliding = FullSliding::new();
         let of_ratios = parallel::try_map(axis_ratios.clone(), |ratio| {
             let shape = shape(ratio, poisson_ratio)?;
-            let sliding = FullSliding::new(ratio);
             let mut values = Vec::new();
             for azimuth in &azimuths {
                 for inclination in &inclinations {
@@ -318,10 +334,7 @@ impl Building<'_> {
                     let adhesion = shape.adhesion(direction);
                     for saturation in &saturations {
                         let at = [ratio, *azimuth, *inclination, *saturation];
-                        let force = self.force(at, || {
-                            let creepages = std::array::from_fn(|k| direction[k] / shape.scales[k]);
-                            sliding.force(creepages)
-                        });
+                        let force = self.force(at, || sliding.force(&shape, ratio, direction));
                         values.push(rest(force, adhesion, *saturation));
                     }
                 }
@@ -414,6 +427,12 @@ fn rest(force: [f64; 3], adhesion: [f64; 3], saturation: f64) -> [f32; 3] {
     std::array::from_fn(|k| (force[k] / saturation - adhesion[k]) as f32)
 }
 
+/// Of forces over μN and moments over μN √(ab), the larger of both; dimensionless.
+fn distance(one: [f64; 3], other: [f64; 3]) -> f64 {
+    let [x, y, moment]: [f64; 3] = std::array::from_fn(|k| one[k] - other[k]);
+    x.hypot(y).max(moment.abs())
+}
+
 fn shape(axis_ratio: f64, poisson_ratio: f64) -> Result<Shape, Error> {
     let c = interpolated_coefficients(axis_ratio, poisson_ratio)?;
     Ok(Shape::new(axis_ratio, [c.c11, c.c22, c.c23, c.c33]))
@@ -421,56 +440,4 @@ fn shape(axis_ratio: f64, poisson_ratio: f64) -> Result<Shape, Error> {
 
 fn node(at: [f64; 4]) -> Node {
     at.map(f64::to_bits)
-}
-
-/// Random states with their forces.
-struct RandomStates {
-    /// a/b, normalised creepages and forces.
-    states: Vec<(f64, [f64; 3], [f64; 3])>,
-    unconverged: usize,
-}
-
-impl RandomStates {
-    fn new(options: &TableOptions, seed: u64, watch: Watch) -> Result<Self, Error> {
-        let mut random = Pcg64Mcg::seed_from_u64(seed);
-        let mut uniform = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-        let [low, high] = options.axis_ratios;
-        let drawn: Vec<[f64; 4]> =
-            (0..options.states).map(|_| std::array::from_fn(|_| uniform())).collect();
-        let total = drawn.len();
-        let done = AtomicUsize::new(0);
-        let states = parallel::try_map(drawn, |[of_ratio, of_size, of_height, of_angle]| {
-            let count = done.fetch_add(1, Ordering::Relaxed);
-            tell(watch, Progress::count(Stage::Table, count).of(count, total))?;
-            let ratio = low * (high / low).powf(of_ratio);
-            let size = SPREAD.powf(2.0 * of_size - 1.0);
-            let (height, angle) = (2.0 * of_height - 1.0, 2.0 * PI * of_angle);
-            let across = (1.0 - height * height).sqrt();
-            let direction = [height, across * angle.cos(), across * angle.sin()];
-            let shape = shape(ratio, options.poisson_ratio)?;
-            let creepages = std::array::from_fn(|k| size * direction[k] / shape.scales[k]);
-            let mut solver = StateSolver::new(ratio, options.poisson_ratio, 2 * options.cells)?;
-            let solved = solver.solve(creepages, &crate::progress::unwatched)?;
-            Ok::<_, Error>(((ratio, creepages, solved.force), solved.converged))
-        })?;
-        let unconverged = states.iter().filter(|(_, converged)| !converged).count();
-        Ok(Self { states: states.into_iter().map(|(state, _)| state).collect(), unconverged })
-    }
-
-    fn error(&self, table: &LookUpTable) -> TableError {
-        let gap = |(ratio, creepages, force): &(f64, [f64; 3], [f64; 3])| {
-            let found = table.normalised_force(*ratio, *creepages).force;
-            let [x, y, moment]: [f64; 3] = std::array::from_fn(|k| found[k] - force[k]);
-            x.hypot(y).max(moment.abs())
-        };
-        let mut errors: Vec<f64> = self.states.iter().map(gap).collect();
-        errors.sort_by(f64::total_cmp);
-        let at = |part: f64| errors[((errors.len() - 1) as f64 * part).round() as usize];
-        TableError {
-            states: errors.len(),
-            median: at(0.5),
-            ninety_percent: at(0.9),
-            largest: at(1.0),
-        }
-    }
 }

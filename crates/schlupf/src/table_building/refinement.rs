@@ -1,12 +1,9 @@
-//! Where a table needs more nodes: where a node is far from what its neighbours on the same axis
-//! say about it.
+//! Where a table needs more nodes: around states in which it is off, on those axes on which the
+//! nodes there are far from what their neighbours say about them.
 
 use crate::look_up_table::TableNodes;
 
-/// Exponent of the mean by which deviations at many places count: nearly the largest.
-const EXPONENT: i32 = 8;
-
-/// Intervals are halved next to nodes whose deviation is at least this part of the largest.
+/// Intervals are halved on axes on which the deviation is at least this part of the largest.
 const PART: f64 = 0.5;
 
 /// The values at the nodes on a grid, and where they continue beyond its ends.
@@ -17,14 +14,45 @@ pub(super) struct Grid<'a> {
 /// New nodes on each axis: a/b, azimuth, inclination, saturation.
 pub(super) type Additions = [Vec<f64>; 4];
 
+/// A place of the table: a/b, azimuth, inclination, saturation.
+pub(super) type Place = [f64; 4];
+
 impl Grid<'_> {
-    /// The middles of the intervals that are to be halved.
-    pub fn additions(&self) -> Additions {
-        let deviations: [Vec<f64>; 4] = std::array::from_fn(|axis| {
-            (0..self.counts()[axis]).map(|node| self.deviation(axis, node)).collect()
-        });
-        let largest = deviations.iter().flatten().fold(0.0_f64, |largest, d| largest.max(*d));
-        std::array::from_fn(|axis| self.middles(axis, &deviations[axis], PART * largest))
+    /// The middles of the intervals that are to be halved for places of the table where it is off:
+    /// on the axes on which the nodes around them deviate most.
+    pub fn additions(&self, places: &[Place]) -> Additions {
+        let mut additions = Additions::default();
+        for place in places {
+            let intervals = std::array::from_fn(|axis| self.interval(axis, place[axis]));
+            let deviations: [f64; 4] =
+                std::array::from_fn(|axis| self.deviation_around(axis, intervals));
+            let largest = deviations.iter().fold(0.0_f64, |largest, d| largest.max(*d));
+            for (axis, new) in additions.iter_mut().enumerate() {
+                if deviations[axis] >= PART * largest && largest > 0.0 {
+                    new.extend(self.middle(axis, intervals[axis]));
+                }
+            }
+        }
+        for new in &mut additions {
+            new.sort_by(f64::total_cmp);
+            new.dedup();
+        }
+        additions
+    }
+
+    /// The interval of an axis in which a position lies.
+    fn interval(&self, axis: usize, position: f64) -> usize {
+        let nodes = self.axes()[axis];
+        let last = if axis == AZIMUTH { nodes.len() - 1 } else { nodes.len() - 2 };
+        nodes.partition_point(|node| *node <= position).saturating_sub(1).min(last)
+    }
+
+    /// The largest deviation along an axis at the corners of a cell.
+    fn deviation_around(&self, axis: usize, cell: [usize; 4]) -> f64 {
+        let corner = |k: usize| -> [isize; 4] {
+            std::array::from_fn(|axis| (cell[axis] + ((k >> axis) & 1)) as isize)
+        };
+        (0..16).map(|k| self.deviation(axis, corner(k))).fold(0.0, f64::max)
     }
 
     fn counts(&self) -> [usize; 4] {
@@ -60,34 +88,19 @@ impl Grid<'_> {
         if is_mirrored { [x, -y, -moment] } else { [x, y, moment] }
     }
 
-    /// Mean over all lines through a node along an axis, of the difference of the force over μN
-    /// from the cubic polynomial through the two neighbours on each side; zero at the ends.
-    fn deviation(&self, axis: usize, node: usize) -> f64 {
-        let Some(weights) = self.neighbours(axis, node as isize) else { return 0.0 };
-        let counts = self.counts();
-        let (mut sum, mut lines) = (0.0, 0_usize);
-        for flat in 0..self.nodes.count() {
-            let mut index = [0_isize; 4];
-            let mut rest = flat;
-            for k in (0..4).rev() {
-                index[k] = (rest % counts[k]) as isize;
-                rest /= counts[k];
-            }
-            if index[axis] != node as isize {
-                continue;
-            }
-            let mut difference = self.value(index);
-            for (neighbour, weight) in weights {
-                let there = std::array::from_fn(|k| if k == axis { neighbour } else { index[k] });
-                let value = self.value(there);
-                difference = std::array::from_fn(|c| difference[c] - weight * value[c]);
-            }
-            let part = self.nodes.saturations[index[SATURATION] as usize];
-            let [x, y, moment] = difference.map(|difference| part * difference);
-            sum += x.hypot(y).max(moment.abs()).powi(EXPONENT);
-            lines += 1;
+    /// Difference of the force over μN at a node from the cubic polynomial through its neighbours
+    /// on an axis; zero at the ends.
+    fn deviation(&self, axis: usize, index: [isize; 4]) -> f64 {
+        let Some(weights) = self.neighbours(axis, index[axis]) else { return 0.0 };
+        let mut difference = self.value(index);
+        for (neighbour, weight) in weights {
+            let there = std::array::from_fn(|k| if k == axis { neighbour } else { index[k] });
+            let value = self.value(there);
+            difference = std::array::from_fn(|c| difference[c] - weight * value[c]);
         }
-        (sum / lines as f64).powf(f64::from(EXPONENT).recip())
+        let part = self.nodes.saturations[index[SATURATION] as usize];
+        let [x, y, moment] = difference.map(|difference| part * difference);
+        x.hypot(y).max(moment.abs())
     }
 
     /// Two neighbours on each side, or what there is at an end, with their weights in the
@@ -108,19 +121,11 @@ impl Grid<'_> {
         }))
     }
 
-    /// Middles of the intervals next to nodes with at least this deviation.
-    fn middles(&self, axis: usize, deviations: &[f64], least: f64) -> Vec<f64> {
-        let count = deviations.len();
-        let is_marked = |node: usize| deviations[node % count] >= least && least > 0.0;
-        let last = if axis == AZIMUTH { count } else { count - 1 };
-        let intervals = (0..last).filter(|k| is_marked(*k) || is_marked(k + 1));
-        let middle = |k: usize| {
-            let ends = [k as isize, k as isize + 1].map(|node| self.position(axis, node));
-            let [Some(low), Some(high)] = ends else { return None };
-            let middle = f64::midpoint(low, high);
-            Some(if axis == RATIO { middle.exp() } else { middle })
-        };
-        intervals.filter_map(middle).collect()
+    /// The middle of an interval.
+    fn middle(&self, axis: usize, interval: usize) -> Option<f64> {
+        let low = self.position(axis, interval as isize)?;
+        let middle = f64::midpoint(low, self.position(axis, interval as isize + 1)?);
+        Some(if axis == RATIO { middle.exp() } else { middle })
     }
 }
 

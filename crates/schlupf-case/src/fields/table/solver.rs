@@ -43,6 +43,8 @@ section! {
         with(METHOD, FULL);
     "method" [Method] Kind::Choice(MethodChoice::CHOICES), Finite, Text("full"),
         "what is solved: all equations, or a fast method";
+    "table" [LookUpTable] Kind::Path, Finite, Computed("the standard table, for ν = 0.28"),
+        "a look-up table of `schlupf table`", example("table.npz"), with(METHOD, &["table"]);
     "tolerance" [Tolerance] Kind::Number, Between(1e-13, 0.1), Text("1e-6"),
         "largest relative residual", with(METHOD, FULL);
     "max_iterations" [MaxIterations] Kind::Count, AtLeast(1.0), Text("200"),
