@@ -17,6 +17,7 @@ from ._case import Case, Section
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
+from ._imports import import_contact
 from ._plots import ResultPlots
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
@@ -66,6 +67,7 @@ __all__ = [
     "examples",
     "forces",
     "friction",
+    "import_contact",
     "materials",
     "merge",
     "methods",

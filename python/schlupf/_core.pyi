@@ -24,6 +24,7 @@ __all__ = [
     "defaults",
     "field_table",
     "fitted",
+    "import_contact",
     "merge",
     "presets",
     "read_table",
@@ -105,6 +106,9 @@ class StudyRun:
     def keep(self, batch: int, text: str) -> None: ...
     def finish(self) -> _Counts: ...
 
+def import_contact(
+    path: Path, is_wheel_second: bool, available_only: bool
+) -> tuple[list[CaseFile], _Messages, list[str]]: ...
 def merge(shards: list[Path], output: Path) -> _Counts: ...
 def read_table(path: Path) -> _Columns: ...
 def batch(

@@ -69,6 +69,7 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
         let advice = "there is a file already; --force overwrites it";
         return Err(Failure::file(path, io::Error::new(ErrorKind::AlreadyExists, advice)));
     }
+    imported.notices.iter().for_each(report::warn);
     outputs::write(&files, given)?;
     if !arguments.quiet {
         stdout::write(&summary(arguments, &imported))?;

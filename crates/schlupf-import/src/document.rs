@@ -20,8 +20,9 @@ const SECTIONS: [&str; 14] = [
     "history",
 ];
 
-/// Digits of a number in a case file, enough for any input that people write.
-const DIGITS: usize = 14;
+/// Digits of a number after its first one: enough for any input that people write, few enough to
+/// hide the rounding of conversions.
+const DIGITS: usize = 12;
 /// Below it numbers have an exponent.
 const SMALL: f64 = 1e-4;
 
@@ -82,7 +83,11 @@ impl Document {
 
     fn set(&mut self, path: &'static str, value: String) {
         let (section, field) = path.split_once('.').unwrap_or(("", path));
-        self.fields.push((section, field, value));
+        // What is given twice has its last value.
+        match self.fields.iter_mut().find(|(of, name, _)| (*of, *name) == (section, field)) {
+            Some((_, _, known)) => *known = value,
+            None => self.fields.push((section, field, value)),
+        }
     }
 
     /// The text of the file.

@@ -2,5 +2,8 @@
 
 #![forbid(unsafe_code)]
 
-mod document;
 pub mod contact;
+mod document;
+mod notice;
+
+pub use notice::Notice;

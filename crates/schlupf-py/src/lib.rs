@@ -9,6 +9,7 @@ mod case_file;
 mod conditions;
 mod errors;
 mod fields;
+mod imports;
 mod interruptible;
 mod laws;
 mod records;
@@ -28,6 +29,8 @@ mod _core {
     use super::conditions::{BatchSolver, batch, conditions};
     #[pymodule_export]
     use super::fields::{command, field_table, presets, warning_codes};
+    #[pymodule_export]
+    use super::imports::import_contact;
     #[pymodule_export]
     use super::report::Report;
     #[pymodule_export]

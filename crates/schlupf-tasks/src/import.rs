@@ -85,16 +85,28 @@ pub fn contact(request: Request) -> Result<Import, TaskError> {
         wheel: request.wheel,
     };
     let mut import = contact::import(&source, &options);
+    let is_empty = [import.cases.len(), import.refused.len(), import.skipped.len()] == [0; 3];
+    if is_empty && import.errors.is_empty() {
+        let place = Place::File { name: source.name.clone() };
+        let message = "the input file has no cases: it begins with MODULE = 0, or is empty";
+        import.errors.push(CaseError::new("MODULE", message, place));
+    }
     let mut accepted = Vec::new();
     for case in std::mem::take(&mut import.cases) {
         match read(&case, request.output()) {
             Ok(_) => accepted.push(case),
             Err(errors) => {
-                import.refused.push(case.number);
-                import.errors.extend(errors.iter().map(|error| at_case(&source, &case, error)));
+                import.refused.extend(&case.numbers);
+                for error in errors.iter().map(|error| at_case(&source, &case, error)) {
+                    // A profile is missing once, in however many cases.
+                    if !import.errors.contains(&error) {
+                        import.errors.push(error);
+                    }
+                }
             }
         }
     }
+    import.errors.sort_by_key(|error| error.place.order());
     import.refused.sort_unstable();
     import.cases = accepted;
     Ok(import)
@@ -107,10 +119,17 @@ pub fn read(case: &ImportedCase, output: &Path) -> Result<CaseFile, CaseErrors> 
     CaseFile::from_str(&case.text, &case.name, files, Overrides::NONE)
 }
 
-/// What a case file is refused for, at the case that it was made from.
+/// What a case file is refused for, at the line that it was made from.
 fn at_case(source: &Arc<Source>, case: &ImportedCase, error: &CaseError) -> CaseError {
-    let message = format!("case {}: {}", case.number, error.message);
-    let place = Place::line(source, case.line);
+    let named = case.lines.iter().find(|(field, _)| *field == error.field);
+    let (line, message) = match named {
+        Some((_, line)) => (*line, error.message.clone()),
+        None => {
+            let number = case.numbers.first().copied().unwrap_or_default();
+            (case.line, format!("case {number}: {}", error.message))
+        }
+    };
+    let place = Place::line(source, line);
     CaseError { cause: error.cause, ..CaseError::new(&error.field, message, place) }
         .help(error.help.clone())
 }

@@ -22,25 +22,44 @@ const TO_5: &[i64] = &[0, 1, 2, 3, 4, 5];
 const TO_6: &[i64] = &[0, 1, 2, 3, 4, 5, 6];
 const TO_7: &[i64] = &[0, 1, 2, 3, 4, 5, 6, 7];
 
-/// The words of both modules; each begins with the digit that stands first.
-const FIRST: [Digit; 7] = [
+/// The first words of module 1 and module 3.
+const FIRST_1: [Digit; 7] = [
     digit("C1", &[0, 1, 4, 5]),
     digit("P", TO_3),
-    digit("B", TO_6),
+    digit("B", &[0, 1, 5, 6]),
     digit("T", TO_3),
     digit("N", TO_1),
     digit("F", TO_3),
     digit("S", TO_3),
 ];
-const SECOND: [Digit; 7] = [
-    digit("V", TO_3),
+const FIRST_3: [Digit; 6] = [
+    digit("P", TO_3),
+    digit("B", TO_6),
+    digit("T", TO_3),
+    digit("N", TO_1),
+    digit("F", TO_2),
+    digit("S", TO_3),
+];
+/// The second ones.
+const SECOND_1: [Digit; 7] = [
+    digit("V", TO_2),
     digit("L", TO_6),
     digit("D", ANY),
-    digit("C3", &[0, 1, 2, 3, 4, 9]),
+    digit("C3", &[0, 1, 2, 3, 4]),
     digit("M", TO_7),
     digit("Z", TO_3),
-    digit("E", ANY),
+    digit("E", TO_5),
 ];
+const SECOND_3: [Digit; 7] = [
+    digit("V", &[0, 3]),
+    digit("L", TO_6),
+    digit("D", TO_2),
+    digit("C3", &[0, 1, 2, 3, 4, 9]),
+    digit("M", TO_7),
+    digit("Z", TO_2),
+    digit("E", &[0, 1, 2, 3, 9]),
+];
+/// The third word of both.
 const THIRD: [Digit; 8] = [
     digit("X", TO_1),
     digit("H", &[0, 1, 3]),
@@ -102,11 +121,12 @@ impl Control {
             1 => ["CPBTNFS", "VLDCMZE", "XHGIAOWR"],
             _ => ["PBTNFS", "VLDCMZE", "XHGIAOWR"],
         };
-        let first_digits = if module == 1 { &FIRST[..] } else { &FIRST[1..] };
+        let (first_digits, second_digits) =
+            if module == 1 { (&FIRST_1[..], &SECOND_1) } else { (&FIRST_3[..], &SECOND_3) };
         let [word] = reader.numbers([whole(first)])?;
         let first = unpacked(reader, word, first_digits)?;
         let ([word], [damping]) = reader.numbers_and([whole(second)], [DAMPING])?;
-        let second = unpacked(reader, word, &SECOND)?;
+        let second = unpacked(reader, word, second_digits)?;
         let [word] = reader.numbers([whole(third)])?;
         let third = unpacked(reader, word, &THIRD)?;
         // Module 3 has no digit C1.

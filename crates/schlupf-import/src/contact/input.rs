@@ -7,7 +7,7 @@ use schlupf_case::{CaseError, Source};
 
 use super::basic::Basic;
 use super::control::Control;
-use super::given::whole;
+use super::given::{Given, whole};
 use super::reader::{Reader, Reading};
 use super::wheel_rail::WheelRail;
 
@@ -39,6 +39,16 @@ pub enum Module {
     Basic(Box<Basic>),
 }
 
+impl Module {
+    /// Its number.
+    pub fn number(&self) -> i64 {
+        match self {
+            Self::WheelRail(_) => 1,
+            Self::Basic(_) => 3,
+        }
+    }
+}
+
 /// REID and CPID.
 pub type Element = [i64; 2];
 
@@ -58,7 +68,7 @@ const MOST_CASES: usize = 100_000;
 pub fn read(source: &Arc<Source>) -> Input {
     let mut reader = Reader::new(Arc::clone(source));
     let mut cases = Vec::new();
-    let stop = read_cases(&mut reader, &mut cases).err().map(|error| *error);
+    let stop = read_cases(&mut reader, &mut cases).err();
     Input { cases, stop }
 }
 
@@ -112,7 +122,7 @@ fn read_cases(reader: &mut Reader, cases: &mut Vec<InputCase>) -> Reading<()> {
 fn module(reader: &mut Reader) -> Reading<Option<(i64, Element)>> {
     let ([module], [result, contact]) =
         reader.numbers_and([whole("MODULE")], [whole("REID"), whole("CPID")])?;
-    let element = [result, contact].map(|given| given.map_or(1, |given| given.whole()));
+    let element = [result, contact].map(|given| given.map_or(1, Given::whole));
     match module.whole() {
         0 => Ok(None),
         number @ (1 | 3) => Ok(Some((number, element))),

@@ -25,12 +25,7 @@ impl Elastic {
     pub fn read(reader: &mut Reader, control: &Control, module: i64) -> Reading<Self> {
         let influence = control.influence;
         if influence.is(4) {
-            reader.numbers([whole("IF_METH"), whole("VARIANT")])?;
-            if module == 3 {
-                let [count] = reader.numbers([whole("NN")])?;
-                let points = count.whole().clamp(1, MOST_POINTS) as usize;
-                reader.array(real("Y, ALPHA"), 2 * points)?;
-            }
+            inclinations(reader, module)?;
         }
         if influence.is(9) {
             reader.text_and("CFNAME", [], [])?;
@@ -51,6 +46,17 @@ impl Elastic {
         let (poisson, shear_modulus) = ([poisson_1, poisson_2], [shear_1, shear_2]);
         Ok(Self { influence, poisson, shear_modulus, model })
     }
+}
+
+/// The correction for conformal bodies, in module 3 with a table of their inclinations.
+fn inclinations(reader: &mut Reader, module: i64) -> Reading<()> {
+    let head = [whole("IF_METH"), whole("VARIANT"), whole("NN")];
+    if module == 1 {
+        return reader.group_of(&head[..2]).map(|_| ());
+    }
+    let [_, _, count] = reader.numbers(head)?;
+    let points = count.whole().clamp(1, MOST_POINTS) as usize;
+    reader.array(real("Y, ALPHA"), 2 * points).map(|_| ())
 }
 
 /// Reads the parameters of damping.

@@ -45,7 +45,7 @@ struct Group {
 }
 
 /// Whatever could be told from text that cannot be read on.
-pub type Reading<T> = Result<T, Box<CaseError>>;
+pub type Reading<T> = Result<T, CaseError>;
 
 impl Reader {
     /// A reader of a text, before its first line.
@@ -163,14 +163,14 @@ impl Reader {
         Ok(group)
     }
 
-    fn at_end(&self, text: Option<&str>, items: &[Item]) -> Box<CaseError> {
+    fn at_end(&self, text: Option<&str>, items: &[Item]) -> CaseError {
         let message = format!("the file must go on with {}, but ends", expected(text, items));
         self.error("", self.source.text.lines().count(), message)
     }
 
     /// An error at a line.
-    pub fn error(&self, field: &str, line: usize, message: String) -> Box<CaseError> {
-        Box::new(CaseError::new(field, message, Place::line(&self.source, line)))
+    pub fn error(&self, field: &str, line: usize, message: String) -> CaseError {
+        CaseError::new(field, message, Place::line(&self.source, line))
     }
 
     /// What the comments say of a case that begins in a line: the first line of the nearest block

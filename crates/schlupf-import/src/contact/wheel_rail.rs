@@ -41,6 +41,8 @@ pub struct WheelRail {
 pub struct Search {
     /// Digit D.
     pub method: Given,
+    /// DX and DS, in mm.
+    pub element: [Given; 2],
     /// A_SEP, in rad.
     pub angle: Given,
     /// D_SEP, in mm.
@@ -192,11 +194,11 @@ impl WheelRail {
 
 impl Search {
     fn read(reader: &mut Reader, control: &Control) -> Reading<Self> {
-        let ([_, _, _, angle, distance, _], _) = reader.numbers_and(
+        let ([x, s, _, angle, distance, _], _) = reader.numbers_and(
             [real("DX"), real("DS"), real("DQREL"), angle("A_SEP"), real("D_SEP"), real("D_COMB")],
             [real("D_TURN"), real("G_MISS")],
         )?;
-        Ok(Self { method: control.grid, angle, distance })
+        Ok(Self { method: control.grid, element: [x, s], angle, distance })
     }
 }
 

@@ -56,7 +56,6 @@ pub fn write(
     laws::heat(case, control, basic.heat.as_ref(), wheel);
     if let Some(friction) = &basic.friction {
         laws::friction(case, friction);
-        variation(case, friction);
     } else {
         case.miss(control.friction_law, "the law of friction");
     }
@@ -71,6 +70,9 @@ pub fn write(
     let frame = frame?;
     let given = Given3 { control, motion, elastic, area, frame };
     let contact = normal::write(case, given, basic, stem)?;
+    if let Some(friction) = &basic.friction {
+        variation(case, friction, frame, contact);
+    }
     speed(case, rolling);
     motion_of(case, control, motion, basic.friction.as_ref(), Written { frame, contact });
     Some(Written { frame, contact })
@@ -109,12 +111,7 @@ fn motion_of(
 ) {
     match control.tangential.whole() {
         0 => case.remark("Without creepage there are no tangential tractions (T = 0)."),
-        1 => shift(case, control, motion, written.frame),
-        2 => case.refuse(
-            control.tangential,
-            "transient rolling is not available",
-            "T = 3 rolls steadily",
-        ),
+        1 => write_shift(case, control, motion, written.frame),
         _ => creepages(case, control, motion, friction, written),
     }
 }
@@ -124,23 +121,24 @@ fn creepages(
     control: &Control,
     motion: &Motion,
     friction: Option<&Friction>,
-    Written { frame, contact }: Written,
+    written: Written,
 ) {
-    let [x, y] = at_centre(motion, contact.centre);
+    let [x, y] = creepages_at(motion, written);
+    let Written { frame, contact } = written;
     let spin = 1e3 * motion.spin.value;
-    let level = friction.map_or(0.0, Friction::static_coefficient) * contact.load;
+    let level = friction.map_or(0.0, Friction::force_scale) * contact.load;
     if control.force.is(0) {
-        case.document.number("kinematics.creepage_x", frame.component_x * x);
+        case.document.number("kinematics.creepage_x", x);
     } else {
+        check_forces(case, control, motion);
         let force = frame.component_x * motion.tangential[0].value * level;
         case.document.quantity("kinematics.force_x", force / 1e3, "kN");
-        prescribed(case, motion, contact);
     }
     if control.force.is(2) {
         let force = frame.component_y * motion.tangential[1].value * level;
         case.document.quantity("kinematics.force_y", force / 1e3, "kN");
     } else {
-        case.document.number("kinematics.creepage_y", frame.component_y * y);
+        case.document.number("kinematics.creepage_y", y);
     }
     case.document.quantity("kinematics.spin", spin, "1/m");
     if contact.centre != [0.0; 2] {
@@ -153,12 +151,20 @@ fn creepages(
     }
 }
 
-/// Forces in the frame of a contact.
-fn prescribed(case: &mut Translation, motion: &Motion, _contact: Contact) {
-    let [x, _] = motion.tangential;
-    if x.value.abs() > 1.0 {
-        case.refuse(x, "must be at most 1, the friction limit", "");
+/// Forces beyond the friction limit.
+fn check_forces(case: &mut Translation, control: &Control, motion: &Motion) {
+    let [x, y] = motion.tangential;
+    let size = if control.force.is(2) { x.value.hypot(y.value) } else { x.value.abs() };
+    if size > 1.0 {
+        let what = "the force must be at most 1 in size, the friction limit FSTAT FN";
+        case.refuse(x, what, "FXREL and FYREL are forces over that limit");
     }
+}
+
+/// Creepages of the wheel over the rail at the middle of the contact.
+pub fn creepages_at(motion: &Motion, Written { frame, contact }: Written) -> [f64; 2] {
+    let [x, y] = at_centre(motion, contact.centre);
+    [frame.component_x * x, frame.component_y * y]
 }
 
 /// Creepages at a point (in mm) that are given about the spin centre.
@@ -170,7 +176,7 @@ fn at_centre(motion: &Motion, centre: [f64; 2]) -> [f64; 2] {
 }
 
 /// A shift from a contact without tractions.
-fn shift(case: &mut Translation, control: &Control, motion: &Motion, frame: Frame) {
+pub fn write_shift(case: &mut Translation, control: &Control, motion: &Motion, frame: Frame) {
     if control.previous.value < 2.0 {
         let what = "a shift that goes on from an earlier one is not available";
         case.refuse(control.previous, what, "P = 2 begins without tractions");
@@ -193,15 +199,52 @@ fn shift(case: &mut Translation, control: &Control, motion: &Motion, frame: Fram
     case.document.quantity("history.shift_y", frame.component_y * y, "mm");
 }
 
-fn variation(case: &mut Translation, friction: &Friction) {
-    if !friction.variation.is(0) {
-        let what = "friction that varies with the place is not taken over";
-        case.refuse(
-            friction.variation,
-            what,
-            "friction.variation_y and variation_factor of a case file vary it across the patch",
-        );
+/// Friction that varies across the contact: factors on that at its middle.
+fn variation(case: &mut Translation, friction: &Friction, frame: Frame, contact: Contact) {
+    let digit = friction.variation;
+    let what = match (digit.whole(), contact.rows) {
+        (0, _) => return,
+        (3, Some(rows)) if friction.law.is(0) => {
+            return by_row(case, friction, frame, rows);
+        }
+        (3, Some(_)) => "a law other than that of Coulomb that varies by row is not available",
+        (3, None) => "friction by row is available for Hertz's contact only",
+        _ => "friction that varies along the track is not available",
+    };
+    case.refuse(digit, what, "V = 0 is the same everywhere");
+}
+
+fn by_row(case: &mut Translation, friction: &Friction, frame: Frame, [from, width]: [f64; 2]) {
+    let count = friction.sets.len();
+    let mut places: Vec<f64> =
+        (0..count).map(|row| frame.coordinate_y * (from + row as f64 * width)).collect();
+    let mut levels: Vec<f64> = friction.sets.iter().map(|[level, ..]| level.value).collect();
+    if let Some([_, other, ..]) =
+        friction.sets.iter().find(|[level, other, ..]| level.value != other.value)
+    {
+        case.refuse(*other, "FKIN must equal FSTAT, as it must in CONTACT", "");
     }
+    if frame.coordinate_y < 0.0 {
+        places.reverse();
+        levels.reverse();
+    }
+    // Linear in between, constant beyond the ends.
+    let next = places.partition_point(|place| *place < 0.0).clamp(1, count.max(2) - 1);
+    let middle = match (places.get(next - 1..=next), levels.get(next - 1..=next)) {
+        (Some(&[left, right]), Some(&[below, above])) => {
+            let part = (-left / (right - left)).clamp(0.0, 1.0);
+            below + part * (above - below)
+        }
+        _ => levels.first().copied().unwrap_or_default(),
+    };
+    if middle <= 0.0 {
+        let digit = friction.variation;
+        return case.refuse(digit, "friction must be positive at the middle of the contact", "");
+    }
+    let factors: Vec<f64> = levels.iter().map(|level| level / middle).collect();
+    case.document.number("friction.coefficient", middle);
+    case.document.quantities("friction.variation_y", &places, "mm");
+    case.document.numbers("friction.variation_factor", &factors);
 }
 
 fn extra_slip(case: &mut Translation, basic: &Basic) {

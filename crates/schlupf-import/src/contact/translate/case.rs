@@ -15,13 +15,20 @@ pub struct Translation {
     pub document: Document,
     /// Why it cannot be written.
     pub errors: Vec<CaseError>,
+    /// Lines of fields that name a file.
+    pub lines: Vec<(&'static str, usize)>,
 }
 
 impl Translation {
     /// Nothing yet.
     pub fn new(source: &Arc<Source>) -> Self {
-        let (document, errors) = (Document::default(), Vec::new());
-        Self { source: Arc::clone(source), document, errors }
+        let (document, errors, lines) = (Document::default(), Vec::new(), Vec::new());
+        Self { source: Arc::clone(source), document, errors, lines }
+    }
+
+    /// The text of the input file.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
     }
 
     /// A value that is not available: `what` completes the sentence that begins with it.

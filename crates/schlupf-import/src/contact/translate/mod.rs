@@ -7,6 +7,7 @@ mod laws;
 mod normal;
 mod basic;
 mod wheel_rail;
+mod sequence;
 mod all;
 
 pub use all::{Import, ImportedCase, Options, import};

@@ -24,6 +24,9 @@ pub struct Contact {
     pub load: f64,
     /// The point at which creepages hold, in mm in the file's axes.
     pub centre: [f64; 2],
+    /// Distance of the middle of the first row of elements from that of the contact, and width of
+    /// a row, in mm in the file's axes; unknown before the contact is solved on a table.
+    pub rows: Option<[f64; 2]>,
 }
 
 /// What an input case has for it.
@@ -100,7 +103,26 @@ fn hertzian(case: &mut Translation, given: Given3) -> Option<Contact> {
     for (path, count) in ["grid.cells_x", "grid.cells_y"].into_iter().zip(area.cells) {
         cells(case, path, count.value / scale.value);
     }
-    Some(Contact { load, centre: [0.0; 2] })
+    let width = 2.0 * scale.value * half_width(case, given, load)?;
+    let side = width / area.cells[1].value;
+    let rows = Some([0.5 * (side - width), side]);
+    Some(Contact { load, centre: [0.0; 2], rows })
+}
+
+/// Half the width of Hertz's contact, in mm.
+fn half_width(case: &mut Translation, given: Given3, load: f64) -> Option<f64> {
+    let [first, second, _] = given.area.values[..] else { return None };
+    let distances = match given.area.kind.whole() {
+        -1 => [1e3 * first.value, 1e3 * second.value],
+        -2 => {
+            let ratio = hertz::curvature_ratio(second.value).ok()?;
+            [1e3 * first.value, 1e3 * first.value * ratio]
+        }
+        _ => return Some(second.value),
+    };
+    let contact = hertz::contact(distances, hertz::modulus(given.elastic), load);
+    let width = contact.map(|contact| contact.semi_axis_y / MILLIMETRE);
+    accepted(case, given.area.kind, width)
 }
 
 /// Cells across the contact.
@@ -168,12 +190,11 @@ fn by_distance(
         );
         return None;
     }
-    if distance.base.is(1) {
-        if let [b1, b2, b3, b4, b5, b6] = distance.values[..] {
-            if b2.value == 0.0 {
-                return quadratic(case, given, [b1, b3, b4, b5, b6]);
-            }
-        }
+    if distance.base.is(1)
+        && let [b1, b2, b3, b4, b5, b6] = distance.values[..]
+        && b2.value == 0.0
+    {
+        return quadratic(case, given, [b1, b3, b4, b5, b6]);
     }
     if given.control.normal.is(0) {
         let what = "an approach is available for Hertz's contact only";
@@ -232,7 +253,8 @@ fn quadratic(
         }
         cells(case, ["grid.cells_x", "grid.cells_y"][k], 2.0 * axes[k] / side[k]);
     }
-    Some(Contact { load, centre })
+    let rows = Some([first[1] - centre[1], side[1]]);
+    Some(Contact { load, centre, rows })
 }
 
 fn rounded(length: f64) -> String {
@@ -280,7 +302,7 @@ fn table(
     case.document.text("normal.file", &name);
     case.document.text("kinematics.reference", "file");
     case.document.files.push((name, text.into_bytes()));
-    Some(Contact { load: given.motion.normal.value, centre: [0.0; 2] })
+    Some(Contact { load: given.motion.normal.value, centre: [0.0; 2], rows: None })
 }
 
 /// The undeformed distance (in mm) at a point (in mm), the centre of an element.

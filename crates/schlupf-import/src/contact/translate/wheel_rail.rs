@@ -181,6 +181,7 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
     let is_absolute = name.starts_with('/') || name.get(1..2) == Some(":");
     let path = if is_absolute { name } else { format!("{folder}{name}") };
     case.document.text(paths.profile, &path);
+    case.lines.push((paths.profile, profile.file.line));
     let outwards = if profile.mirror_y.is(1) { "inwards" } else { "outwards" };
     case.document.text(paths.y, outwards);
     match profile.mirror_z.map(Given::whole) {
