@@ -32,6 +32,7 @@ from ._report import (
     Report,
     RoughContact,
     Temperatures,
+    Wheelset,
 )
 from ._report_plots import RoughContactPlots
 from ._result import Record, Result
@@ -61,6 +62,7 @@ __all__ = [
     "Solver",
     "Sweep",
     "Temperatures",
+    "Wheelset",
     "__version__",
     "animate",
     "damage",

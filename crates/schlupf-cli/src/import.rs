@@ -10,10 +10,11 @@ use schlupf_import::contact::{Import, WheelBody};
 use schlupf_tasks::import::{self, Request};
 
 use crate::failure::{Failure, SUCCESS};
-use crate::outputs::{self, Directory};
+use crate::outputs::{self, Directory, Input, Output};
 use crate::{report, stdout};
 
 const OUTPUT: &str = "--output";
+const FILE: &str = "FILE";
 
 /// Which input file, and where to write its cases.
 #[derive(Debug, Args)]
@@ -65,6 +66,12 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
     let given = arguments.output.as_deref();
     let directory = given.map(|path| Directory { option: OUTPUT, path, names });
     outputs::check(&[], directory.as_ref())?;
+    let what = "the input file".to_owned();
+    let input = Input { what, path: arguments.file.clone(), except: None };
+    let option = if given.is_some() { OUTPUT } else { FILE };
+    let written = files.iter().map(|(path, _)| Output { option, path: path.clone() });
+    let written: Vec<Output> = written.filter(|output| output.path.exists()).collect();
+    outputs::refuse_inputs(&written, None, &[input])?;
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists() && !arguments.force) {
         let advice = "there is a file already; --force overwrites it";
         return Err(Failure::file(path, io::Error::new(ErrorKind::AlreadyExists, advice)));

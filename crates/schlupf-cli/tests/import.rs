@@ -86,6 +86,10 @@ fn existing_files_stay() {
     let run = bench.run(&["import", "one.inp", "--wheel-body", "2"]);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
     assert!(bench.read("one.toml").contains("creepage_x = -0.001"));
+    bench.write("own.toml", &bench.read("one.inp"));
+    let run = bench.run(&["import", "own.toml", "--force"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert!(run.stderr.contains("own.toml is also that of the input file"), "{}", run.stderr);
 }
 
 /// A table that a case needs is written beside it.

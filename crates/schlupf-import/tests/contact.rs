@@ -310,7 +310,14 @@ fn compression_and_shift() {
         BALL,
         &[("203100", "201100"), (" 0.0d 0.25 30000.   CHI, DQ, VELOC\n", ""), ("0.0002 ", "0.0 ")],
     );
-    has(&one(&text).text, &["shift_x = \"0.001 mm\"", "shift_y = \"-0.0005 mm\""]);
+    let lines = ["shift_x = \"0.001 mm\"", "shift_y = \"-0.0005 mm\""];
+    has(&one(&text).text, &lines);
+    // The first case begins without tractions in any event; a later one with P = 0 does not.
+    let first = text.replace("201100", " 01100");
+    has(&one(&first).text, &lines);
+    let second = " 3\n 001100\n 100000\n 0100111\n 52359.878 0.001 0 0\n 0\n";
+    let found = errors(&text.replace(" 0 MODULE\n", second));
+    assert!(found[0].contains("P = 0: a shift that goes on from an earlier one"), "{found:?}");
 }
 
 /// Later cases keep what they do not give anew: law of friction, material and rolling, grid and

@@ -38,7 +38,7 @@ mod _core {
     #[pymodule_export]
     use super::tasks::{
         bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, rough_contact,
-        temperatures,
+        temperatures, wheelset_contacts,
     };
 
     #[pymodule_export]

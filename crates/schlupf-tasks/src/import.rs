@@ -122,12 +122,11 @@ pub fn read(case: &ImportedCase, output: &Path) -> Result<CaseFile, CaseErrors> 
 /// What a case file is refused for, at the line that it was made from.
 fn at_case(source: &Arc<Source>, case: &ImportedCase, error: &CaseError) -> CaseError {
     let named = case.lines.iter().find(|(field, _)| *field == error.field);
-    let (line, message) = match named {
-        Some((_, line)) => (*line, error.message.clone()),
-        None => {
-            let number = case.numbers.first().copied().unwrap_or_default();
-            (case.line, format!("case {number}: {}", error.message))
-        }
+    let (line, message) = if let Some((_, line)) = named {
+        (*line, error.message.clone())
+    } else {
+        let number = case.numbers.first().copied().unwrap_or_default();
+        (case.line, format!("case {number}: {}", error.message))
     };
     let place = Place::line(source, line);
     CaseError { cause: error.cause, ..CaseError::new(&error.field, message, place) }

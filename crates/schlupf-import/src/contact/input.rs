@@ -92,7 +92,11 @@ fn read_cases(reader: &mut Reader, cases: &mut Vec<InputCase>) -> Reading<()> {
             return Err(reader.error("MODULE", start, message));
         }
         let title = reader.title(end, start);
-        let control = Control::read(reader, module)?;
+        let mut control = Control::read(reader, module)?;
+        if !basics.contains_key(&element) && !wheels.contains_key(&element) {
+            // The first case begins without tractions, whatever its digit P says.
+            control.previous.value = 2.0;
+        }
         let module_number = module;
         let module = if module == 1 {
             let (wheel, count) = wheels.entry(element).or_default();

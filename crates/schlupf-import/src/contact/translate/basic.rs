@@ -177,7 +177,7 @@ fn at_centre(motion: &Motion, centre: [f64; 2]) -> [f64; 2] {
 
 /// A shift from a contact without tractions.
 pub fn write_shift(case: &mut Translation, control: &Control, motion: &Motion, frame: Frame) {
-    if control.previous.value < 2.0 {
+    if matches!(control.previous.whole(), 0 | 3) {
         let what = "a shift that goes on from an earlier one is not available";
         case.refuse(control.previous, what, "P = 2 begins without tractions");
     }

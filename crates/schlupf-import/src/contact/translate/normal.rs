@@ -274,6 +274,11 @@ fn table(
         case.refuse(count, what, "a contact in a plane (two-dimensional) is not available");
         return None;
     }
+    if distance.base.is(9) && distance.values.len() != counts[0] * counts[1] {
+        let what = "distances of another grid (IBASE = 9) cannot be kept";
+        case.refuse(given.control.distance, what, "Z = 2 gives those of this grid");
+        return None;
+    }
     let (first, side) = given.area.lattice();
     if side[0] <= 0.0 || side[1] <= 0.0 {
         let sides = given.area.values.get(2).copied().unwrap_or(given.area.kind);
