@@ -270,8 +270,9 @@ def test_inputs_of_contact_are_cases(tmp_path):
     with pytest.raises(schlupf.CaseError, match="S = 1: stresses below the surface") as caught:
         schlupf.import_contact(path)
     assert caught.value.field == "S"
-    assert caught.value.place == f"{path}:13:1"
-    with pytest.warns(schlupf.SchlupfWarning, match="S = 1: stresses below the surface"):
+    assert caught.value.place == f"{path}:14:1"
+    left_out = pytest.warns(schlupf.warnings.SettingsLeftOutWarning)
+    with left_out, pytest.warns(schlupf.SchlupfWarning, match="S = 1: stresses below the surface"):
         (case,) = schlupf.import_contact(path, available_only=True)
     assert case.title == "A ball that brakes"
     assert case.normal.load == pytest.approx(52359.878)
