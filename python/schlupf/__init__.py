@@ -17,6 +17,7 @@ from ._case import Case, Section
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
+from ._imports import import_contact
 from ._look_up_table import LookUpTable, TableForces
 from ._plots import ResultPlots
 from ._plots import comparison as plot_comparison
@@ -32,6 +33,7 @@ from ._report import (
     Report,
     RoughContact,
     Temperatures,
+    Wheelset,
 )
 from ._report_plots import RoughContactPlots
 from ._result import Record, Result
@@ -63,12 +65,14 @@ __all__ = [
     "Sweep",
     "TableForces",
     "Temperatures",
+    "Wheelset",
     "__version__",
     "animate",
     "damage",
     "examples",
     "forces",
     "friction",
+    "import_contact",
     "materials",
     "merge",
     "methods",

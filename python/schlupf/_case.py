@@ -23,6 +23,7 @@ from ._report import (
     Fit,
     RoughContact,
     Temperatures,
+    Wheelset,
 )
 from ._result import Result
 from ._tables import csv
@@ -106,6 +107,7 @@ _LIKE = {
     "wake": "history.shift_x",
     "x": "history.shift_x",
     "y": "history.shift_x",
+    "lateral_position": "history.shift_x",
 }
 
 
@@ -706,6 +708,43 @@ class Case:
         """
         found = _core.bulk_temperature(self._file)
         return BulkTemperature._new(found, warn=warn, strict=strict)
+
+    def wheelset(
+        self,
+        *,
+        lateral_position: tuple[float | str, float | str] = DEFAULTS["lateral_position"],
+        points: int = DEFAULTS["wheelset_points"],
+        strict: bool = True,
+        warn: bool = True,
+    ) -> Wheelset:
+        """The contacts of the wheelset over its lateral position, both wheels on their rails.
+
+        Parameters
+        ----------
+        lateral_position : (float, float), optional
+            First and last position, in m, or text with a unit.
+        points : int, optional
+            Number of positions.
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
+        warn : bool, default True
+            Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        Wheelset
+            ``contacts`` of both wheels, and their equivalent ``conicity``.
+
+        Raises
+        ------
+        CaseError
+            If the case has no profiles, or a height in place of the vertical force.
+        NotConverged
+            If a contact has not converged; it has the result.
+        """
+        ends = _pair("lateral_position", lateral_position)
+        found = _core.wheelset_contacts(self._file, ends, _count("points", points))
+        return Wheelset._new(found, warn=warn, strict=strict)
 
     def compare(self, *, warn: bool = True) -> Comparison:
         """The case by all methods: the full one with each elasticity, and the fast ones.

@@ -25,12 +25,14 @@ __all__ = [
     "defaults",
     "field_table",
     "fitted",
+    "import_contact",
     "merge",
     "presets",
     "read_table",
     "rough_contact",
     "temperatures",
     "warning_codes",
+    "wheelset_contacts",
 ]
 
 __version__: str
@@ -117,6 +119,9 @@ class StudyRun:
     def keep(self, batch: int, text: str) -> None: ...
     def finish(self) -> _Counts: ...
 
+def import_contact(
+    path: Path, is_wheel_second: bool, available_only: bool
+) -> tuple[list[CaseFile], _Messages, list[str]]: ...
 def merge(shards: list[Path], output: Path) -> _Counts: ...
 def read_table(path: Path) -> _Columns: ...
 def batch(
@@ -155,3 +160,4 @@ def temperatures(
 def command(arguments: list[str]) -> int: ...
 def field_table() -> list[dict[str, Any]]: ...
 def warning_codes() -> list[tuple[str, str]]: ...
+def wheelset_contacts(case: CaseFile, lateral_position: _Range, points: int) -> Report: ...

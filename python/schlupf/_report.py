@@ -315,3 +315,28 @@ class RoughContact(Report):
         from ._report_plots import RoughContactPlots
 
         return RoughContactPlots(self)
+
+
+class Wheelset(Report):
+    """The contacts of a wheelset over its lateral position, and its equivalent conicity."""
+
+    @cached_property
+    def contacts(self) -> xr.Dataset:
+        """A row for each contact of each wheel at each position, along ``row``.
+
+        ``lateral_position``, ``side`` and ``contact`` tell which it is; places, angles, creepages,
+        patches and forces are those of `solve`, with points in their names.
+        """
+        dataset = along(self._tables["contacts"][0], "row")
+        return dataset.set_coords(["lateral_position", "side", "contact"])
+
+    @cached_property
+    def conicity(self) -> xr.Dataset:
+        """Equivalent conicity over ``amplitude`` (m) of the lateral motion."""
+        return along(self._tables["conicity"][0], "amplitude", "amplitude")
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the difference of the rolling radii over the lateral position."""
+        from ._report_plots import rolling_radii
+
+        return rolling_radii(self, ax, **style)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from ._report import Comparison, Curve, Damage, Fit, RoughContact, Temperatures
+    from ._report import Comparison, Curve, Damage, Fit, RoughContact, Temperatures, Wheelset
 
 #: Forces on the wheel with their symbols.
 FORCES = {"force_x": "$F_x$", "force_y": "$F_y$"}
@@ -131,6 +131,21 @@ def wear(damage: Damage, ax: Axes | None = None, **style: Any) -> Axes:
     ax.set_ylabel("depth worn from the wheel (µm)")
     legend_beside(ax)
     ax.set_title(damage.title)
+    return ax
+
+
+@styled
+def rolling_radii(wheelset: Wheelset, ax: Axes | None = None, **style: Any) -> Axes:
+    """Rolling radius of the left wheel minus that of the right one over the lateral position."""
+    ax = axes_or_new(ax)
+    contacts = wheelset.contacts
+    _, first = np.unique(contacts["lateral_position"], return_index=True)
+    rows = contacts.isel(row=first)
+    radii = rows["rolling_radius_difference"] * 1e3
+    line(ax, rows["lateral_position"] * 1e3, radii, "left minus right", style)
+    ax.set_xlabel("lateral position, to the left (mm)")
+    ax.set_ylabel("rolling radius, left minus right (mm)")
+    ax.set_title(wheelset.title)
     return ax
 
 

@@ -240,3 +240,77 @@ def test_a_surface_of_the_paper(result):
     assert ax.get_zlabel() == "normal pressure (GPa)"
     with pytest.raises(TypeError, match="three-dimensional"):
         result.plot.surface(ax=plt.subplots()[1])
+
+
+INPUT = """\
+% A ball that brakes
+ 3  MODULE
+  203100    P-B-T-N-F-S
+  022020    L-D-C-M-Z-E
+ 0000111    H-G-I-A-O-W-R
+  999 100 30 1 1e-5   MAXGS, MAXIN, MAXNR, MAXOUT, EPS
+ 52359.878 0.001 0.0 0.0    FN, CKSI, CETA, CPHI
+ 0.3 0.3   FSTAT, FKIN
+ 0d 0.25 30000.   CHI, DQ, VELOC
+ 0.28 0.28 82031.25 82031.25   POISS 1,2, GG 1,2
+ -3
+ 22 22 5.0 5.0 1.1   MX, MY, AA, BB, SCALE
+ 3  MODULE
+  203101    P-B-T-N-F-S
+  100000    L-D-C-M-Z-E
+ 0100111    H-G-I-A-O-W-R
+ 52359.878 0.002 0.0 0.0    FN, CKSI, CETA, CPHI
+ 0  MODULE
+"""
+
+
+def test_inputs_of_contact_are_cases(tmp_path):
+    path = tmp_path / "ball.inp"
+    path.write_text(INPUT)
+    with pytest.raises(schlupf.CaseError, match="S = 1: stresses below the surface") as caught:
+        schlupf.import_contact(path)
+    assert caught.value.field == "S"
+    assert caught.value.place == f"{path}:14:1"
+    left_out = pytest.warns(schlupf.warnings.SettingsLeftOutWarning)
+    with left_out, pytest.warns(schlupf.SchlupfWarning, match="S = 1: stresses below the surface"):
+        (case,) = schlupf.import_contact(path, available_only=True)
+    assert case.title == "A ball that brakes"
+    assert case.normal.load == pytest.approx(52359.878)
+    # CONTACT, over μN, on 320 x 80 cells.
+    force = case.solve().force.x / (0.3 * 52359.878)
+    assert force == pytest.approx(-0.46379, abs=0.008)
+    path.write_text(INPUT.replace("203101", "203100"))
+    with pytest.warns(schlupf.warnings.SettingsLeftOutWarning):
+        first, second = schlupf.import_contact(path, wheel_body=2)
+    assert (first.kinematics.creepage_x, second.kinematics.creepage_x) == (-0.001, -0.002)
+    with pytest.raises(ValueError, match="wheel_body must be 1 or 2"):
+        schlupf.import_contact(path, wheel_body=3)
+
+
+def test_a_wheelset_has_contacts_over_its_lateral_position():
+    case = schlupf.Case(
+        wheel={"profile": "S1002"},
+        rail={"profile": "60E1", "cant": 0.025},
+        normal={"model": "wheel-rail", "load": 20e3},
+        elasticity={"model": "half-space"},
+        heat={"model": "none"},
+        friction={"model": "constant", "coefficient": 0.3},
+        grid=GRID,
+    )
+    found = case.wheelset(lateral_position=("-3 mm", 3e-3), points=3, warn=False)
+    contacts = found.contacts
+    assert np.unique(contacts["lateral_position"]).tolist() == [-3e-3, 0.0, 3e-3]
+    assert set(contacts["side"].values.tolist()) == {"left", "right"}
+    radii = contacts["rolling_radius_difference"]
+    assert radii.attrs["units"] == "m"
+    # To the left the left wheel runs on the larger radius.
+    assert float(radii.values[0]) < -1e-4 < 1e-4 < float(radii.values[-1])
+    assert found.conicity["equivalent_conicity"].sel(amplitude=3e-3) == pytest.approx(
+        0.184, abs=0.01
+    )
+    assert found.plot().get_title() == found.title
+    plt.close("all")
+    with pytest.raises(schlupf.CaseError, match='normal.model must be "wheel-rail"'):
+        SMALL.wheelset()
+    with pytest.raises(schlupf.CaseError, match="lateral_position"):
+        case.wheelset(lateral_position=(-8.0, 8.0))

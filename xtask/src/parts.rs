@@ -165,11 +165,12 @@ const PORTABLE: [&str; 5] =
     ["schlupf", "schlupf-table", "schlupf-case", "schlupf-output", "schlupf-tasks"];
 
 /// The packages that others build on.
-const LIBRARIES: [&str; 6] = [
+const LIBRARIES: [&str; 7] = [
     "schlupf",
     "schlupf-table",
     "schlupf-case",
     "schlupf-output",
+    "schlupf-import",
     "schlupf-tasks",
     "schlupf-study",
 ];

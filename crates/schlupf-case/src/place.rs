@@ -70,7 +70,7 @@ pub enum Place {
 
 impl Place {
     /// Sorts places in the order of the input: first the text, then what overrides it.
-    pub(crate) fn order(&self) -> usize {
+    pub fn order(&self) -> usize {
         match self {
             Self::Text { span, .. } => span.start,
             Self::File { .. } | Self::Override { .. } | Self::Default => usize::MAX,

@@ -11,6 +11,7 @@ use crate::curve::Curve;
 use crate::damage::Damage;
 use crate::failure::{Failure, SUCCESS};
 use crate::fit::Fit;
+use crate::import::ImportArguments;
 use crate::roughness::Roughness;
 use crate::solve::Solve;
 use crate::stdout;
@@ -91,6 +92,9 @@ pub enum Command {
     Table(Table),
     /// Validate a case file and show what would be solved
     Check(CaseArguments),
+    /// Write the cases of an input file of CONTACT as case files
+    #[command(after_help = EXIT_CODES)]
+    Import(ImportArguments),
     /// Write a commented case file to start from
     Init(InitArguments),
     /// Print the JSON schema of a case file

@@ -12,6 +12,7 @@ mod curve;
 mod damage;
 mod failure;
 mod fit;
+mod import;
 mod interrupt;
 mod notice;
 mod outputs;
@@ -64,6 +65,7 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Merge(arguments) => sweep::merge(&arguments),
         Command::Table(arguments) => table::table(&arguments),
         Command::Check(arguments) => commands::check(&arguments),
+        Command::Import(arguments) => import::import(&arguments),
         Command::Init(arguments) => commands::init(&arguments),
         Command::Schema => commands::schema(),
         Command::Completions { shell } => completions(shell),

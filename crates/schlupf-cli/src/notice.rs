@@ -53,6 +53,7 @@ mod tests {
         let codes = [
             schlupf::Warning::CODES,
             schlupf_case::Notice::CODES,
+            schlupf_import::Notice::CODES,
             TaskNotice::CODES,
             Notice::CODES,
         ];

@@ -30,6 +30,11 @@ pub struct CaseFile {
 }
 
 impl CaseFile {
+    /// A case that was read.
+    pub fn new_from(file: schlupf_case::CaseFile) -> Self {
+        Self { file, functions: Functions::default() }
+    }
+
     /// Works with the case, its functions in place; Ctrl-C and exceptions of the functions stop it.
     pub fn run<R: Send, E: From<CaseErrors> + Send>(
         &self,

@@ -73,9 +73,12 @@ fn kind(kind: Kind) -> &'static str {
 #[pyfunction]
 pub fn warning_codes() -> Vec<(&'static str, &'static str)> {
     use schlupf_case::Notice as OfCase;
+    use schlupf_import::Notice as OfImport;
     use schlupf_tasks::Notice as OfTask;
-    let codes = [schlupf::Warning::CODES, OfCase::CODES, OfTask::CODES].concat();
-    let meanings = [schlupf::Warning::MEANINGS, OfCase::MEANINGS, OfTask::MEANINGS].concat();
+    let codes = [schlupf::Warning::CODES, OfCase::CODES, OfImport::CODES, OfTask::CODES];
+    let meanings =
+        [schlupf::Warning::MEANINGS, OfCase::MEANINGS, OfImport::MEANINGS, OfTask::MEANINGS];
+    let (codes, meanings) = (codes.concat(), meanings.concat());
     codes.into_iter().zip(meanings.into_iter().map(str::trim)).collect()
 }
 

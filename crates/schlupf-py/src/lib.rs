@@ -9,6 +9,7 @@ mod case_file;
 mod conditions;
 mod errors;
 mod fields;
+mod imports;
 mod interruptible;
 mod laws;
 mod look_up_table;
@@ -30,6 +31,8 @@ mod _core {
     #[pymodule_export]
     use super::fields::{command, field_table, presets, warning_codes};
     #[pymodule_export]
+    use super::imports::import_contact;
+    #[pymodule_export]
     use super::look_up_table::LookUpTable;
     #[pymodule_export]
     use super::report::Report;
@@ -38,7 +41,7 @@ mod _core {
     #[pymodule_export]
     use super::tasks::{
         bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, rough_contact,
-        temperatures,
+        temperatures, wheelset_contacts,
     };
 
     #[pymodule_export]

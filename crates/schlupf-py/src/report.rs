@@ -14,6 +14,7 @@ use schlupf_output::damage::DamageReport;
 use schlupf_output::identification::FitReport;
 use schlupf_output::roughness::RoughnessReport;
 use schlupf_output::temperature::{Line, Temperatures};
+use schlupf_output::wheelset::WheelsetReport;
 
 use crate::records::{columns, described, lines};
 
@@ -27,6 +28,7 @@ pub enum Found {
     Fit(Box<FitReport>),
     Roughness(Box<RoughnessReport>),
     Temperature(Box<Temperatures>),
+    Wheelset(Box<WheelsetReport>),
 }
 
 /// What a task has found: documented JSON, summary, tables and warnings.
@@ -51,6 +53,7 @@ impl Report {
             Found::Fit(report) => &**report,
             Found::Roughness(report) => &**report,
             Found::Temperature(report) => &**report,
+            Found::Wheelset(report) => &**report,
         }
     }
 }
@@ -129,6 +132,10 @@ impl Report {
                 add("profile", vec![line(py, Quantity::Depth, &report.profile)])?;
                 let rows = report.rows.iter().map(|row| line(py, Quantity::X, &row.line));
                 add("rows", rows.collect())?;
+            }
+            Found::Wheelset(report) => {
+                add("contacts", vec![columns(py, &**report)])?;
+                add("conicity", vec![columns(py, &report.conicity)])?;
             }
         }
         Ok(tables)

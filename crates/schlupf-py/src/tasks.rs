@@ -11,8 +11,10 @@ use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing};
 use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf::{Status, Watch};
 use schlupf_case::identification::parameters;
-use schlupf_case::{CaseError, Family, InputFile, Place, direction, read_displacements};
-use schlupf_tasks::{TaskError, bulk, calibrate, compare, curve, fit, roughness, temperature};
+use schlupf_case::{CaseError, Family, InputFile, Place, direction, range, read_displacements};
+use schlupf_tasks::{
+    TaskError, bulk, calibrate, compare, curve, fit, roughness, temperature, wheelset,
+};
 
 use crate::case_file::CaseFile;
 use crate::errors;
@@ -195,6 +197,25 @@ pub fn rough_contact(py: Python<'_>, case: &CaseFile, with_spots: bool) -> PyRes
     })
 }
 
+/// The contacts of a wheelset between two lateral positions (in m), at so many of them.
+#[pyfunction]
+pub fn wheelset_contacts(
+    py: Python<'_>,
+    case: &CaseFile,
+    lateral_position: Range,
+    points: usize,
+) -> PyResult<Report> {
+    const NAME: &str = "lateral_position";
+    let points = checked_points(py, points)?;
+    let [from, to] = lateral_position;
+    let range = range(NAME, "wheelset.lateral_position", &format!("{from}..{to} m"));
+    let range = range.map_err(|error| errors::of_case(py, &error.into()))?;
+    report(py, case, |file, watch| {
+        let found = wheelset::plan(file, wheelset::Request { range, points })?.find(watch)?;
+        Ok(Found::Wheelset(Box::new(found)))
+    })
+}
+
 /// Numbers that are taken where none is given, by name.
 #[pyfunction]
 pub fn defaults(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
@@ -204,5 +225,7 @@ pub fn defaults(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     numbers.set_item("calibration_cells", CalibrationOptions::default().cells)?;
     numbers.set_item("fit_steps", fit::MAX_STEPS)?;
     numbers.set_item("gamma", DEFAULT_GAMMA)?;
+    numbers.set_item("wheelset_points", wheelset::POINTS)?;
+    numbers.set_item("lateral_position", wheelset::RANGE)?;
     Ok(numbers)
 }

@@ -14,6 +14,7 @@ pub mod contact_law;
 pub mod curve;
 mod error;
 pub mod fit;
+pub mod import;
 pub mod loaded_solver;
 mod notice;
 pub mod roughness;

@@ -1,0 +1,187 @@
+//! `schlupf import`: names of files, what is not overwritten, and what is not available.
+
+mod support;
+
+use support::Bench;
+
+/// A ball that brakes, a second case with a layer that is not available, and a third one with more
+/// creepage.
+const INPUT: &str = "\
+% A ball that brakes
+ 3  MODULE
+  203100    P-B-T-N-F-S
+  022020    L-D-C-M-Z-E
+ 0000111    H-G-I-A-O-W-R
+  999 100 30 1 1e-5   MAXGS, MAXIN, MAXNR, MAXOUT, EPS
+ 52359.878 0.001 0.0 0.0    FN, CKSI, CETA, CPHI
+ 0.3 0.3   FSTAT, FKIN
+ 0d 0.25 30000.   CHI, DQ, VELOC
+ 0.28 0.28 82031.25 82031.25   POISS 1,2, GG 1,2
+ -3
+ 22 22 5.0 5.0 1.1   MX, MY, AA, BB, SCALE
+
+ 3  MODULE
+  203100    P-B-T-N-F-S
+  102400    L-D-C-M-Z-E
+ 0100111    H-G-I-A-O-W-R
+ 52359.878 0.002 0.0 0.0    FN, CKSI, CETA, CPHI
+ 0d 0.25 30000.   CHI, DQ, VELOC
+ 0.28 0.28 82031.25 82031.25   POISS 1,2, GG 1,2
+ 8200. 1.25 560. 0.   GG3, LAYTHK, TAU_C0, K_TAU
+
+ 3  MODULE
+  203100    P-B-T-N-F-S
+  100000    L-D-C-M-Z-E
+ 0100111    H-G-I-A-O-W-R
+ 52359.878 0.003 0.0 0.0    FN, CKSI, CETA, CPHI
+ 0  MODULE
+";
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("ball.inp", INPUT);
+    bench
+}
+
+/// Cases that are available are written, and `check` and `solve` accept them; the exit code is that
+/// of wrong input where one is not, and the layer is named once with its line.
+#[test]
+fn what_is_available_is_written() {
+    let bench = bench();
+    let run = bench.run(&["import", "ball.inp"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert_eq!(bench.list(), ["ball.inp", "ball_1.toml", "ball_3.toml"]);
+    assert_eq!(
+        run.stdout,
+        "wrote ball_1.toml: A ball that brakes\nwrote ball_3.toml: ball.inp, case 3\n\
+         case 2: not available, see the errors\n"
+    );
+    let layer = "ball.inp:16:1: M = 4: a layer between the surfaces";
+    assert_eq!(run.stderr.matches(layer).count(), 1, "{}", run.stderr);
+    assert!(run.stderr.contains("G, I, A, O, W, MAXGS … EPS set CONTACT's own"), "{}", run.stderr);
+    assert_eq!(bench.run(&["check", "ball_3.toml"]).code, Some(0));
+    let run = bench.run(&["solve", "ball_1.toml"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("A ball that brakes"), "{}", run.stdout);
+}
+
+/// Nothing is overwritten, and nothing is written beside what would be; one case has no number.
+#[test]
+fn existing_files_stay() {
+    let bench = bench();
+    bench.write("ball_3.toml", "mine");
+    let run = bench.run(&["import", "ball.inp"]);
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    assert!(run.stderr.contains("ball_3.toml: there is a file already; --force"), "{}", run.stderr);
+    assert_eq!(bench.list(), ["ball.inp", "ball_3.toml"]);
+    assert_eq!(bench.read("ball_3.toml"), "mine");
+    let run = bench.run(&["import", "ball.inp", "--output", "new/cases", "--quiet"]);
+    assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""));
+    assert!(bench.path("new/cases/ball_3.toml").exists());
+    let run = bench.run(&["import", "ball.inp", "--force"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert!(bench.read("ball_3.toml").contains("creepage_x = 0.003"));
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102400").unwrap();
+    bench.write("one.inp", &format!("{}\n 0\n", &INPUT[..end]));
+    let run = bench.run(&["import", "one.inp", "--wheel-body", "2"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(bench.read("one.toml").contains("creepage_x = -0.001"));
+    bench.write("own.toml", &bench.read("one.inp"));
+    let run = bench.run(&["import", "own.toml", "--force"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert!(run.stderr.contains("own.toml is also that of the input file"), "{}", run.stderr);
+}
+
+/// A table that a case needs is written beside it.
+#[test]
+fn a_distance_is_a_file_of_its_own() {
+    let bench = Bench::new();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102400").unwrap();
+    let area = " 1\n 40 40 -8. -8. 0.4 0.4\n 1 1\n 0.0016 0.0004 0.0016 0 0 0\n 0\n";
+    let text = INPUT[..end].replace(" -3\n 22 22 5.0 5.0 1.1   MX, MY, AA, BB, SCALE\n", area);
+    bench.write("skew.inp", &text);
+    let run = bench.run(&["import", "skew.inp", "--output", "cases"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(bench.path("cases/skew_distance.csv").exists());
+    let run = bench.run(&["check", "cases/skew.toml"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+}
+
+/// Paths of profiles lead from the case files to them; one that is missing is named once, with the
+/// line that names it.
+#[test]
+fn profiles_are_found_from_the_cases() {
+    let bench = Bench::new();
+    let rail = std::fs::read(format!(
+        "{}/../../data/profile_uic60_canted.csv",
+        env!("CARGO_MANIFEST_DIR")
+    ));
+    let wheel =
+        std::fs::read(format!("{}/../../data/profile_s1002.csv", env!("CARGO_MANIFEST_DIR")));
+    let text = "\
+ 1
+ 1203100
+ 0022033
+ 0000321
+ 999 100 30 1 1e-5
+ 0.3 0.3
+ 0.28 0.28 82000. 82000.
+ 0.2 0.2 1.0 90d 8.0 4.0
+ 14.0 0 1435.0 0.0
+ 'profiles\\rail.csv' 0 1.0 0.0
+ 0 0 0 0 0 0
+ 1360. -70. 460.
+ 'wheel.csv' 0 1.0 0.0
+ 0.0 3.0 10000. 0.0 0.0 0.0
+ 2000. 0 0 0 0 -4.34
+ 1
+ 1203100
+ 0111002
+ 0100321
+ 0.0 4.0 10000. 0.0 0.0 0.0
+ 2000. 0 0 0 0 -4.34
+ 0
+";
+    bench.write("wheel.inp", text);
+    std::fs::create_dir(bench.path("profiles")).unwrap();
+    std::fs::write(bench.path("profiles/rail.csv"), rail.unwrap()).unwrap();
+    let run = bench.run(&["import", "wheel.inp", "--output", "cases"]);
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    let missing = "wheel.inp:13:1: wheel.profile must be the path of a readable file";
+    assert_eq!(run.stderr.matches(missing).count(), 1, "{}", run.stderr);
+    assert!(!bench.path("cases/wheel_1.toml").exists());
+    std::fs::write(bench.path("wheel.csv"), wheel.unwrap()).unwrap();
+    let run = bench.run(&["import", "wheel.inp", "--output", "cases"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let text = bench.read("cases/wheel_2.toml");
+    for line in [
+        "profile = \"../profiles/rail.csv\"",
+        "lateral_position = \"-4 mm\"",
+        "angular_velocity = \"4.34 rad/s\"",
+        "join_distance = \"8 mm\"",
+    ] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+    let run = bench.run(&["check", "cases/wheel_2.toml"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+}
+
+/// What is no input file.
+#[test]
+fn wrong_files_are_named() {
+    let bench = bench();
+    for (name, bytes, code, expected) in [
+        ("none.inp", None, 1, "none.inp: the input file cannot be read"),
+        ("zero.inp", Some(&b"3\0"[..]), 2, "zero.inp: the input file must be text, but is not"),
+        ("text.inp", Some(b"hello"), 2, "text.inp:1:1: MODULE must be a whole number"),
+        ("empty.inp", Some(b"% nothing\n"), 2, "empty.inp: the input file has no cases"),
+        ("zeros.inp", Some(b" 0 MODULE\n"), 2, "zeros.inp: the input file has no cases"),
+    ] {
+        if let Some(bytes) = bytes {
+            std::fs::write(bench.path(name), bytes).unwrap();
+        }
+        let run = bench.run(&["import", name]);
+        assert_eq!(run.code, Some(code), "{name}: {}", run.stderr);
+        assert!(run.stderr.contains(expected), "{name}: {}", run.stderr);
+    }
+}

@@ -1,0 +1,19 @@
+//! Input files of CONTACT (Vollebregt and Kalker; E. A. H. Vollebregt, *User guide for CONTACT*):
+//! modules 1 and 3.
+//!
+//! A file is a sequence of cases, each of which keeps what it does not give anew. [`import`] reads
+//! all of them and writes those as case files that are available here; of the others it tells what
+//! is not, with name, value and line.
+
+mod given;
+mod reader;
+mod control;
+mod friction;
+mod material;
+mod skipped;
+mod basic;
+mod wheel_rail;
+mod input;
+mod translate;
+
+pub use translate::{Import, ImportedCase, Options, WheelBody, import};

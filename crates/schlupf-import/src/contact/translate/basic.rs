@@ -1,0 +1,259 @@
+//! A case of module 3.
+
+use std::sync::Arc;
+
+use schlupf_case::Source;
+
+use crate::contact::basic::{Basic, Motion, Rolling};
+use crate::contact::control::Control;
+use crate::contact::friction::Friction;
+
+use super::case::Translation;
+use super::frame::{Frame, WheelBody};
+use super::laws;
+use super::normal::{self, Contact, Given3};
+
+/// Speed of what does not roll, in mm/s: irrelevant there, but every case has one.
+const RESTING: f64 = 1e3;
+
+/// Translates a steady state or a shift; `stem` begins the names of its files.
+pub fn translate(
+    source: &Arc<Source>,
+    (control, basic): (&Control, &Basic),
+    wheel: WheelBody,
+    stem: &str,
+) -> Translation {
+    let mut case = Translation::new(source);
+    write(&mut case, (control, basic), wheel, stem);
+    case
+}
+
+/// What every case of module 3 has.
+#[derive(Debug, Clone, Copy)]
+pub struct Written {
+    /// Axes.
+    pub frame: Frame,
+    /// Normal contact.
+    pub contact: Contact,
+}
+
+/// Writes all but the history of transient rolling.
+pub fn write(
+    case: &mut Translation,
+    (control, basic): (&Control, &Basic),
+    wheel: WheelBody,
+    stem: &str,
+) -> Option<Written> {
+    laws::refuse_digits(case, control);
+    let rolling = control.is_rolling().then_some(basic.rolling.as_ref()).flatten();
+    let frame = frame(case, control, rolling, wheel);
+    if let Some(elastic) = &basic.elastic {
+        laws::elastic(case, elastic, wheel);
+        laws::method(case, control, elastic);
+    } else {
+        case.miss(control.influence, "the materials");
+    }
+    laws::heat(case, control, basic.heat.as_ref(), wheel);
+    if let Some(friction) = &basic.friction {
+        laws::friction(case, friction);
+    } else {
+        case.miss(control.friction_law, "the law of friction");
+    }
+    extra_slip(case, basic);
+    let (Some(elastic), Some(area), Some(motion)) = (&basic.elastic, &basic.area, &basic.motion)
+    else {
+        if basic.area.is_none() {
+            case.miss(control.grid, "the potential contact area");
+        }
+        return None;
+    };
+    let frame = frame?;
+    let given = Given3 { control, motion, elastic, area, frame };
+    let contact = normal::write(case, given, basic, stem)?;
+    if let Some(friction) = &basic.friction {
+        variation(case, friction, frame, contact);
+    }
+    speed(case, rolling);
+    motion_of(case, control, motion, basic.friction.as_ref(), Written { frame, contact });
+    Some(Written { frame, contact })
+}
+
+fn frame(
+    case: &mut Translation,
+    control: &Control,
+    rolling: Option<&Rolling>,
+    wheel: WheelBody,
+) -> Option<Frame> {
+    if control.is_rolling() && rolling.is_none() {
+        case.miss(control.influence, "the rolling direction and speed");
+    }
+    let frame = Frame::new(wheel, rolling);
+    if let (None, Some(rolling)) = (frame, rolling) {
+        let what = "rolling is available along x only";
+        case.refuse(rolling.direction, what, "CHI = 0 or 180d");
+    }
+    frame
+}
+
+fn speed(case: &mut Translation, rolling: Option<&Rolling>) {
+    let speed = rolling.map_or(RESTING, |rolling| rolling.speed.value);
+    // mm/s.
+    case.document.quantity("kinematics.speed", speed / 1e3, "m/s");
+}
+
+/// Creepages, forces or a shift.
+fn motion_of(
+    case: &mut Translation,
+    control: &Control,
+    motion: &Motion,
+    friction: Option<&Friction>,
+    written: Written,
+) {
+    match control.tangential.whole() {
+        0 => case.remark("Without creepage there are no tangential tractions (T = 0)."),
+        1 => write_shift(case, control, motion, written.frame),
+        _ => creepages(case, control, motion, friction, written),
+    }
+}
+
+fn creepages(
+    case: &mut Translation,
+    control: &Control,
+    motion: &Motion,
+    friction: Option<&Friction>,
+    written: Written,
+) {
+    let [x, y] = creepages_at(motion, written);
+    let Written { frame, contact } = written;
+    let spin = 1e3 * motion.spin.value;
+    let level = friction.map_or(0.0, Friction::force_scale) * contact.load;
+    if control.force.is(0) {
+        case.document.number("kinematics.creepage_x", x);
+    } else {
+        check_forces(case, control, motion);
+        let force = frame.component_x * motion.tangential[0].value * level;
+        case.document.quantity("kinematics.force_x", force / 1e3, "kN");
+    }
+    if control.force.is(2) {
+        let force = frame.component_y * motion.tangential[1].value * level;
+        case.document.quantity("kinematics.force_y", force / 1e3, "kN");
+    } else {
+        case.document.number("kinematics.creepage_y", y);
+    }
+    case.document.quantity("kinematics.spin", spin, "1/m");
+    if contact.centre != [0.0; 2] {
+        case.remark(format!(
+            "Creepages are those at the middle of the contact, which is at ({}, {}) mm in the input; the \
+             moment is taken about it, too.",
+            crate::document::number(contact.centre[0]),
+            crate::document::number(contact.centre[1])
+        ));
+    }
+}
+
+/// Forces beyond the friction limit.
+fn check_forces(case: &mut Translation, control: &Control, motion: &Motion) {
+    let [x, y] = motion.tangential;
+    let size = if control.force.is(2) { x.value.hypot(y.value) } else { x.value.abs() };
+    if size > 1.0 {
+        let what = "the force must be at most 1 in size, the friction limit FSTAT FN";
+        case.refuse(x, what, "FXREL and FYREL are forces over that limit");
+    }
+}
+
+/// Creepages of the wheel over the rail at the middle of the contact.
+pub fn creepages_at(motion: &Motion, Written { frame, contact }: Written) -> [f64; 2] {
+    let [x, y] = at_centre(motion, contact.centre);
+    [frame.component_x * x, frame.component_y * y]
+}
+
+/// Creepages at a point (in mm) that are given about the spin centre.
+fn at_centre(motion: &Motion, centre: [f64; 2]) -> [f64; 2] {
+    let from = motion.spin_centre.map_or([0.0; 2], |centre| centre.map(|given| given.value));
+    let [x, y] = motion.tangential.map(|given| given.value);
+    let spin = motion.spin.value;
+    [x - spin * (centre[1] - from[1]), y + spin * (centre[0] - from[0])]
+}
+
+/// A shift from a contact without tractions.
+pub fn write_shift(case: &mut Translation, control: &Control, motion: &Motion, frame: Frame) {
+    if matches!(control.previous.whole(), 0 | 3) {
+        let what = "a shift that goes on from an earlier one is not available";
+        case.refuse(control.previous, what, "P = 2 begins without tractions");
+    }
+    if !control.force.is(0) {
+        let what = "forces in a shift are not available";
+        case.refuse(control.force, what, "F = 0 gives the shift CKSI, CETA");
+        return;
+    }
+    let what = "a turn in a shift is not available";
+    case.refuse_unless_zero(motion.spin, what, "CPHI = 0 shifts without it");
+    if matches!(control.friction_law.whole(), 2..=4) {
+        let what =
+            "friction that depends on the slip speed is not available in a shift, which has none";
+        case.refuse(control.friction_law, what, "L = 0 has constant friction");
+    }
+    let [x, y] = motion.tangential.map(|given| given.value);
+    // mm.
+    case.document.quantity("history.shift_x", frame.component_x * x, "mm");
+    case.document.quantity("history.shift_y", frame.component_y * y, "mm");
+}
+
+/// Friction that varies across the contact: factors on that at its middle.
+fn variation(case: &mut Translation, friction: &Friction, frame: Frame, contact: Contact) {
+    let digit = friction.variation;
+    let what = match (digit.whole(), contact.rows) {
+        (0, _) => return,
+        (3, Some(rows)) if friction.law.is(0) => {
+            return by_row(case, friction, frame, rows);
+        }
+        (3, Some(_)) => "a law other than that of Coulomb that varies by row is not available",
+        (3, None) => "friction by row is available for Hertz's contact only",
+        _ => "friction that varies along the track is not available",
+    };
+    case.refuse(digit, what, "V = 0 is the same everywhere");
+}
+
+fn by_row(case: &mut Translation, friction: &Friction, frame: Frame, [from, width]: [f64; 2]) {
+    let count = friction.sets.len();
+    let mut places: Vec<f64> =
+        (0..count).map(|row| frame.coordinate_y * (from + row as f64 * width)).collect();
+    let mut levels: Vec<f64> = friction.sets.iter().map(|[level, ..]| level.value).collect();
+    if let Some([_, other, ..]) =
+        friction.sets.iter().find(|[level, other, ..]| level.value != other.value)
+    {
+        case.refuse(*other, "FKIN must equal FSTAT, as it must in CONTACT", "");
+    }
+    if frame.coordinate_y < 0.0 {
+        places.reverse();
+        levels.reverse();
+    }
+    // Linear in between, constant beyond the ends.
+    let next = places.partition_point(|place| *place < 0.0).clamp(1, count.max(2) - 1);
+    let middle = match (places.get(next - 1..=next), levels.get(next - 1..=next)) {
+        (Some(&[left, right]), Some(&[below, above])) => {
+            let part = (-left / (right - left)).clamp(0.0, 1.0);
+            below + part * (above - below)
+        }
+        _ => levels.first().copied().unwrap_or_default(),
+    };
+    if middle <= 0.0 {
+        let digit = friction.variation;
+        return case.refuse(digit, "friction must be positive at the middle of the contact", "");
+    }
+    let factors: Vec<f64> = levels.iter().map(|level| level / middle).collect();
+    case.document.number("friction.coefficient", middle);
+    case.document.quantities("friction.variation_y", &places, "mm");
+    case.document.numbers("friction.variation_factor", &factors);
+}
+
+fn extra_slip(case: &mut Translation, basic: &Basic) {
+    if let Some(digit) = basic.extra_slip {
+        let what = match digit.whole() {
+            0 => return,
+            2 | 3 => "spin in one direction only is not available",
+            _ => "an extra term of the rigid slip (EXRHS) is not available",
+        };
+        case.refuse(digit, what, "E = 0 is without");
+    }
+}

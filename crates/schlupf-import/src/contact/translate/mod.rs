@@ -1,0 +1,14 @@
+//! From the cases of an input file to case files.
+
+mod case;
+mod frame;
+mod hertz;
+mod laws;
+mod normal;
+mod basic;
+mod wheel_rail;
+mod sequence;
+mod all;
+
+pub use all::{Import, ImportedCase, Options, import};
+pub use frame::WheelBody;

@@ -1,0 +1,185 @@
+//! The text of a case file.
+
+use std::fmt::Write;
+
+/// Sections in the order of a case file.
+const SECTIONS: [&str; 14] = [
+    "kinematics",
+    "wheel",
+    "rail",
+    "normal",
+    "track",
+    "wheelset",
+    "elasticity",
+    "contact_law",
+    "friction",
+    "heat",
+    "grid",
+    "solver",
+    "fastsim",
+    "history",
+];
+
+/// Digits of a number after its first one: enough for any input that people write, few enough to
+/// hide the rounding of conversions.
+const DIGITS: usize = 12;
+/// Below it numbers have an exponent.
+const SMALL: f64 = 1e-4;
+
+/// A case file that is being written.
+#[derive(Debug, Clone, Default)]
+pub struct Document {
+    /// Title of the case.
+    pub title: String,
+    /// Lines of the comment above it.
+    pub comments: Vec<String>,
+    /// Section, field and value in TOML.
+    fields: Vec<(&'static str, &'static str, String)>,
+    /// Files that the case names.
+    pub files: Vec<(String, Vec<u8>)>,
+}
+
+impl Document {
+    /// A dimensionless number.
+    pub fn number(&mut self, path: &'static str, value: f64) {
+        let text = number(value);
+        // TOML tells whole numbers from others.
+        let is_whole = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
+        self.set(path, if is_whole { format!("{text}.0") } else { text });
+    }
+
+    /// A whole number.
+    pub fn count(&mut self, path: &'static str, value: usize) {
+        self.set(path, value.to_string());
+    }
+
+    /// A number with its unit.
+    pub fn quantity(&mut self, path: &'static str, value: f64, unit: &str) {
+        self.set(path, quantity(value, unit));
+    }
+
+    /// Text, such as one of several names.
+    pub fn text(&mut self, path: &'static str, text: &str) {
+        self.set(path, quoted(text));
+    }
+
+    /// Dimensionless numbers.
+    pub fn numbers(&mut self, path: &'static str, values: &[f64]) {
+        let values: Vec<String> = values
+            .iter()
+            .map(|value| {
+                let text = number(*value);
+                if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
+            })
+            .collect();
+        self.set(path, format!("[{}]", values.join(", ")));
+    }
+
+    /// Numbers with their unit.
+    pub fn quantities(&mut self, path: &'static str, values: &[f64], unit: &str) {
+        let values: Vec<String> = values.iter().map(|value| quantity(*value, unit)).collect();
+        self.set(path, format!("[{}]", values.join(", ")));
+    }
+
+    fn set(&mut self, path: &'static str, value: String) {
+        let (section, field) = path.split_once('.').unwrap_or(("", path));
+        // What is given twice has its last value.
+        match self.fields.iter_mut().find(|(of, name, _)| (*of, *name) == (section, field)) {
+            Some((_, _, known)) => *known = value,
+            None => self.fields.push((section, field, value)),
+        }
+    }
+
+    /// The text of the file.
+    pub fn to_toml(&self) -> String {
+        let mut text = String::new();
+        for comment in &self.comments {
+            for line in wrapped(comment) {
+                // Writing to a string cannot fail.
+                let _ = writeln!(text, "# {line}");
+            }
+        }
+        let _ = writeln!(text, "\ntitle = {}", quoted(&self.title));
+        for section in SECTIONS {
+            let fields: Vec<_> = self.fields.iter().filter(|(of, _, _)| *of == section).collect();
+            if !fields.is_empty() {
+                let _ = writeln!(text, "\n[{section}]");
+            }
+            for (_, field, value) in fields {
+                let _ = writeln!(text, "{field} = {value}");
+            }
+        }
+        text
+    }
+}
+
+/// A number without the noise of conversions, as short as it can be.
+pub fn number(value: f64) -> String {
+    let rounded: f64 = format!("{value:.DIGITS$e}").parse().unwrap_or(value);
+    // Minus zero is zero.
+    let rounded = if rounded == 0.0 { 0.0 } else { rounded };
+    let size = rounded.abs();
+    if size != 0.0 && !(SMALL..1e12).contains(&size) {
+        format!("{rounded:e}")
+    } else {
+        rounded.to_string()
+    }
+}
+
+fn quantity(value: f64, unit: &str) -> String {
+    quoted(&format!("{} {unit}", number(value)))
+}
+
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from('"');
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => quoted.extend(['\\', character]),
+            control if control.is_control() => quoted.push(' '),
+            other => quoted.push(other),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// Words in lines of a width.
+fn wrapped(text: &str) -> Vec<String> {
+    const WIDTH: usize = 96;
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in text.split_whitespace() {
+        let fits = lines.last().is_none_or(|line| {
+            line.is_empty() || line.chars().count() + 1 + word.chars().count() <= WIDTH
+        });
+        if !fits {
+            lines.push(String::new());
+        }
+        if let Some(line) = lines.last_mut() {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_document_is_toml_in_the_order_of_a_case_file() {
+        let mut document = Document { title: "a \"b\"".to_owned(), ..Document::default() };
+        document.comments.push("from a.inp".to_owned());
+        document.quantity("normal.load", 52_359.878 / 1e3, "kN");
+        document.number("kinematics.creepage_x", -0.0);
+        document.number("kinematics.creepage_y", 1e-5);
+        document.count("grid.cells_x", 20);
+        document.quantities("history.time", &[0.0, 0.1 + 0.2], "s");
+        let expected = "# from a.inp\n\ntitle = \"a \\\"b\\\"\"\n\n[kinematics]\ncreepage_x = 0.0\n\
+                        creepage_y = 1e-5\n\n[normal]\nload = \"52.359878 kN\"\n\n[grid]\n\
+                        cells_x = 20\n\n[history]\ntime = [\"0 s\", \"0.3 s\"]\n";
+        assert_eq!(document.to_toml(), expected);
+    }
+}

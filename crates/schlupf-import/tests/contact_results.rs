@@ -1,0 +1,142 @@
+//! What imported cases give against CONTACT's own results for the same input: creep forces of
+//! module 3, a start of rolling, and a wheelset of module 1.
+
+mod support;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use schlupf::rolling::marching::march;
+use schlupf_case::{CaseFile, Folder, Overrides, Rolling, Source};
+use schlupf_import::contact::{self, Options};
+use support::{BALL, one, posed, with};
+
+fn data(name: &str) -> String {
+    std::fs::read_to_string(format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// Rows of a table: names of columns and their values.
+fn rows(name: &str) -> Vec<Vec<String>> {
+    let text = data(name);
+    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    lines.map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+/// CONTACT (rev. 2707), steady rolling of Hertz contacts with Coulomb friction: an input with the
+/// creepages of a row has its forces and its moment, within 0.3 % of μN and μN√(ab) on 40 cells and
+/// the error that the row tells.
+#[test]
+fn creep_forces_of_contact() {
+    let names = ["R0.5_003", "R0.5_060", "R0.5_063", "R1_003", "R1_060", "R1_063"];
+    let mut checked = 0;
+    for row in rows("contact_creep.csv").iter().filter(|row| names.contains(&row[0].as_str())) {
+        let number = |k: usize| row[k].parse::<f64>().unwrap();
+        let [a, b] = [1e3 * number(2), 1e3 * number(3)];
+        let text = with(
+            BALL,
+            &[
+                ("5.0 5.0 1.1", &format!("{a} {b} 1.1")),
+                ("0.001 -0.0005 0.0002 ", &format!("{} {} {} ", row[4], row[5], 1e-3 * number(6))),
+            ],
+        );
+        let case = posed(&one(&text));
+        let solution = case.solver().solve(&case.problem, &schlupf::unwatched).unwrap();
+        let limit = 0.3 * 52_359.878;
+        let size = (1e-6 * a * b).sqrt();
+        let found = [
+            solution.force.x / limit,
+            solution.force.y / limit,
+            solution.force.moment_z.unwrap() / (limit * size),
+        ];
+        for (k, found) in found.into_iter().enumerate() {
+            let (expected, error) = (number(7 + k), number(10));
+            assert!((found - expected).abs() < 3e-3 + error, "{}: {found}, not {expected}", row[0]);
+        }
+        checked += 1;
+    }
+    assert_eq!(checked, names.len());
+}
+
+/// The Manchester benchmark, case A-2.2, as an input of module 1: contact points, forces and
+/// largest pressure of CONTACT (rev. 2707), within the accuracy of its grid.
+#[test]
+fn manchester_benchmark() {
+    let table = rows("manchester_a22.csv");
+    for (side, lateral) in [("right", "3.0"), ("left", "4.0")] {
+        let row = table.iter().find(|row| row[0] == side && row[1] == lateral).unwrap();
+        let number = |k: usize| row[k].parse::<f64>().unwrap();
+        let config = u8::from(side != "left");
+        let text = format!(
+            "% Manchester benchmark, {lateral} mm\n 1\n {config}203100\n 0022033\n 0000321\n\
+             999 100 30 1 1e-5\n 0.3 0.3\n 0.28 0.28 82000. 82000.\n 0.2 0.2 1.0 90d 8.0 4.0\n\
+             14.0 0 1435.0 0.0  GAUGHT, GAUGSQ, GAUGWD, CANT\n\
+             'profile_uic60_canted.csv' 0 1.0 0.0\n 0 0 0 0 0 0\n 1360. -70. 460.\n\
+             'profile_s1002.csv' 0 1.0 0.0\n\
+             0.0 {lateral} 10000. {} {} 0.0   S, Y, FZ, ROLL, YAW, PITCH\n\
+             2000. 0 0 0 0 {}   VS, VY, VZ, VROLL, VYAW, VPITCH\n 0\n",
+            row[3], row[2], row[4]
+        );
+        let source = Arc::new(Source { name: "benchmark.inp".to_owned(), text });
+        let import =
+            contact::import(&source, &Options { stem: "a".to_owned(), ..Options::default() });
+        assert!(import.errors.is_empty(), "{:#?}", import.errors);
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+        let text = &import.cases[0].text;
+        let file = CaseFile::from_str(text, "a.toml", Folder::new(folder), Overrides::NONE);
+        let case = file.unwrap_or_else(|errors| panic!("{errors}\n{text}"));
+        let case = case.pose(&schlupf::unwatched).unwrap();
+        let wheel = case.wheel.unwrap();
+        assert_eq!(wheel.contacts.len(), 1);
+        let contact = &wheel.contacts[0];
+        let force = &contact.solution.force;
+        let (load, limit) = (number(15), 0.3 * number(15));
+        let close = |what: &str, found: f64, expected: f64, most: f64| {
+            assert!((found - expected).abs() < most, "{side} {what}: {found}, not {expected}");
+        };
+        // y to the right and z down there: Fx changes its sign as it acts on the rail, y and the
+        // angle theirs.
+        close("y", contact.position[1], -1e-3 * number(7), 2e-5);
+        close("angle", contact.angle, -number(9), 5e-4);
+        close("height", wheel.height, -1e-3 * number(5), 2e-6);
+        close("Fn", contact.solution.normal.load, load, 3e-3 * load);
+        close("Fx", force.x, -number(16), 2e-2 * limit);
+        close("Fs", force.y, number(17), 2e-2 * limit);
+        let pressure = 1e6 * number(20);
+        close("pmax", contact.solution.normal.peak_pressure, pressure, 2.5e-2 * pressure);
+    }
+}
+
+/// CONTACT (rev. 2707), T = 2 from a contact without tractions: forty steps over 12 mm with a
+/// creepage of 0.0011 give the forces of its grid of 40 cells, within its error of 0.6 % of μN.
+#[test]
+fn start_of_rolling() {
+    let head = with(
+        BALL,
+        &[
+            ("203100", "202100"),
+            ("52359.878 0.001 -0.0005 0.0002 ", "75398.224 0.0011 0 0 "),
+            ("0.0d 0.25 ", "0.0d 0.3 "),
+            ("5.0 5.0 1.1", "6.0 6.0 1.1"),
+            (" 0 MODULE\n", ""),
+        ],
+    );
+    let step = " 3\n 002100\n 100000\n 0100111\n 75398.224 0.0011 0 0\n";
+    let imported = one(&format!("{head}{} 0\n", step.repeat(39)));
+    let case = posed(&imported);
+    let Rolling::Transient(transient) = case.rolling(None).unwrap() else {
+        panic!("the case must be transient");
+    };
+    let solution = march(&transient, &case.options, &schlupf::unwatched).unwrap();
+    let history = solution.history;
+    let limit = 0.3 * 75_398.224;
+    let mut checked = 0;
+    for row in rows("contact_transient.csv").iter().filter(|row| row[0] == "T1") {
+        let [distance, expected]: [f64; 2] = [1, 6].map(|k: usize| row[k].parse().unwrap());
+        let near = history.iter().position(|at| (at.distance - 1e-3 * distance).abs() < 1e-9);
+        let Some(place) = near else { continue };
+        let found = history[place].force.x / limit;
+        assert!((found - expected).abs() < 6e-3, "{distance} mm: {found}, not {expected}");
+        checked += 1;
+    }
+    assert!(checked >= 40, "{checked}");
+}
