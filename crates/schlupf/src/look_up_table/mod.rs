@@ -251,8 +251,8 @@ impl LookUpTable {
         NormalisedForce { force, by_creepage: scaled(slopes), is_covered }
     }
 
-    /// R and its derivatives near the direction of ξ, where Fy and Mz are linear in η and φ: a plane
-    /// through those of both, so that derivatives do not depend on the side.
+    /// R and its derivatives near the direction of ξ, where Fy and Mz are linear in η and φ: a
+    /// plane through those of both, so that derivatives do not depend on the side.
     fn near_pole(&self, at: &AtShape, coordinates: &Coordinates, saturation: f64) -> Rest {
         let pole = coordinates.pole;
         let (spin, across) = coordinates.azimuth.sin_cos();
