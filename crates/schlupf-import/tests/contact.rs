@@ -500,6 +500,21 @@ fn values_that_are_not_available_are_named() {
     }
 }
 
+/// Values that no contact has.
+#[test]
+fn impossible_values_are_named() {
+    let area = "-3\n 44 44 5.0 5.0 1.1";
+    for (changes, line, expected) in [
+        (&[(area, "-3\n 44 44 5.0 0.0 1.1")][..], 14, "BB = 0: must be positive"),
+        (&[(area, "-2\n 44 44 0.01 1e9 1.1")], 13, "IPOTCN = -2: is no contact of Hertz"),
+        (&[("203100", "203000"), ("52359.878", "-0.1")], 13, "IPOTCN = -3: FN, or PEN, must be"),
+        (&[("82031.25 82031.25", "82031.25 0.0")], 12, "GG2 = 0: must be positive"),
+        (&[("0.28 0.28 ", "0.6 0.28 ")], 12, "POISS1 = 0.6: must be 0 to 0.5"),
+    ] {
+        refused(changes, line, expected);
+    }
+}
+
 /// All that is not available is told at once, and once only though two cases keep it.
 #[test]
 fn everything_is_told_once() {

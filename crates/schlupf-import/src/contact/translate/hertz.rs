@@ -48,7 +48,14 @@ pub fn curvature_ratio(axis_ratio: f64) -> Result<f64, Error> {
             high = middle;
         }
     }
-    Ok((0.5 * (low + high)).exp())
+    let ratio = (0.5 * (low + high)).exp();
+    let found = contact([1.0, ratio], 1e9, 1.0)?;
+    if (found.semi_axis_x / found.semi_axis_y / axis_ratio - 1.0).abs() < 1e-6 {
+        return Ok(ratio);
+    }
+    // So slender that it is a line: the error says so.
+    let beyond = ratio * ratio * ratio;
+    contact([1.0, beyond], 1e9, 1.0).map(|_| beyond)
 }
 
 /// The load (in N) under which bodies whose ellipse is given (in m) have an approach (in m).

@@ -2,6 +2,7 @@
 
 use crate::contact::control::Control;
 use crate::contact::friction::Friction;
+use crate::contact::given::Given;
 use crate::contact::material::{Elastic, Heat};
 
 use super::case::Translation;
@@ -22,6 +23,13 @@ pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
         let young = 2.0 * shear * (1.0 + poisson) / 1e3;
         case.document.quantity(YOUNG[path], young, "GPa");
         case.document.number(POISSON[path], poisson);
+    }
+    for shear in elastic.shear_modulus.into_iter().filter(|shear| shear.value <= 0.0) {
+        case.refuse(shear, "must be positive", "");
+    }
+    let is_possible = |poisson: &Given| (0.0..=0.5).contains(&poisson.value);
+    for poisson in elastic.poisson.into_iter().filter(|poisson| !is_possible(poisson)) {
+        case.refuse(poisson, "must be 0 to 0.5", "");
     }
     match elastic.influence.whole() {
         4 => case.refuse(

@@ -143,7 +143,9 @@ fn curved(case: &mut Translation, given: Given3, curvatures: [f64; 2]) -> Result
     let modulus = hertz::modulus(given.elastic);
     let load = load(case, given, |approach| hertz::load(curvatures, modulus, approach))?;
     // Line contacts, and loads that no contact has.
-    hertz::contact(curvatures, modulus, load)?;
+    if load > 0.0 {
+        hertz::contact(curvatures, modulus, load)?;
+    }
     Ok(load)
 }
 
@@ -154,7 +156,8 @@ fn load(
     of_approach: impl Fn(f64) -> Result<f64, Error>,
 ) -> Result<f64, Error> {
     let normal = given.motion.normal;
-    if given.control.normal.is(1) {
+    // What is not positive is refused with its name.
+    if given.control.normal.is(1) || normal.value <= 0.0 {
         return Ok(normal.value);
     }
     let load = of_approach(MILLIMETRE * normal.value)?;
