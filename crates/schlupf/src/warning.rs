@@ -59,8 +59,8 @@ messages! {
 
     /// Forces were not extrapolated.
     "no-extrapolation" NoExtrapolation {} Quantity::Extrapolate, |name, words| format!(
-        "{name}: this takes a grid half as fine that is solved, too, which there is from 16 cells \
-         in each direction on (8 on a layer); the forces are those of the grid alone"
+        "{name}: there is no second grid, half as fine and solved, which takes 16 cells in each \
+         direction (8 on a layer); the forces are those of the grid alone"
     );
 
     /// A pressure beyond the elastic range of any metal.

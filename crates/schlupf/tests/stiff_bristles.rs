@@ -52,9 +52,9 @@ fn total(stiffness: f64) -> Arc<dyn ContactLaw> {
 
 /// A wheel that spins up to ten thousand times too fast. Friction has all but vanished where the
 /// material has entered; the interpolated solution of a coarser grid is too hot everywhere, and the
-/// state of rigid bodies is a better first guess. It is the solution, nearly, so hardly a Newton step
-/// is left; heat moves friction from one step to the next only where the bodies yield. Where stiff
-/// bristles are in series with stick and slip it takes more, or this treatment is given up.
+/// state of rigid bodies is a better first guess. It is the solution, nearly, so hardly a Newton
+/// step is left; heat moves friction from one step to the next only where the bodies yield. Where
+/// stiff bristles are in series with stick and slip it takes more.
 #[test]
 fn any_creepage_is_found_at_once() {
     for elasticity in [layer(), half_space()] {

@@ -30,9 +30,9 @@ pub(super) const FRICTION: f64 = 0.3;
 /// k_c, in 1/m: close to Coulomb's law.
 const STIFFNESS: f64 = 1e8;
 
-/// The law without the treatment of stiff bristles as in series with stick and slip. Its displacement
-/// is calibrated on finer grids, of the layer too, whereas stiffnesses are to be found that serve on
-/// the grid that is used.
+/// The law without the treatment of stiff bristles as in series with stick and slip. That treatment
+/// calibrates the displacement on finer grids, also that of the layer, whereas stiffnesses are to
+/// be found that serve on the grid that is used.
 #[derive(Debug)]
 struct FromCellToCell(Incremental);
 

@@ -53,9 +53,9 @@ pub trait ContactLaw: Debug + Send + Sync {
         Ok(None)
     }
 
-    /// k_c (in 1/m) of a law by which the traction over μ pₙ relaxes to the direction of sliding, dq
-    /// = k_c (ds − q |ds|): if its bristles are stiff against the cells, they can be treated as in
-    /// series with Coulomb's law. `None` for any other law.
+    /// k_c (in 1/m) of a law by which the traction over μ pₙ relaxes to the direction of sliding,
+    /// dq = k_c (ds − q |ds|): if its bristles are stiff against the cells, they can be treated as
+    /// in series with Coulomb's law. `None` for any other law.
     fn relaxation(&self) -> Option<f64> {
         None
     }

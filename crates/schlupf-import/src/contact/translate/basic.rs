@@ -74,7 +74,7 @@ pub fn write(
         variation(case, friction, frame, contact);
     }
     speed(case, rolling);
-    motion_of(case, control, motion, basic.friction.as_ref(), Written { frame, contact });
+    motion_of(case, control, motion, Written { frame, contact });
     Some(Written { frame, contact })
 }
 
@@ -101,45 +101,26 @@ fn speed(case: &mut Translation, rolling: Option<&Rolling>) {
     case.document.quantity("kinematics.speed", speed / 1e3, "m/s");
 }
 
-/// Creepages, forces or a shift.
-fn motion_of(
-    case: &mut Translation,
-    control: &Control,
-    motion: &Motion,
-    friction: Option<&Friction>,
-    written: Written,
-) {
+/// Creepages or a shift.
+fn motion_of(case: &mut Translation, control: &Control, motion: &Motion, written: Written) {
     match control.tangential.whole() {
         0 => case.remark("Without creepage there are no tangential tractions (T = 0)."),
         1 => write_shift(case, control, motion, written.frame),
-        _ => creepages(case, control, motion, friction, written),
+        _ => creepages(case, control, motion, written),
     }
 }
 
-fn creepages(
-    case: &mut Translation,
-    control: &Control,
-    motion: &Motion,
-    friction: Option<&Friction>,
-    written: Written,
-) {
+fn creepages(case: &mut Translation, control: &Control, motion: &Motion, written: Written) {
     let [x, y] = creepages_at(motion, written);
-    let Written { frame, contact } = written;
+    let contact = written.contact;
     let spin = 1e3 * motion.spin.value;
-    let level = friction.map_or(0.0, Friction::force_scale) * contact.load;
-    if control.force.is(0) {
-        case.document.number("kinematics.creepage_x", x);
-    } else {
-        check_forces(case, control, motion);
-        let force = frame.component_x * motion.tangential[0].value * level;
-        case.document.quantity("kinematics.force_x", force / 1e3, "kN");
+    if !control.force.is(0) {
+        let what = "prescribed forces are not available";
+        case.refuse(control.force, what, "F = 0 takes the creepages that lead to them");
+        return;
     }
-    if control.force.is(2) {
-        let force = frame.component_y * motion.tangential[1].value * level;
-        case.document.quantity("kinematics.force_y", force / 1e3, "kN");
-    } else {
-        case.document.number("kinematics.creepage_y", y);
-    }
+    case.document.number("kinematics.creepage_x", x);
+    case.document.number("kinematics.creepage_y", y);
     case.document.quantity("kinematics.spin", spin, "1/m");
     if contact.centre != [0.0; 2] {
         case.remark(format!(
@@ -148,16 +129,6 @@ fn creepages(
             crate::document::number(contact.centre[0]),
             crate::document::number(contact.centre[1])
         ));
-    }
-}
-
-/// Forces beyond the friction limit.
-fn check_forces(case: &mut Translation, control: &Control, motion: &Motion) {
-    let [x, y] = motion.tangential;
-    let size = if control.force.is(2) { x.value.hypot(y.value) } else { x.value.abs() };
-    if size > 1.0 {
-        let what = "the force must be at most 1 in size, the friction limit FSTAT FN";
-        case.refuse(x, what, "FXREL and FYREL are forces over that limit");
     }
 }
 

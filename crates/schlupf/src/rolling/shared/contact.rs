@@ -89,8 +89,9 @@ const FASTEST: f64 = 2.0;
 impl StickShare {
     const COULOMB: Self = Self { value: 1.0, by_stiffness: 0.0 };
 
-    /// Of a problem with a peak pressure (in Pa) and the stiffness of a cell, in Pa/m. Friction that
-    /// depends on the slip speed wants the slip of every cell, so it goes with bristles.
+    /// Of a problem with a peak pressure (in Pa) and the stiffness of a cell, in Pa/m. Friction
+    /// that depends on the slip speed goes with bristles: where it falls, Newton's method often
+    /// fails with stick and slip.
     pub fn of(problem: &Problem, peak_pressure: f64, cell_stiffness: f64) -> Self {
         if problem.contact_law.is_coulomb() {
             return Self::COULOMB;

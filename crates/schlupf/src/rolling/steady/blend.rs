@@ -8,6 +8,8 @@ use crate::numerics::vector::norm;
 use crate::patch::{Cell, Patch};
 use crate::problem::Problem;
 use crate::rolling::shared::contact::{DiscreteContact, StickShare};
+use crate::rolling::shared::coulomb::saturation;
+use crate::rolling::shared::passage::pair;
 use crate::state::Element;
 
 use super::bristles::Bristles;
@@ -138,6 +140,8 @@ impl StripLaw for Blend {
         }
     }
 
+    /// The mean of both approximations. A sliver has an equation of its own here, so what its part
+    /// of v demands is added to what follows from the others.
     fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
         let mut other = v.to_vec();
         self.stick_slip.precondition(&mut other, friction);
@@ -150,7 +154,11 @@ impl StripLaw for Blend {
 
     fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], relative: &[f64]) -> Vec<Element> {
         let [of_bristles, _] = self.responses(p, b);
-        self.bristles.elements(patch, p, &of_bristles, relative)
+        let mut elements = self.bristles.elements(patch, p, &of_bristles, relative);
+        for (k, element) in elements.iter_mut().enumerate() {
+            element.saturation = saturation(pair(p, k), self.bound()[k]);
+        }
+        elements
     }
 
     fn stick_share(&self) -> f64 {

@@ -292,10 +292,7 @@ impl<'a> Derivatives<'a> {
 
     /// Derivative of ln(cell stiffness) with respect to that of the patch size, where it matters.
     fn stiffness_by_size(&mut self) -> Option<f64> {
-        let share = self.levels[0].strips.stick_share();
-        if self.by_bristles.is_none() && (share == 0.0 || share == 1.0) {
-            return None;
-        }
+        self.by_bristles.as_ref()?;
         self.products += 1;
         self.levels[0].contact.cell_stiffness_by_size()
     }

@@ -418,7 +418,7 @@ impl Setup {
         } else {
             None
         };
-        if options.extrapolate && extrapolation.is_none() {
+        if options.extrapolate && is_found && extrapolation.is_none() {
             warnings.push(Warning::NoExtrapolation {});
         }
         let Level { contact, .. } = &self.levels[0];

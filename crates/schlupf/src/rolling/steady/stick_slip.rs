@@ -22,8 +22,6 @@ use super::strip_law::{Cause, Changed, StripLaw};
 /// Coulomb's law along the strips of a patch, and its tangent at the last residual.
 pub(super) struct StickSlip {
     gamma: f64,
-    /// In Pa.
-    peak_pressure: f64,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
     contact: CoulombContact,
@@ -69,7 +67,6 @@ impl StickSlip {
         }
         Ok(Self {
             gamma: 0.0,
-            peak_pressure: normal.summary.peak_pressure,
             bound: vec![0.0; cells],
             factors: StripFactors::new(patch, &contact, &stencils, &row),
             stencils,
@@ -136,10 +133,6 @@ impl StripLaw for StickSlip {
         self.rigid.copy_from_slice(&self.rigid_since_entry);
         slide(&self.stencils, &mut self.rigid);
         self.stretching = Stretching::of(problem, patch.len());
-        if let Some(stretching) = &self.stretching {
-            let highest = problem.friction.cold_coefficient() * self.peak_pressure;
-            self.gamma = (gamma.recip() + stretching.compliance(highest)).recip();
-        }
     }
 
     fn bound(&self) -> &[f64] {
@@ -276,8 +269,8 @@ impl StripLaw for StickSlip {
         self.contact.slivers.complete(p);
     }
 
-    /// Exactly zero where a cell sticks without bristles: the friction power, from mean slips over the cells, is
-    /// not.
+    /// Exactly zero where a cell sticks without bristles: the friction power, from mean slips over
+    /// the cells, is not.
     fn take_slip(&self, b: &[f64], speed: f64, slip: &mut [[f64; 2]]) {
         for k in self.contact.kept() {
             let per_way = speed / self.stencils[k].way;

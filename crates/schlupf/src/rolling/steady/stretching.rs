@@ -48,12 +48,6 @@ impl Stretching {
         })
     }
 
-    /// Compliance of the bristles under a bound (in Pa) as long as they are hardly stretched, in
-    /// m/Pa.
-    pub fn compliance(&self, bound: f64) -> f64 {
-        self.length / bound
-    }
-
     /// Sets the traction and its bound, in Pa.
     pub fn evaluate(&mut self, p: &[f64], bound: &[f64], cells: Cells) {
         for k in cells.all() {

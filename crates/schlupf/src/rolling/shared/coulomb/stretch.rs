@@ -1,14 +1,16 @@
 //! Bristles in series with a slider: the incremental law with bristles that are stiff against the
 //! cells.
 //!
-//! The law dq = k_c (ds − q |ds|) is ds = (dq + n dz)/k_c with z = −ln(1 − |q|) − |q| and the
-//! direction n of q: the sliding stretches the bristles. Beyond a saturation at which hardly
-//! anything is missing the law is cut off, stretched so that it ends at |q| = 1, and the rest of
-//! the sliding is that of a slider with q = n. This rest is zero where the contact sticks, and so
-//! as smooth along the path as the sliding under Coulomb's law, to which it leads for k_c → ∞;
-//! the sliding itself jumps within a cell from the leading edge.
+//! As long as |q| grows along its direction n, the law dq = k_c (ds − q |ds|) is
+//! ds = (dq + n dz)/k_c with z = −ln(1 − |q|) − |q|: the sliding stretches the bristles. Where q
+//! turns or falls, the law dissipates a little that this gives back, a difference of some 1/k_c in
+//! the sliding. The law is rescaled so that |q| = 1 at k_c s = 5, and the rest of the sliding is
+//! that of a slider with q = n. This rest is zero where the contact sticks, and so as smooth along
+//! the path as the sliding under Coulomb's law, to which it leads for k_c → ∞; the sliding itself
+//! jumps within a cell from the leading edge.
 
-/// Largest −ln(1 − |q|), dimensionless: beyond it exp(−5) of the law is missing.
+/// k_c s of a straight path at which |q| = 1, dimensionless: exp(−5) of the law is missing there,
+/// and its initial slope is steeper by as much.
 const LONGEST: f64 = 5.0;
 
 /// Saturation (dimensionless) below which the direction fades: without traction there is none.
@@ -17,8 +19,10 @@ const FAINT: f64 = 1e-6;
 /// The bristles of a cell under a traction.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct Stretch {
-    /// 1/(μ pₙ), in 1/Pa.
+    /// 1/(μ pₙ), in 1/Pa; of tractions beyond the bound, over their saturation.
     over_bound: f64,
+    /// Whether the traction is beyond its bound, so that q is only its direction.
+    is_beyond: bool,
     /// q, dimensionless.
     pub saturation: [f64; 2],
     /// n, dimensionless.
@@ -37,27 +41,29 @@ impl Stretch {
         if bound <= 0.0 {
             return Self::default();
         }
-        let over_bound = bound.recip();
+        let length = (traction[0] * traction[0] + traction[1] * traction[1]).sqrt();
+        let is_beyond = length > bound;
+        let over_bound = length.max(bound).recip();
         let saturation = traction.map(|p| over_bound * p);
-        let squared = saturation[0] * saturation[0] + saturation[1] * saturation[1];
-        let size = squared.sqrt();
-        let turning = (squared + FAINT * FAINT).sqrt().recip();
+        let size = over_bound * length;
+        let turning = (size * size + FAINT * FAINT).sqrt().recip();
         let reached = -(-LONGEST).exp_m1();
-        let within = size.min(1.0);
-        let left = 1.0 - reached * within;
+        let left = 1.0 - reached * size;
         Self {
             over_bound,
+            is_beyond,
             saturation,
             direction: saturation.map(|q| turning * q),
             turning,
-            excess: -(-reached * within).ln_1p() - within,
-            slope: if size > 1.0 { 0.0 } else { reached / left - 1.0 },
+            excess: -(-reached * size).ln_1p() - size,
+            slope: reached / left - 1.0,
         }
     }
 
     /// Change of q (dimensionless) with those of the traction and of its bound, in Pa.
     pub fn saturation_change(&self, traction: [f64; 2], bound: f64) -> [f64; 2] {
-        [0, 1].map(|c| self.over_bound * (traction[c] - self.saturation[c] * bound))
+        let grown = if self.is_beyond { self.along(traction) } else { bound };
+        [0, 1].map(|c| self.over_bound * (traction[c] - self.saturation[c] * grown))
     }
 
     /// Change of z with that of q, both dimensionless.
@@ -86,7 +92,7 @@ mod tests {
     #[test]
     fn changes_are_those_of_central_differences() {
         const H: f64 = 1e-4;
-        for traction in [[30.0, -20.0], [0.1, 0.2], [-50.0, 60.0], [90.0, 5.0]] {
+        for traction in [[30.0, -20.0], [0.1, 0.2], [-50.0, 60.0], [90.0, 5.0], [150.0, -80.0]] {
             let stretch = Stretch::of(traction, 100.0);
             for (by, raised) in [([1.0, 0.0], 0.0), ([0.0, 1.0], 0.0), ([0.0, 0.0], 1.0)] {
                 let moved = |h: f64| {
