@@ -244,9 +244,10 @@ fn the_comparison_can_fail() {
 const TEN_TOLERANCES: f64 = 1e-5;
 
 /// k_c (in 1/m) from which on the steady driver puts bristles in series with stick and slip on the
-/// grids of the gallery, and what then may differ of a force over μ0 N: the error of the grid.
+/// grids of the gallery, and what then may differ of a force over μ0 N: the error of the grid, of
+/// which the steady driver has a third to an eighth (0.1 % against 0.25 and 0.6 %).
 const STIFF: f64 = 2e7;
-const OF_GRID: f64 = 3e-3;
+const OF_GRID: f64 = 1e-2;
 
 /// The steady driver and marching give the same results: they solve the same discrete equations.
 /// The forces over μ0 N agree to ten times the solver's tolerance; with stiff bristles, which only

@@ -64,5 +64,5 @@ fn on_20_cells_with_soft_bristles() {
 
 #[test]
 fn on_20_cells_with_stiff_bristles() {
-    check(1e8, &[0.2, 1.0, 5.0], [0.01, 0.02]);
+    check(1e8, &[0.2, 1.0, 5.0], [0.005, 0.008]);
 }
