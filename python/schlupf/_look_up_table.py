@@ -73,7 +73,8 @@ class LookUpTable:
         """
         arrays = np.broadcast_arrays(axis_ratio, creepage_x, creepage_y, spin)
         shape = arrays[0].shape
-        ratio, *creepages = (np.ascontiguousarray(part, dtype=float).ravel() for part in arrays)
+        flat: list[NDArray[np.float64]] = [np.array(part, dtype=float).ravel() for part in arrays]
+        ratio, *creepages = flat
         force, derivatives, in_range = self._table.normalised(ratio, creepages)
         return TableForces(
             force.reshape(*shape, 3), derivatives.reshape(*shape, 3, 3), in_range.reshape(shape)
