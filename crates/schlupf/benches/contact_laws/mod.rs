@@ -10,7 +10,7 @@ use schlupf::{Problem, Solution};
 
 use super::common::{Bodies, Case, creep_curve, moving, rolling, solve};
 
-const GRIDS: [usize; 3] = [20, 40, 80];
+const GRIDS: [usize; 4] = [20, 40, 80, 160];
 
 /// Rounds of which the best counts.
 const ROUNDS: usize = 3;
