@@ -52,22 +52,20 @@ fn total(stiffness: f64) -> Arc<dyn ContactLaw> {
 
 /// A wheel that spins up to ten thousand times too fast. Friction has all but vanished where the
 /// material has entered; the interpolated solution of a coarser grid is too hot everywhere, and the
-/// state of rigid bodies is a better first guess. It is the solution, nearly, so hardly a Newton
-/// step is left; heat moves friction from one step to the next only where the bodies yield. Where
-/// stiff bristles are in series with stick and slip it takes more.
+/// state of rigid bodies is a better first guess. It is the solution, nearly, so no Newton step is
+/// left; heat moves friction from one step to the next only where the bodies yield.
 #[test]
 fn any_creepage_is_found_at_once() {
     for elasticity in [layer(), half_space()] {
         for creepage in [-1.0, -10.0, -100.0, -1e3, -1e4] {
-            for (stiffness, steps, products) in [(5e6, 6, 14.0), (1e9, 40, 50.0)] {
+            for stiffness in [5e6, 1e9] {
                 let mut spinning = heated(problem(rolling(creepage, 0.0, 0.0)), 0.3);
                 spinning.elasticity = Arc::<dyn Elasticity>::clone(&elasticity);
                 spinning.contact_law = incremental(stiffness);
                 let Work { newton_iterations, operator_products, .. } =
                     at_once(&spinning, &cells(24)).work;
-                println!("{creepage} {stiffness:e}: {newton_iterations} {operator_products}");
-                assert!(newton_iterations <= steps, "{creepage}: {newton_iterations}");
-                assert!(operator_products < products, "{creepage}: {operator_products}");
+                assert!(newton_iterations <= 6, "{creepage}: {newton_iterations}");
+                assert!(operator_products < 14.0, "{creepage}: {operator_products}");
             }
         }
     }

@@ -168,7 +168,7 @@ fn compare(row: &Row, solution: &WheelSolution, tolerance: &[f64; 6]) {
 /// Shackleton and Iwnicki 2008, Manchester contact benchmark as CONTACT solves it: contact
 /// points, angles, heights, creepages and forces of both wheels at 0 to 10 mm, flange contact with
 /// friction that carries 40 % of the vertical force included. Work: rounds between height and
-/// friction.
+/// friction, two with coarse cells and two with fine ones.
 #[test]
 fn shackleton_iwnicki_2008_manchester_benchmark() {
     for row in manchester() {

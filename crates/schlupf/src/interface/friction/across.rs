@@ -94,6 +94,10 @@ impl FrictionLaw for Across {
         self.law.is_constant()
     }
 
+    fn follows_slip_speed(&self) -> bool {
+        self.law.follows_slip_speed()
+    }
+
     fn temperature_limit(&self) -> f64 {
         self.law.temperature_limit()
     }

@@ -66,6 +66,11 @@ pub trait FrictionLaw: Debug + Send + Sync {
         false
     }
 
+    /// Whether the coefficient may depend on the slip speed.
+    fn follows_slip_speed(&self) -> bool {
+        !self.is_constant()
+    }
+
     /// Temperature relative to the reference (in K) above which the law does not hold for entering
     /// material.
     fn temperature_limit(&self) -> f64 {
@@ -256,6 +261,16 @@ mod tests {
         let is_constant: Vec<bool> = laws.iter().map(|law| law.is_constant()).collect();
         let expected: Vec<bool> = (0..laws.len()).map(|k| k % (laws.len() / 2) == 0).collect();
         assert_eq!(is_constant, expected);
+    }
+
+    /// A law that says it does not depend on the slip speed has no derivative by it anywhere.
+    #[test]
+    fn a_law_follows_the_slip_speed_if_its_derivative_says_so() {
+        for law in laws(0.4) {
+            let changes = |state: &FrictionState| law.respond(state).by_slip_speed != 0.0;
+            let follows = states().iter().any(changes);
+            assert_eq!(law.follows_slip_speed(), follows, "{law:?}");
+        }
     }
 
     #[test]

@@ -70,6 +70,10 @@ impl FrictionLaw for Product {
         self.temperature.is_constant() && self.slip_speed.is_constant()
     }
 
+    fn follows_slip_speed(&self) -> bool {
+        self.temperature.follows_slip_speed() || self.slip_speed.follows_slip_speed()
+    }
+
     fn temperature_limit(&self) -> f64 {
         self.temperature.temperature_limit().min(self.slip_speed.temperature_limit())
     }

@@ -65,6 +65,10 @@ impl FrictionLaw for TemperatureLinear {
         }
     }
 
+    fn follows_slip_speed(&self) -> bool {
+        false
+    }
+
     fn temperature_limit(&self) -> f64 {
         let vanishes = self.minimum_coefficient == 0.0;
         if vanishes { self.temperature_at_zero_friction } else { f64::INFINITY }

@@ -58,6 +58,10 @@ impl FrictionLaw for TemperaturePiecewiseLinear {
         }
     }
 
+    fn follows_slip_speed(&self) -> bool {
+        false
+    }
+
     fn temperature_limit(&self) -> f64 {
         if self.hot_coefficient > 0.0 { f64::INFINITY } else { self.temperature_range }
     }

@@ -4,7 +4,6 @@ use crate::elasticity::Compliance;
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
 use crate::interface::contact_law::Slide;
-use crate::interface::friction::FrictionState;
 use crate::normal::{NormalContact, NormalSummary};
 use crate::numerics::vector::{dot, norm};
 use crate::patch::{Interpolation, Patch};
@@ -79,12 +78,9 @@ pub(crate) struct StickShare {
 /// dimensionless.
 const STIFF: [f64; 2] = [30.0, 60.0];
 
-/// Slip speeds at which it is asked whether friction depends on them, in m/s.
-const SPEEDS: [f64; 4] = [1e-3, 0.1, 1.0, 10.0];
-
 /// Longitudinal creepage (dimensionless) above which the whole patch slides, and heat is all that
 /// matters: it is found sooner from cell to cell.
-const FASTEST: f64 = 2.0;
+const FASTEST: f64 = 0.5;
 
 impl StickShare {
     const COULOMB: Self = Self { value: 1.0, by_stiffness: 0.0 };
@@ -96,14 +92,10 @@ impl StickShare {
         if problem.contact_law.is_coulomb() {
             return Self::COULOMB;
         }
-        let follows_slip = || {
-            let at = |slip_speed| FrictionState { slip_speed, ..FrictionState::default() };
-            let law = &problem.friction.law;
-            problem.friction.memory.is_some()
-                || SPEEDS.iter().any(|speed| law.respond(&at(*speed)).by_slip_speed != 0.0)
-        };
+        let friction = &problem.friction;
+        let follows_slip = friction.law.follows_slip_speed() || friction.memory.is_some();
         let is_fast = problem.kinematics.creepage_x.abs() > FASTEST;
-        if problem.contact_law.relaxation().is_none() || is_fast || follows_slip() {
+        if problem.contact_law.relaxation().is_none() || is_fast || follows_slip {
             return Self::default();
         }
         let [low, high] = STIFF;

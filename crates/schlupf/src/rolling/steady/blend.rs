@@ -110,9 +110,10 @@ impl StripLaw for Blend {
 
     fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
         let [of_bristles, of_stick_slip] = self.responses(p, b);
+        let has_bristles = self.has_bristles();
         let [first, second] = &mut self.residuals;
         first.fill(0.0);
-        if self.share.value < 1.0 {
+        if has_bristles {
             self.bristles.residual(p, &of_bristles, first);
         }
         self.stick_slip.residual(p, &of_stick_slip, second);
