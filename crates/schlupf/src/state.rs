@@ -31,7 +31,8 @@ pub struct Element {
     /// Elastic part of the sliding on the path into the cell, divided by the length of that path,
     /// dimensionless.
     pub stretch: [f64; 2],
-    /// Earlier places of its path, the latest first; empty unless the law is Coulomb's.
+    /// Earlier places of its path, the latest first; empty where bristles are followed from cell to
+    /// cell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub track: Vec<TrackPoint>,
     /// Temperature rise times effusivity in the cell, in W √s/m².
@@ -53,6 +54,9 @@ pub struct TrackPoint {
     pub distance: f64,
     /// Sliding distance from entry to there, in m.
     pub sliding: [f64; 2],
+    /// Traction on the rail over μ pₙ there, dimensionless.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub saturation: [f64; 2],
 }
 
 impl State {

@@ -14,7 +14,7 @@ use schlupf::elasticity::calibrated_layer::CalibratedLayer;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::interface::contact_law::Incremental;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
@@ -135,19 +135,20 @@ fn differences_under_a_steep_ramp(grids: [usize; 3]) -> [f64; 2] {
     [off(&coarse, &middle), off(&middle, &fine)]
 }
 
-/// Goal: forces on a coarse grid within 0.1 % of μN, falling with the grid.
+/// Goal: 20 cells within 0.15 % of μN of 40, and these within 0.1 % of 80; better than first order
+/// in the size of the cells.
 #[test]
 fn half_space_under_a_load_that_rises_at_rolling_speed() {
     let [first, second] = differences_under_a_steep_ramp([20, 40, 80]);
-    assert!(first < 1e-3 && second < 0.75 * first, "{first} {second}");
+    assert!(first < 1.5e-3 && second < 0.5 * first, "{first} {second}");
 }
 
-/// Goal: the first order in the size of the cells, on finer grids.
+/// The same on finer grids.
 #[test]
 #[ignore = "takes minutes"]
 fn half_space_under_a_load_that_rises_at_rolling_speed_on_fine_grids() {
     let [first, second] = differences_under_a_steep_ramp([40, 80, 160]);
-    assert!(first < 6e-4 && second < 0.6 * first, "{first} {second}");
+    assert!(first < 7e-4 && second < 0.5 * first, "{first} {second}");
 }
 
 /// In every step creep power = friction power + change of stored energy over its duration, within
@@ -244,16 +245,13 @@ fn a_history_starts_with_a_shift() {
     let force = |k: usize| -solution.history[k].force.x / LIMIT;
     assert!((force(0) - 0.6530).abs() < 3e-3, "{}", force(0));
     assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
-    // With bristles that are soft against a cell both solvers have the same equations; with stiff
-    // ones, which only the direct solver puts in series with stick and slip, the states differ by
-    // the error of the grid.
-    let soft: Arc<dyn ContactLaw> = Arc::new(Incremental::new(5e6).unwrap());
-    for (contact_law, allowed) in [(soft, 1e-3), (reference().contact_law, 2e-3)] {
-        let problem = Problem { contact_law, ..reference() };
+    for stiffness in [5e6, 3e7, 1e8, 1e9] {
+        let problem =
+            Problem { contact_law: Arc::new(Incremental::new(stiffness).unwrap()), ..reference() };
         let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
         let steady = schlupf::rolling::steady::solve(&problem, &cells(40), &unwatched).unwrap();
-        assert_relative_eq!(end, steady.normalised.x, epsilon = allowed);
+        assert_relative_eq!(end, steady.normalised.x, epsilon = 1e-3);
     }
     // Nothing of the speed and creepages counts in the shift.
     assert_eq!(solution.history[0].kinematics, rolling_not_at_all());

@@ -150,7 +150,8 @@ impl Place<'_> {
 /// has passed at least the place where it is.
 fn passed(element: &Element, way: f64) -> Vec<TrackPoint> {
     if element.track.is_empty() {
-        return vec![TrackPoint { distance: way, sliding: element.sliding }];
+        let Element { sliding, saturation, .. } = *element;
+        return vec![TrackPoint { distance: way, sliding, saturation }];
     }
     let on = |place: &TrackPoint| TrackPoint { distance: place.distance + way, ..*place };
     element.track.iter().map(on).collect()

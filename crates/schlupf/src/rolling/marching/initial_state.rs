@@ -76,11 +76,15 @@ pub(super) fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
         .collect()
 }
 
-/// A single grid over the largest patch.
-pub(super) fn grid_over_history(transient: &Transient, options: &Options) -> Result<Grid, Error> {
+/// A single grid over the largest patch, and the peak pressure there, in Pa.
+pub(super) fn grid_over_history(
+    transient: &Transient,
+    options: &Options,
+) -> Result<(Grid, f64), Error> {
     let largest = transient.history.largest_load();
     let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;
-    Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
+    let grid = Grid::across(&contact.extent(), options.cells_x, options.cells_y);
+    Ok((grid, contact.summary.peak_pressure))
 }
 
 /// Maximum number of time steps of a history.

@@ -35,7 +35,7 @@ use super::shift::{AT_REST, Shift};
 use super::step::Step;
 use super::step_power::{Start, StepPower};
 use super::step_response::Prescribed;
-use super::stick_slip_step::{Coulomb, calibrate};
+use super::stick_slip_step::{StickSlip, calibrate};
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -117,14 +117,18 @@ pub fn shift(
 /// ends.
 const HOPELESS: usize = 10;
 
+/// The share of stick and slip in steady rolling from which on a march takes bristles to be in
+/// series with it, dimensionless.
+const STICKING: f64 = 0.5;
+
 /// Everything that changes from step to step.
 struct March<'a> {
     problem: &'a Problem,
     history: &'a History,
     options: &'a Options,
     contact: DiscreteContact,
-    /// If the law is Coulomb's.
-    coulomb: Option<Coulomb>,
+    /// If the law is Coulomb's, or its bristles are in series with it.
+    stick_slip: Option<StickSlip>,
     /// A p of the present traction on the whole grid, in m.
     displacement: VectorField,
     time: f64,
@@ -164,9 +168,12 @@ impl<'a> March<'a> {
     fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
         let Transient { problem, history, initial_state } = transient;
         let [start, _] = history.span();
-        let grid = grid_over_history(transient, options)?;
+        let (grid, peak_pressure) = grid_over_history(transient, options)?;
         let normal = problem.normal.normal_contact(history.load(start))?;
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
+        let sticks = contact.stick_share_under(problem, peak_pressure).value >= STICKING;
+        let stick_slip =
+            sticks.then(|| StickSlip::of(problem, &normal, &mut contact)).transpose()?;
         let state = match initial_state {
             Some(state) => fitting(state, &grid)?,
             None => State::at_rest(&contact.patch),
@@ -199,7 +206,7 @@ impl<'a> March<'a> {
             instants: Vec::new(),
             field_history: Vec::new(),
             displacement: VectorField::zeros(grid.len()),
-            coulomb: Coulomb::of(problem, &normal, &mut contact)?,
+            stick_slip,
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
@@ -258,7 +265,7 @@ impl<'a> March<'a> {
             contact: &mut self.contact,
             displacement: &self.displacement,
             law: self.problem.contact_law.as_ref(),
-            coulomb: self.coulomb.as_mut(),
+            stick_slip: self.stick_slip.as_mut(),
             bound: &bound,
             elements: &mut self.elements,
         };
@@ -300,7 +307,9 @@ impl<'a> March<'a> {
         self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
         let normal = self.problem.normal.normal_contact(Some(load))?;
         let former = self.contact.set_normal(&normal)?;
-        self.coulomb = Coulomb::of(self.problem, &normal, &mut self.contact)?;
+        if let Some(stick_slip) = &mut self.stick_slip {
+            *stick_slip = StickSlip::of(self.problem, &normal, &mut self.contact)?;
+        }
         Ok(Some(former))
     }
 
@@ -345,7 +354,7 @@ impl<'a> March<'a> {
         let step = Step {
             contact: &mut self.contact,
             law: self.problem.contact_law.as_ref(),
-            coulomb: self.coulomb.as_mut(),
+            stick_slip: self.stick_slip.as_mut(),
             bound: &bound,
             prescribed,
             slides,
@@ -422,8 +431,8 @@ impl<'a> March<'a> {
     /// The record of the present instant, with the lengths of the paths into the cells, in m.
     fn record(&self, ways: impl Iterator<Item = f64>) -> Past {
         let mut past = Past::of(&self.contact, &self.displacement, ways);
-        if let Some(coulomb) = &self.coulomb {
-            calibrate(&mut past, coulomb, &self.contact.patch, &self.now.traction);
+        if let Some(stick_slip) = &self.stick_slip {
+            calibrate(&mut past, stick_slip, &self.contact.patch, &self.now.traction);
         }
         past
     }
@@ -445,9 +454,9 @@ impl<'a> March<'a> {
         }
         self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
         self.remember_friction(&remembered);
-        if let Some(coulomb) = &self.coulomb {
-            coulomb.contact.slivers.copy(&mut self.now.friction);
-            coulomb.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
+        if let Some(stick_slip) = &self.stick_slip {
+            stick_slip.contact.slivers.copy(&mut self.now.friction);
+            stick_slip.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
         }
     }
 

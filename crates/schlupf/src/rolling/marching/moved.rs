@@ -11,8 +11,8 @@ pub(super) struct Moved {
     pub sliding: [f64; 2],
     /// Its change in the step, in m.
     pub increment: [f64; 2],
-    /// Earlier places of the path, the latest first, with Coulomb's law.
+    /// Earlier places of the path, the latest first, with stick and slip.
     pub track: Vec<TrackPoint>,
-    /// With Coulomb's law, its slip velocity over the rolling speed, dimensionless.
+    /// With stick and slip, its slip velocity over the rolling speed, dimensionless.
     pub slip: [f64; 2],
 }

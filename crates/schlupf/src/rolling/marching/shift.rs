@@ -15,7 +15,7 @@ use crate::state::Element;
 
 use super::step::Step;
 use super::step_response::Prescribed;
-use super::stick_slip_step::Coulomb;
+use super::stick_slip_step::StickSlip;
 
 /// Speed and creepages of bodies that do not roll.
 pub(super) const AT_REST: Kinematics =
@@ -29,7 +29,7 @@ pub(super) struct Shift<'a> {
     /// A p of the previous traction on the whole grid, in m.
     pub displacement: &'a VectorField,
     pub law: &'a dyn ContactLaw,
-    pub coulomb: Option<&'a mut Coulomb>,
+    pub stick_slip: Option<&'a mut StickSlip>,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
     /// The elements in the order of the patch.
@@ -48,8 +48,8 @@ impl Shift<'_> {
     ) -> Result<Outcome, Error> {
         let mut before = vec![0.0; p.len()];
         self.contact.interpolation.gather(self.displacement, &mut before);
-        if let Some(coulomb) = &self.coulomb {
-            coulomb.contact.calibration.add_at_cells(p, &mut before);
+        if let Some(stick_slip) = &self.stick_slip {
+            stick_slip.contact.calibration.add_at_cells(p, &mut before);
         }
         let sliding = before.chunks_exact(2);
         let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
@@ -66,7 +66,7 @@ impl Shift<'_> {
             places: vec![Vec::new(); cells],
             contact: self.contact,
             law: self.law,
-            coulomb: self.coulomb,
+            stick_slip: self.stick_slip,
             bound: self.bound,
             prescribed,
             largest: 0.0,

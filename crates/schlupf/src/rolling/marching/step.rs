@@ -9,19 +9,19 @@ use crate::state::TrackPoint;
 
 use super::moved::Moved;
 use super::step_response::{Prescribed, StepResponse};
-use super::stick_slip_step::{Coulomb, StickSlipStep, Track};
+use super::stick_slip_step::{StickSlip, StickSlipStep, Track};
 use super::time_step::TimeStep;
 
 /// The data of an equilibrium.
 pub(super) struct Step<'a> {
     pub contact: &'a mut DiscreteContact,
     pub law: &'a dyn ContactLaw,
-    /// In place of the law, if that is Coulomb's.
-    pub coulomb: Option<&'a mut Coulomb>,
+    /// In place of the law, if that is Coulomb's or its bristles are in series with it.
+    pub stick_slip: Option<&'a mut StickSlip>,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
     pub prescribed: Prescribed,
-    /// History of the material of each cell, and with Coulomb's law the places that it has passed.
+    /// History of the material of each cell, and with stick and slip the places that it has passed.
     pub slides: Vec<Slide>,
     pub places: Vec<Vec<TrackPoint>>,
     /// Measures residuals relative to a traction (‖p‖₂ in Pa) if that of this step is smaller: a
@@ -42,17 +42,21 @@ impl Step<'_> {
         limits: &Limits,
         watch: Watch,
     ) -> Result<(Outcome, Vec<Moved>), Error> {
-        let Self { contact, law, coulomb, bound, prescribed, slides, places, largest } = self;
+        let Self { contact, law, stick_slip, bound, prescribed, slides, places, largest } = self;
         let response = StepResponse::new(contact, &prescribed);
-        let Some(coulomb) = coulomb else {
+        let Some(stick_slip) = stick_slip else {
             let mut step = TimeStep::new(response, law, bound, slides).measured_against(largest);
             let outcome = newton.solve(&mut step, p, limits, watch)?.outcome;
             return Ok((outcome, step.moved()));
         };
-        coulomb.admit(p, bound);
-        let track = |(slide, places): (&Slide, _)| Track { sliding: slide.distance, places };
+        stick_slip.admit(p, bound);
+        let track = |(slide, places): (&Slide, _)| Track {
+            sliding: slide.distance,
+            saturation: slide.traction,
+            places,
+        };
         let tracks = slides.iter().zip(places).map(track).collect();
-        let mut step = StickSlipStep::new(response, coulomb, bound, tracks, largest);
+        let mut step = StickSlipStep::new(response, stick_slip, bound, tracks, largest);
         let mut whole = Outcome::default();
         for softer in SOFTER {
             step.soften(softer);

@@ -1,5 +1,6 @@
 //! A time step under Coulomb's law: p = P(p + γ s) for every cell, as in steady rolling, with s the
-//! sliding at the end of the step along the path of its material.
+//! sliding at the end of the step along the path of its material; less what stretches the bristles
+//! of a law in which they are stiff.
 //!
 //! s is the derivative of the sliding since entry along the path, by the polynomial through its
 //! present value and those at up to three earlier steps. It is thus of third order once the
@@ -14,7 +15,9 @@ use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::rolling::shared::coulomb::{CoulombContact, NODES, Slope, reduced, saturation, through};
+use crate::rolling::shared::coulomb::{
+    CoulombContact, Matrix, NODES, Series, Slope, Stretch, reduced, saturation, through,
+};
 use crate::rolling::shared::passage::pair;
 use crate::state::TrackPoint;
 
@@ -23,25 +26,28 @@ use super::past::Past;
 use super::step_response::{Prescribed, StepResponse};
 
 /// Coulomb's law on a patch, kept from step to step.
-pub(super) struct Coulomb {
+pub(super) struct StickSlip {
     pub contact: CoulombContact,
+    /// 1/k_c of the bristles in series with it, in m; zero if there are none.
+    length: f64,
     directions: Directions,
     /// λ of the cells, and which material entered in place: the linear response of the directions.
     of: (Vec<f64>, Vec<bool>),
 }
 
-impl Coulomb {
-    /// Of a problem, if the law is Coulomb's.
+impl StickSlip {
+    /// Of a problem.
     pub fn of(
         problem: &Problem,
         normal: &NormalContact,
         contact: &mut DiscreteContact,
-    ) -> Result<Option<Self>, Error> {
-        if !problem.contact_law.is_coulomb() {
-            return Ok(None);
-        }
-        let contact = CoulombContact::new(problem, normal, contact)?;
-        Ok(Some(Self { contact, directions: Directions::default(), of: Default::default() }))
+    ) -> Result<Self, Error> {
+        Ok(Self {
+            contact: CoulombContact::new(problem, normal, contact)?,
+            length: problem.contact_law.relaxation().map_or(0.0, f64::recip),
+            directions: Directions::default(),
+            of: Default::default(),
+        })
     }
 
     /// An admissible traction near the given one, in place.
@@ -62,14 +68,26 @@ impl Coulomb {
     }
 }
 
-/// How the sliding at a cell follows from its change in the step: weight · change + known.
+/// How the sliding at a cell follows from its change in the step: weight · change + known. What
+/// stretches the bristles follows in the same way from the traction.
 #[derive(Debug, Clone, Default)]
 struct PathSlip {
-    weight: f64,
     /// In m.
     known: [f64; 2],
     /// Way from the nearest place, in m.
     way: f64,
+    series: Series,
+}
+
+impl PathSlip {
+    /// Adds an earlier place with its weight.
+    fn add(&mut self, weight: f64, place: &TrackPoint) {
+        for c in 0..2 {
+            self.known[c] += weight * place.sliding[c];
+            self.series.saturation[c] += weight * place.saturation[c];
+        }
+        self.series.excess += weight * Stretch::of(place.saturation, 1.0).excess;
+    }
 }
 
 /// Earlier places of the path of the material in a cell.
@@ -77,29 +95,36 @@ struct PathSlip {
 pub(super) struct Track {
     /// Sliding since entry before the step, in m.
     pub sliding: [f64; 2],
+    /// Traction on the rail over μ pₙ before the step, dimensionless.
+    pub saturation: [f64; 2],
     /// Places with their distances from the cell, the latest first.
     pub places: Vec<TrackPoint>,
 }
 
 impl Track {
     fn slip(&self) -> PathSlip {
-        let (weights, count) = through(self.places.iter().map(|place| place.distance));
-        let mut known = self.sliding.map(|s| weights[0] * s);
-        if self.places.is_empty() {
-            known = [0.0; 2];
+        let Self { sliding, saturation, places } = self;
+        let (weights, count) = through(places.iter().map(|place| place.distance));
+        let series = Series { weight: weights[0], ..Series::default() };
+        let mut slip = PathSlip { series, ..PathSlip::default() };
+        let Some(nearest) = places.first() else {
+            // All of the change is in the step.
+            slip.add(-1.0, &TrackPoint { saturation: *saturation, ..TrackPoint::default() });
+            return slip;
+        };
+        slip.way = nearest.distance;
+        slip.known = sliding.map(|s| weights[0] * s);
+        for (weight, place) in weights[1..].iter().zip(places).take(count - 1) {
+            slip.add(*weight, place);
         }
-        for (weight, place) in weights[1..].iter().zip(&self.places).take(count - 1) {
-            known = [0, 1].map(|c| known[c] + weight * place.sliding[c]);
-        }
-        let way = self.places.first().map_or(0.0, |place| place.distance);
-        PathSlip { weight: weights[0], known, way }
+        slip
     }
 }
 
 /// The equilibrium of one instant under Coulomb's law.
 pub(super) struct StickSlipStep<'a> {
     response: StepResponse<'a>,
-    law: &'a mut Coulomb,
+    law: &'a mut StickSlip,
     gamma: f64,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
@@ -107,7 +132,7 @@ pub(super) struct StickSlipStep<'a> {
     slips: Vec<PathSlip>,
     slopes: Vec<Slope>,
     /// Inverse of the local Jacobian of each cell.
-    inverses: Vec<[[f64; 2]; 2]>,
+    inverses: Vec<Matrix>,
     /// Largest ‖p‖₂ of the previous steps, in Pa.
     largest: f64,
 }
@@ -116,7 +141,7 @@ impl<'a> StickSlipStep<'a> {
     /// With residuals measured relative to a traction (‖p‖₂ in Pa) if that of this step is smaller.
     pub fn new(
         response: StepResponse<'a>,
-        law: &'a mut Coulomb,
+        law: &'a mut StickSlip,
         bound: &[f64],
         tracks: Vec<Track>,
         largest: f64,
@@ -132,7 +157,7 @@ impl<'a> StickSlipStep<'a> {
             gamma: response.contact.cell_stiffness(),
             slips: tracks.iter().map(Track::slip).collect(),
             slopes: vec![Slope::default(); tracks.len()],
-            inverses: vec![[[0.0; 2]; 2]; tracks.len()],
+            inverses: vec![Matrix::default(); tracks.len()],
             response,
             law,
             bound,
@@ -148,9 +173,9 @@ impl<'a> StickSlipStep<'a> {
 
     /// Sliding at a cell, in m.
     fn sliding(&self, u: &[f64], k: usize) -> [f64; 2] {
-        let PathSlip { weight, known, .. } = &self.slips[k];
+        let PathSlip { known, series, .. } = &self.slips[k];
         let change = self.change(u, k);
-        [0, 1].map(|c| weight * change[c] + known[c])
+        [0, 1].map(|c| series.weight * change[c] + known[c])
     }
 
     /// Change of the sliding since entry in the step, in m.
@@ -159,13 +184,15 @@ impl<'a> StickSlipStep<'a> {
         [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
     }
 
-    fn pull(&self, p: &[f64], u: &[f64], k: usize) -> [f64; 2] {
+    /// The traction that follows from that of a cell and its sliding, in Pa, with its derivatives.
+    fn reduced(&self, p: &[f64], u: &[f64], k: usize) -> ([f64; 2], Slope) {
         let sliding = self.sliding(u, k);
-        [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c])
+        let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+        self.slips[k].series.reduced(pull, self.bound[k], self.gamma * self.law.length)
     }
 
-    fn inverse(&self, k: usize) -> [[f64; 2]; 2] {
-        let weight = self.gamma * self.slips[k].weight;
+    fn inverse(&self, k: usize) -> Matrix {
+        let weight = self.gamma * self.slips[k].series.weight;
         let stiffening = self.law.contact.local[k].map(|row| row.map(|entry| weight * entry));
         inverse_2x2(self.slopes[k].jacobian(&stiffening))
     }
@@ -175,17 +202,19 @@ impl<'a> StickSlipStep<'a> {
         let moved = |(k, track): (usize, &Track)| {
             let increment = self.change(u, k);
             let sliding = [0, 1].map(|c| track.sliding[c] + increment[c]);
-            let here = TrackPoint { distance: 0.0, sliding };
+            let saturation = saturation(pair(p, k), self.bound[k]);
+            let here = TrackPoint { distance: 0.0, sliding, saturation };
             // Slivers at the leading edge say nothing of their own.
             let here = (!self.law.contact.slivers.leads[k]).then_some(here);
-            let slides = self.slopes[k].is_sliding() && self.slips[k].way > 0.0;
-            let slip = if slides { self.sliding(u, k) } else { [0.0; 2] };
+            let way = self.slips[k].way;
+            let slides = self.slopes[k].is_sliding() || self.law.length > 0.0;
+            let slip = if slides && way > 0.0 { self.sliding(u, k) } else { [0.0; 2] };
             Moved {
-                saturation: saturation(pair(p, k), self.bound[k]),
+                saturation,
                 sliding,
                 increment,
                 track: here.into_iter().chain(track.places.clone()).take(NODES - 1).collect(),
-                slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / self.slips[k].way }),
+                slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / way }),
             }
         };
         self.tracks.iter().enumerate().map(moved).collect()
@@ -207,7 +236,7 @@ impl Equilibrium for StickSlipStep<'_> {
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
         let square = |k: usize| {
-            let onto = reduced(self.pull(p, u, k), self.bound[k]);
+            let (onto, _) = self.reduced(p, u, k);
             (p[2 * k] - onto[0]).powi(2) + (p[2 * k + 1] - onto[1]).powi(2)
         };
         self.law.contact.kept().map(square).sum::<f64>().sqrt()
@@ -217,9 +246,8 @@ impl Equilibrium for StickSlipStep<'_> {
         residual.fill(0.0);
         for strip in 0..self.law.contact.slivers.kept.len() {
             for k in self.law.contact.slivers.kept[strip].clone() {
-                let q = self.pull(p, u, k);
-                let onto = reduced(q, self.bound[k]);
-                self.slopes[k] = Slope::at(q, self.bound[k]);
+                let (onto, slope) = self.reduced(p, u, k);
+                self.slopes[k] = slope;
                 self.inverses[k] = self.inverse(k);
                 for c in 0..2 {
                     residual[2 * k + c] = p[2 * k + c] - onto[c];
@@ -231,7 +259,7 @@ impl Equilibrium for StickSlipStep<'_> {
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]) {
         product.fill(0.0);
         for k in self.law.contact.kept() {
-            let weight = self.gamma * self.slips[k].weight;
+            let weight = self.gamma * self.slips[k].series.weight;
             let pulled = [0, 1].map(|c| v[2 * k + c] - weight * response[2 * k + c]);
             let answer = times(&self.slopes[k].by_pull, pulled);
             for c in 0..2 {
@@ -255,8 +283,8 @@ impl Equilibrium for StickSlipStep<'_> {
 }
 
 /// The record of an instant with the displacements calibrated.
-pub(super) fn calibrate(past: &mut Past, coulomb: &Coulomb, patch: &Patch, p: &[f64]) {
-    let calibration = &coulomb.contact.calibration;
+pub(super) fn calibrate(past: &mut Past, stick_slip: &StickSlip, patch: &Patch, p: &[f64]) {
+    let calibration = &stick_slip.contact.calibration;
     let zeros = || vec![0.0; p.len()];
     let (mut at_cells, mut at_entries) = (zeros(), zeros());
     calibration.add_at_cells(p, &mut at_cells);

@@ -189,8 +189,13 @@ impl DiscreteContact {
 
     /// The share of stick and slip in the steady state of a problem.
     pub fn stick_share(&self, problem: &Problem) -> StickShare {
+        self.stick_share_under(problem, self.normal.peak_pressure)
+    }
+
+    /// The same for another peak pressure, in Pa.
+    pub fn stick_share_under(&self, problem: &Problem, peak_pressure: f64) -> StickShare {
         if problem.contact_law.is_coulomb() || self.compliance.couples_cells() {
-            return StickShare::of(problem, self.normal.peak_pressure, self.cell_stiffness());
+            return StickShare::of(problem, peak_pressure, self.cell_stiffness());
         }
         StickShare::default()
     }

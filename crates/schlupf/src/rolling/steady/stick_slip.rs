@@ -108,17 +108,19 @@ impl StickSlip {
         inverse_2x2(self.slopes[k].jacobian(&stiffening))
     }
 
-    /// The places of the path of an element to a cell from which the next slip follows, the latest
-    /// first, with the sliding since entry up to each cell (in m). Slivers at the leading edge are
-    /// none of them.
-    fn track(&self, patch: &Patch, slid: &[f64], strip: usize, k: usize) -> Vec<TrackPoint> {
+    /// The places of the path of an element to a cell of a strip from which the next slip follows,
+    /// the latest first, with the sliding since entry up to each cell (in m) and the traction there
+    /// (in Pa). Slivers at the leading edge are none of them.
+    fn track(&self, patch: &Patch, slid: &[f64], p: &[f64], at: (usize, usize)) -> Vec<TrackPoint> {
+        let (strip, k) = at;
         let kept = self.contact.slivers.kept[strip].clone();
         let here = patch.cells[k].since_entry.distance;
-        let entry = TrackPoint { distance: here, sliding: [0.0; 2] };
+        let entry = TrackPoint { distance: here, ..TrackPoint::default() };
         let cells = (kept.start..=k).rev().filter(|cell| kept.contains(cell) || *cell == k);
         let cells = cells.map(|j| TrackPoint {
             distance: here - patch.cells[j].since_entry.distance,
             sliding: pair(slid, j),
+            saturation: saturation(pair(p, j), self.bound[j]),
         });
         cells.chain([entry]).take(NODES - 1).collect()
     }
@@ -191,26 +193,32 @@ impl StripLaw for StickSlip {
     }
 
     fn tangent(&self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
-        let rigid = cause.map(|cause| {
-            let mut slid = self.since_entry(&cause.rigid);
-            slide(&self.stencils, &mut slid);
-            slid
-        });
-        let stretching = self.stretching.as_ref();
-        let stretched = stretching.map(|s| s.change(change, cause, self.cells()));
         product.fill(0.0);
-        for k in self.contact.kept() {
-            let pulled = [0, 1].map(|c| {
-                let of =
-                    |part: &Option<Vec<f64>>| part.as_ref().map_or(0.0, |part| part[2 * k + c]);
-                let slid = of(&rigid) - change.response[2 * k + c] - of(&stretched);
-                change.traction[2 * k + c] + self.gamma * slid
-            });
-            let Slope { by_pull, by_bound } = &self.slopes[k];
-            let moved = times(by_pull, pulled);
-            let raised = change.bound.map_or(0.0, |bound| bound[k]);
-            for c in 0..2 {
-                product[2 * k + c] = change.traction[2 * k + c] - moved[c] - raised * by_bound[c];
+        for cells in &self.contact.slivers.kept {
+            let pairs = 2 * cells.start..2 * cells.end;
+            let tractions = change.traction[pairs.clone()].chunks_exact(2);
+            let responses = change.response[pairs.clone()].chunks_exact(2);
+            let products = product[pairs].chunks_exact_mut(2);
+            let data = tractions.zip(responses).zip(&self.slopes[cells.clone()]);
+            for (product, ((p, u), slope)) in products.zip(data) {
+                let moved =
+                    times(&slope.by_pull, [p[0] - self.gamma * u[0], p[1] - self.gamma * u[1]]);
+                product.copy_from_slice(&[p[0] - moved[0], p[1] - moved[1]]);
+            }
+        }
+        if let Some(bound) = change.bound {
+            for k in self.contact.kept() {
+                for c in 0..2 {
+                    product[2 * k + c] -= bound[k] * self.slopes[k].by_bound[c];
+                }
+            }
+        }
+        for slid in self.rigid_change(cause).into_iter().chain(self.less_stretched(change, cause)) {
+            for k in self.contact.kept() {
+                let moved = times(&self.slopes[k].by_pull, pair(&slid, k));
+                for c in 0..2 {
+                    product[2 * k + c] -= self.gamma * moved[c];
+                }
             }
         }
     }
@@ -244,16 +252,13 @@ impl StripLaw for StickSlip {
         let mut elements = Vec::with_capacity(self.len());
         for (number, strip) in patch.strips.iter().enumerate() {
             for k in strip.cells.clone() {
-                let is_coulomb = self.stretching.is_none();
-                let track =
-                    if is_coulomb { self.track(patch, &slid, number, k) } else { Vec::new() };
                 elements.push(Element {
                     index: patch.cells[k].index,
                     traction: pair(p, k),
                     saturation: saturation(pair(p, k), self.bound[k]),
                     sliding: pair(&slid, k),
                     stretch: pair(b, k).map(|b| -b / patch.cells[k].path_in.distance),
-                    track,
+                    track: self.track(patch, &slid, p, (number, k)),
                     ..Element::default()
                 });
             }
@@ -296,6 +301,22 @@ impl StickSlip {
     /// Adds the values of the slivers among some given ones.
     pub fn add_to_slivers(&self, values: &[f64], to: &mut [f64]) {
         self.contact.slivers.add(values, to);
+    }
+
+    /// Change of the rigid sliding over the way into each cell, in m.
+    fn rigid_change(&self, cause: Option<&Cause>) -> Option<Vec<f64>> {
+        let mut slid = self.since_entry(&cause?.rigid);
+        slide(&self.stencils, &mut slid);
+        Some(slid)
+    }
+
+    /// Change of the sliding (in m) because the bristles are stretched.
+    fn less_stretched(&self, change: &Changed, cause: Option<&Cause>) -> Option<Vec<f64>> {
+        let mut slid = self.stretching.as_ref()?.change(change, cause, self.cells());
+        for slid in &mut slid {
+            *slid = -*slid;
+        }
+        Some(slid)
     }
 
     fn factorise(&mut self, is_coupled: bool) {

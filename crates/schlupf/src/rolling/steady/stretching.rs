@@ -16,8 +16,9 @@ pub(super) struct Stretching {
     cells: Vec<Stretch>,
     /// Sliding that stretches the bristles over the way into each cell, in m.
     pub sliding: Vec<f64>,
-    /// The part of it over 1/k_c that is along the traction, dimensionless.
-    along: Vec<f64>,
+    /// The part of it over 1/k_c that is along the traction, with its derivative by the change of z
+    /// over the way into the cell; dimensionless.
+    along: Vec<[f64; 2]>,
     /// Buffer for z of the cells, as pairs.
     excess: Vec<f64>,
 }
@@ -43,7 +44,7 @@ impl Stretching {
             length: stiffness.recip(),
             cells: vec![Stretch::default(); cells],
             sliding: vec![0.0; 2 * cells],
-            along: vec![0.0; cells],
+            along: vec![[0.0; 2]; cells],
             excess: vec![0.0; 2 * cells],
         })
     }
@@ -59,9 +60,9 @@ impl Stretching {
         slide(cells.stencils, &mut self.sliding);
         slide(cells.stencils, &mut self.excess);
         for k in cells.all() {
-            self.along[k] = self.excess[2 * k];
+            self.along[k] = Stretch::growth(self.excess[2 * k]);
             for c in 0..2 {
-                let along = self.along[k] * self.cells[k].direction[c];
+                let along = self.along[k][0] * self.cells[k].direction[c];
                 self.sliding[2 * k + c] = self.length * (self.sliding[2 * k + c] + along);
             }
         }
@@ -84,9 +85,10 @@ impl Stretching {
         for k in cells.all() {
             let turn = self.cells[k].turn(pair(&changes, k));
             let n = self.cells[k].direction;
+            let [along, slope] = self.along[k];
             for c in 0..2 {
                 let at = 2 * k + c;
-                let along = n[c] * excess[2 * k] + turn[c] * self.along[k];
+                let along = n[c] * slope * excess[2 * k] + turn[c] * along;
                 sliding[at] = self.length * (sliding[at] + along) - stiffer * self.sliding[at];
             }
         }
@@ -96,14 +98,15 @@ impl Stretching {
     /// The cells whose traction changes that sliding at cell `k`, with its derivatives in m/Pa.
     pub fn blocks(&self, k: usize, cells: Cells) -> impl Iterator<Item = (usize, Matrix)> {
         let own = &self.cells[k];
+        let [along, slope] = self.along[k];
         cells.stencils[k].cells(k).map(move |(j, weight)| {
             let column = |traction: [f64; 2]| {
                 let q = self.cells[j].saturation_change(traction, 0.0);
-                let along = self.cells[j].excess_change(q);
+                let grown = slope * self.cells[j].excess_change(q);
                 let turn = if j == k { own.turn(q) } else { [0.0; 2] };
                 [0, 1].map(|r| {
-                    let stretched = weight * (q[r] + own.direction[r] * along);
-                    self.length * (stretched + self.along[k] * turn[r])
+                    let stretched = weight * (q[r] + own.direction[r] * grown);
+                    self.length * (stretched + along * turn[r])
                 })
             };
             let [[xx, yx], [xy, yy]] = [column([1.0, 0.0]), column([0.0, 1.0])];

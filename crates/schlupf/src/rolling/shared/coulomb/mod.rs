@@ -11,10 +11,12 @@ mod calibration;
 mod slip_stencil;
 mod reduction;
 mod stretch;
+mod series;
 mod contact;
 
 pub(in crate::rolling) use calibration::Calibration;
 pub(in crate::rolling) use contact::CoulombContact;
 pub(in crate::rolling) use reduction::{Matrix, Slope, reduced, saturation};
+pub(in crate::rolling) use series::Series;
 pub(in crate::rolling) use slip_stencil::{NODES, SlipStencil, slide, through};
 pub(in crate::rolling) use stretch::Stretch;

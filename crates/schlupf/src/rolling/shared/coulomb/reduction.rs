@@ -39,8 +39,12 @@ impl Slope {
         if length <= bound {
             return Self { by_pull: [[1.0, 0.0], [0.0, 1.0]], by_bound: [0.0; 2] };
         }
-        let n = q.map(|q| q / length);
-        let across = bound / length;
+        Self::of_sliding(q.map(|q| q / length), bound / length)
+    }
+
+    /// Of a cell that slides in a direction, with the ratio of its bound to the size of the pull,
+    /// both dimensionless.
+    pub fn of_sliding(n: [f64; 2], across: f64) -> Self {
         let mixed = -across * n[0] * n[1];
         let by_pull = [[across * n[1] * n[1], mixed], [mixed, across * n[0] * n[0]]];
         Self { by_pull, by_bound: n }

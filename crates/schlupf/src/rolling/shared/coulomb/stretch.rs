@@ -3,11 +3,11 @@
 //!
 //! As long as |q| grows along its direction n, the law dq = k_c (ds − q |ds|) is
 //! ds = (dq + n dz)/k_c with z = −ln(1 − |q|) − |q|: the sliding stretches the bristles. Where q
-//! turns or falls, the law dissipates a little that this gives back, a difference of some 1/k_c in
-//! the sliding. The law is rescaled so that |q| = 1 at k_c s = 5, and the rest of the sliding is
-//! that of a slider with q = n. This rest is zero where the contact sticks, and so as smooth along
-//! the path as the sliding under Coulomb's law, to which it leads for k_c → ∞; the sliding itself
-//! jumps within a cell from the leading edge.
+//! falls, only dq/k_c is taken off (falling along n, the law has (dq + q |dq|/(1 + |q|))/k_c); there
+//! and where q turns the sliding differs by some 1/k_c. The law is rescaled so that |q| = 1 at
+//! k_c s = 5, and the rest of the sliding is that of a slider with q = n. This rest is zero where
+//! the contact sticks, and so as smooth along the path as the sliding under Coulomb's law, to which
+//! it leads for k_c → ∞; the sliding itself jumps within a cell from the leading edge.
 
 /// k_c s of a straight path at which |q| = 1, dimensionless: exp(−5) of the law is missing there,
 /// and its initial slope is steeper by as much.
@@ -60,6 +60,12 @@ impl Stretch {
         }
     }
 
+    /// The part along n of what stretches the bristles over a way on which z changes by `change`,
+    /// with its derivative by that, both dimensionless: none where q falls.
+    pub fn growth(change: f64) -> [f64; 2] {
+        if change > 0.0 { [change, 1.0] } else { [0.0; 2] }
+    }
+
     /// Change of q (dimensionless) with those of the traction and of its bound, in Pa.
     pub fn saturation_change(&self, traction: [f64; 2], bound: f64) -> [f64; 2] {
         let grown = if self.is_beyond { self.along(traction) } else { bound };
@@ -75,6 +81,12 @@ impl Stretch {
     pub fn turn(&self, q: [f64; 2]) -> [f64; 2] {
         let along = self.along(q);
         [0, 1].map(|c| self.turning * (q[c] - along * self.direction[c]))
+    }
+
+    /// Change of |n| with that of |q|, both dimensionless.
+    pub fn turn_of_size(&self, q: f64) -> f64 {
+        let length = self.direction[0].hypot(self.direction[1]);
+        self.turning * q * (1.0 - length * length)
     }
 
     fn along(&self, q: [f64; 2]) -> f64 {
