@@ -12,8 +12,9 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
-    Contact, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RollingRadiusDifference,
-    Side, Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Contact, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
+    RollingRadiusDifference, Side, Support, Tangential, Track, WheelOnRail, WheelShape,
+    WheelSolution,
 };
 use schlupf::{Error, Method, Options, Problem, Quantity, Status, unwatched};
 
@@ -426,6 +427,43 @@ fn a_jammed_wheel_is_told() {
             assert!(angle > 0.8 && ratio.abs() > 0.4, "{angle} {ratio}");
         }
         other => panic!("{:?}", other.map(|solution| solution.force)),
+    }
+}
+
+/// A vertical force beyond all elasticity names the force and what the contacts do carry.
+#[test]
+fn a_force_that_no_contact_carries_is_told() {
+    let row = &manchester()[3];
+    let heavy = WheelOnRail { support: Support::Force(500e6), ..row.wheel.clone() };
+    let error = solve(&heavy).unwrap_err();
+    let Error::WheelRail { error: WheelRailError::NotCarried { deepest, force } } = error else {
+        panic!("{error}")
+    };
+    assert!(deepest == 5e-3 && force > 5e6 && force < 100e6, "{force} {deepest}");
+    assert!(error.to_string().starts_with("load: no elastic contact of these profiles carries it"));
+    // Half of what they carry there is found, though far from the first guess.
+    let carried = WheelOnRail { support: Support::Force(0.5 * force), ..heavy };
+    close("F_z", solve(&carried).unwrap().force[2] / force, 0.5, 1e-4);
+}
+
+/// Where the contact jumps on this pair (independent computation in steps of 0.2 mm): on the rail
+/// from 7 mm inwards to 18 mm at 0.2 mm, from 23 to 34 mm at 5 mm, and from 36 to 42 mm at 6.6 mm.
+#[test]
+fn contacts_jump_between_positions() {
+    let pair = benchmark(1.435);
+    let inwards = |k: i32| {
+        let wheelset = RestingWheelset::new(&pair, 1e-4 * f64::from(k), 0.0).unwrap();
+        -1e3 * wheelset.contacts[0].rail_position
+    };
+    let places: Vec<f64> = (0..80).map(inwards).collect();
+    let jumps = (1..80).filter(|k| (places[*k] - places[k - 1]).abs() > 3.0);
+    let found: Vec<[f64; 3]> = jumps.map(|k| [0.1 * k as f64, places[k - 1], places[k]]).collect();
+    let expected = [[0.2, 7.3, 18.4], [5.0, 23.0, 34.0], [6.6, 36.0, 42.0]];
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for ([at, from, to], [expected_at, expected_from, expected_to]) in found.iter().zip(&expected) {
+        close("position of the jump, mm", *at, *expected_at, 0.4);
+        close("mm inwards before it", *from, *expected_from, 1.0);
+        close("mm inwards after it", *to, *expected_to, 1.0);
     }
 }
 
