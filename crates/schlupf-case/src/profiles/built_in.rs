@@ -2,9 +2,9 @@
 //!
 //! **S1002**: the wheel of EN 13715 (formerly ORE S1002, UIC 510-2), flange height 28 mm, flange
 //! thickness 32.5 mm: polynomials along the tread, arcs and a straight flange of 70°. **60E1**: the
-//! head of the rail of EN 13674-1 (UIC 60) from its drawing, as the documentation of Gensys gives it
-//! ("Creation of a rail profile from a drawing"): arcs of 300, 80 and 13 mm that meet tangentially
-//! 20.456 and 52.053 mm apart, and sides of 1:20 that begin 72.000 mm apart.
+//! head of the rail of EN 13674-1 (UIC 60) from its drawing, as the documentation of Gensys gives
+//! it ("Creation of a rail profile from a drawing"): arcs of 300, 80 and 13 mm that meet
+//! tangentially 20.456 and 52.053 mm apart, and sides of 1:20 that begin 72.000 mm apart.
 
 const MILLIMETRE: f64 = 1e-3;
 
