@@ -4,6 +4,7 @@ mod common;
 mod contact_laws;
 mod look_up_table;
 mod rough_contact;
+mod wheel_rail;
 
 use std::fs;
 use std::hint::black_box;
@@ -74,6 +75,10 @@ fn main() {
         println!("{}", look_up_table::table());
         return;
     }
+    if std::env::args().any(|argument| argument == "wheel-rail") {
+        println!("{}", wheel_rail::table());
+        return;
+    }
     let families = [Bodies::Layer, Bodies::HalfSpace].map(|b| [(b, false), (b, true)]);
     let case = |(bodies, is_heated)| GRIDS.map(|cells| Case { bodies, is_heated, cells });
     let mut rows: Vec<Row> =
@@ -89,6 +94,7 @@ fn main() {
     println!("\n{}", fast_methods());
     println!("\n{}", look_up_table::table());
     println!("\n{}", rough_contact::table());
+    println!("\n{}", wheel_rail::table());
 }
 
 /// Motions of one round of a fast method.

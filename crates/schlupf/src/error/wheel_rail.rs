@@ -83,9 +83,21 @@ messages! {
         /// Depth, in m.
         depth: f64,
     } Quantity::WheelsetHeight, |name, words| format!(
-        "{name}: the bodies would overlap by {} mm, which is no elastic contact: check height, load, \
-         gauge and the profiles' units",
+        "{name}: the bodies would overlap by {} mm, which is no elastic contact: check height, gauge \
+         and the profiles' units",
         readable(1e3 * depth)
+    );
+
+    /// A vertical force that no elastic contact of the profiles carries.
+    "load-not-carried" NotCarried {
+        /// Depth below first touch at which the search ends, in m.
+        deepest: f64,
+        /// Vertical force of the contacts there, in N.
+        force: f64,
+    } Quantity::Load, |name, words| format!(
+        "{name}: no elastic contact of these profiles carries it: {} mm below first touch they carry \
+         {force:.3e} N; check load, gauge and the profiles' units",
+        readable(1e3 * deepest)
     );
 
     /// Heights, forces or roll that did not settle.

@@ -50,12 +50,28 @@ pub(super) struct Lowering<'a> {
     pub watch: Watch<'a>,
 }
 
+/// How the vertical force is expected to depend on the depth below first touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Guess {
+    /// Depth at which the contacts carry the load, in m.
+    pub depth: f64,
+    /// Power of the depth with which the force grows there, dimensionless.
+    pub power: f64,
+}
+
 /// Contacts at a depth below first touch.
 #[derive(Debug, Clone)]
 pub(super) struct Lowered {
-    /// The depth, in m.
-    pub depth: f64,
+    /// The depth, and how the force grows there.
+    pub at: Guess,
     pub contacts: Vec<Pressed>,
+}
+
+impl Guess {
+    /// With the power of a contact of smooth bodies (Hertz 1882), at a depth in m.
+    pub fn smooth(depth: f64) -> Self {
+        Self { depth, power: POWER }
+    }
 }
 
 impl Lowering<'_> {
@@ -107,26 +123,22 @@ impl Lowering<'_> {
         others.map(rise).sum()
     }
 
-    /// The depth at which contacts carry a vertical force (in N) to a tolerance (dimensionless).
-    /// `start` is a depth nearby, in m.
+    /// The depth at which contacts carry a vertical force (in N) to a tolerance (dimensionless),
+    /// from a guess.
     pub fn carrying(
         &self,
         load: f64,
         ratios: &[FrictionRatio],
-        start: f64,
+        guess: Guess,
         (accuracy, tolerance): (Accuracy, f64),
     ) -> Result<Lowered, Error> {
         let (mut low, mut high) = (0.0, f64::INFINITY);
-        let mut depth = start;
+        let mut depth = guess.depth.min(0.5 * DEEPEST);
+        let mut power = guess.power;
         let mut before: Option<[f64; 2]> = None;
         let mut worst: Option<(f64, f64)> = None;
         for round in 0..MOST_ROUNDS {
-            let contacts = match self.at(depth, accuracy) {
-                Err(Error::WheelRail { error: WheelRailError::DeepOverlap { depth } }) => {
-                    return Err(too_deep(depth, worst));
-                }
-                other => other?,
-            };
+            let contacts = self.at(depth, accuracy)?;
             worst = contacts
                 .iter()
                 .filter(|contact| weight(contact, ratios) <= 0.0)
@@ -136,15 +148,23 @@ impl Lowering<'_> {
             let force: f64 =
                 contacts.iter().map(|contact| contact.force * weight(contact, ratios)).sum();
             let residual = force / load - 1.0;
+            power = local_power([depth, force / load], before).unwrap_or(power);
             if residual.abs() <= tolerance || (high - low) <= ROUNDING * depth {
-                return Ok(Lowered { depth, contacts });
+                return Ok(Lowered { at: Guess { depth, power }, contacts });
+            }
+            if residual < 0.0 && depth >= DEEPEST {
+                return Err(not_carried(force, worst));
             }
             if residual < 0.0 {
                 low = depth;
             } else {
                 high = depth;
             }
-            let next = next_depth(depth, force / load, before);
+            let next = if force > 0.0 {
+                depth * (force / load).powf(-power.recip())
+            } else {
+                FASTEST * depth
+            };
             before = (force > 0.0).then_some([depth, force / load]);
             let is_inside = next > low && next < high && round % 8 != 7;
             depth = if is_inside {
@@ -154,6 +174,7 @@ impl Lowering<'_> {
             } else {
                 FASTEST * depth
             };
+            depth = depth.min(DEEPEST);
         }
         Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: high - low }.into())
     }
@@ -165,29 +186,23 @@ const FASTEST: f64 = 3.0;
 /// Width of a bracket relative to the depth below which rounding decides.
 const ROUNDING: f64 = 1e-12;
 
-/// The next depth from the force over the load: by the power law from zero, or through the last two
-/// points in logarithms.
-fn next_depth(depth: f64, share: f64, before: Option<[f64; 2]>) -> f64 {
-    if share <= 0.0 {
-        return FASTEST * depth;
-    }
-    let power = match before {
-        Some([depth_before, share_before]) if share_before != share => {
-            (share / share_before).ln() / (depth / depth_before).ln()
-        }
-        _ => POWER,
-    };
-    let power = if power.is_finite() && power > LEAST_POWER { power } else { POWER };
-    depth * share.powf(-power.recip())
+/// The power of the depth with which the force grows: through the last two points (depth in m,
+/// force over load) in logarithms.
+fn local_power([depth, share]: [f64; 2], before: Option<[f64; 2]>) -> Option<f64> {
+    let [depth_before, share_before] = before?;
+    let power = (share / share_before).ln() / (depth / depth_before).ln();
+    (power.is_finite() && power > LEAST_POWER).then_some(power)
 }
 
 /// A force that grows more slowly than this power of the depth is no guide.
 const LEAST_POWER: f64 = 0.5;
 
-fn too_deep(depth: f64, worst: Option<(f64, f64)>) -> Error {
+/// Why no depth carries the load, from the force at the largest one (in N) and from a contact whose
+/// friction lets it carry nothing.
+fn not_carried(force: f64, worst: Option<(f64, f64)>) -> Error {
     match worst {
         Some((angle, ratio)) => WheelRailError::Jammed { angle: angle.abs(), ratio }.into(),
-        None => WheelRailError::DeepOverlap { depth }.into(),
+        None => WheelRailError::NotCarried { deepest: DEEPEST, force }.into(),
     }
 }
 

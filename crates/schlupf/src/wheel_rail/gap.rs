@@ -6,15 +6,16 @@
 //! yaw is that of the surfaces. The gap between these points, seen from below, and the rail, seen
 //! from above, is vertical.
 
-use super::pair::{FLATTEST, Pair, Samples};
+use super::pair::{Candidate, Pair};
 use super::pose::Attitude;
+use super::seen::Seen;
 use crate::error::{Error, WheelRailError};
-
-/// Step of the gap across the rail, in m.
-const STEP: f64 = 2e-5;
 
 /// Largest x of a candidate relative to the radius of the wheel, dimensionless.
 const FARTHEST: f64 = 0.5;
+
+/// Margin for rounding around the rail, in m.
+const MARGIN: f64 = 1e-3;
 
 /// Power of the overlap with which the points of a region weigh in its middle, dimensionless:
 /// integrated along rolling, the square of the depth.
@@ -65,20 +66,16 @@ impl Gap {
     /// # Errors
     /// A wheel that is nowhere above the rail.
     pub fn new(pair: &Pair, attitude: &Attitude) -> Result<Self, Error> {
-        let [from, to] = pair.rail_samples.span();
-        let count = ((to - from) / STEP).floor() as usize + 1;
-        let grid = |k: usize| from + k as f64 * STEP;
-        let rail = seen(count, grid, &rail_lines(&pair.rail_samples), |one, other| one > other);
-        let wheel = seen(count, grid, &wheel_lines(pair, attitude), |one, other| one < other);
+        let wheel = pair.across.wheel(wheel_line(pair, attitude));
         let mut runs: Vec<Vec<GapPoint>> = Vec::new();
         let mut is_open = false;
-        for (k, (rail, wheel)) in rail.into_iter().zip(wheel).enumerate() {
+        for (k, (rail, wheel)) in pair.rail_from_above.iter().zip(wheel).enumerate() {
             let (Some(rail), Some(wheel)) = (rail, wheel) else {
                 is_open = false;
                 continue;
             };
             let point = GapPoint {
-                y: grid(k),
+                y: pair.across.at(k),
                 rail: [rail.z, rail.arc],
                 inclination: rail.extra,
                 wheel: [wheel.extra, wheel.arc],
@@ -91,9 +88,8 @@ impl Gap {
             is_open = true;
         }
         if runs.is_empty() {
-            let wheel = pair.wheel_samples.span();
-            let wheel = wheel.map(|y| y + pair.wheel_offset + attitude.lateral);
-            return Err(WheelRailError::BesideRail { wheel, rail: [from, to] }.into());
+            let wheel = pair.wheel_span.map(|y| y + pair.wheel_offset + attitude.lateral);
+            return Err(WheelRailError::BesideRail { wheel, rail: pair.across.ends }.into());
         }
         Ok(Self { runs })
     }
@@ -145,77 +141,25 @@ impl Region {
     }
 }
 
-/// A point of a line that is seen from above or below, y and z in m, with something that goes with
-/// it.
-#[derive(Debug, Clone, Copy)]
-struct Seen {
-    y: f64,
-    z: f64,
-    /// Arc length along the profile, in m.
-    arc: f64,
-    extra: f64,
-}
-
-/// Runs of points along which y grows.
-fn rail_lines(samples: &Samples) -> Vec<Option<Seen>> {
-    let points = samples.arc.iter().zip(&samples.points);
-    points
-        .map(|(arc, point)| {
-            let [y, z] = point.place;
-            Some(Seen { y, z, arc: *arc, extra: point.inclination() })
-        })
-        .collect()
-}
-
-/// The candidates of the wheel in the track.
-fn wheel_lines(pair: &Pair, attitude: &Attitude) -> Vec<Option<Seen>> {
+/// The candidates of the wheel in the track, of those that may be above the rail.
+fn wheel_line(pair: &Pair, attitude: &Attitude) -> impl Iterator<Item = Option<Seen>> {
     let pose = attitude.at_height(pair.nominal_radius, 0.0);
     let tangent = attitude.yaw.tan();
-    let samples = pair.wheel_samples.arc.iter().zip(&pair.wheel_samples.points);
-    samples
-        .map(|(arc, point)| {
-            let ([y, z], [along, up]) = (point.place, point.tangent);
-            let radius = pair.nominal_radius - z;
-            let x = radius * up / along * tangent;
-            if along < FLATTEST || x.abs() > FARTHEST * radius {
-                return None;
-            }
-            let below = -(radius * radius - x * x).sqrt();
-            let [x, y, z] = pose.in_track([x, pair.wheel_offset + y, below]);
-            Some(Seen { y, z, arc: *arc, extra: x })
-        })
-        .collect()
-}
-
-/// What is seen of a line at `count` positions: where it folds over itself, the z that `is_nearer`.
-fn seen(
-    count: usize,
-    grid: impl Fn(usize) -> f64,
-    line: &[Option<Seen>],
-    is_nearer: impl Fn(f64, f64) -> bool,
-) -> Vec<Option<Seen>> {
-    let start = grid(0);
-    let step = grid(1) - start;
-    let mut found: Vec<Option<Seen>> = vec![None; count];
-    for pair in line.windows(2) {
-        let (Some(one), Some(two)) = (pair[0], pair[1]) else { continue };
-        if two.y <= one.y {
-            continue;
+    // What roll and yaw move a point of the wheel sideways at most.
+    let [roll, yaw] = [attitude.roll.abs(), attitude.yaw.abs()];
+    let reach = pair.nominal_radius + pair.wheel_offset;
+    let margin = 2.0 * reach * (roll + yaw) + MARGIN;
+    let sideways = attitude.lateral + pair.wheel_offset;
+    let [from, to] = [pair.across.ends[0] - margin, pair.across.ends[1] + margin];
+    pair.candidates.iter().map(move |candidate| {
+        let Candidate { arc, y, radius, slope } = (*candidate)?;
+        let x = radius * slope * tangent;
+        let may_be_seen = y + sideways > from && y + sideways < to;
+        if !may_be_seen || x.abs() > FARTHEST * radius {
+            return None;
         }
-        let first = ((one.y - start) / step).ceil().max(0.0) as usize;
-        for (k, place) in found.iter_mut().enumerate().skip(first) {
-            let y = grid(k);
-            if y > two.y {
-                break;
-            }
-            let share = (y - one.y) / (two.y - one.y);
-            let mixed = |from: f64, to: f64| from + share * (to - from);
-            let z = mixed(one.z, two.z);
-            if place.is_none_or(|known| is_nearer(z, known.z)) {
-                let (arc, extra) = (mixed(one.arc, two.arc), mixed(one.extra, two.extra));
-                *place = Some(Seen { y, z, arc, extra });
-            }
-        }
-    }
-    found
+        let below = -(radius * radius - x * x).sqrt();
+        let [x, y, z] = pose.in_track([x, pair.wheel_offset + y, below]);
+        Some(Seen { y, z, arc, extra: x })
+    })
 }

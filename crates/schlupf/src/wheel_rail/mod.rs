@@ -15,6 +15,7 @@
 
 mod spline;
 mod profile_curve;
+mod seen;
 mod pair;
 mod pose;
 mod gap;

@@ -4,6 +4,7 @@
 //! wheel is solved as the mirror image of a left one.
 
 use super::profile_curve::{CurvePoint, ProfileCurve};
+use super::seen::{Across, FLATTEST, Seen};
 use crate::error::{Error, WheelRailError, require};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
@@ -56,25 +57,42 @@ impl Default for Track {
 }
 
 /// Points along a profile at small equal steps.
-#[derive(Debug, Clone)]
-pub(super) struct Samples {
+struct Samples {
     /// Arc lengths, in m.
-    pub arc: Vec<f64>,
-    pub points: Vec<CurvePoint>,
+    arc: Vec<f64>,
+    points: Vec<CurvePoint>,
+}
+
+/// A point of the wheel's profile that may touch the rail.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate {
+    /// Arc length along the profile, in m.
+    pub arc: f64,
+    /// In the coordinates of the profile, in m.
+    pub y: f64,
+    /// Radius of the wheel there, in m.
+    pub radius: f64,
+    /// Slope dz/dy of the profile, dimensionless.
+    pub slope: f64,
 }
 
 /// The left wheel and the left rail.
 #[derive(Debug, Clone)]
 pub struct Pair {
     pub(super) wheel: ProfileCurve,
-    pub(super) wheel_samples: Samples,
+    /// Along its profile at small steps; nothing where it is too steep to be seen from below.
+    pub(super) candidates: Vec<Option<Candidate>>,
+    /// Lowest and highest y of the wheel's profile, in m.
+    pub(super) wheel_span: [f64; 2],
     /// In m.
     pub(super) nominal_radius: f64,
     /// Distance of the origin of the wheel's profile from the middle of the wheelset, in m.
     pub(super) wheel_offset: f64,
     /// In the track frame.
     pub(super) rail: ProfileCurve,
-    pub(super) rail_samples: Samples,
+    pub(super) across: Across,
+    /// What is seen of it at those positions.
+    pub(super) rail_from_above: Vec<Option<Seen>>,
     /// Origin of the rail's profile in the track frame, y and z in m.
     pub(super) rail_origin: [f64; 2],
 }
@@ -89,9 +107,19 @@ impl Samples {
     }
 
     /// Lowest and highest y, in m.
-    pub fn span(&self) -> [f64; 2] {
+    fn span(&self) -> [f64; 2] {
         let y = || self.points.iter().map(|point| point.place[0]);
         [y().fold(f64::INFINITY, f64::min), y().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// As candidates for contact on a wheel of a nominal radius, in m.
+    fn candidates(&self, nominal_radius: f64) -> Vec<Option<Candidate>> {
+        let candidate = |(arc, point): (&f64, &CurvePoint)| {
+            let ([y, z], [along, up]) = (point.place, point.tangent);
+            let (radius, slope) = (nominal_radius - z, up / along);
+            (along >= FLATTEST).then_some(Candidate { arc: *arc, y, radius, slope })
+        };
+        self.arc.iter().zip(&self.points).map(candidate).collect()
     }
 }
 
@@ -116,14 +144,18 @@ impl Pair {
         let [inmost, top] = gauge_point(&samples, track.gauge_depth);
         let rail_origin = [0.5 * track.gauge - inmost, -top];
         let rail = turned.placed(0.0, rail_origin);
-        let wheel_samples = Samples::new(&wheel.profile);
-        require_surface(&wheel_samples, Quantity::WheelProfile)?;
+        let on_wheel = Samples::new(&wheel.profile);
+        require_surface(&on_wheel, Quantity::WheelProfile)?;
+        let on_rail = Samples::new(&rail);
+        let across = Across::between(on_rail.span());
         Ok(Self {
             wheel: wheel.profile.clone(),
-            wheel_samples,
+            candidates: on_wheel.candidates(wheel.nominal_radius),
+            wheel_span: on_wheel.span(),
             nominal_radius: wheel.nominal_radius,
             wheel_offset: 0.5 * track.flange_back_distance - wheel.flange_back_position,
-            rail_samples: Samples::new(&rail),
+            rail_from_above: across.rail(&on_rail.arc, &on_rail.points),
+            across,
             rail,
             rail_origin,
         })
@@ -156,10 +188,6 @@ fn require_surface(samples: &Samples, profile: Quantity) -> Result<(), Error> {
     }
     Err(WheelRailError::NoRunningSurface { profile }.into())
 }
-
-/// Smallest part of y in the direction of a profile that is seen from above or below,
-/// dimensionless: steeper parts hide beneath others.
-pub(super) const FLATTEST: f64 = 1e-3;
 
 /// Inmost y of a rail down to a depth below its top, and the z of the top, in m.
 fn gauge_point(samples: &Samples, depth: f64) -> [f64; 2] {

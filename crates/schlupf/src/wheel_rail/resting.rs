@@ -87,14 +87,16 @@ impl WheelOnRail {
         let depths = [depth(Side::Left)?, depth(Side::Right)?];
         let mut roll = resting_roll(&self.pair, place, depths)?;
         let mut change = f64::INFINITY;
+        let mut before: Option<[WheelSolution; 2]> = None;
         for _ in 0..MOST_ROUNDS {
             let wheel = |side: Side| {
                 let position = Position { roll, ..self.position };
                 let wheel = Self { pair: Arc::clone(&self.pair), side, position, ..self.clone() };
-                wheel.solve(tangential, watch)
+                let near = before.as_ref().and_then(|both| both.iter().find(|it| it.side == side));
+                wheel.solve_near(near, tangential, watch)
             };
             let [left, right] = [wheel(Side::Left)?, wheel(Side::Right)?];
-            let next = resting_roll(&self.pair, place, [left.depth, right.depth])?;
+            let next = resting_roll(&self.pair, place, [left.depth(), right.depth()])?;
             change = (next - roll).abs();
             if change < SETTLED {
                 return Ok(match self.side {
@@ -103,6 +105,7 @@ impl WheelOnRail {
                 });
             }
             roll = next;
+            before = Some([left, right]);
         }
         Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: change }.into())
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::contact_plane::Joining;
 use super::creepage::{Motion, creepages};
-use super::equilibrium::{FrictionRatio, Lowered, Lowering, weight};
+use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering, weight};
 use super::gap::Gap;
 use super::pair::Pair;
 use super::patch::ContactPatch;
@@ -110,10 +110,9 @@ pub struct WheelSolution {
     pub contacts: Vec<Contact>,
     /// Force on the wheel in the track, in N.
     pub force: [f64; 3],
-    /// Depth below first touch, in m.
-    pub depth: f64,
     /// Rounds between height and friction.
     pub rounds: usize,
+    guess: Guess,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
 }
@@ -123,6 +122,21 @@ impl WheelSolution {
     pub fn status(&self) -> Status {
         let is = |contact: &Contact| contact.solution.status == Status::Converged;
         if self.contacts.iter().all(is) { Status::Converged } else { Status::NotConverged }
+    }
+
+    /// Depth below first touch, in m.
+    pub fn depth(&self) -> f64 {
+        self.guess.depth
+    }
+
+    /// Friction of its contacts as seen from the left.
+    fn ratios(&self) -> Vec<FrictionRatio> {
+        let sign = self.side.outwards();
+        let ratio = |contact: &Contact| FrictionRatio {
+            y: sign * contact.position[1],
+            ratio: sign * contact.solution.force.y / contact.solution.normal.load,
+        };
+        self.contacts.iter().map(ratio).collect()
     }
 
     /// Warnings about the contacts as parts of a wheel.
@@ -197,6 +211,16 @@ impl WheelOnRail {
     /// A wheel beside the rail or lifted off it, jammed by friction, or in contact at the end of a
     /// profile; whatever the tangential problem rejects; [`Error::Stopped`].
     pub fn solve(&self, tangential: &Tangential, watch: Watch) -> Result<WheelSolution, Error> {
+        self.solve_near(None, tangential, watch)
+    }
+
+    /// The same from a solution with nearly the same roll angle.
+    pub(super) fn solve_near(
+        &self,
+        near: Option<&WheelSolution>,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<WheelSolution, Error> {
         self.check()?;
         let gap = Gap::new(&self.pair, &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
@@ -207,12 +231,12 @@ impl WheelOnRail {
                     return Err(WheelRailError::Lifted { gap: -depth }.into());
                 }
                 let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
-                let lowered = Lowered { depth, contacts };
+                let lowered = Lowered { at: Guess::smooth(depth), contacts };
                 let solved =
                     self.slide(&lowering, &lowered, (tangential, tangential.options), watch)?;
                 Ok(self.solution(&lowering, &lowered, solved, 1))
             }
-            Support::Force(force) => self.settle(&lowering, force, tangential, watch),
+            Support::Force(force) => self.settle(&lowering, (force, near), tangential, watch),
         }
     }
 
@@ -238,14 +262,14 @@ impl WheelOnRail {
         let gap = Gap::new(&self.pair, &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
         let how = (Accuracy::Coarse, NEARLY_SETTLED);
-        Ok(lowering.carrying(force, &[], first_depth(&lowering, force), how)?.depth)
+        Ok(lowering.carrying(force, &[], first_guess(&lowering, force), how)?.at.depth)
     }
 
-    /// Height and friction in turns, first with coarse cells.
+    /// Height and friction in turns, first with coarse cells unless there is a solution nearby.
     fn settle(
         &self,
         lowering: &Lowering,
-        force: f64,
+        (force, near): (f64, Option<&WheelSolution>),
         tangential: &Tangential,
         watch: Watch,
     ) -> Result<WheelSolution, Error> {
@@ -257,9 +281,9 @@ impl WheelOnRail {
             extrapolate: false,
             ..tangential.options.clone()
         };
-        let mut ratios: Vec<FrictionRatio> = Vec::new();
-        let mut depth = first_depth(lowering, force);
-        let mut is_fine = false;
+        let mut ratios = near.map_or(Vec::new(), WheelSolution::ratios);
+        let mut guess = near.map_or_else(|| first_guess(lowering, force), |near| near.guess);
+        let mut is_fine = near.is_some();
         let mut error = f64::INFINITY;
         for round in 0..MOST_ROUNDS {
             let how = if is_fine {
@@ -267,8 +291,8 @@ impl WheelOnRail {
             } else {
                 (Accuracy::Coarse, 0.2 * NEARLY_SETTLED)
             };
-            let lowered = lowering.carrying(force, &ratios, depth, how)?;
-            depth = lowered.depth;
+            let lowered = lowering.carrying(force, &ratios, guess, how)?;
+            guess = lowered.at;
             let options = if is_fine { tangential.options } else { &coarse };
             let solved = self.slide(lowering, &lowered, (tangential, options), watch)?;
             let next = self.ratios(&solved);
@@ -300,7 +324,7 @@ impl WheelOnRail {
         (tangential, options): (&Tangential, &Options),
         watch: Watch,
     ) -> Result<Vec<(Pressed, Problem, Solution)>, Error> {
-        let pose = lowering.pose(lowered.depth);
+        let pose = lowering.pose(lowered.at.depth);
         let largest = lowered.contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
         let sign = self.side.outwards();
         let motion = match self.side {
@@ -347,10 +371,10 @@ impl WheelOnRail {
         WheelSolution {
             side: self.side,
             position: self.position,
-            height: lowering.touch() - lowered.depth,
+            height: lowering.touch() - lowered.at.depth,
             contacts,
             force,
-            depth: lowered.depth,
+            guess: lowered.at,
             rounds,
             is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
         }
@@ -362,7 +386,7 @@ impl WheelOnRail {
         lowered: &Lowered,
         (pressed, problem, solution): (Pressed, Problem, Solution),
     ) -> Contact {
-        let pose = lowering.pose(lowered.depth);
+        let pose = lowering.pose(lowered.at.depth);
         let plane = &pressed.plane;
         let sign = self.side.outwards();
         let [x, y, z] = plane.origin;
@@ -401,9 +425,9 @@ fn is_flat(lowered: &Lowered) -> bool {
 }
 
 /// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.
-fn first_depth(lowering: &Lowering, force: f64) -> f64 {
+fn first_guess(lowering: &Lowering, force: f64) -> Guess {
     let slope = lowering.gap.least().map_or(1.0, |point| point.inclination.cos());
-    2e-5 * (force / 1e4).powf(2.0 / 3.0) / slope.max(0.2)
+    Guess::smooth(2e-5 * (force / 1e4).powf(2.0 / 3.0) / slope.max(0.2))
 }
 
 /// Half the way from the ratios before to the next ones.
