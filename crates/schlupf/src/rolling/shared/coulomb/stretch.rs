@@ -3,8 +3,8 @@
 //!
 //! As long as |q| grows along its direction n, the law dq = k_c (ds − q |ds|) is
 //! ds = (dq + n dz)/k_c with z = −ln(1 − |q|) − |q|: the sliding stretches the bristles. Where q
-//! falls, only dq/k_c is taken off (falling along n, the law has (dq + q |dq|/(1 + |q|))/k_c); there
-//! and where q turns the sliding differs by some 1/k_c. The law is rescaled so that |q| = 1 at
+//! falls, only dq/k_c is taken off (along n, the law has (dq + q |dq|/(1 + |q|))/k_c); there and
+//! where q turns the sliding differs by some 1/k_c. The law is rescaled so that |q| = 1 at
 //! k_c s = 5, and the rest of the sliding is that of a slider with q = n. This rest is zero where
 //! the contact sticks, and so as smooth along the path as the sliding under Coulomb's law, to which
 //! it leads for k_c → ∞; the sliding itself jumps within a cell from the leading edge.
