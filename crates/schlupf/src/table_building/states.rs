@@ -53,7 +53,7 @@ pub(super) struct Solved {
 }
 
 impl StateSolver {
-    /// On so many cells across the patch, and on twice as many.
+    /// On so many cells across the narrower side of the patch, and on twice as many.
     pub fn new(axis_ratio: f64, poisson_ratio: f64, cells: usize) -> Result<Self, Error> {
         let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
         let material = Material { poisson_ratio, ..Material::STEEL };
@@ -72,10 +72,14 @@ impl StateSolver {
         };
         let load = 2.0 / 3.0 * PI * SIZE * SIZE * PEAK_PRESSURE;
         let unit = bodies.shear_modulus() * SIZE * SIZE / (FRICTION * load);
-        let on = |cells| {
+        let on = |cells: usize| {
+            let along_side = |slenderness: f64| {
+                // Even, for the grid of half as many.
+                2 * (0.5 * cells as f64 * slenderness.max(1.0).sqrt()).round() as usize
+            };
             SteadySolver::new(&Options {
-                cells_x: cells,
-                cells_y: cells,
+                cells_x: along_side(axis_ratio),
+                cells_y: along_side(axis_ratio.recip()),
                 tolerance: TOLERANCE,
                 extrapolate: true,
                 ..Options::default()
