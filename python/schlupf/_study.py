@@ -143,9 +143,10 @@ def damage(
         The table of a study whose states lie along ``distance`` or ``time``, or such a study
         (TOML), which is solved.
     case : Case, optional
-        The case with the laws, in ``damage``; by default that of the study, or the default case.
+        The case with the laws, in ``damage``; by default that of the study, which its table keeps.
     strict : bool, default False
-        Whether to raise `NotConverged` where states have no solution; else they are left out.
+        Whether to raise `NotConverged` where states have no solution or no friction power; else
+        they are left out.
     warn : bool, default True
         Whether to issue the warnings of the result.
 

@@ -66,6 +66,14 @@ def test_shards_are_merged(study, tmp_path):
         schlupf.sweep(study(40), tmp_path / "other.csv", shard=(3, 2))
 
 
+def test_a_cluster_is_not_asked_for_fields(study, tmp_path):
+    path = study(20)
+    path.write_text(path.read_text() + "[fields]\n")
+    with pytest.raises(ValueError, match="fields stay on the machine that solves them"):
+        schlupf.sweep(path, tmp_path / "table.csv", client=object())
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["case.toml", "study.toml"]
+
+
 RUN = "distance [m],position_y [mm],kinematics.creepage_x\n" + "".join(
     f"{25 * k},{k % 3},{0.001 * k}\n" for k in range(6)
 )
@@ -85,6 +93,7 @@ def test_a_run_has_its_damage(study, tmp_path):
     case = schlupf.Case.from_file(tmp_path / "case.toml").with_(
         damage={"shear_yield_stress": "100 MPa"}
     )
+    assert schlupf.damage(tmp_path / "table.parquet").fatigue.max == found.fatigue.max
     softer = schlupf.damage(tmp_path / "table.parquet", case)
     assert softer.fatigue.max > found.fatigue.max + 0.1
     with pytest.raises(ValueError, match="no table of a study"):

@@ -13,20 +13,25 @@ use schlupf::state::State;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Method, Options, Problem, Solver, Transient, Watch};
 
-use crate::case_file::CaseFile;
+use crate::case_file::{CaseFile, Overrides};
 use crate::edited;
 use crate::error::{CaseError, CaseErrors};
 use crate::fields;
 use crate::fields::choice::{Driver, ElasticityModel};
+use crate::files::Folder;
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
 use crate::notice::Notice;
-use crate::place::Place;
+use crate::place::{Place, Source};
 use crate::profiles;
 use crate::read::{self, Posed};
 use crate::setting::Setting;
 
 /// What makes a history, each by itself.
 const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
+
+/// Fields behind the laws of damage that are not its own.
+const FOR_DAMAGE: [&str; 5] =
+    ["title", "kinematics.wheel_radius", "wheel.radius_x", "wheel.density", "rail.density"];
 
 /// A case with its problem.
 #[derive(Debug, Clone)]
@@ -105,7 +110,7 @@ impl CaseFile {
             title: self.title()?,
             problem,
             history: self.parts.history.clone(),
-            method: read::method(&self.settings)?,
+            method: self.method()?,
             elasticity: self.settings.chosen("elasticity.model")?,
             driver: read::driver(&self.settings)?,
             options: self.options()?,
@@ -125,6 +130,28 @@ impl CaseFile {
     /// How accurately to solve.
     pub fn options(&self) -> Result<Options, CaseError> {
         read::options(&self.settings)
+    }
+
+    /// All equations, or a fast method.
+    pub fn method(&self) -> Result<Method, CaseError> {
+        read::method(&self.settings)
+    }
+
+    /// What turns a run of its wheel into damage; nothing is solved for it.
+    ///
+    /// # Errors
+    /// A wheel without a rolling radius.
+    pub fn damage_laws(&self) -> Result<Laws, CaseError> {
+        let (fatigue, archard, energy) = read::damage(&self.settings)?;
+        let laws = Laws {
+            fatigue,
+            archard,
+            energy,
+            wheel_radius: self.settings.number("kinematics.wheel_radius")?,
+            densities: self.materials().map(|material| material.density),
+        };
+        laws.check().map_err(|error| self.explain(&error))?;
+        Ok(laws)
     }
 
     /// What was given without effect, each with its place.
@@ -188,6 +215,26 @@ impl CaseFile {
             text.set_number(path, *value)?;
         }
         Ok(text.finish())
+    }
+
+    /// The case of a text that may have come from elsewhere, for damage: where it cannot be read,
+    /// say without a file that it names, all but what damage needs is left out: fields of `damage`,
+    /// the rolling radius of the wheel, the densities. `name` is what messages call it.
+    ///
+    /// # Errors
+    /// A text that is no case.
+    pub fn for_damage(text: &str, name: &str) -> Result<Self, CaseErrors> {
+        let read = |text: &str| Self::from_str(text, name, Folder::new(""), Overrides::NONE);
+        read(text).or_else(|_| read(&Self::text_for_damage(text, name)?))
+    }
+
+    fn text_for_damage(text: &str, name: &str) -> Result<String, CaseError> {
+        let mut kept = edited::Edited::new(&Source { name: name.into(), text: text.into() })?;
+        let is_needed = |path: &str| path.starts_with("damage.") || FOR_DAMAGE.contains(&path);
+        for field in fields::all().filter(|field| !is_needed(field.path)) {
+            kept.remove(field.path);
+        }
+        Ok(kept.finish())
     }
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.
@@ -308,23 +355,6 @@ impl Case {
     /// The field that is missing where the case does not say so.
     pub fn require_cooling(&self) -> Result<Cooling, CaseError> {
         self.cooling.ok_or_else(|| read::missing_cooling(&self.file.settings))
-    }
-
-    /// What turns a run of its wheel into damage.
-    ///
-    /// # Errors
-    /// A wheel without a rolling radius.
-    pub fn damage_laws(&self) -> Result<Laws, CaseError> {
-        let (fatigue, archard, energy) = read::damage(&self.file.settings)?;
-        let laws = Laws {
-            fatigue,
-            archard,
-            energy,
-            wheel_radius: self.file.settings.number("kinematics.wheel_radius")?,
-            densities: [self.problem.wheel.material.density, self.problem.rail.material.density],
-        };
-        laws.check().map_err(|error| self.explain(&error))?;
-        Ok(laws)
     }
 
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure

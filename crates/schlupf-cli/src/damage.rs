@@ -21,8 +21,8 @@ pub struct Damage {
     /// such states (.toml), which is solved
     #[arg(value_hint = ValueHint::FilePath)]
     pub run: PathBuf,
-    /// Which case; its section [damage] has the laws of fatigue and wear. That of a study by
-    /// default.
+    /// Which case; its section [damage] has the laws of fatigue and wear. That of the study by
+    /// default, which a table keeps.
     #[command(flatten)]
     pub case: CaseArguments,
     /// Write the run as CSV, one row for each state
@@ -55,12 +55,12 @@ impl Task for Damage {
         inputs
     }
 
-    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
+    fn plan(&self, file: CaseFile, _: Watch) -> Result<Plan, Failure> {
         let case_of = |of_study: Option<&CaseFile>| match of_study {
             Some(own) if self.case.case.is_none() => own.with("--set", &self.case.overrides),
             _ => Ok(file),
         };
-        Ok(damage::plan(&self.run, case_of, watch)?)
+        Ok(damage::plan(&self.run, case_of)?)
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<DamageReport>, Failure> {

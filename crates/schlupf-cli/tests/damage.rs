@@ -121,6 +121,85 @@ fn states_without_a_solution_are_left_out_and_told() {
     assert_eq!(found["warnings"][0]["code"], "left-out");
 }
 
+/// A table keeps the laws of its study's case, wherever that is gone, with the files that it names.
+#[test]
+fn laws_are_those_of_the_case_behind_a_table() {
+    let bench = bench(false);
+    let case = bench.read("case.toml");
+    let laws = "[friction]\nvariation_file = \"along.csv\"\n[wheel]\nradius_x = \"0.4 m\"\n\
+                density = \"7800 kg/m^3\"\n[damage]\nhardness = \"3 GPa\"\n\
+                shear_yield_stress = \"200 MPa\"\n";
+    bench.write("case.toml", &format!("# a \"worn\" wheel\n{case}{laws}"));
+    bench.write("along.csv", "y [mm],factor\n-10,1\n10,1\n");
+    for name in ["table.csv", "table.parquet"] {
+        let sweep = bench.run(&["sweep", "study.toml", "--output", name]);
+        assert_eq!(sweep.code, Some(0), "{}", sweep.stderr);
+    }
+    let of_study = document(&bench, &["study.toml"]);
+    for name in ["case.toml", "along.csv", "study.toml", "run.csv"] {
+        std::fs::remove_file(bench.path(name)).unwrap();
+    }
+    for name in ["table.csv", "table.parquet"] {
+        let found = document(&bench, &[name]);
+        for part in ["laws", "archard", "energy_wear", "fatigue", "warnings"] {
+            assert_eq!(found[part], of_study[part], "{name} {part}");
+        }
+        assert_eq!(found["laws"]["wheel_radius"], 0.4);
+        let harder = document(&bench, &[name, "--set", "damage.hardness=6 GPa"]);
+        assert_eq!(harder["laws"]["hardness"], 6e9);
+        assert_eq!(harder["laws"]["wheel_radius"], 0.4);
+        bench.write("other.toml", "[damage]\nhardness = \"2 GPa\"\n");
+        let other = document(&bench, &[name, "other.toml"]);
+        assert_eq!(other["laws"]["hardness"], 2e9);
+        assert_eq!(other["laws"]["wheel_radius"], 0.46);
+    }
+}
+
+/// Polach's method has no moment: with spin its friction power is unknown, of those states alone.
+#[test]
+fn states_without_friction_power_are_left_out_and_told() {
+    let bench = bench(false);
+    bench.write("case.toml", "solver.method = \"polach\"\n");
+    let states = "distance [m],kinematics.creepage_x,kinematics.spin [1/m]\n\
+                  0,0.001,0\n10,0.001,0.2\n30,0.002,0\n60,1.5,0\n100,0.001,0\n";
+    bench.write("run.csv", states);
+    let run = damage(&bench, &["study.toml", "--json", "d.json", "--along", "along.csv"]);
+    assert_eq!(run.code, Some(3), "{}", run.stderr);
+    for expected in [
+        "1 of the states have no friction power, because the method gives no moment and they have \
+         spin, the first in row 1",
+        "1 of the states have not converged or have failed, the first in row 3",
+    ] {
+        assert!(run.stderr.contains(expected), "{}", run.stderr);
+    }
+    let found: Value = serde_json::from_str(&bench.read("d.json")).unwrap();
+    assert_eq!(found["left_out"]["states"], 2);
+    // From 5 m to 20 m and from 45 m to 80 m.
+    assert_eq!(found["left_out"]["distance"], 50.0);
+    assert_eq!(found["states"], 3);
+    // The others stay where they are.
+    assert_eq!(column(&bench.read("along.csv"), "distance"), [2.5, 32.5, 90.0]);
+    bench.write("run.csv", "distance [m],kinematics.spin [1/m]\n0,0.1\n10,0.2\n");
+    let none = damage(&bench, &["study.toml"]);
+    assert_eq!(none.code, Some(2), "{}", none.stderr);
+    let reason = "none of the states of the run has a friction power";
+    assert!(none.stderr.contains(reason), "{}", none.stderr);
+}
+
+/// Over time, the distance of a state that failed is that at the speed of the one before.
+#[test]
+fn states_that_fail_keep_their_distance_over_time() {
+    let bench = bench(false);
+    bench.write("case.toml", "kinematics.speed = \"20 m/s\"\ngrid.cells_x = 10\n");
+    let states = "time [s],kinematics.creepage_x\n0,1.5\n1,0.001\n2,1.5\n4,0.002\n";
+    bench.write("run.csv", states);
+    let run = damage(&bench, &["study.toml", "--json", "d.json", "--along", "along.csv"]);
+    assert_eq!(run.code, Some(3), "{}", run.stderr);
+    let found: Value = serde_json::from_str(&bench.read("d.json")).unwrap();
+    assert_eq!(found["left_out"]["distance"], 20.0 * (0.5 + 1.5));
+    assert_eq!(column(&bench.read("along.csv"), "distance"), [20.0, 70.0]);
+}
+
 #[test]
 fn what_is_no_run_is_refused() {
     let bench = bench(false);
@@ -139,6 +218,8 @@ fn what_is_no_run_is_refused() {
     refused(&["half.csv"], "merge all of them before");
     bench.write("run.csv", "distance [m],kinematics.creepage_x\n1,0.001\n1,0.002\n");
     refused(&["study.toml"], "distance must increase from row to row, but is 1 after 1 in row 1");
+    bench.write("run.csv", "distance [m],position_y [mm],kinematics.creepage_x\n0,nan,0\n1,2,0\n");
+    refused(&["study.toml"], "position_y must be a number, but is none in row 0");
     bench.write("run.csv", "distance [m],kinematics.creepage_x\n1,0.001\n");
     refused(&["study.toml"], "at least 2 states, but has 1");
     refused(&["none.csv", "--set", "damage.hardness=-1 GPa"], "damage.hardness must be");

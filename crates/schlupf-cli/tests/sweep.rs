@@ -2,7 +2,9 @@
 
 mod support;
 
+use std::collections::BTreeMap;
 use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -18,6 +20,22 @@ fn bench(count: usize) -> Bench {
     );
     bench.write("study.toml", &study);
     bench
+}
+
+/// The same with fields of every state.
+fn bench_with_fields(count: usize) -> Bench {
+    let bench = bench(count);
+    let study = bench.read("study.toml");
+    let fields = "[fields]\ncolumns = [\"x\", \"y\", \"traction_x\", \"sliding\"]\n";
+    bench.write("study.toml", &format!("{study}{fields}"));
+    bench
+}
+
+/// Names of the files in a folder with their bytes.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
+    let named = entries.map(|entry| entry.file_name().into_string().unwrap());
+    named.map(|name| (name.clone(), fs::read(folder.join(name)).unwrap())).collect()
 }
 
 #[test]
@@ -54,32 +72,78 @@ fn the_table_does_not_depend_on_threads_and_shards() {
     assert!(missing.stderr.contains("shard 2/2 is missing"), "{}", missing.stderr);
 }
 
-/// Killed at twenty moments, the run goes on each time, and its table is that of one run.
-#[test]
-fn a_run_that_is_killed_goes_on() {
-    let bench = bench(2400);
-    let whole = bench.run(&["sweep", "study.toml", "--output", "whole.parquet"]);
-    assert_eq!(whole.code, Some(0), "{}", whole.stderr);
+/// Kills a run at so many random moments, then lets it end.
+fn kill(bench: &Bench, kills: usize) {
     let sweep = ["sweep", "study.toml", "--output", "killed.parquet"];
-    let (mut kills, mut random) = (0, 12345_u64);
-    while kills < 20 {
+    let (mut killed, mut random) = (0, 12345_u64);
+    while killed < kills {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         let mut child = bench.command(&sweep).stdout(Stdio::null()).spawn().unwrap();
         std::thread::sleep(Duration::from_millis(15 + (random >> 33) % 60));
         if child.try_wait().unwrap().is_some() {
             // On a fast machine the rest is done: once more from the start.
             fs::remove_file(bench.path("killed.parquet")).unwrap();
+            let _ = fs::remove_dir_all(bench.path("killed.parquet.fields"));
             continue;
         }
         child.kill().unwrap();
         child.wait().unwrap();
-        kills += 1;
+        killed += 1;
     }
     let end = bench.run(&sweep);
     assert_eq!(end.code, Some(0), "{}", end.stderr);
+}
+
+/// Killed at twenty moments, the run goes on each time, and its table is that of one run.
+#[test]
+fn a_run_that_is_killed_goes_on() {
+    let bench = bench(2400);
+    let whole = bench.run(&["sweep", "study.toml", "--output", "whole.parquet"]);
+    assert_eq!(whole.code, Some(0), "{}", whole.stderr);
+    kill(&bench, 20);
     let bytes = |name: &str| fs::read(bench.path(name)).unwrap();
     assert!(bytes("killed.parquet") == bytes("whole.parquet"));
+    assert_eq!(bench.list(), ["case.toml", "killed.parquet", "study.toml", "whole.parquet"]);
+}
+
+/// So it is with fields: the same chunks, and nothing else beside them.
+#[test]
+fn a_run_with_fields_that_is_killed_goes_on() {
+    let bench = bench_with_fields(800);
+    let whole = bench.run(&["sweep", "study.toml", "--output", "whole.parquet"]);
+    assert_eq!(whole.code, Some(0), "{}", whole.stderr);
+    kill(&bench, 20);
+    let bytes = |name: &str| fs::read(bench.path(name)).unwrap();
+    assert!(bytes("killed.parquet") == bytes("whole.parquet"));
+    let [killed, whole] =
+        ["killed", "whole"].map(|name| files(&bench.path(&format!("{name}.parquet.fields"))));
+    assert_eq!(whole.len(), 100);
+    assert!(killed == whole);
     assert!(!bench.path("killed.parquet.parts").exists());
+}
+
+/// A new file of the command may be read by those who may read any other new file.
+#[cfg(unix)]
+#[test]
+fn tables_and_chunks_have_the_mode_of_new_files() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let bench = bench_with_fields(8);
+    let command = bench.command(&["sweep", "study.toml", "--output", "table.csv"]);
+    let merge = bench.command(&["merge", "table.csv", "--output", "merged.csv"]);
+    for command in [command, merge] {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", "umask 027; exec \"$@\"", "sh"]).arg(command.get_program());
+        shell.args(command.get_args()).stdout(Stdio::null());
+        if let Some(folder) = command.get_current_dir() {
+            shell.current_dir(folder);
+        }
+        assert!(shell.status().unwrap().success());
+    }
+    for name in ["table.csv", "table.csv.fields/batch-00000000.parquet", "merged.csv"] {
+        let mode = fs::metadata(bench.path(name)).unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o640, "{name}");
+    }
 }
 
 #[cfg(unix)]
@@ -99,31 +163,73 @@ fn an_interrupted_run_says_that_it_can_go_on() {
     assert!(bench.path("table.csv.parts").is_dir() && !bench.path("table.csv").exists());
 }
 
+/// A file system of so many kB in the folder of a bench; `None` without the right to mount one.
+#[cfg(target_os = "linux")]
+struct SmallDisk(PathBuf);
+
+#[cfg(target_os = "linux")]
+impl SmallDisk {
+    fn mount(path: PathBuf, kilobytes: usize) -> Option<Self> {
+        fs::create_dir(&path).unwrap();
+        let size = format!("size={kilobytes}k");
+        let mut mount = Command::new("mount");
+        mount.args(["-t", "tmpfs", "-o", &size, "tmpfs"]).arg(&path).stderr(Stdio::null());
+        mount.status().is_ok_and(|status| status.success()).then_some(Self(path))
+    }
+
+    fn enlarge(&self) {
+        let mut mount = Command::new("mount");
+        assert!(mount.args(["-o", "remount,size=16m"]).arg(&self.0).status().unwrap().success());
+    }
+}
+
+#[cfg(target_os = "linux")]
+impl Drop for SmallDisk {
+    fn drop(&mut self) {
+        let _ = Command::new("umount").arg(&self.0).status();
+    }
+}
+
 /// Needs the right to mount: where there is none, nothing is tested.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_keeps_what_is_done() {
     let bench = bench(400);
-    fs::create_dir(bench.path("small")).unwrap();
-    let small = bench.path("small").display().to_string();
-    let mount = ["-t", "tmpfs", "-o", "size=64k", "tmpfs", &small];
-    let mounted = Command::new("mount").args(mount).stderr(Stdio::null()).status();
-    if !mounted.is_ok_and(|status| status.success()) {
-        return;
-    }
+    let Some(disk) = SmallDisk::mount(bench.path("small"), 64) else { return };
     let sweep = ["sweep", "study.toml", "--output", "small/table.csv"];
     let full = bench.run(&sweep);
-    let kept = fs::read_dir(bench.path("small/table.csv.parts")).map(Iterator::count);
-    let larger = Command::new("mount").args(["-o", "remount,size=16m", &small]).status();
-    let end = bench.run(&sweep);
-    let table = fs::metadata(bench.path("small/table.csv"));
-    let left = Command::new("umount").arg(&small).status();
     assert_eq!(full.code, Some(1), "{}", full.stderr);
     assert!(full.stderr.contains("No space left on device"), "{}", full.stderr);
-    assert!(kept.unwrap() > 2 && larger.unwrap().success() && left.unwrap().success());
+    assert!(files(&bench.path("small/table.csv.parts")).len() > 2);
+    disk.enlarge();
+    let end = bench.run(&sweep);
     assert_eq!(end.code, Some(0), "{}", end.stderr);
     assert!(end.stdout.contains("were there already"), "{}", end.stdout);
-    assert!(table.unwrap().len() > 0);
+    assert!(fs::metadata(bench.path("small/table.csv")).unwrap().len() > 0);
+}
+
+/// So it is where chunks of fields fill the disk: those that are there are whole.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_full_of_fields_keeps_what_is_done() {
+    let bench = bench_with_fields(200);
+    let whole = bench.run(&["sweep", "study.toml", "--output", "whole.csv"]);
+    assert_eq!(whole.code, Some(0), "{}", whole.stderr);
+    let whole = files(&bench.path("whole.csv.fields"));
+    let Some(disk) = SmallDisk::mount(bench.path("small"), 256) else { return };
+    let sweep = ["sweep", "study.toml", "--output", "small/table.csv"];
+    let full = bench.run(&sweep);
+    assert_eq!(full.code, Some(1), "{}", full.stderr);
+    assert!(full.stderr.contains("No space left on device"), "{}", full.stderr);
+    let chunks = || files(&bench.path("small/table.csv.fields"));
+    let kept = chunks();
+    assert!(kept.len() > 2 && kept.len() < whole.len(), "{}", kept.len());
+    assert!(kept.iter().all(|(name, bytes)| whole.get(name) == Some(bytes)));
+    disk.enlarge();
+    let end = bench.run(&sweep);
+    assert_eq!(end.code, Some(0), "{}", end.stderr);
+    assert!(end.stdout.contains("were there already"), "{}", end.stdout);
+    assert!(chunks() == whole);
 }
 
 #[test]

@@ -14,6 +14,7 @@ fn report(states: usize, left_out: LeftOut) -> DamageReport {
         let slip_speed = 0.01 + 0.3 * part;
         State {
             distance: 10.0,
+            middle: 10.0 * (k as f64 + 0.5),
             speed: 20.0,
             position_y: 5e-3 * (20.0 * part).sin(),
             load: 80e3,

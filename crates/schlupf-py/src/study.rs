@@ -87,7 +87,7 @@ impl StudyRun {
     /// Begins or goes on.
     #[new]
     fn new(py: Python<'_>, study: Py<Study>, output: PathBuf) -> PyResult<Self> {
-        let started = Run::start(&study.get().study, [1, 1], &output);
+        let started = Run::start_elsewhere(&study.get().study, &output);
         Ok(match started.map_err(|error| raised(py, error))? {
             Started::Open(run) => Self { study, run: Mutex::new(Some(*run)), report: None },
             Started::Done(report) => {
@@ -148,7 +148,7 @@ pub fn damage(
                 Overrides::NONE,
             ),
         };
-        schlupf_study::damage::plan(&run, case_of, watch)?.find(watch)
+        schlupf_study::damage::plan(&run, case_of)?.find(watch)
     })?;
     let found = done.map_err(|error| raised(py, error))?;
     Ok(crate::report::Report::new(Found::Damage(Box::new(found))))

@@ -10,7 +10,7 @@ use schlupf::columns::{Column as ResultColumn, Record};
 use schlupf::solution::Fields;
 
 use crate::error::StudyError;
-use crate::parts::{make_readable, sync};
+use crate::parts::{Parts, sync};
 use crate::table::{Cells, Column, Contents, Format, Kind, Rows, Writer};
 
 /// A quantity of every cell.
@@ -61,19 +61,19 @@ pub(crate) struct Chunks {
 }
 
 impl Chunks {
-    /// That of a table; a run that begins wants none there yet.
+    /// That of a table; a run whose parts are new wants none there yet.
     pub fn of(
         output: &Path,
         contents: &Contents,
         columns: Vec<Column>,
-        is_new: bool,
+        parts: &Parts,
     ) -> Result<Self, StudyError> {
         let mut name = output.file_name().unwrap_or_default().to_owned();
         name.push(".fields");
         let folder = output.with_file_name(name);
         match fs::create_dir(&folder) {
             Ok(()) => {}
-            Err(cause) if cause.kind() == ErrorKind::AlreadyExists && is_new => {
+            Err(cause) if cause.kind() == ErrorKind::AlreadyExists && parts.is_new() => {
                 let reason = "it has fields of another run: remove it, or name another output";
                 return Err(StudyError::table(&folder, reason));
             }
@@ -84,8 +84,9 @@ impl Chunks {
         Ok(Self { folder, program, study, columns })
     }
 
-    /// Writes the chunk of a batch, whole or not at all.
-    pub fn keep(&self, batch: usize, rows: &Rows) -> Result<(), StudyError> {
+    /// Writes the chunk of a batch, whole or not at all: it grows among the parts, so that only
+    /// chunks are ever in its folder.
+    pub fn keep(&self, batch: usize, rows: &Rows, parts: &Parts) -> Result<(), StudyError> {
         let path = self.folder.join(format!("batch-{batch:08}.parquet"));
         let count = rows.first().map_or(0, Cells::len);
         let contents = Contents {
@@ -95,16 +96,15 @@ impl Chunks {
             batch: count.max(1),
             shard: [1, 1],
             columns: self.columns.clone(),
+            case: String::new(),
         };
         let fail = |cause| StudyError::file(&path, cause);
-        let unfinished = tempfile::Builder::new().prefix(".schlupf-").tempfile_in(&self.folder);
-        let unfinished = unfinished.map_err(fail)?.into_temp_path();
+        let unfinished = parts.unfinished().map_err(fail)?.into_temp_path();
         let mut writer = Writer::create(&unfinished, Format::Parquet, &contents)?;
         if count > 0 {
             writer.append(rows)?;
         }
         writer.finish()?;
-        make_readable(&unfinished);
         unfinished.persist(&path).map_err(|error| StudyError::file(&path, error.error))?;
         sync(&self.folder);
         Ok(())

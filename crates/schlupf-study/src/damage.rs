@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use schlupf::damage::{self, State};
+use schlupf::damage::{self, Laws, State};
 use schlupf::message::Message;
 use schlupf::{Status, Watch};
-use schlupf_case::{Case, CaseErrors, CaseFile};
+use schlupf_case::{CaseErrors, CaseFile};
 use schlupf_output::damage::{DamageReport, LeftOut};
 use schlupf_tasks::Notice;
 
@@ -26,32 +26,44 @@ pub struct Plan {
     path: PathBuf,
     /// Where the run is still to be solved.
     study: Option<Study>,
-    case: Case,
+    case: CaseFile,
+    laws: Laws,
+    /// Whether the case is that of the table, of which the laws alone matter.
+    is_of_table: bool,
 }
 
 /// Opens a run: the table of a study (.csv or .parquet), or a study (.toml) of states along a run.
-/// `case_of` tells the case with the laws, from that of the study if there is one.
+/// `case_of` tells the case with the laws, from that of the study, which its table keeps.
 ///
 /// # Errors
 /// A study or case that is wrong, and states that are no run.
 pub fn plan(
     path: &Path,
     case_of: impl FnOnce(Option<&CaseFile>) -> Result<CaseFile, CaseErrors>,
-    watch: Watch,
 ) -> Result<Plan, StudyError> {
     let is_study = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     let study = if is_study { Some(Study::from_path(path)?) } else { None };
-    if let Some(study) = &study {
+    let of_table = if let Some(study) = &study {
         let is_along = |name: &str| ALONG.contains(&name);
         if !study.design.carried().iter().any(|column| is_along(column.name)) {
             return Err(StudyError::table(path, no_run()));
         }
+        None
     } else {
-        Reader::open(path)?;
-    }
-    let case = case_of(study.as_ref().map(Study::case_file))?.pose(watch)?;
-    case.damage_laws()?;
-    Ok(Plan { path: path.to_owned(), study, case })
+        case_in(path)?
+    };
+    let case = case_of(study.as_ref().map(Study::case_file).or(of_table.as_ref()))?;
+    let laws = case.damage_laws()?;
+    let is_of_table = of_table.is_some();
+    Ok(Plan { path: path.to_owned(), study, case, laws, is_of_table })
+}
+
+/// The case of the study that a table is of, as far as damage needs it.
+fn case_in(path: &Path) -> Result<Option<CaseFile>, StudyError> {
+    let reader = Reader::open(path)?;
+    let text = &reader.contents().case;
+    let name = format!("the case of {}", path.display());
+    Ok(if text.is_empty() { None } else { Some(CaseFile::for_damage(text, &name)?) })
 }
 
 impl Plan {
@@ -64,18 +76,18 @@ impl Plan {
     /// A table that cannot be read, is a shard, or is of no run, and those of
     /// [`run`](fn@crate::run::run).
     pub fn find(self, watch: Watch) -> Result<DamageReport, StudyError> {
-        let Self { path, study, case } = self;
+        let Self { path, study, .. } = &self;
         let run = match study {
-            None => Run::read(&path)?,
+            None => Run::read(path)?,
             Some(study) => {
-                let fail = |cause| StudyError::file(&path, cause);
+                let fail = |cause| StudyError::file(path, cause);
                 let folder = tempfile::tempdir().map_err(fail)?;
                 let table = folder.path().join("run.parquet");
-                run::run(&study, [1, 1], &table, watch)?;
+                run::run(study, [1, 1], &table, watch)?;
                 Run::read(&table)?
             }
         };
-        run.report(&path, &case)
+        run.report(&self)
     }
 }
 
@@ -100,6 +112,12 @@ const NEEDED: [&str; 12] = [
     "t_gamma.with_spin",
 ];
 
+/// The column of the friction power.
+const POWER: &str = "power.friction";
+
+/// The column that tells whether a state has a solution.
+const STATUS: &str = "status";
+
 /// The columns of a run.
 struct Run {
     needed: [Vec<f64>; NEEDED.len()],
@@ -113,7 +131,9 @@ struct Run {
 
 impl Run {
     fn read(path: &Path) -> Result<Self, StudyError> {
-        let mut reader = Reader::open(path)?;
+        let others = [POWER, STATUS, ACROSS].into_iter().chain(ALONG);
+        let names: Vec<&str> = NEEDED.into_iter().chain(others).collect();
+        let mut reader = Reader::open_only(path, &names)?;
         let contents = reader.contents().clone();
         let [shard, shards] = contents.shard;
         if shards != 1 {
@@ -139,8 +159,8 @@ impl Run {
         }
         let run = Self {
             needed,
-            power: table.numbers("power.friction").ok_or_else(|| missing("power.friction"))?,
-            is_solved: table.is_solved().ok_or_else(|| missing("status"))?,
+            power: table.numbers(POWER).ok_or_else(|| missing(POWER))?,
+            is_solved: table.is_solved().ok_or_else(|| missing(STATUS))?,
             along: along.ok_or_else(|| StudyError::table(path, no_run()))?,
             across: table.numbers(ACROSS),
         };
@@ -157,6 +177,10 @@ impl Run {
         }
         if let Some(row) = places.iter().position(|place| !place.is_finite()) {
             return refused(format!("{name} must be a number, but is none in row {row}"));
+        }
+        let nowhere = |across: &Vec<f64>| across.iter().position(|place| !place.is_finite());
+        if let Some(row) = self.across.as_ref().and_then(nowhere) {
+            return refused(format!("{ACROSS} must be a number, but is none in row {row}"));
         }
         let falls = places.windows(2).position(|pair| pair[1] <= pair[0]);
         falls.map_or(Ok(()), |row| {
@@ -178,52 +202,71 @@ impl Run {
             let end = if k == last { places[last] } else { middle(k) };
             end - start
         };
+        if *name != "time" {
+            return (0..places.len()).map(interval).collect();
+        }
+        // Without a solution the speed may be unknown: that of the state before, or else the first.
         let [speeds, ..] = &self.needed;
-        let distance = |k: usize| {
-            if *name == "time" { interval(k) * speeds[k] } else { interval(k) }
+        let first = speeds.iter().copied().find(|speed| speed.is_finite());
+        let mut known = first.unwrap_or(f64::NAN);
+        let distance = |(k, speed): (usize, &f64)| {
+            if speed.is_finite() {
+                known = *speed;
+            }
+            interval(k) * known
         };
-        (0..places.len()).map(distance).collect()
+        speeds.iter().enumerate().map(distance).collect()
     }
 
-    fn report(self, path: &Path, case: &Case) -> Result<DamageReport, StudyError> {
-        let laws = case.damage_laws()?;
-        let distances = self.distances();
-        let mut states = Vec::with_capacity(distances.len());
-        let mut left_out = LeftOut::default();
-        let mut first = None;
+    fn report(self, plan: &Plan) -> Result<DamageReport, StudyError> {
+        let mut states = Vec::with_capacity(self.is_solved.len());
+        let [mut unsolved, mut powerless] = [Gap::default(); 2];
         // That of the last state that has a force.
         let mut friction = 1.0;
-        for (row, distance) in distances.into_iter().enumerate() {
-            if let Some(state) = self.state(row, distance, &mut friction) {
+        let mut start = 0.0;
+        for (row, distance) in self.distances().into_iter().enumerate() {
+            let piece = Piece { distance, middle: start + 0.5 * distance };
+            start += distance;
+            if !self.is_solved[row] {
+                unsolved.add(row, distance);
+                continue;
+            }
+            let state = self.state(row, piece, &mut friction);
+            if state.friction_power.is_finite() {
                 states.push(state);
             } else {
-                first.get_or_insert(row);
-                left_out.states += 1;
-                // Where a state has failed, its speed may be unknown, too.
-                left_out.distance += if distance.is_finite() { distance } else { 0.0 };
+                powerless.add(row, distance);
             }
         }
         if states.is_empty() {
-            return Err(StudyError::table(path, "none of the states of the run has a solution"));
+            let what = if powerless.rows > 0 { "friction power" } else { "solution" };
+            let reason = format!("none of the states of the run has a {what}");
+            return Err(StudyError::table(&plan.path, reason));
         }
-        let damage = damage::of_run(&states, &laws).map_err(|error| case.explain(&error))?;
-        let notice = first.map(|first| Notice::LeftOut {
-            rows: left_out.states,
-            first,
-            distance: left_out.distance,
-        });
-        let warnings = case.notices.iter().cloned().chain(notice.map(Message::from)).collect();
-        let title = path.display().to_string();
-        Ok(DamageReport { title, laws, damage, left_out, warnings })
+        let Plan { path, case, laws, is_of_table, .. } = plan;
+        let damage = damage::of_run(&states, laws).map_err(|error| case.explain(&error))?;
+        let notices = if *is_of_table { Vec::new() } else { case.notices() };
+        let Gap { rows, first, distance } = unsolved;
+        let left_out = (rows > 0).then_some(Notice::LeftOut { rows, first, distance });
+        let Gap { rows, first, distance } = powerless;
+        let no_power = (rows > 0).then_some(Notice::NoFrictionPower { rows, first, distance });
+        let gaps = left_out.into_iter().chain(no_power).map(Message::from);
+        Ok(DamageReport {
+            title: path.display().to_string(),
+            laws: *laws,
+            damage,
+            left_out: LeftOut {
+                states: unsolved.rows + powerless.rows,
+                distance: unsolved.distance + powerless.distance,
+            },
+            warnings: notices.into_iter().chain(gaps).collect(),
+        })
     }
 
-    /// The state of a row; `None` without a solution.
-    fn state(&self, row: usize, distance: f64, friction: &mut f64) -> Option<State> {
+    /// The state of a row that has a solution; without a friction power that is not a number.
+    fn state(&self, row: usize, piece: Piece, friction: &mut f64) -> State {
         let [speed, load, a, b, peak, area, x, y, of_x, of_y, t_gamma, with_spin] =
             self.needed.each_ref().map(|numbers| numbers[row]);
-        if !self.is_solved[row] {
-            return None;
-        }
         let force = x.hypot(y);
         // F/(μ0 N) tells μ0.
         let bound = force / (of_x.hypot(of_y) * load);
@@ -231,8 +274,9 @@ impl Run {
             *friction = bound;
         }
         let power = self.power[row];
-        Some(State {
-            distance,
+        State {
+            distance: piece.distance,
+            middle: piece.middle,
             speed,
             position_y: self.across.as_ref().map_or(0.0, |across| across[row]),
             load,
@@ -244,7 +288,32 @@ impl Run {
             t_gamma,
             friction_power: if power.is_nan() { with_spin * speed } else { power },
             friction_coefficient: *friction,
-        })
+        }
+    }
+}
+
+/// The piece of the run over which a state holds, in m.
+#[derive(Clone, Copy)]
+struct Piece {
+    distance: f64,
+    middle: f64,
+}
+
+/// States that are left out.
+#[derive(Clone, Copy, Default)]
+struct Gap {
+    rows: usize,
+    first: usize,
+    distance: f64,
+}
+
+impl Gap {
+    fn add(&mut self, row: usize, distance: f64) {
+        if self.rows == 0 {
+            self.first = row;
+        }
+        self.rows += 1;
+        self.distance += distance;
     }
 }
 
@@ -268,7 +337,7 @@ impl Table {
     }
 
     fn is_solved(&self) -> Option<Vec<bool>> {
-        match self.cells("status")? {
+        match self.cells(STATUS)? {
             Cells::Texts(texts) => {
                 Some(texts.iter().map(|status| status == Status::Converged.name()).collect())
             }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::StudyError;
+use crate::parts::{folder_with, unfinished};
 use crate::run::{Report, assemble};
 use crate::table::{Cells, Contents, Format, Reader};
 
@@ -12,7 +13,7 @@ use crate::table::{Cells, Contents, Format, Reader};
 /// Tables of different studies, a shard that is missing, there twice or not whole, and files that
 /// cannot be read or written.
 pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
-    let format = Format::of(output)?;
+    Format::of(output)?;
     let mut readers = Vec::new();
     for path in shards {
         readers.push((path, Reader::open(path)?));
@@ -26,7 +27,12 @@ pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
         let mut own = reader.contents().clone();
         let shards = std::mem::replace(&mut own.shard, [1, 1])[1];
         if own != whole || shards != count {
-            let reason = format!("it is not of the same study as {}", first.display());
+            let first = first.display();
+            let reason = if own.program == whole.program {
+                format!("it is not of the same study as {first}")
+            } else {
+                format!("it is of {}, but {first} is of {}", own.program, whole.program)
+            };
             return Err(StudyError::table(path, reason));
         }
     }
@@ -46,7 +52,7 @@ pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
         }
     }
     let mut report = Report::default();
-    assemble(output, format, &whole, &mut |batch| {
+    assemble(output, unfinished(folder_with(output)), &whole, &mut |batch| {
         let (path, reader) = &mut readers[batch % count];
         let rows = reader.next_batch()?;
         let wanted = whole.rows_of(batch);

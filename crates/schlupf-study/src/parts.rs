@@ -2,14 +2,22 @@
 //! early goes on where it was.
 
 use std::fs::{self, File};
-use std::io::{ErrorKind, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
 
 use crate::error::StudyError;
 use crate::table::{Contents, Rows, read_rows, write_rows};
 
 /// The name of the file that says what the batches are of.
 const MANIFEST: &str = "manifest.json";
+
+/// What names of files begin with that are not whole.
+const UNFINISHED: &str = ".schlupf-";
+
+/// What names of batches begin with.
+const BATCH: &str = "batch-";
 
 /// The folder of the batches of a table.
 #[derive(Debug)]
@@ -24,25 +32,30 @@ impl Parts {
     /// # Errors
     /// A folder with batches of another study, or one that cannot be made.
     pub fn of(output: &Path, contents: &Contents) -> Result<Self, StudyError> {
-        let mut name = output.file_name().unwrap_or_default().to_owned();
-        name.push(".parts");
-        let folder = output.with_file_name(name);
-        let mut parts = Self { folder, is_new: false };
-        let wanted = serde_json::to_vec_pretty(contents);
-        let wanted = wanted.map_err(|error| StudyError::file(&parts.folder, error))?;
+        let mut parts = Self { folder: folder_of(output), is_new: false };
+        let wanted = manifest(&parts.folder, contents)?;
         match fs::create_dir(&parts.folder) {
             Ok(()) => {}
             Err(cause) if cause.kind() == ErrorKind::AlreadyExists => {}
             Err(cause) => return Err(StudyError::file(&parts.folder, cause)),
         }
         match fs::read(parts.folder.join(MANIFEST)) {
-            Ok(found) if found == wanted => Ok(parts),
-            Ok(_) => {
-                let reason = "it has batches of another study or shard: remove it to begin anew, \
-                              or name another output";
+            Ok(found) if found == wanted => {
+                parts.clear(|name| name.starts_with(UNFINISHED));
+                Ok(parts)
+            }
+            Ok(found) => {
+                let found = serde_json::from_slice::<Contents>(&found);
+                let unknown = |_| "another study".to_owned();
+                let what = found.map_or_else(unknown, |found| contents.other(&found));
+                let reason = format!(
+                    "it has batches of {what}: remove it to begin anew, or name another output"
+                );
                 Err(StudyError::table(&parts.folder, reason))
             }
             Err(cause) if cause.kind() == ErrorKind::NotFound => {
+                // Nobody knows of which study batches without a manifest are.
+                parts.clear(|name| name.starts_with(UNFINISHED) || name.starts_with(BATCH));
                 parts.is_new = true;
                 parts.put(MANIFEST, &wanted)?;
                 Ok(parts)
@@ -85,9 +98,36 @@ impl Parts {
         }
     }
 
-    /// Removes it all; what cannot be removed stays.
+    /// Removes it all, the manifest last; what cannot be removed stays.
     pub fn remove(self) {
+        self.clear(|name| name != MANIFEST);
         let _ = fs::remove_dir_all(&self.folder);
+    }
+
+    /// Removes what a run has left that was killed after its table was in its place.
+    pub fn remove_done(output: &Path, contents: &Contents) -> Result<(), StudyError> {
+        let parts = Self { folder: folder_of(output), is_new: false };
+        let wanted = manifest(&parts.folder, contents)?;
+        match fs::read(parts.folder.join(MANIFEST)) {
+            Ok(found) if found == wanted => parts.remove(),
+            Ok(_) => {}
+            // Only if it is empty.
+            Err(_) => drop(fs::remove_dir(&parts.folder)),
+        }
+        Ok(())
+    }
+
+    /// A file that is not whole, which a later run removes if this one is killed.
+    pub fn unfinished(&self) -> io::Result<NamedTempFile> {
+        unfinished(&self.folder)
+    }
+
+    fn clear(&self, is_removed: impl Fn(&str) -> bool) {
+        for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
+            if entry.file_name().to_str().is_some_and(&is_removed) {
+                let _ = fs::remove_file(entry.path());
+            }
+        }
     }
 
     fn path(&self, batch: usize) -> PathBuf {
@@ -98,7 +138,7 @@ impl Parts {
     fn put(&self, name: &str, bytes: &[u8]) -> Result<(), StudyError> {
         let path = self.folder.join(name);
         let fail = |cause| StudyError::file(&path, cause);
-        let mut file = tempfile::NamedTempFile::new_in(&self.folder).map_err(fail)?;
+        let mut file = self.unfinished().map_err(fail)?;
         file.write_all(bytes).map_err(fail)?;
         file.as_file().sync_all().map_err(fail)?;
         file.persist(&path).map_err(|error| StudyError::file(&path, error.error))?;
@@ -108,23 +148,42 @@ impl Parts {
 }
 
 fn name(batch: usize) -> String {
-    format!("batch-{batch:08}.csv")
+    format!("{BATCH}{batch:08}.csv")
 }
 
-/// Lets a file be read as any other new file, not by its owner alone as a temporary one.
-pub(crate) fn make_readable(path: &Path) {
+fn folder_of(output: &Path) -> PathBuf {
+    let mut name = output.file_name().unwrap_or_default().to_owned();
+    name.push(".parts");
+    output.with_file_name(name)
+}
+
+fn manifest(folder: &Path, contents: &Contents) -> Result<Vec<u8>, StudyError> {
+    serde_json::to_vec_pretty(contents).map_err(|error| StudyError::file(folder, error))
+}
+
+/// A file that is not whole; who may read it is as for any other new file, while a temporary one
+/// would be its owner's alone.
+pub(crate) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(UNFINISHED);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        let _ = fs::set_permissions(path, fs::Permissions::from_mode(0o644));
+        builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    #[cfg(not(unix))]
-    let _ = path;
+    builder.tempfile_in(folder)
+}
+
+/// The folder with a file.
+pub(crate) fn folder_with(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
 }
 
 /// Makes sure that names of a folder are on the disk, where the system can do that.
 pub(crate) fn sync(folder: &Path) {
-    let folder = if folder == Path::new("") { Path::new(".") } else { folder };
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
     }

@@ -1,15 +1,17 @@
 //! Runs a study: batches on all threads, each kept as soon as it is done, then the table.
 
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use schlupf::progress::{Progress, Stage};
 use schlupf::{Watch, parallel};
+use tempfile::NamedTempFile;
 
 use crate::batch;
 use crate::chunks::{self, Chunks};
 use crate::error::StudyError;
-use crate::parts::{Parts, make_readable, sync};
+use crate::parts::{Parts, folder_with, sync};
 use crate::study::Study;
 use crate::table::{Cells, Contents, Format, Reader, Rows, Writer};
 
@@ -88,9 +90,7 @@ impl Solved {
     /// A study that keeps fields, which are too large to be sent.
     pub fn to_text(&self) -> Result<String, StudyError> {
         if self.fields.is_some() {
-            let reason =
-                "fields stay on the machine that solves them: divide the study into shards";
-            return Err(StudyError::table(Path::new("[fields]"), reason));
+            return Err(no_fields());
         }
         let mut bytes = Vec::new();
         let fail = |cause| StudyError::file(Path::new("a batch"), cause);
@@ -116,6 +116,11 @@ impl Solved {
     }
 }
 
+fn no_fields() -> StudyError {
+    let reason = "fields stay on the machine that solves them: divide the study into shards";
+    StudyError::table(Path::new("[fields]"), reason)
+}
+
 /// What there is at the start.
 #[derive(Debug)]
 pub enum Started {
@@ -129,7 +134,6 @@ pub enum Started {
 #[derive(Debug)]
 pub struct Run {
     contents: Contents,
-    format: Format,
     output: PathBuf,
     parts: Parts,
     chunks: Option<Chunks>,
@@ -143,14 +147,14 @@ impl Run {
     /// # Errors
     /// Files that cannot be written, and a file or batches of another study in their place.
     pub fn start(study: &Study, shard: [usize; 2], output: &Path) -> Result<Started, StudyError> {
-        let format = Format::of(output)?;
+        Format::of(output)?;
         let contents = study.contents(shard);
         if output.exists() {
             return existing(output, &contents).map(Started::Done);
         }
         let parts = Parts::of(output, &contents)?;
         let columns = study.fields.as_deref().map(chunks::columns);
-        let chunks = columns.map(|columns| Chunks::of(output, &contents, columns, parts.is_new()));
+        let chunks = columns.map(|columns| Chunks::of(output, &contents, columns, &parts));
         let chunks = match chunks.transpose() {
             // With a manifest the next try would take the other run's fields for its own.
             Err(error) if parts.is_new() => {
@@ -162,9 +166,21 @@ impl Run {
         let (done, left): (Vec<usize>, Vec<usize>) =
             contents.own_batches().partition(|batch| parts.has(*batch));
         let output = output.to_owned();
-        let mut run = Self { contents, format, output, parts, chunks, left, resumed: 0 };
+        let mut run = Self { contents, output, parts, chunks, left, resumed: 0 };
         run.resumed = run.rows_of(&done);
         Ok(Started::Open(Box::new(run)))
+    }
+
+    /// The same for batches of all shares that other machines solve and send as
+    /// [text](Solved::to_text).
+    ///
+    /// # Errors
+    /// Those of [`Self::start`], and a study that keeps fields, before anything is made.
+    pub fn start_elsewhere(study: &Study, output: &Path) -> Result<Started, StudyError> {
+        if study.fields.is_some() {
+            return Err(no_fields());
+        }
+        Self::start(study, [1, 1], output)
     }
 
     /// The batches that are left, for [`solve`].
@@ -179,7 +195,7 @@ impl Run {
     pub fn keep(&self, batch: usize, solved: &Solved) -> Result<(), StudyError> {
         // The rows come last: a batch that has them is done.
         if let (Some(chunks), Some(fields)) = (&self.chunks, &solved.fields) {
-            chunks.keep(batch, fields)?;
+            chunks.keep(batch, fields, &self.parts)?;
         }
         self.parts.keep(batch, &solved.rows)
     }
@@ -189,9 +205,9 @@ impl Run {
     /// # Errors
     /// A batch that is missing, and files that cannot be read or written.
     pub fn finish(self) -> Result<Report, StudyError> {
-        let Self { contents, format, output, parts, resumed, .. } = self;
+        let Self { contents, output, parts, resumed, .. } = self;
         let mut report = Report { resumed, ..Report::default() };
-        assemble(&output, format, &contents, &mut |batch| {
+        assemble(&output, parts.unfinished(), &contents, &mut |batch| {
             let rows = parts.rows(batch, &contents)?;
             report.add(&contents, &rows);
             Ok(rows)
@@ -209,7 +225,8 @@ impl Run {
 fn existing(output: &Path, contents: &Contents) -> Result<Report, StudyError> {
     let mut reader = Reader::open(output)?;
     if reader.contents() != contents {
-        let reason = "it is the table of another study or shard: remove it, or name another output";
+        let what = contents.other(reader.contents());
+        let reason = format!("it is the table of {what}: remove it, or name another output");
         return Err(StudyError::table(output, reason));
     }
     let mut report = Report::default();
@@ -217,30 +234,27 @@ fn existing(output: &Path, contents: &Contents) -> Result<Report, StudyError> {
         report.add(contents, &rows);
     }
     report.resumed = report.rows;
+    Parts::remove_done(output, contents)?;
     Ok(report)
 }
 
-/// Writes a table of the batches of its share: all of it, or nothing.
+/// Writes a table of the batches of its share into a new file and puts that in its place: all of
+/// it, or nothing.
 pub(crate) fn assemble(
     output: &Path,
-    format: Format,
+    unfinished: io::Result<NamedTempFile>,
     contents: &Contents,
     rows_of: &mut dyn FnMut(usize) -> Result<Rows, StudyError>,
 ) -> Result<(), StudyError> {
-    let folder = output.parent().unwrap_or(Path::new(""));
-    let folder = if folder == Path::new("") { Path::new(".") } else { folder };
-    let unfinished = tempfile::Builder::new().prefix(".schlupf-").tempfile_in(folder);
-    let unfinished: tempfile::TempPath =
-        unfinished.map_err(|cause| StudyError::file(output, cause))?.into_temp_path();
-    let path: PathBuf = unfinished.to_path_buf();
-    let mut writer = Writer::create(&path, format, contents)?;
+    let format = Format::of(output)?;
+    let unfinished = unfinished.map_err(|cause| StudyError::file(output, cause))?.into_temp_path();
+    let mut writer = Writer::create(&unfinished, format, contents)?;
     for batch in contents.own_batches() {
         writer.append(&rows_of(batch)?)?;
     }
     writer.finish()?;
-    make_readable(&path);
     unfinished.persist(output).map_err(|error| StudyError::file(output, error.error))?;
-    sync(folder);
+    sync(folder_with(output));
     Ok(())
 }
 

@@ -1,9 +1,11 @@
 //! The study file: a case and what varies over it, as TOML.
 
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use schlupf::Method;
 use schlupf_case::document::{Content, Value};
 use schlupf_case::fields::{self, Field, Kind};
 use schlupf_case::{
@@ -16,7 +18,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::chunks::{self, FieldColumn};
 use crate::columns::columns;
-use crate::design::{Design, Method, Sample, Values, Varied, assignment, read_states};
+use crate::design::{self, Design, Sample, Values, Varied, assignment, read_states};
 use crate::error::StudyError;
 use crate::table::{Column, Contents};
 
@@ -40,6 +42,8 @@ pub struct Study {
     pub(crate) fields: Option<Vec<&'static FieldColumn>>,
     /// What messages call it.
     name: String,
+    /// The text of the case.
+    text: String,
     digest: String,
     inputs: Vec<PathBuf>,
 }
@@ -113,6 +117,7 @@ impl Study {
             batch: self.batch,
             shard,
             columns: self.columns(),
+            case: self.text.clone(),
         }
     }
 }
@@ -151,12 +156,17 @@ impl StudyReader<'_> {
             None => BATCH,
             Some(value) => self.count("batch", value, 1)?,
         };
-        let fields = table.get("fields").map(|value| self.fields(value)).transpose()?;
+        let fields = table.get("fields");
+        if let Some(given) = fields {
+            self.require_cells(&case, &design, &given.span())?;
+        }
+        let fields = fields.map(|value| self.fields(value)).transpose()?;
         // Paths are as the case has them, wherever it lies.
         let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-        let digest = digest((&case, folder), &design, (batch, fields.as_deref()), &inputs)?;
+        let text = case.edited(&[], folder)?;
+        let digest = digest(&text, &design, (batch, fields.as_deref()), &inputs)?;
         let name = self.source.name.clone();
-        Ok(Study { case, design, rows, batch, fields, name, digest, inputs })
+        Ok(Study { case, design, rows, batch, fields, name, text, digest, inputs })
     }
 
     /// What varies, and the file that says so if there is one.
@@ -274,9 +284,10 @@ impl StudyReader<'_> {
         let missing = |name: &str| self.error(span, format!("sample.{name} is missing"));
         let method = section.get("method").ok_or_else(|| missing("method"))?;
         let name = method.get_ref().as_str().unwrap_or_default();
-        let method_named = |method: &Method| method.name() == name;
-        let known = || Method::ALL.map(|method| format!("{:?}", method.name())).join(" or ");
-        let chosen = Method::ALL.into_iter().find(method_named).ok_or_else(|| {
+        let method_named = |method: &design::Method| method.name() == name;
+        let all = design::Method::ALL;
+        let known = || all.map(|method| format!("{:?}", method.name())).join(" or ");
+        let chosen = all.into_iter().find(method_named).ok_or_else(|| {
             self.error(&method.span(), format!("sample.method must be {}", known()))
         })?;
         let count = section.get("count").ok_or_else(|| missing("count"))?;
@@ -368,6 +379,35 @@ impl StudyReader<'_> {
             return Err(refused("fields.columns must have names, but has none".to_owned()));
         }
         Ok(found)
+    }
+
+    /// Refuses fields of methods all of which give forces only.
+    fn require_cells(
+        &self,
+        case: &CaseFile,
+        design: &Design,
+        span: &std::ops::Range<usize>,
+    ) -> Result<(), CaseError> {
+        // A method that is wrong is told by its rows.
+        let lacks_cells =
+            |method: Result<Method, CaseErrors>| method.is_ok_and(|method| !method.has_fields());
+        let of_name = |name: &String| {
+            let assignments = [format!("{METHOD}={name}")];
+            Ok(case.with(FIRST_ROW, &assignments)?.method()?)
+        };
+        let varied = design.varied().iter().find(|varied| varied.field.path == METHOD);
+        let none_has = match varied.map(|varied| &varied.values) {
+            Some(Values::Texts(names)) => {
+                let names: BTreeSet<&String> = names.iter().collect();
+                names.into_iter().all(|name| lacks_cells(of_name(name)))
+            }
+            _ => lacks_cells(case.method().map_err(CaseErrors::from)),
+        };
+        if none_has {
+            let message = format!("fields need a {METHOD} that has cells: full or fastsim");
+            return Err(self.error(span, message));
+        }
+        Ok(())
     }
 
     fn states(
@@ -476,6 +516,9 @@ impl StudyReader<'_> {
     }
 }
 
+/// The field with the method.
+const METHOD: &str = "solver.method";
+
 /// What messages call the values of the first row.
 const FIRST_ROW: &str = "row 0";
 
@@ -498,13 +541,13 @@ fn repeated(values: &Values) -> Option<usize> {
 /// Whether all rows are solved by a fast method.
 fn is_fast(case: &CaseFile, design: &Design) -> bool {
     let is_varied = |name: &str| design.varied().iter().any(|varied| varied.field.path == name);
-    let method = case.value("solver.method");
-    !is_varied("solver.method") && method.is_some_and(|method| method != Setting::Choice("full"))
+    let method = case.value(METHOD);
+    !is_varied(METHOD) && method.is_some_and(|method| method != Setting::Choice("full"))
 }
 
 /// A sum over all that the table depends on.
 fn digest(
-    (case, folder): (&CaseFile, &Path),
+    case: &str,
     design: &Design,
     (batch, fields): (usize, Option<&[&'static FieldColumn]>),
     inputs: &[PathBuf],
@@ -515,7 +558,7 @@ fn digest(
         sum.update(bytes);
     };
     add(env!("CARGO_PKG_VERSION").as_bytes());
-    add(case.edited(&[], folder)?.as_bytes());
+    add(case.as_bytes());
     add(&batch.to_le_bytes());
     for varied in design.varied() {
         add(varied.field.path.as_bytes());

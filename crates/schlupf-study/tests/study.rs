@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use schlupf::unwatched;
 use schlupf_case::{CaseFile, Folder, Overrides};
 use schlupf_study::merge::merge;
-use schlupf_study::run::{Report, run};
+use schlupf_study::run::{Report, Run, run};
 use schlupf_study::table::{Cells, Reader};
 use schlupf_study::{Study, StudyError};
 use schlupf_tasks::solve::solve;
@@ -164,6 +164,66 @@ fn batches_of_another_study_are_not_mixed_in() {
     bench.write("study.toml", &bench_text(&FACTORIAL.replace("0.004", "0.005")));
     let error = bench.run([1, 1], "table.csv").unwrap_err().to_string();
     assert!(error.contains("batches of another study"), "{error}");
+}
+
+/// What a killed run leaves that is not whole goes with the next; batches of which no manifest
+/// tells are solved again; and what one leaves that was killed at its very end goes, too.
+#[test]
+fn remains_of_killed_runs_are_removed() {
+    let bench = Bench::new(FACTORIAL);
+    bench.run([1, 1], "whole.csv").unwrap();
+    let parts = |name: &str| bench.path("table.csv.parts").join(name);
+    fs::create_dir(bench.path("table.csv.parts")).unwrap();
+    for name in [".schlupf-abc", "batch-00000000.csv", "batch-00000001.csv"] {
+        fs::write(parts(name), "of another study").unwrap();
+    }
+    let asked = AtomicUsize::new(0);
+    let stop = |_| {
+        let is_over = asked.fetch_add(1, Ordering::Relaxed) > 0;
+        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let stopped = run(&bench.study().unwrap(), [1, 1], &bench.path("table.csv"), &stop);
+    assert!(matches!(stopped, Err(StudyError::Stopped)));
+    let manifest = fs::read(parts("manifest.json")).unwrap();
+    let left = || fs::read_dir(bench.path("table.csv.parts")).unwrap().count();
+    assert_eq!(left(), 1);
+    fs::write(parts(".schlupf-def"), "").unwrap();
+    asked.store(0, Ordering::Relaxed);
+    let stopped = run(&bench.study().unwrap(), [1, 1], &bench.path("table.csv"), &stop);
+    assert!(matches!(stopped, Err(StudyError::Stopped)) && left() == 1);
+    assert_eq!(bench.run([1, 1], "table.csv").unwrap().resumed, 0);
+    assert_eq!(bench.bytes("table.csv"), bench.bytes("whole.csv"));
+    fs::create_dir(bench.path("table.csv.parts")).unwrap();
+    fs::write(parts("manifest.json"), manifest).unwrap();
+    assert_eq!(bench.run([1, 1], "table.csv").unwrap().resumed, 12);
+    assert!(!bench.path("table.csv.parts").exists());
+}
+
+/// Another version of the program solves its own batches, and its tables are not mixed in.
+#[test]
+fn tables_of_another_version_are_refused() {
+    let bench = Bench::new(FACTORIAL);
+    bench.run([1, 2], "1.csv").unwrap();
+    bench.run([2, 2], "2.csv").unwrap();
+    let program = Reader::open(&bench.path("1.csv")).unwrap().contents().program.clone();
+    let text = String::from_utf8(bench.bytes("1.csv")).unwrap();
+    bench.write("1.csv", &text.replace(&program, "schlupf 0.0.1"));
+    let refused = bench.run([1, 2], "1.csv").unwrap_err().to_string();
+    let expected = format!("it is the table of schlupf 0.0.1, but this is {program}: remove it");
+    assert!(refused.contains(&expected), "{refused}");
+    let shards = ["2.csv", "1.csv"].map(|name| bench.path(name));
+    let refused = merge(&shards, &bench.path("merged.csv")).unwrap_err().to_string();
+    assert!(refused.contains("it is of schlupf 0.0.1, but"), "{refused}");
+    assert!(refused.contains(&format!("2.csv is of {program}")), "{refused}");
+    let stop = |_| ControlFlow::Break(());
+    let stopped = run(&bench.study().unwrap(), [1, 1], &bench.path("table.csv"), &stop);
+    assert!(matches!(stopped, Err(StudyError::Stopped)));
+    let manifest = bench.path("table.csv.parts").join("manifest.json");
+    let text = fs::read_to_string(&manifest).unwrap();
+    fs::write(&manifest, text.replace(&program, "schlupf 0.0.1")).unwrap();
+    let refused = bench.run([1, 1], "table.csv").unwrap_err().to_string();
+    let expected = format!("it has batches of schlupf 0.0.1, but this is {program}: remove it");
+    assert!(refused.contains(&expected), "{refused}");
 }
 
 fn bench_text(study: &str) -> String {
@@ -359,6 +419,33 @@ fn fields_are_kept_in_chunks() {
         let refused = bench.run([1, 1], "other.csv").unwrap_err().to_string();
         assert!(refused.contains("fields of another run"), "{refused}");
     }
+}
+
+/// Where no method of the study has cells, there would be nothing in the chunks.
+#[test]
+fn fields_need_a_method_that_has_them() {
+    let of = |methods: &str| {
+        let text = format!("[fields]\n[vary]\nsolver.method = {methods}\n");
+        Bench::new(&text).study().map(|study| study.rows()).map_err(|error| error.to_string())
+    };
+    let refused = of("[\"polach\", \"table\", \"kalker-linear\"]").unwrap_err();
+    let expected = "study.toml:2:1: fields need a solver.method that has cells: full or fastsim";
+    assert!(refused.contains(expected), "{refused}");
+    assert_eq!(of("[\"polach\", \"fastsim\"]"), Ok(2));
+    let bench = Bench::new("[fields]\n[vary]\nkinematics.creepage_x = [0.001]\n");
+    bench.write("case.toml", "solver.method = \"shen-hedrick-elkins\"\n");
+    let refused = bench.study().unwrap_err().to_string();
+    assert!(refused.contains(expected), "{refused}");
+}
+
+/// Other machines send rows as text: fields are refused before anything is solved or made.
+#[test]
+fn a_cluster_is_not_asked_for_fields() {
+    let bench = Bench::new("[fields]\n[vary]\nkinematics.creepage_x = [0.001]\n");
+    let refused = Run::start_elsewhere(&bench.study().unwrap(), &bench.path("table.csv"));
+    let refused = refused.unwrap_err().to_string();
+    assert!(refused.contains("fields stay on the machine that solves them"), "{refused}");
+    assert!(!bench.path("table.csv.parts").exists() && !bench.path("table.csv.fields").exists());
 }
 
 #[test]

@@ -39,6 +39,19 @@ messages! {
          {distance:.4e} m over which they hold are left out"
     );
 
+    /// States of a run whose friction power is unknown.
+    "no-friction-power" NoFrictionPower {
+        /// How many.
+        rows: usize,
+        /// The first of them, from 0.
+        first: usize,
+        /// Over which distance they hold, in m.
+        distance: f64,
+    } "solver.method", |subject, words| format!(
+        "{rows} of the states have no friction power, because the method gives no moment and they \
+         have spin, the first in row {first}: the {distance:.4e} m over which they hold are left out"
+    );
+
     /// The patch is beyond the table of calibrated stiffnesses.
     "no-table" NoTable {
         /// Why.

@@ -23,6 +23,7 @@ fn sliding(distance: f64, slip_speed: f64) -> State {
     let friction_power = friction_coefficient * load * slip_speed;
     State {
         distance,
+        middle: 0.5 * distance,
         speed: 20.0,
         position_y: 0.01,
         load,
@@ -127,7 +128,7 @@ fn wear_in_one_place_has_the_shape_of_the_load() {
 
 #[test]
 fn sums_are_those_over_the_distance() {
-    let states = [sliding(100.0, 0.1), sliding(300.0, 0.3)];
+    let states = [sliding(100.0, 0.1), State { middle: 250.0, ..sliding(300.0, 0.3) }];
     let damage = of_run(&states, &laws()).unwrap();
     let (slow, fast) = (0.4 * 80e3 * 0.1 / 20.0, 0.4 * 80e3 * 0.3 / 20.0);
     assert_eq!((damage.states, damage.distance, damage.duration), (2, 400.0, 20.0));

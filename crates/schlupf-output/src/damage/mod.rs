@@ -20,15 +20,15 @@ pub struct DamageReport {
     pub title: String,
     /// The laws of fatigue and wear.
     pub laws: Laws,
-    /// The damage of all states that have a solution.
+    /// The damage of all states that have a solution and a friction power.
     pub damage: RunDamage,
-    /// States without one.
+    /// The others.
     pub left_out: LeftOut,
     /// Warnings for whoever uses the results.
     pub warnings: Vec<Message>,
 }
 
-/// States of a run that have no solution.
+/// States of a run that have no solution or no friction power.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct LeftOut {
     /// How many.

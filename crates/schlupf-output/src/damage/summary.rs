@@ -69,10 +69,7 @@ fn status(text: &mut Summary, report: &DamageReport) {
         0 => line(text, verdict(report.status())),
         count => line(
             text,
-            &format!(
-                "{count} states over {} m are left out: they have no solution",
-                number(report.left_out.distance)
-            ),
+            &format!("{count} states over {} m are left out", number(report.left_out.distance)),
         ),
     }
     for reason in reasons(&report.warnings) {

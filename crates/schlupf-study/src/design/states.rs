@@ -114,11 +114,9 @@ impl Head {
                 (What::Field(field), measure)
             }
             (None, None) => {
-                let help =
-                    fields::closest_path(name).map(|meant| format!("did you mean `{meant}`?"));
                 let error =
                     refused(format!("unknown column `{name}`: columns are named as fields"));
-                return Err(error.help(help));
+                return Err(error.help(help(text)));
             }
         };
         let convert = match (measure, unit) {
@@ -145,6 +143,28 @@ impl Head {
             What::Field(field) => is_number(field.kind),
         }
     }
+}
+
+/// What may have been meant by a head that is no column.
+fn help(text: &str) -> Option<String> {
+    let (name, unit) = match text.split_once(['[', '(']) {
+        Some((name, unit)) => (name.trim(), Some(unit.trim_end_matches([']', ')']))),
+        None => (text.trim(), None),
+    };
+    let carried = CARRIED.iter().map(|(name, _)| *name).find(|carried| *carried == name);
+    let meant = carried.or_else(|| fields::closest_path(name))?;
+    Some(match unit {
+        Some(unit) => format!("did you mean `{meant} [{unit}]`?"),
+        None => format!("did you mean `{meant}`?"),
+    })
+}
+
+/// Why the first line is no header, if its columns are not separated by commas.
+fn wrong_separator(header: &csv::StringRecord) -> Option<String> {
+    let only = header.get(0).filter(|_| header.len() == 1)?;
+    let separator = [(';', "semicolons"), ('\t', "tabs")].into_iter();
+    let (_, what) = separator.into_iter().find(|(character, _)| only.contains(*character))?;
+    Some(format!("columns must be separated by commas, but are by {what}"))
 }
 
 fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
@@ -184,6 +204,9 @@ fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
         let line = record.position().map_or(1, |position| position.line() as usize);
         if !has_header {
             has_header = true;
+            if let Some(message) = wrong_separator(&record) {
+                return Err(CaseError::new("", message, at_line(line)).into());
+            }
             for head in &record {
                 let head = Head::read(head, &at_line(line))?;
                 let cells = if head.is_number() {
@@ -239,6 +262,22 @@ mod tests {
     }
 
     #[test]
+    fn heads_with_units_in_other_brackets_are_understood_but_not_taken() {
+        for (head, meant) in [
+            ("normal.load (kN)", "did you mean `normal.load [kN]`?"),
+            ("normal.laod [kN]", "did you mean `normal.load [kN]`?"),
+            ("time (s)", "did you mean `time [s]`?"),
+            ("kinematics.creepage", "did you mean `kinematics.creepage_x`?"),
+        ] {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("states.csv");
+            std::fs::write(&path, format!("{head}\n1\n")).unwrap();
+            let Err(StudyError::Input(errors)) = read(&path) else { panic!("{head}") };
+            assert_eq!(errors.first.help.as_deref(), Some(meant), "{head}");
+        }
+    }
+
+    #[test]
     fn wrong_columns_and_cells_are_named_with_their_line() {
         let refused = |text: &str| states(text).unwrap_err();
         let misnamed = refused("normal.laod [N]\n1\n");
@@ -252,6 +291,9 @@ mod tests {
         assert!(short.contains("must have 2 cells, but has 1"), "{short}");
         assert!(refused("history.time [s]\n1\n").contains("is a list"));
         assert!(refused("time [s]\n1\n").contains("needs columns named as fields"));
+        let separated = refused("normal.load [N];kinematics.creepage_x\n1;0,1\n");
+        assert!(separated.contains("states.csv:1:1"), "{separated}");
+        assert!(separated.contains("by commas, but are by semicolons"), "{separated}");
         let twice = refused("normal.load [N],normal.load [kN]\n1,2\n");
         assert!(twice.contains("two columns normal.load"));
     }

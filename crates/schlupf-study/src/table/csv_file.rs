@@ -68,6 +68,16 @@ pub fn read_rows(
     columns: &[Column],
     most: usize,
 ) -> Result<Rows, String> {
+    read_some(reader, columns, most, |_| true)
+}
+
+/// The same for some of the columns; the others stay empty.
+fn read_some(
+    reader: &mut csv::Reader<impl Read>,
+    columns: &[Column],
+    most: usize,
+    is_read: impl Fn(&Column) -> bool,
+) -> Result<Rows, String> {
     let mut rows: Rows = columns.iter().map(|column| Cells::empty(column.kind)).collect();
     let mut record = csv::StringRecord::new();
     for _ in 0..most {
@@ -78,7 +88,8 @@ pub fn read_rows(
             let (found, wanted) = (record.len(), columns.len());
             return Err(format!("a row has {found} cells, but there are {wanted} columns"));
         }
-        for ((cells, text), column) in rows.iter_mut().zip(&record).zip(columns) {
+        let all = rows.iter_mut().zip(&record).zip(columns);
+        for ((cells, text), column) in all.filter(|(_, column)| is_read(column)) {
             let wrong = || format!("{} must be a number, but is {text:?}", column.name);
             match cells {
                 Cells::Numbers(numbers) if text.is_empty() => numbers.push(f64::NAN),
@@ -114,9 +125,14 @@ impl CsvReader {
         Ok((contents, Self { path: path.to_owned(), reader, batches }))
     }
 
-    pub fn next_batch(&mut self, contents: &Contents) -> Result<Option<Rows>, StudyError> {
+    pub fn next_batch(
+        &mut self,
+        contents: &Contents,
+        is_read: impl Fn(&Column) -> bool,
+    ) -> Result<Option<Rows>, StudyError> {
         let Some(batch) = self.batches.next() else { return Ok(None) };
-        let rows = read_rows(&mut self.reader, &contents.columns, contents.rows_of(batch).len());
+        let wanted = contents.rows_of(batch).len();
+        let rows = read_some(&mut self.reader, &contents.columns, wanted, is_read);
         let rows = rows.map_err(|reason| StudyError::table(&self.path, reason))?;
         Ok((!rows.iter().all(Cells::is_empty)).then_some(rows))
     }

@@ -110,6 +110,9 @@ pub struct Contents {
     pub shard: [usize; 2],
     /// Its columns.
     pub columns: Vec<Column>,
+    /// The text of the case, which laws of damage are taken from; empty where it is not kept.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub case: String,
 }
 
 impl Contents {
@@ -122,6 +125,14 @@ impl Contents {
     pub fn own_batches(&self) -> impl Iterator<Item = usize> + use<> {
         let [shard, shards] = self.shard;
         (shard - 1..self.batches()).step_by(shards)
+    }
+
+    /// What messages call another table in place of this one.
+    pub(crate) fn other(&self, found: &Self) -> String {
+        if found.program == self.program {
+            return "another study or shard".to_owned();
+        }
+        format!("{}, but this is {}", found.program, self.program)
     }
 
     /// The rows of a batch.
@@ -192,6 +203,8 @@ impl Writer {
 pub struct Reader {
     contents: Contents,
     source: Source,
+    /// Names of the columns that are read, if not all are.
+    only: Option<Vec<String>>,
 }
 
 enum Source {
@@ -219,7 +232,16 @@ impl Reader {
         if shard == 0 || shard > shards || contents.batch == 0 {
             return Err(StudyError::table(path, "what it says about its shard is wrong"));
         }
-        Ok(Self { contents, source })
+        Ok(Self { contents, source, only: None })
+    }
+
+    /// The same for some of the columns: the others stay empty.
+    ///
+    /// # Errors
+    /// Those of [`Self::open`].
+    pub fn open_only(path: &Path, names: &[&str]) -> Result<Self, StudyError> {
+        let only = names.iter().map(|name| (*name).to_owned()).collect();
+        Ok(Self { only: Some(only), ..Self::open(path)? })
     }
 
     /// What the table is of.
@@ -232,9 +254,12 @@ impl Reader {
     /// # Errors
     /// A file that cannot be read further.
     pub fn next_batch(&mut self) -> Result<Option<Rows>, StudyError> {
-        match &mut self.source {
-            Source::Csv(reader) => reader.next_batch(&self.contents),
-            Source::Parquet(reader) => reader.next_batch(&self.contents),
+        let Self { contents, source, only } = self;
+        let is_read =
+            |column: &Column| only.as_ref().is_none_or(|only| only.contains(&column.name));
+        match source {
+            Source::Csv(reader) => reader.next_batch(contents, is_read),
+            Source::Parquet(reader) => reader.next_batch(contents, is_read),
         }
     }
 }
@@ -250,7 +275,8 @@ mod tests {
             Column::new("error", "", Kind::Text),
         ];
         let (program, study) = ("schlupf".to_owned(), "abc".to_owned());
-        Contents { program, study, rows, batch: 2, shard: [1, 1], columns }
+        let case = "title = \"# a, b\"\n".to_owned();
+        Contents { program, study, rows, batch: 2, shard: [1, 1], columns, case }
     }
 
     fn rows(start: i64, numbers: &[f64], texts: &[&str]) -> Rows {
@@ -282,6 +308,27 @@ mod tests {
             assert_eq!(*reader.contents(), contents);
             for batch in &batches {
                 assert_eq!(reader.next_batch().unwrap().as_ref(), Some(batch), "{name}");
+            }
+            assert_eq!(reader.next_batch().unwrap(), None);
+        }
+    }
+
+    /// Columns that are not asked for stay empty, and cost nothing.
+    #[test]
+    fn some_columns_are_read_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["table.csv", "table.parquet"] {
+            let path = folder.path().join(name);
+            let format = Format::of(&path).unwrap();
+            let mut writer = Writer::create(&path, format, &contents(3)).unwrap();
+            writer.append(&rows(0, &[1.0, 2.0], &["a", "b"])).unwrap();
+            writer.append(&rows(2, &[3.0], &["c"])).unwrap();
+            writer.finish().unwrap();
+            let mut reader = Reader::open_only(&path, &["force.x", "none"]).unwrap();
+            for numbers in [vec![1.0, 2.0], vec![3.0]] {
+                let batch = reader.next_batch().unwrap().unwrap();
+                assert_eq!(batch[1], Cells::Numbers(numbers), "{name}");
+                assert!(batch[0].is_empty() && batch[2].is_empty(), "{name}");
             }
             assert_eq!(reader.next_batch().unwrap(), None);
         }

@@ -133,14 +133,21 @@ impl ParquetReader {
         Ok((contents, Self { path: path.to_owned(), reader, next: 0 }))
     }
 
-    pub fn next_batch(&mut self, contents: &Contents) -> Result<Option<Rows>, StudyError> {
+    pub fn next_batch(
+        &mut self,
+        contents: &Contents,
+        is_read: impl Fn(&Column) -> bool,
+    ) -> Result<Option<Rows>, StudyError> {
         if self.next >= self.reader.num_row_groups() {
             return Ok(None);
         }
         let read = || {
             let group = self.reader.get_row_group(self.next)?;
-            let columns = contents.columns.iter().enumerate();
-            columns.map(|(k, column)| read_column(&*group, k, column.kind)).collect()
+            let read = |(k, column): (usize, &Column)| {
+                let empty = Cells::empty(column.kind);
+                if is_read(column) { read_column(&*group, k, column.kind) } else { Ok(empty) }
+            };
+            contents.columns.iter().enumerate().map(read).collect()
         };
         let rows: Result<Rows, ParquetError> = read();
         let rows = rows.map_err(|error| failure(&self.path, &error))?;

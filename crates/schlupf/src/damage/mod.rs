@@ -32,6 +32,8 @@ pub use wear::{ArchardWear, EnergyWear, WearTotal};
 pub struct State {
     /// Distance over which it holds, in m.
     pub distance: f64,
+    /// Its middle, in m from the start of the run.
+    pub middle: f64,
     /// Speed of the vehicle v0, in m/s.
     pub speed: f64,
     /// Position of the centre of the patch across the profile, in m.
@@ -80,6 +82,7 @@ impl State {
             (Quantity::FrictionCoefficient, self.friction_coefficient),
         ];
         let finite = [
+            (Quantity::Distance, self.middle),
             (Quantity::Y, self.position_y),
             (Quantity::ForceRatio, self.tangential_force),
             (Quantity::WearNumber, self.t_gamma),
@@ -198,6 +201,7 @@ pub struct RunPoint {
 ///
 /// let state = State {
 ///     distance: 1000.0,
+///     middle: 500.0,
 ///     speed: 20.0,
 ///     position_y: 0.0,
 ///     load: 80e3,
@@ -255,13 +259,11 @@ pub fn of_run(states: &[State], laws: &Laws) -> Result<RunDamage, Error> {
 }
 
 fn points(states: &[State], laws: &Laws) -> Vec<RunPoint> {
-    let (mut start, mut energy) = (0.0, 0.0);
+    let mut energy = 0.0;
     let point = |state: &State| {
-        let middle = start + 0.5 * state.distance;
-        start += state.distance;
         energy += state.energy_per_distance() * state.distance;
         RunPoint {
-            distance: middle,
+            distance: state.middle,
             position_y: state.position_y,
             t_gamma: state.t_gamma,
             fatigue_index: laws.fatigue.index(state),

@@ -2,11 +2,14 @@
 //! within the error that was asked for.
 //!
 //! States are solved with Coulomb's law on the half-space and extrapolated from two grids; where
-//! these differ by more than 0.2 % of μN, from grids twice as fine. The limit of sliding without
-//! rolling is integrated. It changes fastest with the direction of the creepages, where slender
-//! patches spin about a point within them, and needs no solution: nodes are added until it alone
-//! is right everywhere. Then, after each round of solutions, intervals around random states in
-//! which the table is off are halved.
+//! these differ by more than 0.2 % of μN, from grids twice as fine. Slender patches have more cells
+//! along their longer side: where they spin about a point within, the slip turns round over a
+//! length like that of the shorter side.
+//!
+//! The limit of sliding without rolling is integrated. It changes fastest with the direction of the
+//! creepages, where slender patches spin about a point within them, and needs no solution: nodes
+//! are added until it alone is right everywhere. Then, after each round of solutions, intervals
+//! around random states in which the table is off are halved.
 
 mod first_nodes;
 mod full_sliding;
@@ -42,7 +45,8 @@ pub struct TableOptions {
     pub tolerance: f64,
     /// Most solutions at nodes: a round that would need more is not begun.
     pub most_solutions: usize,
-    /// Cells across the patch of the coarser of the two pairs of grids, at least 20.
+    /// Cells across the narrower side of the patch of the coarser of the two pairs of grids, at
+    /// least 20; along the longer side there are more, by the square root of their ratio.
     pub cells: usize,
     /// Random states that decide whether the table is good enough, as many that confirm it, and as
     /// many that then measure its error.

@@ -53,7 +53,7 @@ pub(super) struct Solved {
 }
 
 impl StateSolver {
-    /// On so many cells across the patch, and on twice as many.
+    /// On so many cells across the narrower side of the patch, and on twice as many.
     pub fn new(axis_ratio: f64, poisson_ratio: f64, cells: usize) -> Result<Self, Error> {
         let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
         let material = Material { poisson_ratio, ..Material::STEEL };
@@ -72,10 +72,14 @@ impl StateSolver {
         };
         let load = 2.0 / 3.0 * PI * SIZE * SIZE * PEAK_PRESSURE;
         let unit = bodies.shear_modulus() * SIZE * SIZE / (FRICTION * load);
-        let on = |cells| {
+        let on = |cells: usize| {
+            let along_side = |slenderness: f64| {
+                // Even, for the grid of half as many.
+                2 * (0.5 * cells as f64 * slenderness.max(1.0).sqrt()).round() as usize
+            };
             SteadySolver::new(&Options {
-                cells_x: cells,
-                cells_y: cells,
+                cells_x: along_side(axis_ratio),
+                cells_y: along_side(axis_ratio.recip()),
                 tolerance: TOLERANCE,
                 extrapolate: true,
                 ..Options::default()
@@ -122,4 +126,36 @@ impl Solved {
 
 fn components(force: &Resultant) -> [f64; 3] {
     [force.x, force.y, force.moment_z.unwrap_or(f64::NAN)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::unwatched;
+    use crate::table_building::{distance, shape};
+
+    /// Goal: states of slender patches that nearly all slide while they spin about a point within,
+    /// where the slip turns round over few cells, are right within 0.4 % of μN on the cells of a
+    /// table. Against three times as many cells.
+    #[test]
+    fn slender_patches_that_spin_have_enough_cells() {
+        for ratio in [0.15, 0.4, 3.0, 8.0] {
+            let shape = shape(ratio, 0.28).unwrap();
+            for (angle, size) in [(0.7_f64, 30.0), (2.2, 100.0), (4.1, 300.0)] {
+                let (sine, cosine) = angle.sin_cos();
+                let [x, y] = [0.6 * cosine * ratio.sqrt(), 0.6 * sine / ratio.sqrt()];
+                let [along, across, spin] = shape.scales;
+                let plain = [along * y, -across * x, spin];
+                let length = plain.iter().map(|part| part * part).sum::<f64>().sqrt();
+                let creepages = std::array::from_fn(|k| size * plain[k] / length / shape.scales[k]);
+                let [found, exact] = [24, 72].map(|cells| {
+                    let mut solver = StateSolver::new(ratio, 0.28, cells).unwrap();
+                    solver.solve(creepages, &unwatched).unwrap()
+                });
+                assert!(found.converged && exact.converged);
+                let error = distance(found.force, exact.force);
+                assert!(error < 4e-3, "{ratio} {angle} {size}: {error}");
+            }
+        }
+    }
 }
