@@ -13,14 +13,17 @@ use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::Body;
 use crate::normal::PressureSource;
+use crate::prescribed_forces::PrescribedForces;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
 /// A rolling contact: two bodies, their motion, and the laws of their interaction.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Speed and creepages.
+    /// Speed and creepages. A creepage whose force is prescribed is only a first guess.
     pub kinematics: Kinematics,
+    /// Forces in place of creepages.
+    pub prescribed: PrescribedForces,
     /// Reference point of the creepages and of the moment of the solution.
     pub reference: ReferencePoint,
     /// The wheel.
@@ -92,6 +95,7 @@ impl Problem {
     /// Performs all checks possible before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.kinematics.check()?;
+        self.prescribed.check()?;
         self.wheel.check_wheel()?;
         self.rail.check_rail()?;
         self.heat.check()?;

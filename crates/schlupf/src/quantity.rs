@@ -84,6 +84,8 @@ quantities! {
     YawRate "yaw_rate" "" "rad/s" "yaw rate of the wheelset"
     RollRate "roll_rate" "" "rad/s" "roll rate of the wheelset"
     AngularVelocity "angular_velocity" "ω" "rad/s" "angular velocity of the wheel about its axle"
+    ForceOverLoad "force_over_load" "-F_x/N" "" "longitudinal force over the load, positive in braking"
+    WheelTorque "wheel_torque" "T" "N m" "torque on the wheel about its axle, positive where it drives"
     PoissonRatio "poisson_ratio" "ν" "" "combined Poisson's ratio of both bodies"
     Load "load" "N" "N" "normal load"
     PeakPressure "peak_pressure" "p0" "Pa" "largest pressure"

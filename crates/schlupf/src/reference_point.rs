@@ -39,6 +39,9 @@ impl AtPatch {
     /// centre of the patch, whatever [`Problem::check`] rejects, and [`Error::Stopped`].
     pub fn new(problem: &Problem, watch: Watch) -> Result<Self, Error> {
         problem.check()?;
+        if let Some(quantity) = problem.prescribed.first() {
+            return Err(Error::ForceNotPossible { quantity });
+        }
         problem.normal.prepare(None, watch)?;
         let reference = problem.reference;
         if reference == ReferencePoint::Patch {
@@ -62,6 +65,11 @@ impl AtPatch {
         };
         let (problem, initial_state) = (self.problem.clone(), given.initial_state.clone());
         Transient { problem, history, initial_state }
+    }
+
+    /// Position of the reference point in the contact frame, x and y in m.
+    pub fn place(&self) -> [f64; 2] {
+        self.place
     }
 
     /// Switches to another motion, given at the reference point.

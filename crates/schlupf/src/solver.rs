@@ -19,7 +19,8 @@ pub trait Solver: Send + Sync {
     /// The options of the solver.
     fn options(&self) -> &Options;
 
-    /// Solves for the steady state of a problem.
+    /// Solves for the steady state of a problem whose creepages are given; whatever forces it
+    /// prescribes is an error: [`crate::prescribed`] finds their creepages with any solver.
     ///
     /// # Errors
     /// Whatever [`Problem::check`] and [`Options::check`] reject, and [`Error::Stopped`].
@@ -36,6 +37,25 @@ pub trait Solver: Send + Sync {
     /// # Errors
     /// As [`Self::solve`].
     fn solve_with_derivatives(
+        &mut self,
+        _problem: &Problem,
+        _watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        Ok(None)
+    }
+
+    /// Whether it finds states together with the creepages that prescribed forces cause.
+    fn solves_for_forces(&self) -> bool {
+        false
+    }
+
+    /// The steady state with the forces that the problem prescribes, found together with the
+    /// creepages that they cause, from those of the problem as a first guess. `None` if that fails,
+    /// or if the solver cannot do it.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    fn solve_for_forces(
         &mut self,
         _problem: &Problem,
         _watch: Watch,

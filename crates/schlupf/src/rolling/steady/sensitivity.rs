@@ -332,7 +332,7 @@ impl<'a> Derivatives<'a> {
 }
 
 /// The motion of the frame alone.
-fn standing(problem: &Problem) -> Kinematics {
+pub(super) fn standing(problem: &Problem) -> Kinematics {
     let speed = problem.kinematics.speed;
     Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
 }
@@ -343,7 +343,7 @@ fn scaled(resultant: &Resultant, factor: f64) -> Resultant {
 
 impl Direct {
     /// The changes in a cell when its motion changes.
-    fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
+    pub(super) fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
         let way = &cell.path_in;
         let (rigid, turn) = (way.rigid_slip(motion), motion.half_turn(way.distance));
         let slip = motion.rigid_slip(cell.x, cell.y);

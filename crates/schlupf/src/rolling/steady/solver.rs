@@ -4,6 +4,7 @@ use crate::equilibrium::{Newton, Outcome};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::method::Method;
+use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::reference_point::AtPatch;
@@ -14,6 +15,7 @@ use crate::transient::Transient;
 use crate::warning::Warning;
 
 use super::branches;
+use super::driven::Drives;
 use super::sensitivity::{by_constants, sensitivity};
 use super::setup::{Search, Setup};
 
@@ -101,6 +103,20 @@ impl Solver for SteadySolver {
         Ok(found.map(|solution| at.back(solution)))
     }
 
+    fn solves_for_forces(&self) -> bool {
+        true
+    }
+
+    fn solve_for_forces(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        let given = Problem { prescribed: PrescribedForces::default(), ..problem.clone() };
+        let at = AtPatch::new(&given, watch)?;
+        self.attempt_together(&at, &problem.prescribed, watch)
+    }
+
     fn forget(&mut self) {
         if let Some(setup) = &mut self.setup {
             setup.earlier.clear();
@@ -182,6 +198,42 @@ impl SteadySolver {
         };
         self.setup = Some(setup);
         Ok(attempt)
+    }
+
+    /// The state with prescribed forces, from the creepages of a problem at the centre of the
+    /// patch.
+    fn attempt_together(
+        &mut self,
+        at: &AtPatch,
+        prescribed: &PrescribedForces,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        self.options.check()?;
+        let setup = self.setup.take().filter(|setup| setup.fits(&at.problem));
+        let mut setup = match setup {
+            Some(setup) => setup,
+            None => Setup::new(&at.problem, &self.options, watch)?,
+        };
+        let drives = Drives::of(&at.problem, &setup.levels[0], (prescribed, at.place()))?;
+        let mut search = Search {
+            options: &self.options,
+            newton: &mut self.newton,
+            work: Work::default(),
+            watch,
+        };
+        let (outcome, kinematics) = setup.find_together(&at.problem, &drives, &mut search)?;
+        let work = search.work;
+        let mut found = None;
+        if outcome.converged {
+            let problem = Problem { kinematics, ..at.problem.clone() };
+            let mut solution = setup.solution(&problem, &self.options, &outcome, work);
+            if self.options.sensitivity {
+                self.differentiate(&problem, &mut setup, &mut solution, watch)?;
+            }
+            found = Some(at.back(solution));
+        }
+        self.setup = Some(setup);
+        Ok(found)
     }
 
     /// Adds the derivatives to a solution that has just been found.
