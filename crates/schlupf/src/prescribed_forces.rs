@@ -66,22 +66,25 @@ impl LongitudinalForce {
 
 /// A direction of motion with its creepage and its force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Direction {
+pub enum Direction {
+    /// ξ and F_x.
     X,
+    /// η and F_y.
     Y,
+    /// φ and M_z.
     Spin,
 }
 
 impl Direction {
     /// The motion (at any speed) whose creepage of this direction is one, in its unit.
-    pub fn unit(self) -> Kinematics {
+    pub(crate) fn unit(self) -> Kinematics {
         let mut unit = Kinematics::free_rolling(0.0);
         *self.creepage_of(&mut unit) = 1.0;
         unit
     }
 
     /// Its creepage in a motion, dimensionless or in 1/m.
-    pub fn creepage_of(self, motion: &mut Kinematics) -> &mut f64 {
+    pub(crate) fn creepage_of(self, motion: &mut Kinematics) -> &mut f64 {
         match self {
             Self::X => &mut motion.creepage_x,
             Self::Y => &mut motion.creepage_y,
@@ -90,7 +93,7 @@ impl Direction {
     }
 
     /// Its creepage in a motion, dimensionless or in 1/m.
-    pub fn creepage(self, motion: &Kinematics) -> f64 {
+    pub(crate) fn creepage(self, motion: &Kinematics) -> f64 {
         *self.creepage_of(&mut { *motion })
     }
 }

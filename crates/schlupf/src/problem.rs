@@ -43,6 +43,11 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// The same with all creepages given.
+    pub(crate) fn without_forces(&self) -> Self {
+        Self { prescribed: PrescribedForces::default(), ..self.clone() }
+    }
+
     /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
     pub fn conduction(&self, kinematics: &Kinematics) -> Conduction {
         Conduction::new(&self.heat.partition, &self.wheel, &self.rail, kinematics)
@@ -85,6 +90,18 @@ impl Problem {
     /// Friction of material at y (in m) when it enters the contact.
     pub fn entry_friction(&self, conduction: &Conduction, y: f64) -> FrictionResponse {
         self.friction_response(conduction, 0.0, 0.0, y)
+    }
+
+    /// The coefficient of friction (dimensionless), if it is the same everywhere within a distance
+    /// from the middle across rolling (in m), whatever the motion.
+    pub(crate) fn uniform_friction(&self, width: f64) -> Option<f64> {
+        /// Places on either side of the middle that are compared.
+        const PLACES: i32 = 8;
+        let (cold, law) = (self.friction.cold_coefficient(), &self.friction.law);
+        let conduction = self.conduction(&self.kinematics);
+        let mut places = (-PLACES..=PLACES).map(|k| width * f64::from(k) / f64::from(PLACES));
+        let is_cold = |y| self.entry_friction(&conduction, y).coefficient == cold;
+        (law.is_constant() && places.all(is_cold)).then_some(cold)
     }
 
     /// How friction lags behind its law, if it depends on anything that changes within the contact.

@@ -5,7 +5,7 @@
 //! on the way out; both describe the same rigid motion and the same tractions, so nothing else
 //! changes.
 
-use crate::error::Error;
+use crate::error::{Error, ForceError};
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
@@ -40,7 +40,7 @@ impl AtPatch {
     pub fn new(problem: &Problem, watch: Watch) -> Result<Self, Error> {
         problem.check()?;
         if let Some(quantity) = problem.prescribed.first() {
-            return Err(Error::ForceNotPossible { quantity });
+            return Err(ForceError::NotPossible { quantity }.into());
         }
         problem.normal.prepare(None, watch)?;
         let reference = problem.reference;

@@ -2,9 +2,10 @@
 
 use crate::error::Error;
 use crate::method::Method;
+use crate::prescribed_forces::Direction;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
-use crate::solution::Solution;
+use crate::solution::{Resultant, Solution};
 
 /// Finds steady states, one problem after another: points of a creep curve, or families of them.
 /// Extension point.
@@ -42,6 +43,30 @@ pub trait Solver: Send + Sync {
         _watch: Watch,
     ) -> Result<Option<Solution>, Error> {
         Ok(None)
+    }
+
+    /// The steady state with the derivatives of forces and moment with respect to the creepages of
+    /// some directions (in N and N m, for the spin in N m and N m²), for a search: to about a
+    /// thousandth. `None` as for [`Self::solve_with_derivatives`].
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    fn solve_with_slopes(
+        &mut self,
+        problem: &Problem,
+        directions: &[Direction],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let found = self.solve_with_derivatives(problem, watch)?;
+        Ok(found.and_then(|solution| {
+            let by = solution.sensitivity?;
+            let slope = |direction: &Direction| match direction {
+                Direction::X => by.creepage_x,
+                Direction::Y => by.creepage_y,
+                Direction::Spin => by.spin,
+            };
+            Some((solution, directions.iter().map(slope).collect()))
+        }))
     }
 
     /// Whether it finds states together with the creepages that prescribed forces cause.

@@ -82,8 +82,12 @@ pub const ROUGHNESS: &[&str] = &[
 ];
 
 /// Fields that prescribe the longitudinal force.
-const LONGITUDINAL_FORCES: &[&str] =
-    &["kinematics.force_x", "kinematics.traction_coefficient", "kinematics.wheel_torque"];
+const LONGITUDINAL_FORCES: &[&str] = &[
+    "kinematics.force_x",
+    "kinematics.traction_coefficient",
+    "kinematics.wheel_torque",
+    "history.force_x",
+];
 
 /// Fields that prescribe forces in place of creepages.
 pub const FORCES: &[&str] = &[
@@ -107,7 +111,7 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "a longitudinal force determines the longitudinal creepage",
     },
     Alternatives {
-        first: &["kinematics.force_x"],
+        first: &["kinematics.force_x", "history.force_x"],
         second: &["kinematics.traction_coefficient", "kinematics.wheel_torque"],
         reason: "all of them prescribe the longitudinal force",
     },
@@ -117,12 +121,12 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "both prescribe the longitudinal force",
     },
     Alternatives {
-        first: &["kinematics.force_y"],
+        first: &["kinematics.force_y", "history.force_y"],
         second: &["kinematics.creepage_y", "kinematics.yaw_angle", "history.creepage_y"],
         reason: "the lateral force determines the lateral creepage",
     },
     Alternatives {
-        first: &["kinematics.moment_z"],
+        first: &["kinematics.moment_z", "history.moment_z"],
         second: &["kinematics.spin", "history.spin"],
         reason: "the moment determines the spin",
     },
@@ -193,6 +197,9 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "history.creepage_y",
             "history.spin",
             "history.load",
+            "history.force_x",
+            "history.force_y",
+            "history.moment_z",
         ],
         reason: "a history comes from a file or stands in the case",
     },

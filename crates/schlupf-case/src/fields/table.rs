@@ -112,6 +112,7 @@ const ROLLING_RADIUS: Requirement = Between(1e-6, 1e6);
 const SPEED: Requirement = Between(1e-6, 1e4);
 const CREEPAGE: Requirement = Magnitude(1e6);
 const TURNING: Requirement = Magnitude(1e6);
+const OVER_LOAD: Requirement = Magnitude(1e3);
 const TANGENTIAL: Requirement = Magnitude(1e12);
 const LOAD: Requirement = Between(1e-3, 1e12);
 const PEAK_PRESSURE: Requirement = Between(1.0, 1e14);
@@ -160,7 +161,7 @@ section! {
     "force_x" [ForceX] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
         "Fx on the wheel, in place of creepage_x, which is found: negative when braking",
         example("-20 kN");
-    "traction_coefficient" [ForceOverLoad] Kind::Number, TANGENTIAL, Nothing,
+    "traction_coefficient" [ForceOverLoad] Kind::Number, OVER_LOAD, Nothing,
         "-Fx/N, in place of creepage_x: positive when braking", example("0.2");
     "wheel_torque" [WheelTorque] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,
         "T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius: negative \
@@ -340,6 +341,12 @@ section! {
         "v0", example("[\"30 m/s\", \"30 m/s\"]");
     "load" [HistoryLoad] Kind::Quantities(&Measure::FORCE), LOAD, Nothing,
         "N", shaping(), example("[\"80 kN\", \"60 kN\"]");
+    "force_x" [HistoryForceX] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
+        "Fx on the wheel, in place of creepage_x", example("[\"0 kN\", \"-20 kN\"]");
+    "force_y" [HistoryForceY] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
+        "Fy on the wheel, in place of creepage_y", example("[\"0 kN\", \"5 kN\"]");
+    "moment_z" [HistoryMomentZ] Kind::Quantities(&Measure::TORQUE), TANGENTIAL, Nothing,
+        "Mz on the wheel, in place of spin", example("[\"0 N m\", \"-20 N m\"]");
     "shift_x" [ShiftX] quantity(&Measure::LENGTH), SHIFT, Nothing,
         "shift of the wheel over the rail along rolling, at rest, before it rolls; times may be \
          left out then",

@@ -91,6 +91,7 @@ impl Parts {
         let explain = |error| settings.explain(&error);
         draft.check().map_err(explain)?;
         if let Some(history) = &history {
+            history.check_forces(&draft.prescribed).map_err(explain)?;
             history.check(&draft.kinematics).map_err(explain)?;
         }
         Ok(Self { draft, deformation, stiffness, history, wheel })

@@ -14,8 +14,8 @@ use schlupf::{Error, Options, Problem, Solver, Watch};
 
 use super::roughness::OfRoughness;
 use crate::error::CaseError;
-use crate::fields::{FORCES, ROUGHNESS};
 use crate::fields::choice::{NormalModel, WheelSide};
+use crate::fields::{FORCES, ROUGHNESS};
 use crate::profiles;
 use crate::settings::Settings;
 

@@ -11,12 +11,13 @@ mod path;
 mod sampling;
 mod warnings;
 
-use crate::error::Error;
+use crate::error::{Error, ForceError};
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell, within};
+use crate::quantity::Quantity;
 use crate::solution::{Area, Power, Resultant, Solution, Status, Work};
 use crate::solver::Solver;
 
@@ -213,6 +214,16 @@ pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), 
     if let Some(locked) = path.locks_at() {
         let quantity = path.abscissa().quantity();
         return Err(Error::LocksOnCurve { quantity, value: locked });
+    }
+    let (start, end, forces) = (path.start(), path.end(), &problem.prescribed);
+    for (force, creepage, varies) in [
+        (forces.x.map(|force| force.given().0), Quantity::CreepageX, start.x != end.x),
+        (forces.y.map(|_| Quantity::ForceY), Quantity::CreepageY, start.y != end.y),
+        (forces.moment_z.map(|_| Quantity::MomentZ), Quantity::Spin, start.spin != end.spin),
+    ] {
+        if let Some(force) = force.filter(|_| varies) {
+            return Err(ForceError::AndCreepage { force, creepage }.into());
+        }
     }
     let mut there = problem.clone();
     sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {

@@ -9,7 +9,7 @@
 mod path;
 mod scaled;
 
-use crate::error::Error;
+use crate::error::{Error, ForceError};
 use crate::method::{FastMethod, Method};
 use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Branch, Options, Problem};
@@ -50,7 +50,7 @@ pub struct ForceSolver {
 
 /// Cells across the patch of the scout in one direction, and its tolerance.
 const SCOUT_CELLS: usize = 14;
-const SCOUT_TOLERANCE: f64 = 1e-5;
+const SCOUT_TOLERANCE: f64 = 1e-4;
 
 impl Solver for ForceSolver {
     fn method(&self) -> Method {
@@ -106,11 +106,8 @@ impl ForceSolver {
     fn find(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let scaled = Scaled::new(problem, watch)?;
         let is_constant = problem.friction.law.is_constant();
-        let is_limited = !matches!(
-            self.inner.method(),
-            Method::Fast(FastMethod::KalkerLinear)
-        );
-        if is_constant && is_limited {
+        let is_limited = !matches!(self.inner.method(), Method::Fast(FastMethod::KalkerLinear));
+        if is_limited && scaled.has_uniform_friction() {
             refuse_beyond_friction(&scaled)?;
         }
         if !self.inner.solves_for_forces() {
@@ -138,8 +135,7 @@ impl ForceSolver {
         };
         let branch = options.branch;
         let is_single = scaled.problem.friction.law.is_constant();
-        let scout =
-            self.scout.get_or_insert_with(|| Box::new(SteadySolver::new(&coarse))).as_mut();
+        let scout = self.scout.get_or_insert_with(|| Box::new(SteadySolver::new(&coarse))).as_mut();
         let path = path::follow(scaled, scout, (is_single, watch))?;
         let mut found = Vec::new();
         for state in &path.states {
@@ -181,18 +177,17 @@ impl ForceSolver {
         let first = scaled.prescribed.first().unwrap_or(crate::Quantity::ForceX);
         let at_rest = self.inner.solve(&scaled.at(scaled.problem.kinematics), watch)?;
         if !scaled.has_forces(&at_rest.force) {
-            return Ok(Error::ForceNotPossible { quantity: first });
+            return Ok(ForceError::NotPossible { quantity: first }.into());
         }
         let terms = scaled.in_terms(&path.largest);
         let Some((quantity, [value, largest])) = terms else {
-            return Ok(Error::ForceNotPossible { quantity: first });
+            return Ok(ForceError::NotPossible { quantity: first }.into());
         };
         if !path.is_complete {
-            return Ok(Error::ForceNotFound { quantity, value, nearest: largest });
+            return Ok(ForceError::NotFound { quantity, value, nearest: largest }.into());
         }
-        let is_constant = scaled.problem.friction.law.is_constant();
-        let limit = is_constant.then_some(scaled.limit);
-        Ok(Error::UnreachableForce { quantity, value, largest, limit })
+        let limit = scaled.has_uniform_friction().then_some(scaled.limit);
+        Ok(ForceError::Unreachable { quantity, value, largest, limit }.into())
     }
 }
 
@@ -206,7 +201,7 @@ fn refuse_beyond_friction(scaled: &Scaled) -> Result<(), Error> {
     match scaled.in_terms(&largest) {
         Some((quantity, [value, largest])) => {
             let limit = Some(scaled.limit);
-            Err(Error::UnreachableForce { quantity, value, largest, limit })
+            Err(ForceError::Unreachable { quantity, value, largest, limit }.into())
         }
         None => Ok(()),
     }

@@ -15,9 +15,9 @@ use super::scaled::{Response, Scaled};
 pub(super) struct Path {
     /// States with the prescribed forces, in their order along it: at first on the rising branch.
     pub states: Vec<Solution>,
-    /// The forces at the largest share s of the way to the prescribed ones.
+    /// The forces at the largest share s of the way to the prescribed ones, dimensionless.
     pub largest: DVector<f64>,
-    /// Products with the compliance that it took.
+    /// Products with the compliance that it took, dimensionless.
     pub products: f64,
     /// Whether no state was missed: the path was followed to where the wheel locks, or the forces
     /// no longer grow.
@@ -29,6 +29,9 @@ const FIRST: f64 = 0.3;
 const LEAST: f64 = 1e-4;
 const GROWTH: f64 = 2.0;
 
+/// Distance from the creepages of a locked wheel up to which a path is followed, relative to them.
+const NEXT_TO_LOCKED: f64 = 0.1;
+
 /// Most steps of a path.
 const MOST_STEPS: usize = 60;
 
@@ -37,7 +40,7 @@ const MOST_CORRECTIONS: usize = 8;
 const FEW_CORRECTIONS: usize = 3;
 
 /// Distance from the path that a step may leave.
-const ON_PATH: f64 = 1e-4;
+const ON_PATH: f64 = 1e-3;
 
 /// Growth of s from step to step, relative to that of the creepages, below which the contact
 /// slides and forces no longer grow; and number of such steps.
@@ -106,9 +109,12 @@ impl Follower<'_> {
         for _ in 0..MOST_STEPS {
             let Some((next, corrections)) = self.step(&here, step)? else {
                 step *= 0.5;
-                if step < LEAST * (1.0 + here.response.creepages.norm()) {
-                    // What cannot be reached with a step of next to nothing is a locked wheel.
-                    path.is_complete = self.locks(&here, step);
+                let size = here.response.creepages.norm();
+                if step < NEXT_TO_LOCKED * size && self.locks(&here, step) {
+                    path.is_complete = true;
+                    break;
+                }
+                if step < LEAST * (1.0 + size) {
                     break;
                 }
                 continue;
@@ -129,12 +135,12 @@ impl Follower<'_> {
                 }
             }
             let mut peak = None;
-            if self.rises(&here) && !self.rises(&next) {
+            // Once there is a state the largest forces are not asked for.
+            if path.states.is_empty() && self.rises(&here) && !self.rises(&next) {
                 peak = Some(self.turn(&here, step)?);
             }
-            for (share, forces) in [Some((next.share, next.response.forces.clone())), peak]
-                .into_iter()
-                .flatten()
+            for (share, forces) in
+                [Some((next.share, next.response.forces.clone())), peak].into_iter().flatten()
             {
                 if share > largest {
                     largest = share;

@@ -9,13 +9,13 @@ use crate::problem::Problem;
 use crate::progress::Watch;
 use crate::reference_point;
 use crate::simplified::EllipticContact;
-use crate::solution::{Resultant, Sensitivity, Solution, Status};
+use crate::solution::{Resultant, Solution, Status};
 use crate::solver::Solver;
 
 /// A problem with the forces that it prescribes, in the units in which small creepages and their
-/// forces are alike and friction limits both to about one: forces over μ0 N, moments over μ0 N √(ab),
-/// and creepages times their initial stiffness over the same. Forces are those on the rail, so that
-/// they grow with the creepages.
+/// forces are alike and friction limits both to about one: forces over μ0 N, moments over
+/// μ0 N √(ab), and creepages times their initial stiffness over the same. Forces are those on the
+/// rail, so that they grow with the creepages.
 pub(super) struct Scaled {
     /// The problem without the forces.
     pub problem: Problem,
@@ -25,7 +25,7 @@ pub(super) struct Scaled {
     pub load: f64,
     /// μ0 N, in N.
     pub limit: f64,
-    /// The prescribed forces.
+    /// The prescribed forces, dimensionless.
     pub target: DVector<f64>,
     contact: EllipticContact,
     directions: Vec<Direction>,
@@ -38,9 +38,11 @@ pub(super) struct Scaled {
 
 /// The state at some creepages.
 pub(super) struct Response {
+    /// Dimensionless, as all of these.
     pub creepages: DVector<f64>,
+    /// Dimensionless.
     pub forces: DVector<f64>,
-    /// ∂(forces)/∂(creepages).
+    /// ∂(forces)/∂(creepages), dimensionless.
     pub jacobian: DMatrix<f64>,
     pub solution: Solution,
 }
@@ -70,7 +72,8 @@ impl Scaled {
         let unit = if limit > 0.0 { limit } else { load };
         let wanted = problem.prescribed.under(load);
         let directions: Vec<Direction> = wanted.iter().map(|(direction, _)| *direction).collect();
-        let unit_of = |direction: &Direction| unit * lever.powi(i32::from(*direction == Direction::Spin));
+        let unit_of =
+            |direction: &Direction| unit * lever.powi(i32::from(*direction == Direction::Spin));
         let force_units: Vec<f64> = directions.iter().map(unit_of).collect();
         let target = wanted.iter().zip(&force_units).map(|((_, force), unit)| -force / unit);
         let target = DVector::from_iterator(wanted.len(), target);
@@ -95,6 +98,11 @@ impl Scaled {
         })
     }
 
+    /// Whether friction is μ0 everywhere, whatever the motion.
+    pub fn has_uniform_friction(&self) -> bool {
+        self.problem.uniform_friction(self.contact.normal.semi_axis_y).is_some()
+    }
+
     /// Number of unknown creepages.
     pub fn count(&self) -> usize {
         self.directions.len()
@@ -109,7 +117,7 @@ impl Scaled {
         motion
     }
 
-    /// The unknown creepages of a motion.
+    /// The unknown creepages of a motion, dimensionless.
     pub fn creepages(&self, motion: &Kinematics) -> DVector<f64> {
         let pairs = self.directions.iter().zip(&self.creepage_units);
         let all = pairs.map(|(direction, unit)| direction.creepage(motion) / unit);
@@ -189,34 +197,29 @@ impl Scaled {
             return Ok(None);
         }
         let problem = self.at(kinematics);
-        let solution = if solver.has_derivatives() {
-            match solver.solve_with_derivatives(&problem, watch)? {
-                Some(solution) => solution,
+        let (solution, slopes) = if solver.has_derivatives() {
+            match solver.solve_with_slopes(&problem, &self.directions, watch)? {
+                Some((solution, slopes)) => (solution, Some(slopes)),
                 None => return Ok(None),
             }
         } else {
-            solver.solve(&problem, watch)?
+            (solver.solve(&problem, watch)?, None)
         };
         let is_found = solution.status == Status::Converged;
         let Some(forces) = self.forces(&solution.force).filter(|_| is_found) else {
             return Ok(None);
         };
-        let jacobian = match &solution.sensitivity {
-            Some(sensitivity) => self.jacobian(sensitivity),
+        let jacobian = match slopes {
+            Some(slopes) => self.jacobian(&slopes),
             None => self.difference(&creepages, solver, watch)?,
         };
         Ok(jacobian.map(|jacobian| Response { creepages, forces, jacobian, solution }))
     }
 
-    fn jacobian(&self, sensitivity: &Sensitivity) -> Option<DMatrix<f64>> {
+    fn jacobian(&self, slopes: &[Resultant]) -> Option<DMatrix<f64>> {
         let mut jacobian = DMatrix::zeros(self.count(), self.count());
-        for (j, direction) in self.directions.iter().enumerate() {
-            let by = match direction {
-                Direction::X => &sensitivity.creepage_x,
-                Direction::Y => &sensitivity.creepage_y,
-                Direction::Spin => &sensitivity.spin,
-            };
-            jacobian.set_column(j, &(self.forces(by)? * self.creepage_units[j]));
+        for (j, slope) in slopes.iter().enumerate() {
+            jacobian.set_column(j, &(self.forces(slope)? * self.creepage_units[j]));
         }
         Some(jacobian)
     }

@@ -27,12 +27,12 @@ use super::steady_state::{Direct, SteadyState};
 #[derive(Debug, Clone, Copy)]
 pub(in crate::rolling) struct Drive {
     pub direction: Direction,
-    /// In N or N m.
+    /// The prescribed force, in N or N m.
     pub force: f64,
     /// The motion at the centre of the patch when the creepage is one.
     pub motion: Kinematics,
-    /// −∂(force)/∂(creepage) for vanishing creepages, positive: the unknown is the creepage times
-    /// this and the unit below.
+    /// −∂(force)/∂(creepage) for vanishing creepages, positive, in N or N m per unit of the
+    /// creepage: the unknown is the creepage times this and the unit below.
     pub stiffness: f64,
     /// Converts a difference of forces into one that counts as much as one of the tractions: for a
     /// change of all tractions by a share of μ pₙ it is that of ‖μ pₙ‖₂; in Pa/N or Pa/(N m).
@@ -43,6 +43,7 @@ pub(in crate::rolling) struct Drive {
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct Drives {
     pub all: Vec<Drive>,
+    /// Position of the reference point in the contact frame, x and y in m.
     pub place: [f64; 2],
 }
 
@@ -158,8 +159,7 @@ impl<'a> Driven<'a> {
     fn move_to(&mut self, unknowns: &[f64]) {
         if self.at != unknowns {
             self.at.copy_from_slice(unknowns);
-            self.problem.kinematics =
-                Self::motion(&self.problem.kinematics, self.drives, unknowns);
+            self.problem.kinematics = Self::motion(&self.problem.kinematics, self.drives, unknowns);
             self.levels[0].set_motion(&self.problem);
         }
     }
@@ -209,9 +209,10 @@ fn regular_inverse(matrix: DMatrix<f64>) -> DMatrix<f64> {
     let count = matrix.nrows();
     for share in [0.0, LEAST_STIFFNESS, 1.0] {
         let shifted = &matrix + share * DMatrix::identity(count, count);
-        if let Some(inverse) = shifted.try_inverse().filter(|inverse| {
-            inverse.iter().all(|entry| entry.abs() < LEAST_STIFFNESS.recip())
-        }) {
+        if let Some(inverse) = shifted
+            .try_inverse()
+            .filter(|inverse| inverse.iter().all(|entry| entry.abs() < LEAST_STIFFNESS.recip()))
+        {
             return inverse;
         }
     }

@@ -4,7 +4,7 @@ use crate::equilibrium::{Newton, Outcome};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::method::Method;
-use crate::prescribed_forces::PrescribedForces;
+use crate::prescribed_forces::{Direction, PrescribedForces};
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::reference_point::AtPatch;
@@ -16,7 +16,7 @@ use crate::warning::Warning;
 
 use super::branches;
 use super::driven::Drives;
-use super::sensitivity::{by_constants, sensitivity};
+use super::sensitivity::{by_constants, by_motions, sensitivity};
 use super::setup::{Search, Setup};
 
 /// Solves a problem for its steady state.
@@ -101,6 +101,27 @@ impl Solver for SteadySolver {
         let at = AtPatch::new(problem, watch)?;
         let found = self.attempt(&at.problem, true, watch)?.found();
         Ok(found.map(|solution| at.back(solution)))
+    }
+
+    fn solve_with_slopes(
+        &mut self,
+        problem: &Problem,
+        directions: &[Direction],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let Some(mut solution) = self.attempt(&at.problem, false, watch)?.found() else {
+            return Ok(None);
+        };
+        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
+        let to_centre = at.place().map(|part| -part);
+        let motions: Vec<_> = directions.iter().map(|way| way.unit().at(to_centre)).collect();
+        let (found, products) = by_motions(&at.problem, levels, &motions, watch)?;
+        solution.work.sensitivity_products = products;
+        Ok(found.map(|slopes| {
+            let slopes = slopes.iter().map(|slope| at.resultant_back(slope)).collect();
+            (at.back(solution), slopes)
+        }))
     }
 
     fn solves_for_forces(&self) -> bool {

@@ -75,7 +75,9 @@ impl Setup {
         level.traction = unknowns;
         let solved = solved?;
         level.response.clear();
-        level.response.extend_from_slice(&solved.response[..solved.response.len() - drives.all.len()]);
+        level
+            .response
+            .extend_from_slice(&solved.response[..solved.response.len() - drives.all.len()]);
         let mut outcome = solved.outcome;
         let of_all = self.levels[depth].strips.len() as f64 / self.levels[0].strips.len() as f64;
         search.work.newton_iterations += outcome.iterations;
