@@ -108,9 +108,14 @@ fn studies_curves_and_comparisons_take_forces() {
     let text = curve.to_string();
     assert!(text.contains("\"initial_slope\":null"), "{text}");
 
-    let run =
-        bench.run(&["compare", "case.toml", "--methods", "full,fastsim,polach", "--json", "-"]);
+    let run = bench.run(&["compare", "case.toml", "--json", "-"]);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let compared: Value = serde_json::from_str(&run.stdout).unwrap();
+    let methods = compared["methods"].as_array().unwrap();
+    for name in ["full", "fastsim", "polach", "shen-hedrick-elkins"] {
+        let method = methods.iter().find(|method| method["method"] == name).unwrap();
+        assert!((number(method, &["force", "x"]) + 20e3).abs() < 1.0, "{method}");
+    }
 }
 
 /// Contradictions name both fields and their places; what cannot be is refused with a reason.

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use schlupf::error::ForceError;
 use schlupf::kinematics::Kinematics;
 use schlupf::normal::PressureSource;
 use schlupf::normal::at_load::AtLoad;
-use schlupf::{Error, Problem, Solution, Solver, Watch};
+use schlupf::{Error, Problem, Quantity, Solution, Solver, Watch};
 use schlupf_case::Case;
 
 /// A solver that starts from its earlier solutions and keeps the normal contact of the latest load.
@@ -40,7 +41,7 @@ impl LoadedSolver {
     /// case where there is none.
     ///
     /// # Errors
-    /// Whatever the solver refuses.
+    /// Whatever the solver refuses, and another creepage where the case prescribes its force.
     pub fn solve(
         &mut self,
         case: &Case,
@@ -48,6 +49,7 @@ impl LoadedSolver {
         load: Option<f64>,
         watch: Watch,
     ) -> Result<Solution, Error> {
+        check_forces(&case.problem, &kinematics)?;
         let own = &case.problem.normal;
         if let Some(load) = load.filter(|load| self.load != Some(*load)) {
             self.normal = Arc::new(AtLoad::new(Arc::clone(own), load)?);
@@ -58,4 +60,22 @@ impl LoadedSolver {
         let problem = Problem { kinematics, normal, ..case.problem.clone() };
         self.solver.solve(&problem, watch)
     }
+}
+
+/// Refuses other creepages than those of a problem where it prescribes their forces.
+fn check_forces(problem: &Problem, kinematics: &Kinematics) -> Result<(), Error> {
+    let (own, forces) = (&problem.kinematics, &problem.prescribed);
+    let x = forces.x.map(|force| force.given().0);
+    let y = forces.y.map(|_| Quantity::ForceY);
+    let moment_z = forces.moment_z.map(|_| Quantity::MomentZ);
+    for (force, creepage, is_other) in [
+        (x, Quantity::CreepageX, kinematics.creepage_x != own.creepage_x),
+        (y, Quantity::CreepageY, kinematics.creepage_y != own.creepage_y),
+        (moment_z, Quantity::Spin, kinematics.spin != own.spin),
+    ] {
+        if let Some(force) = force.filter(|_| is_other) {
+            return Err(ForceError::AndCreepage { force, creepage }.into());
+        }
+    }
+    Ok(())
 }

@@ -242,11 +242,26 @@ impl SteadySolver {
             work: Work::default(),
             watch,
         };
-        let (outcome, kinematics) = setup.find_together(&at.problem, &drives, &mut search)?;
+        let is_warm = !setup.earlier.is_empty();
+        let mut found = setup.find_together(&at.problem, &drives, &mut search)?;
+        if is_warm && !found.0.converged {
+            found = setup.find_together(&at.problem, &drives, &mut search)?;
+        }
+        let (outcome, kinematics) = found;
         let work = search.work;
+        let problem = Problem { kinematics, ..at.problem.clone() };
+        if outcome.converged && self.options.extrapolate {
+            // Forces are extrapolated at the same motion on all grids.
+            self.setup = Some(setup);
+            let found = self.attempt(&problem, self.options.sensitivity, watch)?.found();
+            return Ok(found.map(|mut solution| {
+                solution.work.operator_products += work.operator_products;
+                solution.work.newton_iterations += work.newton_iterations;
+                at.back(solution)
+            }));
+        }
         let mut found = None;
         if outcome.converged {
-            let problem = Problem { kinematics, ..at.problem.clone() };
             let mut solution = setup.solution(&problem, &self.options, &outcome, work);
             if self.options.sensitivity {
                 self.differentiate(&problem, &mut setup, &mut solution, watch)?;

@@ -38,7 +38,7 @@ impl Setup {
             let tolerance = if depth == 0 { search.options.tolerance } else { coarse };
             outcome = self.drive_level(depth, tolerance, (drives, search))?;
             self.levels[depth].has_news = true;
-            self.levels[depth].is_found = outcome.converged;
+            self.levels[depth].is_found = outcome.converged && depth == 0;
             if !outcome.converged && depth > 0 {
                 break;
             }
