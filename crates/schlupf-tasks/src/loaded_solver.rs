@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use schlupf::error::ForceError;
 use schlupf::kinematics::Kinematics;
 use schlupf::normal::PressureSource;
 use schlupf::normal::at_load::AtLoad;
-use schlupf::{Error, Problem, Quantity, Solution, Solver, Watch};
+use schlupf::{Error, Problem, Solution, Solver, Watch};
 use schlupf_case::Case;
 
 /// A solver that starts from its earlier solutions and keeps the normal contact of the latest load.
@@ -49,7 +48,7 @@ impl LoadedSolver {
         load: Option<f64>,
         watch: Watch,
     ) -> Result<Solution, Error> {
-        check_forces(&case.problem, &kinematics)?;
+        case.problem.prescribed.check_motion(&case.problem.kinematics, &kinematics)?;
         let own = &case.problem.normal;
         if let Some(load) = load.filter(|load| self.load != Some(*load)) {
             self.normal = Arc::new(AtLoad::new(Arc::clone(own), load)?);
@@ -60,22 +59,4 @@ impl LoadedSolver {
         let problem = Problem { kinematics, normal, ..case.problem.clone() };
         self.solver.solve(&problem, watch)
     }
-}
-
-/// Refuses other creepages than those of a problem where it prescribes their forces.
-fn check_forces(problem: &Problem, kinematics: &Kinematics) -> Result<(), Error> {
-    let (own, forces) = (&problem.kinematics, &problem.prescribed);
-    let x = forces.x.map(|force| force.given().0);
-    let y = forces.y.map(|_| Quantity::ForceY);
-    let moment_z = forces.moment_z.map(|_| Quantity::MomentZ);
-    for (force, creepage, is_other) in [
-        (x, Quantity::CreepageX, kinematics.creepage_x != own.creepage_x),
-        (y, Quantity::CreepageY, kinematics.creepage_y != own.creepage_y),
-        (moment_z, Quantity::Spin, kinematics.spin != own.spin),
-    ] {
-        if let Some(force) = force.filter(|_| is_other) {
-            return Err(ForceError::AndCreepage { force, creepage }.into());
-        }
-    }
-    Ok(())
 }

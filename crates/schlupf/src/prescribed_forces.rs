@@ -1,7 +1,7 @@
 //! Forces in place of creepages: what a problem may prescribe about its motion instead of the
 //! creepage of the same direction.
 
-use crate::error::{Error, require_finite};
+use crate::error::{Error, ForceError, require_finite};
 use crate::kinematics::Kinematics;
 use crate::quantity::Quantity;
 
@@ -118,6 +118,27 @@ impl PrescribedForces {
         let y = self.y.map(|_| Quantity::ForceY);
         let moment_z = self.moment_z.map(|_| Quantity::MomentZ);
         self.x.map(|force| force.given().0).or(y).or(moment_z)
+    }
+
+    /// Checks that a motion has the creepages of a problem's own one where their forces are
+    /// prescribed: others would be ignored.
+    ///
+    /// # Errors
+    /// The first force whose creepage is another one.
+    pub fn check_motion(&self, own: &Kinematics, other: &Kinematics) -> Result<(), Error> {
+        let x = self.x.map(|force| force.given().0);
+        let y = self.y.map(|_| Quantity::ForceY);
+        let moment_z = self.moment_z.map(|_| Quantity::MomentZ);
+        for (force, creepage, is_other) in [
+            (x, Quantity::CreepageX, other.creepage_x != own.creepage_x),
+            (y, Quantity::CreepageY, other.creepage_y != own.creepage_y),
+            (moment_z, Quantity::Spin, other.spin != own.spin),
+        ] {
+            if let Some(force) = force.filter(|_| is_other) {
+                return Err(ForceError::AndCreepage { force, creepage }.into());
+            }
+        }
+        Ok(())
     }
 
     /// Checks that all of them are finite.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use schlupf::error::ForceError;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
-use schlupf::interface::contact_law::{Coulomb, TotalDisplacement};
+use schlupf::interface::contact_law::{Coulomb, Incremental, TotalDisplacement};
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, constant::Constant};
@@ -17,6 +17,7 @@ use schlupf::normal::ellipse::Ellipse;
 use schlupf::prescribed::ForceSolver;
 use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
 use schlupf::problem::Branch;
+use schlupf::rolling::MarchingSolver;
 use schlupf::rolling::marching::march;
 use schlupf::{
     Error, Options, Problem, Quantity, Solution, Solver, Status, Transient, Warning, unwatched,
@@ -172,6 +173,34 @@ fn the_motion_has_the_forces_when_it_is_given() {
     }
 }
 
+/// Bristles from soft ones through those of which some are treated as stick and slip (30 to 60
+/// times as stiff as a cell) to stiff ones, with F_x alone and with F_x, F_y and spin: the motion
+/// that was found has the forces when it is given, at most twice the products of that.
+#[test]
+fn bristles_of_any_stiffness() {
+    let mut problem = contact();
+    let limit = limit(&problem);
+    for stiffness in [1e7, 2e7, 2.5e7, 3e7, 4e7, 6e7, 1e8, 1e9] {
+        problem.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+        for (x, y, spin) in [(-0.5, None, 0.0), (-0.3, Some(0.4), 0.3), (-0.9, Some(0.0), 0.3)] {
+            problem.kinematics = Kinematics { spin, ..Kinematics::free_rolling(30.0) };
+            problem.prescribed = forces(x * limit, y.map(|y| y * limit));
+            let found = solve(&problem, &options(40));
+            let given = with_motion_of(&problem, &found);
+            let again = Method::Full.solver(&options(40)).solve(&given, &unwatched).unwrap();
+            let [one, other] = [&found, &again].map(|solution| solution.work.operator_products);
+            println!("{stiffness:e} {x} {y:?}: {one:.1} products, {other:.1} with creepages given");
+            for state in [&found, &again] {
+                assert!((state.force.x - x * limit).abs() < 2e-5 * limit, "{stiffness:e} {x}");
+                for y in y {
+                    assert!((state.force.y - y * limit).abs() < 2e-5 * limit, "{stiffness:e} {x}");
+                }
+            }
+            assert!(one <= 2.0 * other, "{stiffness:e} {x} {y:?}: {one} {other}");
+        }
+    }
+}
+
 /// Forces and torques that say the same: F_x = −0.1 N = T/r.
 #[test]
 fn a_traction_coefficient_and_a_torque_are_forces() {
@@ -305,6 +334,64 @@ fn forces_beyond_friction_are_refused_with_the_largest() {
     let near = Problem { prescribed: forces(-0.995 * limit, None), ..problem.clone() };
     let found = found_by(Method::Full, &near);
     assert!((found.force.x / limit + 0.995).abs() < 1e-5);
+}
+
+/// Friction that falls with heat, spin, and no lateral force: the largest braking force is the peak
+/// of the curve over ξ along which the lateral force vanishes; both creepages of a smaller force
+/// are found, in at most five times the products of one solution.
+#[test]
+fn the_largest_force_of_falling_friction_is_the_peak() {
+    let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    let kinematics = Kinematics { spin: 0.3, ..Kinematics::free_rolling(30.0) };
+    let problem =
+        Problem { friction: Friction::new(hot, 20.0), heat, ..common::problem(kinematics) };
+    let load = problem.normal.normal_contact(None).unwrap().summary.load;
+    let free = PrescribedForces { y: Some(0.0), ..PrescribedForces::default() };
+    let braking = |creepage_x: f64| {
+        let kinematics = Kinematics { creepage_x, ..problem.kinematics };
+        let problem = Problem { kinematics, prescribed: free, ..problem.clone() };
+        -solve(&problem, &options(16)).force.x
+    };
+    let peak = (1..40).map(|k| braking(5e-4 * f64::from(k))).fold(0.0, f64::max);
+    let of_force =
+        |force: f64| Problem { prescribed: forces(-force, Some(0.0)), ..problem.clone() };
+    let beyond = of_force(0.399 * load);
+    let error = ForceSolver::new(Method::Full.solver(&options(16))).solve(&beyond, &unwatched);
+    match error.unwrap_err() {
+        Error::Force { error: ForceError::Unreachable { largest, limit: None, .. } } => {
+            assert!((-largest / peak - 1.0).abs() < 1e-3, "{largest} {peak}");
+        }
+        error => panic!("{error}"),
+    }
+    let found = solve(&of_force(0.8 * peak), &options(24));
+    let other = found.warnings.iter().find_map(|warning| match warning {
+        Warning::SeveralMotions { creepages, .. } => Some(*creepages),
+        _ => None,
+    });
+    assert!(other.unwrap()[0] > 5.0 * found.kinematics.creepage_x);
+    let given = solve(&with_motion_of(&problem, &found), &options(24));
+    let [one, other] = [&found, &given].map(|solution| solution.work.operator_products);
+    println!("{one:.1} products, {other:.1} with creepages given");
+    assert!(one <= 5.0 * other, "{one} {other}");
+}
+
+/// A march to the steady state meets the forces as the direct solver does, though its state is
+/// another one where it takes heat from the step before.
+#[test]
+fn a_marching_solver_meets_the_forces() {
+    let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    let kinematics = Kinematics { spin: 0.3, ..Kinematics::free_rolling(30.0) };
+    let problem =
+        Problem { friction: Friction::new(hot, 20.0), heat, ..common::problem(kinematics) };
+    let load = problem.normal.normal_contact(None).unwrap().summary.load;
+    let problem = Problem { prescribed: forces(-0.25 * load, Some(0.0)), ..problem };
+    let mut solver = ForceSolver::new(Box::new(MarchingSolver::new(&options(10))));
+    let found = solver.solve(&problem, &unwatched).unwrap();
+    assert_eq!(found.status, Status::Converged);
+    assert!((found.force.x / load + 0.25).abs() < 1e-5, "{}", found.force.x / load);
+    assert!((found.force.y / load).abs() < 1e-5, "{}", found.force.y / load);
 }
 
 /// Every fast method finds the creepages of a force by its own equations; one without a moment

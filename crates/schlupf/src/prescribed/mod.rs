@@ -15,7 +15,7 @@ use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::steady::SteadySolver;
-use crate::solution::Solution;
+use crate::solution::{Solution, Status};
 use crate::solver::Solver;
 use crate::warning::Warning;
 
@@ -49,7 +49,7 @@ pub struct ForceSolver {
 }
 
 /// Cells across the patch of the scout in one direction, and its tolerance.
-const SCOUT_CELLS: usize = 14;
+const SCOUT_CELLS: usize = 10;
 const SCOUT_TOLERANCE: f64 = 1e-4;
 
 impl Solver for ForceSolver {
@@ -91,6 +91,9 @@ impl Solver for ForceSolver {
         self.inner.forget();
     }
 }
+
+/// Most corrections of the creepages that another solver found.
+const MOST_REFINEMENTS: usize = 6;
 
 /// Cells across the patch.
 fn cells(options: &Options) -> f64 {
@@ -139,7 +142,7 @@ impl ForceSolver {
         let path = path::follow(scaled, scout, (is_single, watch))?;
         let mut found = Vec::new();
         for state in &path.states {
-            let near = scaled.from(state.kinematics);
+            let near = scaled.from(state.solution.kinematics);
             self.inner.forget();
             found.extend(self.inner.solve_for_forces(&near, watch)?);
         }
@@ -160,16 +163,49 @@ impl ForceSolver {
         let branch = self.inner.options().branch;
         let is_single = scaled.problem.friction.law.is_constant();
         let path = path::follow(scaled, self.inner.as_mut(), (is_single, watch))?;
-        let mut states = path.states.iter();
+        let mut states = path.states.iter().map(|state| state.solution.clone());
         let Some(first) = states.next() else {
             return Err(self.not_found(scaled, &path, watch)?);
         };
-        let found = chosen(scaled, first.clone(), states.next().cloned(), branch);
-        // The states of the path have results that were not asked for, or lack those that were.
-        let mut solution = self.inner.solve(&scaled.at(found.kinematics), watch)?;
+        let found = chosen(scaled, first, states.next(), branch);
+        let mut solution = self.refined(scaled, &found, (&path, watch))?;
         let is_of_path = |warning: &Warning| matches!(warning, Warning::SeveralMotions { .. });
         solution.warnings.extend(found.warnings.into_iter().filter(is_of_path));
         solution.work.operator_products += path.products;
+        Ok(solution)
+    }
+
+    /// A state of the path as it was asked for: those of the path have results that were not, or
+    /// lack those that were. Where the states of the path are those of another solver, which knows
+    /// derivatives, the creepages are corrected by them.
+    fn refined(
+        &mut self,
+        scaled: &Scaled,
+        found: &Solution,
+        (path, watch): (&Path, Watch),
+    ) -> Result<Solution, Error> {
+        let mut solution = self.inner.solve(&scaled.at(found.kinematics), watch)?;
+        let of_path =
+            path.states.iter().find(|state| state.solution.kinematics == found.kinematics);
+        let inverse = of_path.and_then(|state| state.jacobian.clone().try_inverse());
+        let tolerance = path::ACCURACY * self.inner.options().tolerance;
+        let mut products = 0.0;
+        for _ in 0..MOST_REFINEMENTS {
+            let Some((inverse, off)) = inverse.as_ref().zip(scaled.missing(&solution)) else {
+                break;
+            };
+            if off.norm() <= tolerance || solution.status != Status::Converged {
+                break;
+            }
+            let creepages = scaled.creepages(&solution.kinematics) + inverse * off;
+            let better = scaled.motion(&creepages);
+            if better.check().is_err() {
+                break;
+            }
+            products += solution.work.operator_products;
+            solution = self.inner.solve(&scaled.at(better), watch)?;
+        }
+        solution.work.operator_products += products;
         Ok(solution)
     }
 

@@ -14,13 +14,13 @@ use super::scaled::{Response, Scaled};
 /// What was found along the path.
 pub(super) struct Path {
     /// States with the prescribed forces, in their order along it: at first on the rising branch.
-    pub states: Vec<Solution>,
+    pub states: Vec<Response>,
     /// The forces at the largest share s of the way to the prescribed ones, dimensionless.
     pub largest: DVector<f64>,
     /// Products with the compliance that it took, dimensionless.
     pub products: f64,
-    /// Whether no state was missed: the path was followed to where the wheel locks, or the forces
-    /// no longer grow.
+    /// Whether no state was missed: the path was followed to where the wheel locks, the forces no
+    /// longer grow, or they have fallen far below their peak.
     pub is_complete: bool,
 }
 
@@ -47,11 +47,15 @@ const ON_PATH: f64 = 1e-3;
 const STAGNANT: f64 = 1e-7;
 const STAGNANT_STEPS: usize = 3;
 
+/// Share of the way relative to the largest one at which the forces have fallen far below their
+/// peak, so that the largest is known.
+const FALLEN: f64 = 0.5;
+
 /// Halvings of the step by which the turning point of the path is found.
 const TURN_HALVINGS: usize = 12;
 
 /// Error of the forces over the tolerance of the solver within which they are the prescribed ones.
-const ACCURACY: f64 = 3.0;
+pub(super) const ACCURACY: f64 = 3.0;
 
 struct Point {
     response: Response,
@@ -85,7 +89,7 @@ pub(super) fn follow(
     let start = at_rest.forces.clone();
     let way = &scaled.target - &start;
     if way.norm() <= f64::EPSILON {
-        let states = vec![at_rest.solution];
+        let states = vec![at_rest];
         return Ok(Path { states, is_complete: is_single, products: 0.0, largest: start });
     }
     let mut follower = Follower { scaled, solver, watch, start, way, done: 0, products: 0.0 };
@@ -124,7 +128,7 @@ impl Follower<'_> {
                     step *= 0.5;
                     if step < LEAST { break } else { continue }
                 };
-                path.states.push(state.solution);
+                path.states.push(state);
                 if is_single {
                     path.is_complete = true;
                     return Ok(path);
@@ -146,6 +150,10 @@ impl Follower<'_> {
                     largest = share;
                     path.largest = forces;
                 }
+            }
+            if path.states.is_empty() && next.share < FALLEN * largest {
+                path.is_complete = true;
+                break;
             }
             let gained = (next.share - here.share).abs();
             stagnant = if gained < STAGNANT * step { stagnant + 1 } else { 0 };

@@ -167,6 +167,12 @@ impl Scaled {
         Some(DVector::from_vec(all.collect::<Option<Vec<f64>>>()?))
     }
 
+    /// By how much the forces of a state fall short of the prescribed ones; `None` where the method
+    /// lacks one.
+    pub fn missing(&self, solution: &Solution) -> Option<DVector<f64>> {
+        Some(&self.target - self.forces(&solution.force)?)
+    }
+
     /// What is prescribed first, its value, and that which belongs to given forces; in the unit of
     /// the quantity.
     pub fn in_terms(&self, forces: &DVector<f64>) -> Option<(crate::Quantity, [f64; 2])> {
