@@ -11,13 +11,12 @@ mod path;
 mod sampling;
 mod warnings;
 
-use crate::error::{Error, ForceError};
+use crate::error::Error;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell, within};
-use crate::quantity::Quantity;
 use crate::solution::{Area, Power, Resultant, Solution, Status, Work};
 use crate::solver::Solver;
 
@@ -215,16 +214,8 @@ pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), 
         let quantity = path.abscissa().quantity();
         return Err(Error::LocksOnCurve { quantity, value: locked });
     }
-    let (start, end, forces) = (path.start(), path.end(), &problem.prescribed);
-    for (force, creepage, varies) in [
-        (forces.x.map(|force| force.given().0), Quantity::CreepageX, start.x != end.x),
-        (forces.y.map(|_| Quantity::ForceY), Quantity::CreepageY, start.y != end.y),
-        (forces.moment_z.map(|_| Quantity::MomentZ), Quantity::Spin, start.spin != end.spin),
-    ] {
-        if let Some(force) = force.filter(|_| varies) {
-            return Err(ForceError::AndCreepage { force, creepage }.into());
-        }
-    }
+    let [start, end] = [path.start(), path.end()].map(|end| end.at_speed(problem.kinematics.speed));
+    problem.prescribed.check_motion(&start, &end)?;
     let mut there = problem.clone();
     sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {
         there.kinematics = path.at(abscissa).at_speed(problem.kinematics.speed);
