@@ -126,7 +126,10 @@ impl Follower<'_> {
             if (here.share < 1.0) != (next.share < 1.0) {
                 let Some(state) = self.land(&here, &next)? else {
                     step *= 0.5;
-                    if step < LEAST { break } else { continue }
+                    if step < LEAST {
+                        break;
+                    }
+                    continue;
                 };
                 path.states.push(state);
                 if is_single {

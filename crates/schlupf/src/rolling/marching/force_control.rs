@@ -84,7 +84,7 @@ impl ForceControl {
         if prescribed.is_none() {
             return Ok(None);
         }
-        let contact = EllipticContact::of(problem, normal.clone())?;
+        let contact = EllipticContact::of(problem, *normal)?;
         let (load, lever) = (normal.load, contact.lever());
         for time in &history.time {
             let load = history.load(*time).unwrap_or(load);
@@ -151,7 +151,7 @@ impl ForceControl {
         });
         let missing = DVector::from_iterator(wanted.len(), missing);
         let size = wanted.iter().zip(&self.force_units).map(|((_, wanted), unit)| wanted / unit);
-        let size = size.fold(0.0_f64, |size, part| size.hypot(part)).min(1.0);
+        let size = size.fold(0.0_f64, f64::hypot).min(1.0);
         let share = if bound > 0.0 { measure(bound, traction) / bound } else { 1.0 };
         self.missing = missing.norm();
         self.trials += 1;

@@ -366,7 +366,9 @@ impl<'a> March<'a> {
         self.outcome = Outcome::default();
         let mut control = self.control.take();
         let (time, load) = (self.time, self.contact.normal.load);
-        control.iter_mut().for_each(|control| control.begin(self.history, time));
+        if let Some(control) = &mut control {
+            control.begin(self.history, time);
+        }
         let moved = loop {
             if let Some(control) = &control {
                 self.now.over_step = control.motion(&self.now.over_step);

@@ -59,7 +59,7 @@ impl Drives {
         (prescribed, place): (&PrescribedForces, [f64; 2]),
     ) -> Result<Self, Error> {
         let normal = &level.contact.normal;
-        let contact = EllipticContact::of(problem, normal.clone())?;
+        let contact = EllipticContact::of(problem, *normal)?;
         let lever = contact.lever();
         let pressures: Vec<f64> =
             level.contact.patch.cells.iter().map(|cell| cell.pressure).collect();
@@ -177,7 +177,9 @@ impl<'a> Driven<'a> {
                 direct.set_motion(k, cell, &motion);
             }
             self.state().change_by(&direct, column);
-            column.iter_mut().for_each(|entry| *entry *= over_scale);
+            for entry in column.iter_mut() {
+                *entry *= over_scale;
+            }
         }
         self.columns = columns;
         self.has_columns = true;
@@ -198,17 +200,17 @@ impl<'a> Driven<'a> {
             by_creepage.set_column(j, &DVector::from_vec(self.drives.excess(&change, true)));
             self.images[j] = image;
         }
-        self.inverse = regular_inverse(by_creepage);
+        self.inverse = regular_inverse(&by_creepage);
         self.has_images = true;
     }
 }
 
 /// The inverse of a matrix that is about the identity where the contact sticks; with something
 /// added to its diagonal where that makes it regular.
-fn regular_inverse(matrix: DMatrix<f64>) -> DMatrix<f64> {
+fn regular_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let count = matrix.nrows();
     for share in [0.0, LEAST_STIFFNESS, 1.0] {
-        let shifted = &matrix + share * DMatrix::identity(count, count);
+        let shifted = matrix + share * DMatrix::identity(count, count);
         if let Some(inverse) = shifted
             .try_inverse()
             .filter(|inverse| inverse.iter().all(|entry| entry.abs() < LEAST_STIFFNESS.recip()))
