@@ -57,8 +57,8 @@ fn creep_forces_of_contact() {
     assert_eq!(checked, names.len());
 }
 
-/// CONTACT (rev. 2707) with total forces prescribed (F = 1 and 2): an input with the forces of a row
-/// has the creepages that CONTACT found, within 1 % or 2e-5 on 40 cells.
+/// CONTACT (rev. 2707) with total forces prescribed (F = 1 and 2): an input with the forces of a
+/// row has the creepages that CONTACT found, within 1 % or 2e-5 on 40 cells.
 #[test]
 fn creepages_of_prescribed_forces() {
     let mut checked = 0;
