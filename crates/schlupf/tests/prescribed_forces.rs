@@ -340,16 +340,20 @@ fn forces_beyond_friction_are_refused_with_the_largest() {
     assert!((found.force.x / limit + 0.995).abs() < 1e-5);
 }
 
+/// Friction that falls with heat, and spin.
+fn heated() -> Problem {
+    let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    let kinematics = Kinematics { spin: 0.3, ..Kinematics::free_rolling(30.0) };
+    Problem { friction: Friction::new(hot, 20.0), heat, ..common::problem(kinematics) }
+}
+
 /// Friction that falls with heat, spin, and no lateral force: the largest braking force is the peak
 /// of the curve over ξ along which the lateral force vanishes; both creepages of a smaller force
 /// are found, in at most five times the products of one solution.
 #[test]
 fn the_largest_force_of_falling_friction_is_the_peak() {
-    let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
-    let kinematics = Kinematics { spin: 0.3, ..Kinematics::free_rolling(30.0) };
-    let problem =
-        Problem { friction: Friction::new(hot, 20.0), heat, ..common::problem(kinematics) };
+    let problem = heated();
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let free = PrescribedForces { y: Some(0.0), ..PrescribedForces::default() };
     let braking = |creepage_x: f64| {
@@ -384,11 +388,7 @@ fn the_largest_force_of_falling_friction_is_the_peak() {
 /// another one where it takes heat from the step before.
 #[test]
 fn a_marching_solver_meets_the_forces() {
-    let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
-    let kinematics = Kinematics { spin: 0.3, ..Kinematics::free_rolling(30.0) };
-    let problem =
-        Problem { friction: Friction::new(hot, 20.0), heat, ..common::problem(kinematics) };
+    let problem = heated();
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let problem = Problem { prescribed: forces(-0.25 * load, Some(0.0)), ..problem };
     let mut solver = ForceSolver::new(Box::new(MarchingSolver::new(&options(10))));
