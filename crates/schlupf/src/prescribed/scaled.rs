@@ -167,8 +167,8 @@ impl Scaled {
         Some(DVector::from_vec(all.collect::<Option<Vec<f64>>>()?))
     }
 
-    /// By how much the forces of a state fall short of the prescribed ones; `None` where the method
-    /// lacks one.
+    /// By how much the forces of a state fall short of the prescribed ones, dimensionless; `None`
+    /// where the method lacks one.
     pub fn missing(&self, solution: &Solution) -> Option<DVector<f64>> {
         Some(&self.target - self.forces(&solution.force)?)
     }
