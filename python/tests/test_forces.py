@@ -35,6 +35,24 @@ def test_conditions_are_broadcast_as_in_numpy():
     assert int(table["status"].sum()) == 0
 
 
+def test_a_force_in_place_of_its_creepage():
+    case = schlupf.Case(
+        grid={"cells_x": 12, "cells_y": 12},
+        contact_law={"model": "coulomb"},
+        friction={"model": "constant"},
+        kinematics={"force_x": -20e3},
+    )
+    result = case.solve()
+    assert result.force.x == pytest.approx(-20e3, rel=1e-4)
+    assert result.kinematics.creepage_x > 0
+    table = schlupf.forces(case, kinematics__force_x=[-10e3, -20e3])
+    np.testing.assert_allclose(table["force_x"], [-10e3, -20e3], rtol=1e-4)
+    with pytest.raises(schlupf.CaseError, match=r"kinematics\.force_x"):
+        schlupf.forces(case, creepage_x=[0.001, 0.002])
+    with pytest.raises(schlupf.CaseError, match=r"kinematics\.force_x"):
+        case.with_(kinematics={"creepage_x": 0.001}).solve()
+
+
 def test_a_condition_is_given_once():
     with pytest.raises(TypeError, match="must be given once"):
         schlupf.forces(POLACH, load=60e3, normal__load=70e3)

@@ -284,7 +284,8 @@ impl Settings {
     }
 
     fn missing(&self, path: &str) -> CaseError {
-        if let Some(companion) = fields::companion(path).filter(|other| self.is_given(other)) {
+        let mut companions = fields::companions(path).iter();
+        if let Some(companion) = companions.find(|other| self.is_given(other)) {
             return self.missing_beside(path, companion);
         }
         let field = fields::find(path);
@@ -327,8 +328,9 @@ impl Settings {
 
     /// Whether a field belongs to the models that were chosen and the fields that were given.
     pub fn is_used(&self, field: &Field) -> bool {
-        let is_alone = |with| !self.given.contains_key(with);
-        if fields::companion(field.path).is_some_and(is_alone) {
+        let companions = fields::companions(field.path);
+        let has_one = companions.iter().any(|with| self.given.contains_key(*with));
+        if !companions.is_empty() && !has_one {
             return false;
         }
         if field.idle_with.is_some_and(|choice| self.is_chosen(choice)) {
@@ -398,8 +400,9 @@ impl Settings {
                 uses.map(|(model, _)| model).filter(|model| self.counts(model)).collect();
             let is_chosen = idle_with.is_none() && field.uses().any(|used| self.is_chosen(used));
             if models.is_empty() || is_chosen {
-                if let Some(companion) = fields::companion(path) {
-                    notices.push(notice(format!("without {companion}")));
+                let companions = fields::companions(path);
+                if !companions.is_empty() {
+                    notices.push(notice(format!("without {}", companions.join(" or "))));
                 }
                 continue;
             }

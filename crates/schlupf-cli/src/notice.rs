@@ -62,10 +62,12 @@ mod tests {
 
     #[test]
     fn every_error_is_documented_and_no_other() {
-        use schlupf::error::{FitError, SurfaceError, WheelRailError};
+        use schlupf::error::{FitError, ForceError, SurfaceError, WheelRailError};
         /// Those of which the code is that of the error within.
-        const OUTER: [&str; 5] = ["at-time", "no-rolling-at-patch", "surface", "fit", "wheel-rail"];
-        let parts = [FitError::CODES, SurfaceError::CODES, WheelRailError::CODES];
+        const OUTER: [&str; 6] =
+            ["at-time", "no-rolling-at-patch", "surface", "fit", "force", "wheel-rail"];
+        let parts =
+            [FitError::CODES, ForceError::CODES, SurfaceError::CODES, WheelRailError::CODES];
         let mut codes = all(&[Error::CODES]);
         codes.extend(all(&parts));
         codes.retain(|code| !OUTER.contains(&code.as_str()));

@@ -285,6 +285,26 @@ fn fastsim() {
     assert!(!modified.contains("[contact_law]") && !modified.contains("[elasticity]"));
 }
 
+/// Forces over the friction limit become forces on the wheel; the other direction keeps its
+/// creepage. With the wheel as body 2 the force on it has the other sign along x, as slips have;
+/// rolling along -x turns both.
+#[test]
+fn prescribed_forces() {
+    let text = with(BALL, &[("203100", "203110"), ("0.001 ", "-0.5 ")]);
+    // 0.5 · 0.3 · 52.359878 kN.
+    let one_force = one(&text).text;
+    has(&one_force, &["force_x = \"-7.8539817 kN\"", "creepage_y = -0.0005"]);
+    assert!(!one_force.contains("creepage_x"));
+    let both = with(BALL, &[("203100", "203120"), ("0.001 ", "-0.5 "), ("-0.0005", "0.4")]);
+    let two_forces = one(&both).text;
+    has(&two_forces, &["force_x = \"-7.8539817 kN\"", "force_y = \"6.28318536 kN\""]);
+    assert!(!two_forces.contains("creepage"));
+    let turned = one(&with(&both, &[("0.0d 0.25", "180d 0.25")])).text;
+    has(&turned, &["force_x = \"7.8539817 kN\"", "force_y = \"-6.28318536 kN\""]);
+    let below = import_with(&both, WheelBody::Second);
+    has(&below.cases[0].text, &["force_x = \"7.8539817 kN\"", "force_y = \"6.28318536 kN\""]);
+}
+
 /// Compression without friction is rolling without creepage; a shift is one of the wheel.
 #[test]
 fn compression_and_shift() {
@@ -469,7 +489,16 @@ fn values_that_are_not_available_are_named() {
             "PEN = 52359.878: an approach is",
         ),
         (&[("203100", "203130")], 5, "digit F of PBTNFS must be one of 0, 1, 2, but is 3"),
-        (&[("203100", "203110"), ("0.001 ", "-0.5 ")], 5, "F = 1: prescribed forces are not"),
+        (
+            &[("203100", "203110"), ("0.001 ", "-1.5 ")],
+            9,
+            "FXREL = -1.5: the force must be less than 1",
+        ),
+        (
+            &[("203100", "203120"), ("0.001 ", "-0.8 "), ("-0.0005", "0.6")],
+            9,
+            "FXREL = -0.8: the force must be less than 1",
+        ),
         (
             &[("203100", "201110"), (" 0.0d 0.25 30000.   CHI, DQ, VELOC\n", "")],
             5,

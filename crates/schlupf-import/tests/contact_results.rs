@@ -57,6 +57,40 @@ fn creep_forces_of_contact() {
     assert_eq!(checked, names.len());
 }
 
+/// CONTACT (rev. 2707) with total forces prescribed (F = 1 and 2): an input with the forces of a
+/// row has the creepages that CONTACT found, within 1 % or 2e-5 on 40 cells.
+#[test]
+fn creepages_of_prescribed_forces() {
+    let mut checked = 0;
+    for row in rows("contact_prescribed_force.csv") {
+        let number = |k: usize| row[k].parse::<f64>();
+        let [digits, fy] = match number(6) {
+            Ok(force) => ["203120", &force.to_string()],
+            Err(_) => ["203110", "0.0"],
+        };
+        let spin = 1e-3 * number(7).unwrap();
+        let motion = format!("75398.224 {} {fy} {spin} ", number(5).unwrap());
+        let text = with(
+            BALL,
+            &[
+                ("203100", digits),
+                ("52359.878 0.001 -0.0005 0.0002 ", &motion),
+                ("5.0 5.0 1.1", "6.0 6.0 1.1"),
+            ],
+        );
+        let case = posed(&one(&text));
+        let solution = case.solver().solve(&case.problem, &schlupf::unwatched).unwrap();
+        let found = [solution.kinematics.creepage_x, solution.kinematics.creepage_y];
+        for (found, place) in found.into_iter().zip([12, 13]) {
+            let expected = number(place).unwrap();
+            let most = (0.01 * expected.abs()).max(2e-5);
+            assert!((found - expected).abs() < most, "{}: {found}, not {expected}", row[0]);
+        }
+        checked += 1;
+    }
+    assert_eq!(checked, 6);
+}
+
 /// The Manchester benchmark, case, as an input of module 1: contact points, forces and
 /// largest pressure of CONTACT (rev. 2707), within the accuracy of its grid.
 #[test]

@@ -187,8 +187,10 @@ fn forces(
         }
     }
     let found = parallel::try_map(blocks, |block| match block.case.method {
-        Method::Fast(method) => block.fast(method, watch),
-        Method::Full => block.full(watch),
+        Method::Fast(method) if block.case.problem.prescribed.is_none() => {
+            block.fast(method, watch)
+        }
+        _ => block.full(watch),
     })?;
     for warning in found.into_iter().flatten() {
         note(&mut warnings, warning);
@@ -227,7 +229,7 @@ impl Block<'_> {
         Ok(warnings)
     }
 
-    /// The same by the full method.
+    /// The same by a solver: by the full method, or where forces are prescribed.
     fn full(mut self, watch: Watch) -> Result<Vec<Repeated>, Failure> {
         let Self { case, conditions, start, .. } = self;
         let mut warnings = Vec::new();

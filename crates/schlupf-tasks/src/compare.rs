@@ -194,10 +194,10 @@ impl Solved {
     fn time_again(&mut self, watch: Watch) -> Result<f64, Error> {
         let Case { problem, options, method, .. } = &self.case;
         match method {
-            Method::Fast(method) => {
+            Method::Fast(method) if problem.prescribed.is_none() => {
                 forces_again(FastContact::new(problem, *method, options)?, problem)
             }
-            Method::Full => {
+            _ => {
                 self.solver.forget();
                 let start = Instant::now();
                 self.solver.solve(problem, watch)?;

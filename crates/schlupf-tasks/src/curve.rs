@@ -123,6 +123,7 @@ impl Request {
         }
         let member = |(values, case): (Vec<FieldValue>, Case)| {
             let path = self.varied.path(&case).map_err(|error| self.failure(&case, &error))?;
+            let case = self.varied.in_place_of_forces(case);
             Ok(Member { values, case, path })
         };
         let members = cases.into_iter().map(member).collect::<Result<Vec<_>, TaskError>>()?;
@@ -190,13 +191,18 @@ impl Request {
     fn in_place_of(&self, field: &str) -> Option<&'static str> {
         let Self { varied, names, .. } = self;
         match field {
-            "kinematics.creepage_x" | "kinematics.angular_velocity" | "kinematics.wheel_radius" => {
+            "kinematics.creepage_x"
+            | "kinematics.angular_velocity"
+            | "kinematics.wheel_radius"
+            | "kinematics.force_x"
+            | "kinematics.traction_coefficient"
+            | "kinematics.wheel_torque" => {
                 varied.total.map(|_| names.creepage).or(varied.creepage_x.map(|_| names.creepage_x))
             }
-            "kinematics.creepage_y" | "kinematics.yaw_angle" => {
+            "kinematics.creepage_y" | "kinematics.yaw_angle" | "kinematics.force_y" => {
                 varied.total.map(|_| names.creepage).or(varied.creepage_y.map(|_| names.creepage_y))
             }
-            "kinematics.spin" => varied.spin.map(|_| names.spin),
+            "kinematics.spin" | "kinematics.moment_z" => varied.spin.map(|_| names.spin),
             _ => None,
         }
     }
@@ -214,6 +220,21 @@ impl Request {
 }
 
 impl Varied {
+    /// The case without the forces of the creepages that vary in their place.
+    fn in_place_of_forces(&self, mut case: Case) -> Case {
+        let forces = &mut case.problem.prescribed;
+        if self.creepage_x.or(self.total.map(|(range, _)| range)).is_some() {
+            forces.x = None;
+        }
+        if self.creepage_y.or(self.total.map(|(range, _)| range)).is_some() {
+            forces.y = None;
+        }
+        if self.spin.is_some() {
+            forces.moment_z = None;
+        }
+        case
+    }
+
     /// The creepages of a case with those that vary in their place.
     fn path(&self, case: &Case) -> Result<Path, schlupf::Error> {
         let own = Creepages::of(&case.problem.kinematics);

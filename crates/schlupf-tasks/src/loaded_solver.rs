@@ -40,7 +40,7 @@ impl LoadedSolver {
     /// case where there is none.
     ///
     /// # Errors
-    /// Whatever the solver refuses.
+    /// Whatever the solver refuses, and another creepage where the case prescribes its force.
     pub fn solve(
         &mut self,
         case: &Case,
@@ -48,6 +48,7 @@ impl LoadedSolver {
         load: Option<f64>,
         watch: Watch,
     ) -> Result<Solution, Error> {
+        case.problem.prescribed.check_motion(&case.problem.kinematics, &kinematics)?;
         let own = &case.problem.normal;
         if let Some(load) = load.filter(|load| self.load != Some(*load)) {
             self.normal = Arc::new(AtLoad::new(Arc::clone(own), load)?);

@@ -14,6 +14,7 @@ use crate::material::{Body, contact_modulus};
 use crate::normal::PressureSource;
 use crate::normal::at_load::AtLoad;
 use crate::normal::hertz::{Hertz, Radii};
+use crate::prescribed_forces::PrescribedForces;
 use crate::problem::Problem;
 
 /// Default normal load N, in N.
@@ -40,6 +41,7 @@ impl Problem {
 #[must_use]
 pub struct ProblemBuilder {
     kinematics: Kinematics,
+    prescribed: PrescribedForces,
     reference: ReferencePoint,
     wheel: Body,
     rail: Body,
@@ -57,6 +59,7 @@ impl Default for ProblemBuilder {
     fn default() -> Self {
         Self {
             kinematics: Kinematics::free_rolling(30.0),
+            prescribed: PrescribedForces::default(),
             reference: ReferencePoint::Patch,
             wheel: Body::STEEL,
             rail: Body::STEEL,
@@ -100,6 +103,12 @@ impl ProblemBuilder {
     /// Speed, creepages and spin together, for example from [`Kinematics::from_wheel`].
     pub fn kinematics(mut self, kinematics: Kinematics) -> Self {
         self.kinematics = kinematics;
+        self
+    }
+
+    /// Forces in place of the creepages of the same direction; default: none.
+    pub fn prescribed(mut self, prescribed: PrescribedForces) -> Self {
+        self.prescribed = prescribed;
         self
     }
 
@@ -200,6 +209,7 @@ impl ProblemBuilder {
             self.reference_temperature.unwrap_or(self.rail.bulk_temperature);
         let problem = Problem {
             kinematics: self.kinematics,
+            prescribed: self.prescribed,
             reference: self.reference,
             wheel: self.wheel,
             rail: self.rail,

@@ -1,9 +1,10 @@
 //! Creepages, speed and load over time: transient rolling, optionally starting with a shift at
 //! rest.
 
-use crate::error::{Error, Place, require_at, require_finite};
+use crate::error::{Error, ForceError, Place, require_at, require_finite};
 use crate::kinematics::Kinematics;
 use crate::numerics::interpolation::piecewise_linear;
+use crate::prescribed_forces::{LongitudinalForce, PrescribedForces};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -33,6 +34,12 @@ pub struct History {
     pub spin: Option<Vec<f64>>,
     /// Normal load, in N.
     pub load: Option<Vec<f64>>,
+    /// Longitudinal force on the wheel F_x, in N, in place of ξ.
+    pub force_x: Option<Vec<f64>>,
+    /// Lateral force on the wheel F_y, in N, in place of η.
+    pub force_y: Option<Vec<f64>>,
+    /// Moment on the wheel M_z, in N m, in place of φ.
+    pub moment_z: Option<Vec<f64>>,
 }
 
 impl History {
@@ -60,6 +67,9 @@ impl History {
             (Quantity::HistoryCreepageY, &self.creepage_y),
             (Quantity::HistorySpin, &self.spin),
             (Quantity::HistoryLoad, &self.load),
+            (Quantity::HistoryForceX, &self.force_x),
+            (Quantity::HistoryForceY, &self.force_y),
+            (Quantity::HistoryMomentZ, &self.moment_z),
         ] {
             let length = table.as_ref().map_or(count, Vec::len);
             if length != count {
@@ -77,6 +87,26 @@ impl History {
         Ok(())
     }
 
+    /// Checks that no creepage over time has its force prescribed, here or in `otherwise`.
+    pub fn check_forces(&self, otherwise: &PrescribedForces) -> Result<(), Error> {
+        let x = self.force_x.as_ref().map(|_| Quantity::HistoryForceX);
+        let y = self.force_y.as_ref().map(|_| Quantity::HistoryForceY);
+        let moment_z = self.moment_z.as_ref().map(|_| Quantity::HistoryMomentZ);
+        let x = x.or(otherwise.x.map(|force| force.given().0));
+        let y = y.or(otherwise.y.map(|_| Quantity::ForceY));
+        let moment_z = moment_z.or(otherwise.moment_z.map(|_| Quantity::MomentZ));
+        for (force, creepage, table) in [
+            (x, Quantity::HistoryCreepageX, &self.creepage_x),
+            (y, Quantity::HistoryCreepageY, &self.creepage_y),
+            (moment_z, Quantity::HistorySpin, &self.spin),
+        ] {
+            if let (Some(force), Some(_)) = (force, table) {
+                return Err(ForceError::AndCreepage { force, creepage }.into());
+            }
+        }
+        Ok(())
+    }
+
     /// Whether the history is a shift without rolling.
     pub fn is_shift_only(&self) -> bool {
         self.shift.is_some() && self.time.is_empty()
@@ -88,8 +118,9 @@ impl History {
     }
 
     fn is_constant(&self) -> bool {
-        let series = [&self.speed, &self.creepage_x, &self.creepage_y, &self.spin, &self.load];
-        series.iter().all(|values| values.is_none())
+        let motion = [&self.speed, &self.creepage_x, &self.creepage_y, &self.spin, &self.load];
+        let mut series = motion.into_iter().chain([&self.force_x, &self.force_y, &self.moment_z]);
+        series.all(Option::is_none)
     }
 
     /// Speed and creepages at a time (in s).
@@ -155,6 +186,18 @@ impl History {
             creepage_x: moved(&self.creepage_x, |kinematics| kinematics.creepage_x),
             creepage_y: moved(&self.creepage_y, |kinematics| kinematics.creepage_y),
             ..self.clone()
+        }
+    }
+
+    /// Forces in place of creepages at a time (in s): those of the history, and the others of
+    /// `otherwise`.
+    pub(crate) fn prescribed(&self, time: f64, otherwise: &PrescribedForces) -> PrescribedForces {
+        let at =
+            |table: &Option<Vec<f64>>| table.as_ref().map(|values| self.interpolate(values, time));
+        PrescribedForces {
+            x: at(&self.force_x).map(LongitudinalForce::Force).or(otherwise.x),
+            y: at(&self.force_y).or(otherwise.y),
+            moment_z: at(&self.moment_z).or(otherwise.moment_z),
         }
     }
 

@@ -13,14 +13,17 @@ use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::Body;
 use crate::normal::PressureSource;
+use crate::prescribed_forces::PrescribedForces;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
 /// A rolling contact: two bodies, their motion, and the laws of their interaction.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Speed and creepages.
+    /// Speed and creepages. A creepage whose force is prescribed is only a first guess.
     pub kinematics: Kinematics,
+    /// Forces in place of creepages.
+    pub prescribed: PrescribedForces,
     /// Reference point of the creepages and of the moment of the solution.
     pub reference: ReferencePoint,
     /// The wheel.
@@ -40,6 +43,11 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// The same with all creepages given.
+    pub(crate) fn without_forces(&self) -> Self {
+        Self { prescribed: PrescribedForces::default(), ..self.clone() }
+    }
+
     /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
     pub fn conduction(&self, kinematics: &Kinematics) -> Conduction {
         Conduction::new(&self.heat.partition, &self.wheel, &self.rail, kinematics)
@@ -84,6 +92,18 @@ impl Problem {
         self.friction_response(conduction, 0.0, 0.0, y)
     }
 
+    /// The coefficient of friction (dimensionless), if it is the same everywhere within a distance
+    /// from the middle across rolling (in m), whatever the motion.
+    pub(crate) fn uniform_friction(&self, width: f64) -> Option<f64> {
+        /// Places on either side of the middle that are compared.
+        const PLACES: i32 = 8;
+        let (cold, law) = (self.friction.cold_coefficient(), &self.friction.law);
+        let conduction = self.conduction(&self.kinematics);
+        let mut places = (-PLACES..=PLACES).map(|k| width * f64::from(k) / f64::from(PLACES));
+        let is_cold = |y| self.entry_friction(&conduction, y).coefficient == cold;
+        (law.is_constant() && places.all(is_cold)).then_some(cold)
+    }
+
     /// How friction lags behind its law, if it depends on anything that changes within the contact.
     pub fn friction_memory(&self) -> Option<FrictionMemory> {
         self.friction.memory.filter(|_| !self.friction.law.is_constant())
@@ -92,6 +112,7 @@ impl Problem {
     /// Performs all checks possible before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.kinematics.check()?;
+        self.prescribed.check()?;
         self.wheel.check_wheel()?;
         self.rail.check_rail()?;
         self.heat.check()?;

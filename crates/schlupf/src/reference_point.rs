@@ -5,7 +5,7 @@
 //! on the way out; both describe the same rigid motion and the same tractions, so nothing else
 //! changes.
 
-use crate::error::Error;
+use crate::error::{Error, ForceError};
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
@@ -39,6 +39,9 @@ impl AtPatch {
     /// centre of the patch, whatever [`Problem::check`] rejects, and [`Error::Stopped`].
     pub fn new(problem: &Problem, watch: Watch) -> Result<Self, Error> {
         problem.check()?;
+        if let Some(quantity) = problem.prescribed.first() {
+            return Err(ForceError::NotPossible { quantity }.into());
+        }
         problem.normal.prepare(None, watch)?;
         let reference = problem.reference;
         if reference == ReferencePoint::Patch {
@@ -62,6 +65,11 @@ impl AtPatch {
         };
         let (problem, initial_state) = (self.problem.clone(), given.initial_state.clone());
         Transient { problem, history, initial_state }
+    }
+
+    /// Position of the reference point in the contact frame, x and y in m.
+    pub fn place(&self) -> [f64; 2] {
+        self.place
     }
 
     /// Switches to another motion, given at the reference point.

@@ -4,6 +4,7 @@ use crate::grid::Grid;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
+use crate::prescribed_forces::Direction;
 use crate::state::State;
 use crate::warning::Warning;
 
@@ -123,6 +124,15 @@ impl Resultant {
     /// Forces (in N) with a moment (in N m).
     pub const fn new(x: f64, y: f64, moment_z: f64) -> Self {
         Self { x, y, moment_z: Some(moment_z) }
+    }
+
+    /// The force of a direction, in N or N m; `None` if the method has no moment.
+    pub(crate) fn along(&self, direction: Direction) -> Option<f64> {
+        match direction {
+            Direction::X => Some(self.x),
+            Direction::Y => Some(self.y),
+            Direction::Spin => self.moment_z,
+        }
     }
 
     /// |F|, in the unit of the forces.

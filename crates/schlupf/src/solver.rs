@@ -2,9 +2,10 @@
 
 use crate::error::Error;
 use crate::method::Method;
+use crate::prescribed_forces::Direction;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
-use crate::solution::Solution;
+use crate::solution::{Resultant, Solution};
 
 /// Finds steady states, one problem after another: points of a creep curve, or families of them.
 /// Extension point.
@@ -19,7 +20,8 @@ pub trait Solver: Send + Sync {
     /// The options of the solver.
     fn options(&self) -> &Options;
 
-    /// Solves for the steady state of a problem.
+    /// Solves for the steady state of a problem whose creepages are given; whatever forces it
+    /// prescribes is an error: [`crate::prescribed`] finds their creepages with any solver.
     ///
     /// # Errors
     /// Whatever [`Problem::check`] and [`Options::check`] reject, and [`Error::Stopped`].
@@ -36,6 +38,49 @@ pub trait Solver: Send + Sync {
     /// # Errors
     /// As [`Self::solve`].
     fn solve_with_derivatives(
+        &mut self,
+        _problem: &Problem,
+        _watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        Ok(None)
+    }
+
+    /// The steady state with the derivatives of forces and moment with respect to the creepages of
+    /// some directions (in N and N m, for the spin in N m and N m²), for a search: to about a
+    /// thousandth. `None` as for [`Self::solve_with_derivatives`].
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    fn solve_with_slopes(
+        &mut self,
+        problem: &Problem,
+        directions: &[Direction],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let found = self.solve_with_derivatives(problem, watch)?;
+        Ok(found.and_then(|solution| {
+            let by = solution.sensitivity?;
+            let slope = |direction: &Direction| match direction {
+                Direction::X => by.creepage_x,
+                Direction::Y => by.creepage_y,
+                Direction::Spin => by.spin,
+            };
+            Some((solution, directions.iter().map(slope).collect()))
+        }))
+    }
+
+    /// Whether it finds states together with the creepages that prescribed forces cause.
+    fn solves_for_forces(&self) -> bool {
+        false
+    }
+
+    /// The steady state with the forces that the problem prescribes, found together with the
+    /// creepages that they cause, from those of the problem as a first guess. `None` if that fails,
+    /// or if the solver cannot do it.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    fn solve_for_forces(
         &mut self,
         _problem: &Problem,
         _watch: Watch,

@@ -28,6 +28,7 @@ impl Transient {
     /// Performs all checks possible before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.problem.check()?;
+        self.history.check_forces(&self.problem.prescribed)?;
         self.history.check(&self.problem.kinematics)
     }
 }

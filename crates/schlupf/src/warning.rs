@@ -45,6 +45,24 @@ messages! {
         )
     };
 
+    /// Several motions have the prescribed forces.
+    "several-motions" SeveralMotions {
+        /// Whether this one is on the rising branch (or on the falling one).
+        is_low: bool,
+        /// Creepages of the other one: longitudinal and lateral, dimensionless, and spin, in 1/m.
+        creepages: [f64; 3],
+    } Quantity::Branch, |name, words| {
+        let [here, there] = if *is_low { ["rising", "falling"] } else { ["falling", "rising"] };
+        let [x, y, spin] = creepages;
+        let [words_x, words_y, words_spin] =
+            [Quantity::CreepageX, Quantity::CreepageY, Quantity::Spin].map(|q| words.word(q));
+        format!(
+            "friction falls, and two motions have the prescribed forces: this one is on the {here} \
+             branch of the creep curve; that on the {there} branch has {words_x} = {x:.6e}, \
+             {words_y} = {y:.6e} and {words_spin} = {spin:.6e} 1/m"
+        )
+    };
+
     /// There may be several steady states.
     "branch-lost" BranchLost {} Quantity::Branch, |name, words| {
         "friction falls so fast that there may be several steady states; they could not be followed \

@@ -216,6 +216,7 @@ fn powers_of_every_step_balance() {
                 creepage_y: Some(vec![0.001, 0.0, 0.002, 0.001]),
                 spin: Some(vec![0.0, 0.4, 0.2, 0.1]),
                 load,
+                ..History::default()
             };
             let solution = solve_over(&rolls, history, &cells(24));
             for pair in solution.history.windows(2) {

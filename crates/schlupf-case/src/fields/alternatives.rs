@@ -81,12 +81,54 @@ pub const ROUGHNESS: &[&str] = &[
     "contact_law.roughness.pressures",
 ];
 
+/// Fields that prescribe the longitudinal force.
+const LONGITUDINAL_FORCES: &[&str] = &[
+    "kinematics.force_x",
+    "kinematics.traction_coefficient",
+    "kinematics.wheel_torque",
+    "history.force_x",
+];
+
+/// Fields that prescribe forces in place of creepages.
+pub const FORCES: &[&str] = &[
+    "kinematics.force_x",
+    "kinematics.traction_coefficient",
+    "kinematics.wheel_torque",
+    "kinematics.force_y",
+    "kinematics.moment_z",
+];
+
 /// All pairs of groups that exclude each other.
 pub const ALTERNATIVES: &[Alternatives] = &[
     Alternatives {
         first: &["kinematics.angular_velocity"],
         second: &["kinematics.creepage_x", "history.creepage_x", "history.speed"],
         reason: "the angular velocity determines the longitudinal creepage at a given speed",
+    },
+    Alternatives {
+        first: LONGITUDINAL_FORCES,
+        second: &["kinematics.creepage_x", "kinematics.angular_velocity", "history.creepage_x"],
+        reason: "a longitudinal force determines the longitudinal creepage",
+    },
+    Alternatives {
+        first: &["kinematics.force_x", "history.force_x"],
+        second: &["kinematics.traction_coefficient", "kinematics.wheel_torque"],
+        reason: "all of them prescribe the longitudinal force",
+    },
+    Alternatives {
+        first: &["kinematics.traction_coefficient"],
+        second: &["kinematics.wheel_torque"],
+        reason: "both prescribe the longitudinal force",
+    },
+    Alternatives {
+        first: &["kinematics.force_y", "history.force_y"],
+        second: &["kinematics.creepage_y", "kinematics.yaw_angle", "history.creepage_y"],
+        reason: "the lateral force determines the lateral creepage",
+    },
+    Alternatives {
+        first: &["kinematics.moment_z", "history.moment_z"],
+        second: &["kinematics.spin", "history.spin"],
+        reason: "the moment determines the spin",
     },
     Alternatives {
         first: &["kinematics.yaw_angle"],
@@ -155,6 +197,9 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "history.creepage_y",
             "history.spin",
             "history.load",
+            "history.force_x",
+            "history.force_y",
+            "history.moment_z",
         ],
         reason: "a history comes from a file or stands in the case",
     },
@@ -178,18 +223,18 @@ impl Alternatives {
     }
 }
 
-/// Fields that count only beside another one that has no default.
-const COMPANIONS: &[(&str, &str)] = &[
-    ("kinematics.wheel_radius", "kinematics.angular_velocity"),
-    ("friction.second_half_speed", "friction.second_coefficient"),
-    ("friction.memory_speed", "friction.memory_distance"),
-    ("cooling.area", "cooling.film_coefficient"),
-    ("cooling.air_temperature", "cooling.film_coefficient"),
+/// Fields that count only beside one of others that have no default.
+const COMPANIONS: &[(&str, &[&str])] = &[
+    ("kinematics.wheel_radius", &["kinematics.angular_velocity", "kinematics.wheel_torque"]),
+    ("friction.second_half_speed", &["friction.second_coefficient"]),
+    ("friction.memory_speed", &["friction.memory_distance"]),
+    ("cooling.area", &["cooling.film_coefficient"]),
+    ("cooling.air_temperature", &["cooling.film_coefficient"]),
 ];
 
-/// The field without which this one does not count.
-pub fn companion(path: &str) -> Option<&'static str> {
-    COMPANIONS.iter().find(|(of, _)| *of == path).map(|(_, companion)| *companion)
+/// The fields without any of which this one does not count; empty if it always does.
+pub fn companions(path: &str) -> &'static [&'static str] {
+    COMPANIONS.iter().find(|(of, _)| *of == path).map_or(&[], |(_, companions)| companions)
 }
 
 /// Fields that decide together with another one whether a case is possible.

@@ -8,7 +8,8 @@ mod suggestion;
 mod table;
 
 pub use alternatives::{
-    ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companion, related,
+    ALTERNATIVES, Alternatives, FORCES, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companions,
+    related,
 };
 pub use choice::{Choice, Choose};
 pub use field::{Default, Field, Kind, Section, UsedWith};

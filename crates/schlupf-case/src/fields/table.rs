@@ -112,6 +112,8 @@ const ROLLING_RADIUS: Requirement = Between(1e-6, 1e6);
 const SPEED: Requirement = Between(1e-6, 1e4);
 const CREEPAGE: Requirement = Magnitude(1e6);
 const TURNING: Requirement = Magnitude(1e6);
+const OVER_LOAD: Requirement = Magnitude(1e3);
+const TANGENTIAL: Requirement = Magnitude(1e12);
 const LOAD: Requirement = Between(1e-3, 1e12);
 const PEAK_PRESSURE: Requirement = Between(1.0, 1e14);
 const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
@@ -148,7 +150,7 @@ section! {
     "angular_velocity" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
         "ω of the wheel, in place of creepage_x", example("64.7 rad/s");
     "wheel_radius" [] quantity(&Measure::LENGTH), ROLLING_RADIUS, Same("wheel.radius_x"),
-        "R, rolling radius that goes with angular_velocity", example("0.46 m");
+        "R, rolling radius that goes with angular_velocity or wheel_torque", example("0.46 m");
     "creepage_y" [CreepageY] Kind::Number, Inside(-1.0, 1.0), Text("0.0"), "η, lateral creepage",
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
     "yaw_angle" [] quantity(&Measure::ANGLE), Inside(-FRAC_PI_2, FRAC_PI_2), Nothing,
@@ -156,6 +158,18 @@ section! {
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
     "spin" [Spin] quantity(&Measure::PER_LENGTH), TURNING, Text("0 1/m"), "φ, spin creepage",
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
+    "force_x" [ForceX] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
+        "Fx on the wheel, in place of creepage_x, which is found: negative when braking",
+        example("-20 kN");
+    "traction_coefficient" [ForceOverLoad] Kind::Number, OVER_LOAD, Nothing,
+        "-Fx/N, in place of creepage_x: positive when braking", example("0.2");
+    "wheel_torque" [WheelTorque] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,
+        "T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius: negative \
+         when braking", example("-9.2 kN m");
+    "force_y" [ForceY] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
+        "Fy on the wheel, in place of creepage_y", example("5 kN");
+    "moment_z" [MomentZ] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,
+        "Mz on the wheel, in place of spin", example("-20 N m");
     "reference" [Reference] Kind::Choice(Reference::CHOICES), Finite, Text("patch"),
         "where creepages hold (those of a history, too) and about which point the moment is taken",
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
@@ -327,6 +341,12 @@ section! {
         "v0", example("[\"30 m/s\", \"30 m/s\"]");
     "load" [HistoryLoad] Kind::Quantities(&Measure::FORCE), LOAD, Nothing,
         "N", shaping(), example("[\"80 kN\", \"60 kN\"]");
+    "force_x" [HistoryForceX] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
+        "Fx on the wheel, in place of creepage_x", example("[\"0 kN\", \"-20 kN\"]");
+    "force_y" [HistoryForceY] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
+        "Fy on the wheel, in place of creepage_y", example("[\"0 kN\", \"5 kN\"]");
+    "moment_z" [HistoryMomentZ] Kind::Quantities(&Measure::TORQUE), TANGENTIAL, Nothing,
+        "Mz on the wheel, in place of spin", example("[\"0 N m\", \"-20 N m\"]");
     "shift_x" [ShiftX] quantity(&Measure::LENGTH), SHIFT, Nothing,
         "shift of the wheel over the rail along rolling, at rest, before it rolls; times may be \
          left out then",

@@ -6,8 +6,16 @@ use crate::error::CaseError;
 use crate::settings::Settings;
 use crate::tables;
 
-const SERIES: [&str; 5] =
-    ["history.speed", "history.creepage_x", "history.creepage_y", "history.spin", "history.load"];
+const SERIES: [&str; 8] = [
+    "history.speed",
+    "history.creepage_x",
+    "history.creepage_y",
+    "history.spin",
+    "history.load",
+    "history.force_x",
+    "history.force_y",
+    "history.moment_z",
+];
 
 /// Values over time and the shift before them, where the case has them.
 pub fn history(settings: &Settings) -> Result<Option<History>, CaseError> {
@@ -48,10 +56,11 @@ fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
             return Err(settings.error(path, message));
         }
     }
-    let [speed, creepage_x, creepage_y, spin, load] =
+    let [speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z] =
         SERIES.map(|path| settings.series(path).map(<[f64]>::to_vec));
-    let time = time.to_vec();
-    let history = History { shift: None, time, speed, creepage_x, creepage_y, spin, load };
+    let (shift, time) = (None, time.to_vec());
+    let motion = History { shift, time, speed, creepage_x, creepage_y, spin, ..History::default() };
+    let history = History { load, force_x, force_y, moment_z, ..motion };
     match tables::check_history(&history) {
         Ok(()) => Ok(history),
         Err((_, message)) => {

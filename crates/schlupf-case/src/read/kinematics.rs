@@ -1,6 +1,7 @@
 //! `[kinematics]`.
 
 use schlupf::kinematics::{Kinematics, ReferencePoint};
+use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
 
 use crate::error::CaseError;
 use crate::fields::choice::{NormalModel, Reference};
@@ -31,6 +32,20 @@ pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
     };
     let spin = settings.number("kinematics.spin")?;
     Ok(Kinematics { speed, creepage_x, creepage_y, spin })
+}
+
+/// Forces in place of creepages.
+pub fn prescribed(settings: &Settings) -> Result<PrescribedForces, CaseError> {
+    let [force_x, over_load, torque, y, moment_z] =
+        ["force_x", "traction_coefficient", "wheel_torque", "force_y", "moment_z"]
+            .map(|name| settings.optional_number(&format!("kinematics.{name}")));
+    let mut x = force_x?.map(LongitudinalForce::Force);
+    x = x.or(over_load?.map(LongitudinalForce::OverLoad));
+    if let Some(torque) = torque? {
+        let radius = settings.number("kinematics.wheel_radius")?;
+        x = Some(LongitudinalForce::Torque { torque, radius });
+    }
+    Ok(PrescribedForces { x, y: y?, moment_z: moment_z? })
 }
 
 /// The point at which the creepages hold and about which the moment is taken.

@@ -19,6 +19,7 @@ use std::sync::Arc;
 use schlupf::history::History;
 use schlupf::material::Material;
 use schlupf::normal::NormalContact;
+use schlupf::prescribed::ForceSolver;
 use schlupf::rolling::MarchingSolver;
 use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solver, Watch};
@@ -72,6 +73,7 @@ impl Parts {
         let deformation = elasticity::deformation(settings, materials)?;
         let draft = Problem {
             kinematics: kinematics::kinematics(settings)?,
+            prescribed: kinematics::prescribed(settings)?,
             reference: kinematics::reference(settings)?,
             elasticity: deformation.provisional(),
             normal: normal::source(settings, materials[0], materials[1])?,
@@ -89,6 +91,7 @@ impl Parts {
         let explain = |error| settings.explain(&error);
         draft.check().map_err(explain)?;
         if let Some(history) = &history {
+            history.check_forces(&draft.prescribed).map_err(explain)?;
             history.check(&draft.kinematics).map_err(explain)?;
         }
         Ok(Self { draft, deformation, stiffness, history, wheel })
@@ -212,8 +215,10 @@ impl Parts {
 /// What finds steady states by a method, and by a driver that was asked for.
 pub fn any_solver(method: Method, driver: Option<Driver>, options: &Options) -> Box<dyn Solver> {
     match (method, driver) {
-        (Method::Full, Some(Driver::Marching)) => Box::new(MarchingSolver::new(options)),
-        (method, _) => method.solver(options),
+        (Method::Full, Some(Driver::Marching)) => {
+            Box::new(ForceSolver::new(Box::new(MarchingSolver::new(options))))
+        }
+        (method, _) => Box::new(ForceSolver::new(method.solver(options))),
     }
 }
 

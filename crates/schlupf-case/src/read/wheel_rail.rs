@@ -14,8 +14,8 @@ use schlupf::{Error, Options, Problem, Solver, Watch};
 
 use super::roughness::OfRoughness;
 use crate::error::CaseError;
-use crate::fields::ROUGHNESS;
 use crate::fields::choice::{NormalModel, WheelSide};
+use crate::fields::{FORCES, ROUGHNESS};
 use crate::profiles;
 use crate::settings::Settings;
 
@@ -92,6 +92,13 @@ pub fn refuse_others(
         let message = format!(
             "{path} must be left out with normal.model = \"wheel-rail\", which is steady rolling, but \
              is given"
+        );
+        return Err(settings.error(path, message));
+    }
+    if let Some(path) = FORCES.iter().find(|path| settings.is_given(path)) {
+        let message = format!(
+            "{path} must be left out with normal.model = \"wheel-rail\", where creepages follow from \
+             the motion of the wheelset, but is given"
         );
         return Err(settings.error(path, message));
     }

@@ -10,13 +10,16 @@ use crate::units::Measure;
 
 const FILE: &str = "history.file";
 
-const COLUMNS: [Column; 6] = [
+const COLUMNS: [Column; 9] = [
     Column { name: "time", measure: Some(&Measure::TIME), required: true, holes: false },
     Column { name: "creepage_x", measure: None, required: false, holes: false },
     Column { name: "creepage_y", measure: None, required: false, holes: false },
     Column { name: "spin", measure: Some(&Measure::PER_LENGTH), required: false, holes: false },
     Column { name: "speed", measure: Some(&Measure::SPEED), required: false, holes: false },
     Column { name: "load", measure: Some(&Measure::FORCE), required: false, holes: false },
+    Column { name: "force_x", measure: Some(&Measure::FORCE), required: false, holes: false },
+    Column { name: "force_y", measure: Some(&Measure::FORCE), required: false, holes: false },
+    Column { name: "moment_z", measure: Some(&Measure::TORQUE), required: false, holes: false },
 ];
 
 /// What the numbers of a column must be: the same as in the array of its name.
@@ -49,14 +52,16 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
     Ok(history)
 }
 
-/// Time, ξ, η, φ, v0, N to a history.
+/// Time, ξ, η, φ, v0, N, F_x, F_y, M_z to a history.
 fn history(columns: Vec<Vec<f64>>) -> History {
     let mut columns = columns.into_iter();
     let time = columns.next().unwrap_or_default();
     let mut next = || columns.next().filter(|values| !values.is_empty());
     let (creepage_x, creepage_y, spin) = (next(), next(), next());
     let (speed, load) = (next(), next());
-    History { time, speed, creepage_x, creepage_y, spin, load, ..History::default() }
+    let (force_x, force_y, moment_z) = (next(), next(), next());
+    let motion = History { time, speed, creepage_x, creepage_y, spin, ..History::default() };
+    History { load, force_x, force_y, moment_z, ..motion }
 }
 
 /// Checks that time increases; the error names the row.

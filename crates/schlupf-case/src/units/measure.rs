@@ -79,6 +79,8 @@ impl Measure {
         ratio("an inverse speed", "s/m", "s/m or h/km", Dimension::mechanical(-1, 0, 1));
     /// Force, in N.
     pub const FORCE: Self = ratio("a force", "N", "N or kN", Dimension::FORCE);
+    /// Torque or moment, in N m.
+    pub const TORQUE: Self = ratio("a torque", "N m", "N m or kN m", Dimension::ENERGY);
     /// Pressure or modulus, in Pa.
     pub const PRESSURE: Self = ratio("a pressure", "Pa", "Pa, MPa or GPa", Dimension::PRESSURE);
     /// Stiffness, in N/m.

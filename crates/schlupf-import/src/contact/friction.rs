@@ -57,6 +57,12 @@ impl Friction {
         }
     }
 
+    /// What relative forces refer to over the normal force: the coefficient of friction without
+    /// slip, or 1 where it varies across the contact.
+    pub fn force_scale(&self) -> f64 {
+        if matches!(self.variation.whole(), 1 | 3) { 1.0 } else { self.static_coefficient() }
+    }
+
     /// The first set; there is one always.
     pub fn first(&self) -> [Given; 5] {
         let none = Given { value: 0.0, ..self.law };

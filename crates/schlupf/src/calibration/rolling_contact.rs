@@ -15,6 +15,7 @@ use crate::kalker_coefficients::creep_coefficients;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::{Body, Material};
 use crate::normal::ellipse::Ellipse;
+use crate::prescribed_forces::PrescribedForces;
 use crate::problem::Problem;
 use crate::reference::kalker_linear::CreepCoefficients;
 
@@ -65,6 +66,7 @@ impl RollingContact {
         let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
         let problem = Problem {
             kinematics: Kinematics { speed: 1.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 },
+            prescribed: PrescribedForces::default(),
             reference: ReferencePoint::Patch,
             wheel: Body { material, ..Body::STEEL },
             rail: Body { material, ..Body::STEEL },

@@ -40,7 +40,8 @@ pub(super) struct Finding {
 /// of the equilibrium there; for a fast method, from a finite difference.
 pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Finding, Error> {
     let path = solver.path;
-    if !path.has_origin() {
+    // With other forces prescribed the derivatives at given creepages are not those of the curve.
+    if !path.has_origin() || !solver.problem.prescribed.is_none() {
         return Ok(Finding::default());
     }
     let origin = path.at(0.0);

@@ -214,6 +214,8 @@ pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), 
         let quantity = path.abscissa().quantity();
         return Err(Error::LocksOnCurve { quantity, value: locked });
     }
+    let [start, end] = [path.start(), path.end()].map(|end| end.at_speed(problem.kinematics.speed));
+    problem.prescribed.check_motion(&start, &end)?;
     let mut there = problem.clone();
     sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {
         there.kinematics = path.at(abscissa).at_speed(problem.kinematics.speed);

@@ -2,18 +2,21 @@
 
 mod demand;
 mod fit;
+mod force;
+mod over_time;
 mod place;
 mod surface;
 mod wheel_rail;
 
-use std::borrow::Cow;
-
-use crate::message::{Words, messages};
+use crate::message::messages;
 use crate::quantity::Quantity;
 use crate::requirement::{Requirement, readable, with_unit};
 
 pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
+use over_time::{OverTime, over_time};
+
 pub use fit::{FitCause, FitError, FitStop};
+pub use force::ForceError;
 pub use place::Place;
 pub use surface::SurfaceError;
 pub use wheel_rail::WheelRailError;
@@ -182,6 +185,12 @@ messages! {
              the middle of the patch, {patch}"
         )
     };
+
+    /// Prescribed forces that cannot be.
+    "force" [error] Force {
+        /// Why.
+        error: ForceError,
+    } error.quantity(), |name, words| error.text(words);
 
     /// The motion at the middle of the patch is no rolling.
     "no-rolling-at-patch" [error] NoRollingAtPatch {
@@ -519,6 +528,12 @@ messages! {
 
 impl std::error::Error for Error {}
 
+impl From<ForceError> for Error {
+    fn from(error: ForceError) -> Self {
+        Self::Force { error }
+    }
+}
+
 impl From<SurfaceError> for Error {
     fn from(error: SurfaceError) -> Self {
         Self::Surface { error }
@@ -539,6 +554,7 @@ impl Error {
             Self::NormalNotConverged { .. }
                 | Self::ContactNotFound { .. }
                 | Self::Fit { error: FitError::FitStuck { .. } }
+                | Self::Force { error: ForceError::NotFound { .. } }
                 | Self::WheelRail { error: WheelRailError::NotSettled { .. } }
         )
     }
@@ -565,30 +581,5 @@ impl HeatPurpose {
             Self::BulkTemperature => "bulk temperatures need a method with temperatures",
             Self::Field => "temperatures below the surface need the heat record of \"full\"",
         }
-    }
-}
-
-/// Words for quantities that vary over time.
-struct OverTime<'a>(&'a dyn Words);
-
-impl Words for OverTime<'_> {
-    fn word(&self, quantity: Quantity) -> Cow<'static, str> {
-        self.0.word(over_time(quantity))
-    }
-
-    fn choice(&self, quantity: Quantity, name: &str) -> String {
-        self.0.choice(quantity, name)
-    }
-}
-
-/// The history of a quantity, if it has one.
-fn over_time(quantity: Quantity) -> Quantity {
-    match quantity {
-        Quantity::Speed => Quantity::HistorySpeed,
-        Quantity::CreepageX => Quantity::HistoryCreepageX,
-        Quantity::CreepageY => Quantity::HistoryCreepageY,
-        Quantity::Spin => Quantity::HistorySpin,
-        Quantity::Load => Quantity::HistoryLoad,
-        other => other,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::error::{Error, FitError};
+use crate::error::{Error, FitError, ForceError};
 use crate::interface::friction::Friction;
 use crate::interface::friction::constants::{AdjustableFriction, Changes, FrictionConstant};
 use crate::normal::PressureSource;
@@ -23,6 +23,12 @@ pub(super) fn friction_constant(
     }
     let constants = constants.iter().map(|(name, _)| name.quantity()).collect();
     Err(FitError::NoSuchConstant { quantity: wanted.quantity(), constants }.into())
+}
+
+/// Rejects prescribed forces: data have creepages.
+pub(super) fn require_creepages(problem: &Problem) -> Result<(), Error> {
+    let quantity = problem.prescribed.first();
+    quantity.map_or(Ok(()), |quantity| Err(ForceError::NotPossible { quantity }.into()))
 }
 
 /// Rejects, for a model without heat, a constant that affects friction only in a hot contact.

@@ -12,6 +12,7 @@ mod curves;
 mod data;
 mod determinacy;
 mod fit;
+mod held_forces;
 mod model;
 mod parameter;
 mod polach_method;

@@ -9,7 +9,9 @@ use crate::simplified::polach::{Differentiated, differentiated_force};
 use crate::simplified::{EllipticContact, friction_state};
 use crate::solution::Work;
 
-use super::adjustment::{adjusted_friction, friction_constant, loaded, require_heat};
+use super::adjustment::{
+    adjusted_friction, friction_constant, loaded, require_creepages, require_heat,
+};
 use super::data::Condition;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
@@ -38,6 +40,7 @@ impl PolachModel {
         parameters: &[Parameter],
     ) -> Result<Self, Error> {
         problem.check()?;
+        require_creepages(problem)?;
         FastMethod::Polach(reduction).check()?;
         require_heat(false, parameters, Some("polach"))?;
         let start = parameters.iter().map(|parameter| match parameter {

@@ -10,12 +10,11 @@ use crate::normal::PressureSource;
 use crate::parallel;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
-use crate::rolling::steady::SteadySolver;
 use crate::solution::{Resultant, Work};
-use crate::solver::Solver;
 
 use super::adjustment::{adjusted_friction, friction_constant, loaded, require_heat};
 use super::data::Condition;
+use super::held_forces::HeldForces;
 use super::model::{CreepForceModel, ForceRatio};
 use super::parameter::Parameter;
 use super::roughness;
@@ -23,7 +22,8 @@ use super::roughness;
 /// Steady rolling contact with unknown constants of friction and contact law.
 ///
 /// Points under one load share one solver, so each starts from the previous solutions; different
-/// loads are solved on several threads.
+/// loads are solved on several threads. Forces that the problem prescribes are held while the
+/// constants change: measured is then the force of the other direction, over its creepage.
 pub struct RollingContactModel {
     problem: Problem,
     options: Options,
@@ -46,7 +46,7 @@ struct LoadedContact {
     normal: Arc<dyn PressureSource>,
     /// The load, in N.
     value: f64,
-    solver: SteadySolver,
+    solver: HeldForces,
 }
 
 const COLD: Parameter = Parameter::Friction(FrictionConstant::ColdCoefficient);
@@ -128,7 +128,7 @@ impl RollingContactModel {
         let normal = loaded(&self.problem, load)?;
         normal.prepare(None, watch)?;
         let value = normal.normal_contact(None)?.summary.load;
-        let solver = SteadySolver::new(&self.options);
+        let solver = HeldForces::new(&self.options);
         self.contacts.push(LoadedContact { load, normal, value, solver });
         Ok(self.contacts.len() - 1)
     }
@@ -142,10 +142,11 @@ impl RollingContactModel {
     ) -> Result<Vec<(ForceRatio, Work)>, Error> {
         let mut forces = Vec::with_capacity(conditions.len());
         for Condition { kinematics, .. } in conditions {
+            self.problem.prescribed.check_motion(&self.problem.kinematics, kinematics)?;
             let (kinematics, normal) = (*kinematics, Arc::clone(&contact.normal));
             let problem = Problem { kinematics, normal, ..self.problem.clone() };
-            let solver = &mut contact.solver;
-            let found = solver.solve_with_derivatives_by(&problem, &self.constants, watch)?;
+            let wanted = (&self.constants[..], watch);
+            let found = contact.solver.solve(&problem, contact.value, wanted)?;
             let Some((solution, by)) = found else { break };
             let ratio = |force: [f64; 2]| force.map(|component| -component / contact.value);
             let derivatives = (0..by.len()).map(|k| ratio(self.by_parameter(k, &by)));

@@ -2,10 +2,11 @@
 
 use crate::error::Error;
 use crate::method::Method;
+use crate::prescribed_forces::Direction;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::simplified::FastSolver;
-use crate::solution::Solution;
+use crate::solution::{Resultant, Solution};
 use crate::solver::Solver;
 use crate::transient::Transient;
 
@@ -70,6 +71,15 @@ impl Solver for MarchingSolver {
         watch: Watch,
     ) -> Result<Option<Solution>, Error> {
         self.steady.solve_with_derivatives(problem, watch)
+    }
+
+    fn solve_with_slopes(
+        &mut self,
+        problem: &Problem,
+        directions: &[Direction],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        self.steady.solve_with_slopes(problem, directions, watch)
     }
 
     fn forget(&mut self) {

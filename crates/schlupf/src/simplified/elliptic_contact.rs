@@ -31,7 +31,7 @@ impl EllipticContact {
     }
 
     /// The contact of a problem with the given sizes.
-    pub(super) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
+    pub(crate) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
         let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
         let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
         Ok(Self {

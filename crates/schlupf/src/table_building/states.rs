@@ -13,6 +13,7 @@ use crate::interface::friction::constant::Constant;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::{Body, Material};
 use crate::normal::ellipse::Ellipse;
+use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::steady::SteadySolver;
@@ -61,6 +62,7 @@ impl StateSolver {
         let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
         let problem = Problem {
             kinematics: Kinematics::free_rolling(1.0),
+            prescribed: PrescribedForces::default(),
             reference: ReferencePoint::Patch,
             wheel: Body { material, ..Body::STEEL },
             rail: Body { material, ..Body::STEEL },

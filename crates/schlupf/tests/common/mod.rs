@@ -16,6 +16,7 @@ use schlupf::interface::friction::{Friction, constant::Constant};
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material};
 use schlupf::normal::ellipse::Ellipse;
+use schlupf::prescribed_forces::PrescribedForces;
 use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Options, Problem, Solution, Status, Transient, unwatched};
@@ -46,6 +47,7 @@ pub fn half_space() -> Arc<dyn Elasticity> {
 pub fn problem(kinematics: Kinematics) -> Problem {
     Problem {
         kinematics,
+        prescribed: PrescribedForces::default(),
         reference: ReferencePoint::Patch,
         wheel: Body::STEEL,
         rail: Body::STEEL,

@@ -74,7 +74,8 @@ pub fn write(
         variation(case, friction, frame, contact);
     }
     speed(case, rolling);
-    motion_of(case, control, motion, Written { frame, contact });
+    let level = basic.friction.as_ref().map_or(0.0, Friction::force_scale) * contact.load;
+    motion_of(case, control, motion, (Written { frame, contact }, level));
     Some(Written { frame, contact })
 }
 
@@ -101,26 +102,42 @@ fn speed(case: &mut Translation, rolling: Option<&Rolling>) {
     case.document.quantity("kinematics.speed", speed / 1e3, "m/s");
 }
 
-/// Creepages or a shift.
-fn motion_of(case: &mut Translation, control: &Control, motion: &Motion, written: Written) {
+/// Creepages, forces (relative ones refer to `level`, in N) or a shift.
+fn motion_of(
+    case: &mut Translation,
+    control: &Control,
+    motion: &Motion,
+    (written, level): (Written, f64),
+) {
     match control.tangential.whole() {
         0 => case.remark("Without creepage there are no tangential tractions (T = 0)."),
         1 => write_shift(case, control, motion, written.frame),
-        _ => creepages(case, control, motion, written),
+        _ => creepages(case, control, motion, (written, level)),
     }
 }
 
-fn creepages(case: &mut Translation, control: &Control, motion: &Motion, written: Written) {
+fn creepages(
+    case: &mut Translation,
+    control: &Control,
+    motion: &Motion,
+    (written, level): (Written, f64),
+) {
     let [x, y] = creepages_at(motion, written);
-    let contact = written.contact;
+    let Written { frame, contact } = written;
     let spin = 1e3 * motion.spin.value;
-    if !control.force.is(0) {
-        let what = "prescribed forces are not available";
-        case.refuse(control.force, what, "F = 0 takes the creepages that lead to them");
-        return;
+    if control.force.is(0) {
+        case.document.number("kinematics.creepage_x", x);
+    } else {
+        check_forces(case, control, motion);
+        let force = frame.component_x * motion.tangential[0].value * level;
+        case.document.quantity("kinematics.force_x", force / 1e3, "kN");
     }
-    case.document.number("kinematics.creepage_x", x);
-    case.document.number("kinematics.creepage_y", y);
+    if control.force.is(2) {
+        let force = frame.component_y * motion.tangential[1].value * level;
+        case.document.quantity("kinematics.force_y", force / 1e3, "kN");
+    } else {
+        case.document.number("kinematics.creepage_y", y);
+    }
     case.document.quantity("kinematics.spin", spin, "1/m");
     if contact.centre != [0.0; 2] {
         case.remark(format!(
@@ -129,6 +146,16 @@ fn creepages(case: &mut Translation, control: &Control, motion: &Motion, written
             crate::document::number(contact.centre[0]),
             crate::document::number(contact.centre[1])
         ));
+    }
+}
+
+/// Refuses forces at the friction limit, which no creepage causes.
+fn check_forces(case: &mut Translation, control: &Control, motion: &Motion) {
+    let [x, y] = motion.tangential;
+    let size = if control.force.is(2) { x.value.hypot(y.value) } else { x.value.abs() };
+    if size >= 1.0 {
+        let what = "the force must be less than 1 in size, the friction limit FSTAT FN";
+        case.refuse(x, what, "FXREL and FYREL are forces over that limit");
     }
 }
 

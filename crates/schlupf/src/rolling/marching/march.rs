@@ -1,13 +1,15 @@
 //! Marching in time: everything that changes from step to step.
 
+mod result;
+
 use crate::equilibrium::{Limits, Newton, Outcome, measure};
 use crate::error::{Error, require_finite};
 use crate::grid::VectorField;
 use crate::history::History;
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
-use crate::method::Method;
 use crate::numerics::vector::norm;
+use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell, within};
 use crate::quantity::Quantity;
@@ -15,18 +17,17 @@ use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
 use crate::rolling::shared::passage::{Passage, speed_of, ways_through};
 use crate::rolling::shared::turn::{Way, with_turn};
-use crate::rolling::shared::warnings::{warnings, yielding};
-use crate::solution::{FieldsAt, Instant, Solution, Status, Work};
+use crate::solution::{FieldsAt, Instant, Solution, Work};
 use crate::state::{Element, State};
 use crate::summary::{
     self,
     snapshot::{Snapshot, View},
 };
 use crate::transient::Transient;
-use crate::warning::{Unconverged, Warning};
 
 use super::arrival::{Arrival, carry_over, positions, rigid_slip};
 use super::change::{largest_change, relative_change};
+use super::force_control::ForceControl;
 use super::friction_heat::{FrictionInput, FrictionPoint, lagging, set_temperatures};
 use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
 use super::moved::Moved;
@@ -59,10 +60,12 @@ use super::stick_slip_step::{StickSlip, calibrate};
 pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<Solution, Error> {
     transient.check()?;
     options.check()?;
-    let at = AtPatch::new(&transient.problem, watch)?;
+    let prescribed = transient.problem.prescribed;
+    let at = AtPatch::new(&transient.problem.without_forces(), watch)?;
     let transient = at.transient(transient);
     transient.check()?;
     let mut march = March::new(&transient, options)?;
+    march.prescribe(&prescribed, at.place())?;
     check_length(&transient, march.contact.patch.grid.spacing_x)?;
     if let Some(shift) = transient.history.shift {
         march.shift(shift, watch)?;
@@ -129,6 +132,8 @@ struct March<'a> {
     contact: DiscreteContact,
     /// If the law is Coulomb's, or its bristles are in series with it.
     stick_slip: Option<StickSlip>,
+    /// If forces are prescribed.
+    control: Option<ForceControl>,
     /// A p of the present traction on the whole grid, in m.
     displacement: VectorField,
     time: f64,
@@ -207,6 +212,7 @@ impl<'a> March<'a> {
             field_history: Vec::new(),
             displacement: VectorField::zeros(grid.len()),
             stick_slip,
+            control: None,
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
@@ -215,6 +221,14 @@ impl<'a> March<'a> {
         march.displace();
         march.past = march.past_in_place();
         Ok(march)
+    }
+
+    /// Forces in place of creepages, about a reference point at a place (x and y in m).
+    fn prescribe(&mut self, forces: &PrescribedForces, place: [f64; 2]) -> Result<(), Error> {
+        let way = self.contact.patch.grid.spacing_x;
+        let (forces, normal) = ((forces, self.history), &self.contact.normal);
+        self.control = ForceControl::of(self.problem, forces, normal, (place, way))?;
+        Ok(())
     }
 
     fn is_finished(&self) -> bool {
@@ -345,25 +359,32 @@ impl<'a> March<'a> {
         }
     }
 
-    /// Newton–Raphson on Eq. (13).
+    /// The equilibrium at the end of the step, with the creepages that prescribed forces cause.
     fn find_equilibrium(&mut self, arrivals: &[Arrival], watch: Watch) -> Result<(), Error> {
         let bound = self.now.bound(&self.contact.patch);
-        let (limits, watch) = (self.limits(), within(watch, self.progress()));
-        let (prescribed, slides) = self.histories(arrivals);
         let old_traction = self.now.traction.clone();
-        let step = Step {
-            contact: &mut self.contact,
-            law: self.problem.contact_law.as_ref(),
-            stick_slip: self.stick_slip.as_mut(),
-            bound: &bound,
-            prescribed,
-            slides,
-            places: arrivals.iter().map(|arrival| arrival.places.clone()).collect(),
-            largest: self.largest_traction,
+        self.outcome = Outcome::default();
+        let mut control = self.control.take();
+        let (time, load) = (self.time, self.contact.normal.load);
+        if let Some(control) = &mut control {
+            control.begin(self.history, time);
+        }
+        let moved = loop {
+            if let Some(control) = &control {
+                self.now.over_step = control.motion(&self.now.over_step);
+                self.now.kinematics = control.motion(&self.now.kinematics);
+                self.now.conduction = self.problem.conduction(&self.now.over_step);
+            }
+            let moved = self.balance(arrivals, &bound, watch)?;
+            let Some(control) = &mut control else { break moved };
+            let force = summary::resultant(&self.contact.patch, &self.now.traction);
+            let accuracy = (self.options.tolerance, norm(&bound), norm(&self.now.traction));
+            if control.is_reached((&force, load), accuracy) {
+                self.outcome.residual = self.outcome.residual.max(control.missing);
+                break moved;
+            }
         };
-        let traction = &mut self.now.traction;
-        let (outcome, moved) = step.solve(&mut self.newton, traction, &limits, &watch)?;
-        self.outcome = outcome;
+        self.control = control;
         self.displace();
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         let scale = measure(norm(&bound), self.largest_traction);
@@ -381,6 +402,36 @@ impl<'a> March<'a> {
         self.past = self.record(arrivals.iter().map(|arrival| arrival.way));
         self.moved = moved;
         Ok(())
+    }
+
+    /// Newton–Raphson on Eq. (13).
+    fn balance(
+        &mut self,
+        arrivals: &[Arrival],
+        bound: &[f64],
+        watch: Watch,
+    ) -> Result<Vec<Moved>, Error> {
+        let (limits, watch) = (self.limits(), within(watch, self.progress()));
+        let (prescribed, slides) = self.histories(arrivals);
+        let step = Step {
+            contact: &mut self.contact,
+            law: self.problem.contact_law.as_ref(),
+            stick_slip: self.stick_slip.as_mut(),
+            bound,
+            prescribed,
+            slides,
+            places: arrivals.iter().map(|arrival| arrival.places.clone()).collect(),
+            largest: self.largest_traction,
+        };
+        let traction = &mut self.now.traction;
+        let (outcome, moved) = step.solve(&mut self.newton, traction, &limits, &watch)?;
+        let Outcome { iterations, products, .. } = self.outcome;
+        self.outcome = Outcome {
+            iterations: iterations + outcome.iterations,
+            products: products + outcome.products,
+            ..outcome
+        };
+        Ok(moved)
     }
 
     /// What is known of a step when the elements have arrived, and their histories.
@@ -530,67 +581,5 @@ impl<'a> March<'a> {
         });
         let change = Some(self.change);
         Progress { stage: Stage::Marching, done: self.work.steps, total, change }
-    }
-
-    /// Loads of the history that the grid or the bodies do not bear.
-    fn of_load(&self) -> Vec<Warning> {
-        /// Fewest cells along rolling that show a patch, if the grid has as many.
-        const FEWEST: usize = 8;
-        let [cells, of] = self.strip_lengths;
-        let coarse = (cells < FEWEST && cells < of).then_some(Warning::FewCells { cells, of });
-        let is_past = self.largest_pressure > self.contact.normal.peak_pressure;
-        let yields = is_past.then(|| yielding(self.problem, self.largest_pressure)).flatten();
-        coarse.into_iter().chain(yields).collect()
-    }
-
-    fn into_solution(mut self) -> Solution {
-        let transient = !self.history.is_endless();
-        let passed = self.passage_change.is_finite();
-        let residual = match (transient, passed) {
-            (true, _) => self.worst_residual,
-            (false, true) => self.outcome.residual.max(self.passage_change),
-            (false, false) => self.outcome.residual.max(self.change),
-        };
-        let status = if residual <= self.options.tolerance && (transient || passed) {
-            Status::Converged
-        } else {
-            Status::NotConverged
-        };
-        let mut warnings = warnings(self.problem, self.options, &mut self.contact, &self.now);
-        warnings.extend(self.of_load());
-        if status == Status::NotConverged {
-            warnings.insert(0, Warning::of(self.why_not_converged()));
-        }
-        let state =
-            State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
-        let account = summary::SolverReport {
-            method: Method::Full,
-            status,
-            residual,
-            history: self.instants,
-            field_history: self.field_history,
-            warnings,
-            sensitivity: None,
-            work: self.work,
-            state,
-        };
-        let view =
-            View { normal: &self.contact.normal, patch: &self.contact.patch, now: &self.now };
-        summary::solution(self.problem, self.options, view, account)
-    }
-
-    fn why_not_converged(&self) -> Unconverged {
-        let (tolerance, residual) = (self.options.tolerance, self.worst_residual);
-        let (steps, change) = (self.work.steps, self.passage_change);
-        if residual > tolerance && self.history.is_shift_only() {
-            let newton_steps = self.outcome.iterations;
-            Unconverged::Equilibrium { newton_steps, residual, tolerance }
-        } else if residual > tolerance {
-            Unconverged::TimeStep { residual, tolerance }
-        } else if change.is_infinite() && self.history.is_endless() {
-            Unconverged::ShortMarch { steps }
-        } else {
-            Unconverged::UnsteadyMarch { steps, change, tolerance }
-        }
     }
 }

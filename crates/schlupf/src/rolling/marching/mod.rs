@@ -16,6 +16,7 @@ mod initial_state;
 mod friction_heat;
 mod step_power;
 mod shift;
+mod force_control;
 mod march;
 
 pub use march::{march, shift};

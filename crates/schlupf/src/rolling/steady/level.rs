@@ -159,6 +159,16 @@ impl Level {
         self.take_bound();
     }
 
+    /// Switches to another motion. Friction that depends on it must be evaluated next; friction
+    /// that does not keeps its record of slip and heat until [`Self::set_problem`].
+    pub fn set_motion(&mut self, problem: &Problem) {
+        let patch = &self.contact.patch;
+        if self.friction.is_coupled {
+            self.friction.set_problem(problem, patch);
+        }
+        self.strips.set_problem(problem, patch, self.contact.cell_stiffness());
+    }
+
     /// μ pₙ with the friction of the last evaluation.
     pub fn take_bound(&mut self) {
         self.strips.set_bound(&self.contact.patch.cells, &self.friction.lag.coefficient);

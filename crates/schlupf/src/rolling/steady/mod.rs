@@ -16,6 +16,8 @@ mod steady_state;
 mod sensitivity;
 mod branches;
 mod setup;
+mod driven;
+mod together;
 mod solver;
 
 pub use solver::{SteadySolver, solve};

@@ -15,6 +15,7 @@ use crate::interface::friction::constants::FrictionConstant;
 use crate::kinematics::Kinematics;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::patch::Cell;
+use crate::prescribed_forces::Direction;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::solution::{Resultant, Sensitivity};
@@ -29,6 +30,9 @@ use super::steady_state::{Direct, SteadyState};
 const ACCURACY: f64 = 0.1;
 const ACCURACY_RANGE: [f64; 2] = [1e-10, 1e-5];
 const WORST: f64 = 100.0;
+
+/// The same residual of derivatives for a search.
+const ROUGH: f64 = 1e-3;
 
 /// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds;
 /// and its largest size, as a count of numbers.
@@ -48,6 +52,21 @@ pub(super) fn sensitivity(
 ) -> Result<(Option<Sensitivity>, usize), Error> {
     let mut derivatives = Derivatives::new(problem, levels, tolerance, watch);
     let found = derivatives.all();
+    derivatives.finished(found)
+}
+
+/// The same for changes by some motions at the centre of the patch, one derivative for each, to a
+/// residual of [`ROUGH`].
+pub(super) fn by_motions(
+    problem: &Problem,
+    levels: &mut [Level],
+    motions: &[Kinematics],
+    watch: Watch,
+) -> Result<(Option<Vec<Resultant>>, usize), Error> {
+    let mut derivatives = Derivatives::new(problem, levels, ROUGH, watch);
+    derivatives.accuracy = ROUGH;
+    let warmer = derivatives.warmer();
+    let found = motions.iter().map(|motion| derivatives.along(motion, &warmer)).collect();
     derivatives.finished(found)
 }
 
@@ -110,16 +129,20 @@ impl<'a> Derivatives<'a> {
         self.stopped.map_or(Ok((found, self.products)), Err)
     }
 
+    /// Change of the forces when the motion changes by another one.
+    fn along(&mut self, motion: &Kinematics, warmer: &[f64]) -> Option<Resultant> {
+        let [by_x, by_y] = self.problem.kinematics.contact_time_ratio_by_creepage();
+        let time_ratio = by_x * motion.creepage_x + by_y * motion.creepage_y;
+        let motion = Kinematics { speed: self.problem.kinematics.speed, ..*motion };
+        self.by(&self.by_motion(&motion, time_ratio, warmer))
+    }
+
     fn all(&mut self) -> Option<Sensitivity> {
-        let [time_ratio_x, time_ratio_y] = self.problem.kinematics.contact_time_ratio_by_creepage();
         let warmer = self.warmer();
-        let along_x = Kinematics { creepage_x: 1.0, ..standing(self.problem) };
-        let along_y = Kinematics { creepage_y: 1.0, ..standing(self.problem) };
-        let turning = Kinematics { spin: 1.0, ..standing(self.problem) };
         Some(Sensitivity {
-            creepage_x: self.by(&self.by_motion(&along_x, time_ratio_x, &warmer))?,
-            creepage_y: self.by(&self.by_motion(&along_y, time_ratio_y, &warmer))?,
-            spin: self.by(&self.by_motion(&turning, 0.0, &warmer))?,
+            creepage_x: self.along(&Direction::X.unit(), &warmer)?,
+            creepage_y: self.along(&Direction::Y.unit(), &warmer)?,
+            spin: self.along(&Direction::Spin.unit(), &warmer)?,
             load: match self.direct_by_load() {
                 Some(direct) => Some(self.by_load(&direct)?),
                 None => None,
@@ -332,7 +355,7 @@ impl<'a> Derivatives<'a> {
 }
 
 /// The motion of the frame alone.
-fn standing(problem: &Problem) -> Kinematics {
+pub(super) fn standing(problem: &Problem) -> Kinematics {
     let speed = problem.kinematics.speed;
     Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
 }
@@ -343,7 +366,7 @@ fn scaled(resultant: &Resultant, factor: f64) -> Resultant {
 
 impl Direct {
     /// The changes in a cell when its motion changes.
-    fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
+    pub(super) fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
         let way = &cell.path_in;
         let (rigid, turn) = (way.rigid_slip(motion), motion.half_turn(way.distance));
         let slip = motion.rigid_slip(cell.x, cell.y);

@@ -36,7 +36,7 @@ pub(super) struct Search<'a> {
 /// Shared data of problems with the same normal contact and elasticity.
 pub(super) struct Setup {
     /// The problem solved last.
-    problem: Problem,
+    pub problem: Problem,
     pub levels: Vec<Level>,
     /// Share of stick and slip of the first problem: none, all, or a part of it like in all others.
     stick_share: f64,
@@ -79,7 +79,7 @@ fn is_alike(one: f64, other: f64) -> bool {
 
 /// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same if
 /// only the change since an earlier solution matters, or the coarse one must know where it sticks.
-const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
+pub(super) const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
 
 /// Defect of a coarse grid's prediction from earlier solutions up to which its solution tells a
 /// finer one nothing new, dimensionless: such a change is hardly more than what the coarse
@@ -223,7 +223,7 @@ impl Setup {
     }
 
     /// Newton's method for the present problem on one level, from its initial guess.
-    fn solve_level(
+    pub fn solve_level(
         &mut self,
         depth: usize,
         tolerance: f64,
@@ -307,7 +307,7 @@ impl Setup {
 
     /// The initial guess on a level: the extrapolation along the earlier solutions, plus the part
     /// of the next coarser solution that the extrapolation did not predict.
-    fn guess(&mut self, depth: usize, ahead: f64) {
+    pub fn guess(&mut self, depth: usize, ahead: f64) {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
         let level = &mut levels[depth];
         let [last, before] = &level.earlier;
@@ -335,7 +335,7 @@ impl Setup {
         }
     }
 
-    fn remember(&mut self, kinematics: Kinematics) {
+    pub fn remember(&mut self, kinematics: Kinematics) {
         for level in &mut self.levels {
             level.earlier.swap(0, 1);
             level.earlier[0].copy_from_slice(&level.traction);

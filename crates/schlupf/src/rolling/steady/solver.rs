@@ -4,6 +4,7 @@ use crate::equilibrium::{Newton, Outcome};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::method::Method;
+use crate::prescribed_forces::{Direction, PrescribedForces};
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::reference_point::AtPatch;
@@ -14,7 +15,8 @@ use crate::transient::Transient;
 use crate::warning::Warning;
 
 use super::branches;
-use super::sensitivity::{by_constants, sensitivity};
+use super::driven::Drives;
+use super::sensitivity::{by_constants, by_motions, sensitivity};
 use super::setup::{Search, Setup};
 
 /// Solves a problem for its steady state.
@@ -101,6 +103,41 @@ impl Solver for SteadySolver {
         Ok(found.map(|solution| at.back(solution)))
     }
 
+    fn solve_with_slopes(
+        &mut self,
+        problem: &Problem,
+        directions: &[Direction],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let Some(mut solution) = self.attempt(&at.problem, false, watch)?.found() else {
+            return Ok(None);
+        };
+        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
+        let to_centre = at.place().map(|part| -part);
+        let motions: Vec<_> = directions.iter().map(|way| way.unit().at(to_centre)).collect();
+        let (found, products) = by_motions(&at.problem, levels, &motions, watch)?;
+        solution.work.sensitivity_products = products;
+        Ok(found.map(|slopes| {
+            let slopes = slopes.iter().map(|slope| at.resultant_back(slope)).collect();
+            (at.back(solution), slopes)
+        }))
+    }
+
+    fn solves_for_forces(&self) -> bool {
+        true
+    }
+
+    fn solve_for_forces(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        let given = Problem { prescribed: PrescribedForces::default(), ..problem.clone() };
+        let at = AtPatch::new(&given, watch)?;
+        self.attempt_together(&at, &problem.prescribed, watch)
+    }
+
     fn forget(&mut self) {
         if let Some(setup) = &mut self.setup {
             setup.earlier.clear();
@@ -182,6 +219,57 @@ impl SteadySolver {
         };
         self.setup = Some(setup);
         Ok(attempt)
+    }
+
+    /// The state with prescribed forces, from the creepages of a problem at the centre of the
+    /// patch.
+    fn attempt_together(
+        &mut self,
+        at: &AtPatch,
+        prescribed: &PrescribedForces,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        self.options.check()?;
+        let setup = self.setup.take().filter(|setup| setup.fits(&at.problem));
+        let mut setup = match setup {
+            Some(setup) => setup,
+            None => Setup::new(&at.problem, &self.options, watch)?,
+        };
+        let drives = Drives::of(&at.problem, &setup.levels[0], (prescribed, at.place()))?;
+        let mut search = Search {
+            options: &self.options,
+            newton: &mut self.newton,
+            work: Work::default(),
+            watch,
+        };
+        let is_warm = !setup.earlier.is_empty();
+        let mut found = setup.find_together(&at.problem, &drives, &mut search)?;
+        if is_warm && !found.0.converged {
+            found = setup.find_together(&at.problem, &drives, &mut search)?;
+        }
+        let (outcome, kinematics) = found;
+        let work = search.work;
+        let problem = Problem { kinematics, ..at.problem.clone() };
+        if outcome.converged && self.options.extrapolate {
+            // Forces are extrapolated at the same motion on all grids.
+            self.setup = Some(setup);
+            let found = self.attempt(&problem, self.options.sensitivity, watch)?.found();
+            return Ok(found.map(|mut solution| {
+                solution.work.operator_products += work.operator_products;
+                solution.work.newton_iterations += work.newton_iterations;
+                at.back(solution)
+            }));
+        }
+        let mut found = None;
+        if outcome.converged {
+            let mut solution = setup.solution(&problem, &self.options, &outcome, work);
+            if self.options.sensitivity {
+                self.differentiate(&problem, &mut setup, &mut solution, watch)?;
+            }
+            found = Some(at.back(solution));
+        }
+        self.setup = Some(setup);
+        Ok(found)
     }
 
     /// Adds the derivatives to a solution that has just been found.

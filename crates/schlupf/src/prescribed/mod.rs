@@ -1,0 +1,257 @@
+//! Forces in place of creepages: the motion that causes prescribed forces, with any solver of
+//! steady states.
+//!
+//! The full solver finds tractions and creepages together, as one system of equations, from a first
+//! guess by Kalker's linear theory with a saturation. Where that fails, and for the fast methods,
+//! the forces are followed from those without the unknown creepages to the prescribed ones. Where
+//! friction falls there are two such motions, or none: then the path is followed beyond its peak.
+
+mod path;
+mod scaled;
+
+use crate::error::{Error, ForceError};
+use crate::method::{FastMethod, Method};
+use crate::prescribed_forces::PrescribedForces;
+use crate::problem::{Branch, Options, Problem};
+use crate::progress::Watch;
+use crate::rolling::steady::SteadySolver;
+use crate::solution::{Solution, Status};
+use crate::solver::Solver;
+use crate::warning::Warning;
+
+use path::Path;
+use scaled::Scaled;
+
+/// Finds the creepages that cause the forces prescribed by a problem, with any other solver, which
+/// solves problems without such as they are. The motion of the solution is the one found.
+///
+/// With falling friction two motions may have the same forces: [`Branch::LowSlip`] asks for the one
+/// on the rising branch of the creep curve, [`Branch::HighSlip`] for the other, and a warning has
+/// the creepages of the one that was not asked for.
+///
+/// ```
+/// use schlupf::prescribed::ForceSolver;
+/// use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
+/// use schlupf::{Method, Options, Problem, Solver, unwatched};
+///
+/// let braking = Some(LongitudinalForce::Force(-10e3));
+/// let prescribed = PrescribedForces { x: braking, ..PrescribedForces::default() };
+/// let problem = Problem::builder().load(80e3).prescribed(prescribed).build()?;
+/// let options = Options { cells_x: 12, cells_y: 12, ..Options::default() };
+/// let solution = ForceSolver::new(Method::Full.solver(&options)).solve(&problem, &unwatched)?;
+/// assert!((solution.force.x + 10e3).abs() < 1.0 && solution.kinematics.creepage_x > 0.0);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+pub struct ForceSolver {
+    inner: Box<dyn Solver>,
+    /// Searches on fewer cells, once needed.
+    scout: Option<Box<dyn Solver>>,
+}
+
+/// Cells across the patch of the scout in one direction, and its tolerance.
+const SCOUT_CELLS: usize = 10;
+const SCOUT_TOLERANCE: f64 = 1e-4;
+
+impl Solver for ForceSolver {
+    fn method(&self) -> Method {
+        self.inner.method()
+    }
+
+    fn options(&self) -> &Options {
+        self.inner.options()
+    }
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        if problem.prescribed.is_none() {
+            return self.inner.solve(problem, watch);
+        }
+        self.find(problem, watch)
+    }
+
+    fn has_derivatives(&self) -> bool {
+        self.inner.has_derivatives()
+    }
+
+    /// Derivatives are those at given creepages, whatever is prescribed.
+    fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        if problem.prescribed.is_none() {
+            return self.inner.solve_with_derivatives(problem, watch);
+        }
+        let kinematics = self.find(problem, watch)?.kinematics;
+        let prescribed = PrescribedForces::default();
+        let given = Problem { kinematics, prescribed, ..problem.clone() };
+        self.inner.solve_with_derivatives(&given, watch)
+    }
+
+    fn forget(&mut self) {
+        self.inner.forget();
+    }
+}
+
+/// Most corrections of the creepages that another solver found.
+const MOST_REFINEMENTS: usize = 6;
+
+/// Cells across the patch.
+fn cells(options: &Options) -> f64 {
+    (options.cells_x * options.cells_y) as f64
+}
+
+impl ForceSolver {
+    /// With the solver for given creepages.
+    pub fn new(inner: Box<dyn Solver>) -> Self {
+        Self { inner, scout: None }
+    }
+
+    fn find(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let scaled = Scaled::new(problem, watch)?;
+        let is_constant = problem.friction.law.is_constant();
+        let is_limited = !matches!(self.inner.method(), Method::Fast(FastMethod::KalkerLinear));
+        if is_limited && scaled.has_uniform_friction() {
+            refuse_beyond_friction(&scaled)?;
+        }
+        if !self.inner.solves_for_forces() {
+            return self.along_path(&scaled, watch);
+        }
+        if is_constant {
+            let guessed = scaled.from(scaled.guess());
+            if let Some(found) = self.inner.solve_for_forces(&guessed, watch)? {
+                return Ok(found);
+            }
+        }
+        self.scouted(&scaled, watch)
+    }
+
+    /// The state from those that a solver on fewer cells finds along the path.
+    fn scouted(&mut self, scaled: &Scaled, watch: Watch) -> Result<Solution, Error> {
+        let options = self.inner.options();
+        let coarse = Options {
+            cells_x: options.cells_x.min(SCOUT_CELLS),
+            cells_y: options.cells_y.min(SCOUT_CELLS),
+            tolerance: options.tolerance.max(SCOUT_TOLERANCE),
+            sensitivity: false,
+            extrapolate: false,
+            ..options.clone()
+        };
+        let branch = options.branch;
+        let is_single = scaled.problem.friction.law.is_constant();
+        let scout = self.scout.get_or_insert_with(|| Box::new(SteadySolver::new(&coarse))).as_mut();
+        let path = path::follow(scaled, scout, (is_single, watch))?;
+        let mut found = Vec::new();
+        for state in &path.states {
+            let near = scaled.from(state.solution.kinematics);
+            self.inner.forget();
+            found.extend(self.inner.solve_for_forces(&near, watch)?);
+        }
+        let is_whole = found.len() == path.states.len();
+        let mut found = found.into_iter();
+        let Some(first) = found.next().filter(|_| is_whole) else {
+            // The states on fewer cells are not those of this grid.
+            return self.along_path(scaled, watch);
+        };
+        let mut solution = chosen(scaled, first, found.next(), branch);
+        let share = cells(&coarse) / cells(self.inner.options());
+        solution.work.operator_products += share * path.products;
+        Ok(solution)
+    }
+
+    /// The state along the path of this solver.
+    fn along_path(&mut self, scaled: &Scaled, watch: Watch) -> Result<Solution, Error> {
+        let branch = self.inner.options().branch;
+        let is_single = scaled.problem.friction.law.is_constant();
+        let path = path::follow(scaled, self.inner.as_mut(), (is_single, watch))?;
+        let mut states = path.states.iter().map(|state| state.solution.clone());
+        let Some(first) = states.next() else {
+            return Err(self.not_found(scaled, &path, watch)?);
+        };
+        let found = chosen(scaled, first, states.next(), branch);
+        let mut solution = self.refined(scaled, &found, (&path, watch))?;
+        let is_of_path = |warning: &Warning| matches!(warning, Warning::SeveralMotions { .. });
+        solution.warnings.extend(found.warnings.into_iter().filter(is_of_path));
+        solution.work.operator_products += path.products;
+        Ok(solution)
+    }
+
+    /// A state of the path as it was asked for: those of the path have results that were not, or
+    /// lack those that were. Where the states of the path are those of another solver, which knows
+    /// derivatives, the creepages are corrected by them.
+    fn refined(
+        &mut self,
+        scaled: &Scaled,
+        found: &Solution,
+        (path, watch): (&Path, Watch),
+    ) -> Result<Solution, Error> {
+        let mut solution = self.inner.solve(&scaled.at(found.kinematics), watch)?;
+        let of_path =
+            path.states.iter().find(|state| state.solution.kinematics == found.kinematics);
+        let inverse = of_path.and_then(|state| state.jacobian.clone().try_inverse());
+        let tolerance = path::ACCURACY * self.inner.options().tolerance;
+        let mut products = 0.0;
+        for _ in 0..MOST_REFINEMENTS {
+            let Some((inverse, off)) = inverse.as_ref().zip(scaled.missing(&solution)) else {
+                break;
+            };
+            if off.norm() <= tolerance || solution.status != Status::Converged {
+                break;
+            }
+            let creepages = scaled.creepages(&solution.kinematics) + inverse * off;
+            let better = scaled.motion(&creepages);
+            if better.check().is_err() {
+                break;
+            }
+            products += solution.work.operator_products;
+            solution = self.inner.solve(&scaled.at(better), watch)?;
+        }
+        solution.work.operator_products += products;
+        Ok(solution)
+    }
+
+    fn not_found(&mut self, scaled: &Scaled, path: &Path, watch: Watch) -> Result<Error, Error> {
+        let first = scaled.prescribed.first().unwrap_or(crate::Quantity::ForceX);
+        let at_rest = self.inner.solve(&scaled.at(scaled.problem.kinematics), watch)?;
+        if !scaled.has_forces(&at_rest.force) {
+            return Ok(ForceError::NotPossible { quantity: first }.into());
+        }
+        let terms = scaled.in_terms(&path.largest);
+        let Some((quantity, [value, largest])) = terms else {
+            return Ok(ForceError::NotPossible { quantity: first }.into());
+        };
+        if !path.is_complete {
+            return Ok(ForceError::NotFound { quantity, value, nearest: largest }.into());
+        }
+        let limit = scaled.has_uniform_friction().then_some(scaled.limit);
+        Ok(ForceError::Unreachable { quantity, value, largest, limit }.into())
+    }
+}
+
+/// Tangential forces of the friction limit and beyond need no search.
+fn refuse_beyond_friction(scaled: &Scaled) -> Result<(), Error> {
+    let ratio = scaled.tangential();
+    if ratio < 1.0 {
+        return Ok(());
+    }
+    let largest = &scaled.target / ratio;
+    match scaled.in_terms(&largest) {
+        Some((quantity, [value, largest])) => {
+            let limit = Some(scaled.limit);
+            Err(ForceError::Unreachable { quantity, value, largest, limit }.into())
+        }
+        None => Ok(()),
+    }
+}
+
+/// The state of the branch that is asked for, with a warning if there is another.
+fn chosen(scaled: &Scaled, first: Solution, second: Option<Solution>, branch: Branch) -> Solution {
+    let Some(second) = second.filter(|second| scaled.are_distinct(&first, second)) else {
+        return first;
+    };
+    let is_low = branch == Branch::LowSlip;
+    let (mut here, there) = if is_low { (first, second) } else { (second, first) };
+    let other = there.kinematics;
+    let creepages = [other.creepage_x, other.creepage_y, other.spin];
+    here.warnings.push(Warning::SeveralMotions { is_low, creepages });
+    here
+}

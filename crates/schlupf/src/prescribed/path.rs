@@ -1,0 +1,281 @@
+//! The path of states along which the forces grow from those of vanishing unknown creepages to the
+//! prescribed ones: f(x) = f₀ + s (f₁ − f₀), followed by the length of the path (Keller 1977), so
+//! that it also turns where falling friction has its peak.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::error::Error;
+use crate::progress::{Progress, Stage, Watch, tell};
+use crate::solution::Solution;
+use crate::solver::Solver;
+
+use super::scaled::{Response, Scaled};
+
+/// What was found along the path.
+pub(super) struct Path {
+    /// States with the prescribed forces, in their order along it: at first on the rising branch.
+    pub states: Vec<Response>,
+    /// The forces at the largest share s of the way to the prescribed ones, dimensionless.
+    pub largest: DVector<f64>,
+    /// Products with the compliance that it took, dimensionless.
+    pub products: f64,
+    /// Whether no state was missed: the path was followed to where the wheel locks, the forces no
+    /// longer grow, or they have fallen far below their peak.
+    pub is_complete: bool,
+}
+
+/// First length of a step, and least and largest; and how it grows where steps succeed at once.
+const FIRST: f64 = 0.3;
+const LEAST: f64 = 1e-4;
+const GROWTH: f64 = 2.0;
+
+/// Distance from the creepages of a locked wheel up to which a path is followed, relative to them.
+const NEXT_TO_LOCKED: f64 = 0.1;
+
+/// Most steps of a path.
+const MOST_STEPS: usize = 60;
+
+/// Most corrections of a step, and those up to which the next one is longer.
+const MOST_CORRECTIONS: usize = 8;
+const FEW_CORRECTIONS: usize = 3;
+
+/// Distance from the path that a step may leave.
+const ON_PATH: f64 = 1e-3;
+
+/// Growth of s from step to step, relative to that of the creepages, below which the contact
+/// slides and forces no longer grow; and number of such steps.
+const STAGNANT: f64 = 1e-7;
+const STAGNANT_STEPS: usize = 3;
+
+/// Share of the way relative to the largest one at which the forces have fallen far below their
+/// peak, so that the largest is known.
+const FALLEN: f64 = 0.5;
+
+/// Halvings of the step by which the turning point of the path is found.
+const TURN_HALVINGS: usize = 12;
+
+/// Error of the forces over the tolerance of the solver within which they are the prescribed ones.
+pub(super) const ACCURACY: f64 = 3.0;
+
+struct Point {
+    response: Response,
+    share: f64,
+    /// Unit tangent (creepages and share).
+    tangent: DVector<f64>,
+}
+
+struct Follower<'a> {
+    scaled: &'a Scaled,
+    solver: &'a mut dyn Solver,
+    watch: Watch<'a>,
+    start: DVector<f64>,
+    /// f₁ − f₀.
+    way: DVector<f64>,
+    done: usize,
+    products: f64,
+}
+
+/// Follows the path with a solver: to the first state if `is_single`, otherwise to its end.
+pub(super) fn follow(
+    scaled: &Scaled,
+    solver: &mut dyn Solver,
+    (is_single, watch): (bool, Watch),
+) -> Result<Path, Error> {
+    let nowhere = DVector::zeros(scaled.count());
+    let none = |largest| Path { states: Vec::new(), largest, products: 0.0, is_complete: false };
+    let Some(at_rest) = scaled.respond(nowhere.clone(), solver, watch)? else {
+        return Ok(none(nowhere));
+    };
+    let start = at_rest.forces.clone();
+    let way = &scaled.target - &start;
+    if way.norm() <= f64::EPSILON {
+        let states = vec![at_rest];
+        return Ok(Path { states, is_complete: is_single, products: 0.0, largest: start });
+    }
+    let mut follower = Follower { scaled, solver, watch, start, way, done: 0, products: 0.0 };
+    let path = follower.run(at_rest, is_single)?;
+    Ok(Path { products: follower.products, ..path })
+}
+
+impl Follower<'_> {
+    fn run(&mut self, at_rest: Response, is_single: bool) -> Result<Path, Error> {
+        let mut upwards = DVector::zeros(self.scaled.count() + 1);
+        upwards[self.scaled.count()] = 1.0;
+        let tangent = self.tangent(&at_rest, &upwards);
+        let mut here = Point { response: at_rest, share: 0.0, tangent };
+        let mut path = Path {
+            states: Vec::new(),
+            largest: here.response.forces.clone(),
+            products: 0.0,
+            is_complete: false,
+        };
+        let (mut step, mut largest, mut stagnant) = (FIRST, 0.0, 0);
+        for _ in 0..MOST_STEPS {
+            let Some((next, corrections)) = self.step(&here, step)? else {
+                step *= 0.5;
+                let size = here.response.creepages.norm();
+                if step < NEXT_TO_LOCKED * size && self.locks(&here, step) {
+                    path.is_complete = true;
+                    break;
+                }
+                if step < LEAST * (1.0 + size) {
+                    break;
+                }
+                continue;
+            };
+            if (here.share < 1.0) != (next.share < 1.0) {
+                let Some(state) = self.land(&here, &next)? else {
+                    step *= 0.5;
+                    if step < LEAST {
+                        break;
+                    }
+                    continue;
+                };
+                path.states.push(state);
+                if is_single {
+                    path.is_complete = true;
+                    return Ok(path);
+                }
+                if path.states.len() == 2 {
+                    path.is_complete = true;
+                    break;
+                }
+            }
+            let mut peak = None;
+            // Once there is a state the largest forces are not asked for.
+            if path.states.is_empty() && self.rises(&here) && !self.rises(&next) {
+                peak = Some(self.turn(&here, step)?);
+            }
+            for (share, forces) in
+                [Some((next.share, next.response.forces.clone())), peak].into_iter().flatten()
+            {
+                if share > largest {
+                    largest = share;
+                    path.largest = forces;
+                }
+            }
+            if path.states.is_empty() && next.share < FALLEN * largest {
+                path.is_complete = true;
+                break;
+            }
+            let gained = (next.share - here.share).abs();
+            stagnant = if gained < STAGNANT * step { stagnant + 1 } else { 0 };
+            here = next;
+            if stagnant == STAGNANT_STEPS {
+                path.is_complete = true;
+                break;
+            }
+            if corrections <= FEW_CORRECTIONS {
+                step *= GROWTH;
+            }
+        }
+        Ok(path)
+    }
+
+    /// Whether a step beyond a point would lock the wheel.
+    fn locks(&self, here: &Point, step: f64) -> bool {
+        let count = self.scaled.count();
+        let beyond = &here.response.creepages + here.tangent.rows(0, count) * (4.0 * step);
+        self.scaled.motion(&beyond).check().is_err()
+    }
+
+    fn rises(&self, point: &Point) -> bool {
+        point.tangent[self.scaled.count()] > 0.0
+    }
+
+    /// The unit tangent at a state that goes on in the direction of another one.
+    fn tangent(&self, at: &Response, before: &DVector<f64>) -> DVector<f64> {
+        let count = self.scaled.count();
+        let mut right = DVector::zeros(count + 1);
+        right[count] = 1.0;
+        let found = self.bordered(&at.jacobian, before).lu().solve(&right);
+        found.filter(|t| t.norm() > 0.0).map_or_else(|| before.clone(), |t| t.normalize())
+    }
+
+    /// J and −(f₁ − f₀), above a row.
+    fn bordered(&self, jacobian: &DMatrix<f64>, row: &DVector<f64>) -> DMatrix<f64> {
+        let count = self.scaled.count();
+        let mut matrix = DMatrix::zeros(count + 1, count + 1);
+        matrix.view_mut((0, 0), (count, count)).copy_from(jacobian);
+        matrix.view_mut((0, count), (count, 1)).copy_from(&-&self.way);
+        matrix.set_row(count, &row.transpose());
+        matrix
+    }
+
+    /// The point a step further along the path, with the number of corrections.
+    fn step(&mut self, here: &Point, step: f64) -> Result<Option<(Point, usize)>, Error> {
+        let count = self.scaled.count();
+        let mut creepages = &here.response.creepages + here.tangent.rows(0, count) * step;
+        let mut share = here.share + here.tangent[count] * step;
+        for corrections in 0..=MOST_CORRECTIONS {
+            let Some(response) = self.respond(creepages)? else { return Ok(None) };
+            let off = &response.forces - &self.start - &self.way * share;
+            if off.norm() <= ON_PATH * self.way.norm().min(1.0) {
+                let tangent = self.tangent(&response, &here.tangent);
+                return Ok(Some((Point { response, share, tangent }, corrections)));
+            }
+            let mut right = DVector::zeros(count + 1);
+            right.rows_mut(0, count).copy_from(&-off);
+            let matrix = self.bordered(&response.jacobian, &here.tangent);
+            let Some(change) = matrix.lu().solve(&right) else { return Ok(None) };
+            if change.norm() > 2.0 * step {
+                return Ok(None);
+            }
+            creepages = response.creepages + change.rows(0, count);
+            share += change[count];
+        }
+        Ok(None)
+    }
+
+    /// The state with the prescribed forces between two points.
+    fn land(&mut self, here: &Point, next: &Point) -> Result<Option<Response>, Error> {
+        let part = (1.0 - here.share) / (next.share - here.share);
+        let span = &next.response.creepages - &here.response.creepages;
+        let mut creepages = &here.response.creepages + &span * part;
+        let tolerance = ACCURACY * self.solver.options().tolerance * self.way.norm().min(1.0);
+        let mut last = f64::INFINITY;
+        for _ in 0..=MOST_CORRECTIONS {
+            let Some(response) = self.respond(creepages)? else { return Ok(None) };
+            let off = &self.scaled.target - &response.forces;
+            // At the accuracy of the solver corrections no longer help.
+            let stays = off.norm() > 0.5 * last && off.norm() <= 10.0 * tolerance;
+            if off.norm() <= tolerance || stays {
+                return Ok(Some(response));
+            }
+            last = off.norm();
+            let Some(change) = response.jacobian.clone().lu().solve(&off) else { return Ok(None) };
+            creepages = response.creepages + change;
+            let from_here = (&creepages - &here.response.creepages).norm();
+            if from_here > 2.0 * span.norm() {
+                return Ok(None);
+            }
+        }
+        Ok(None)
+    }
+
+    /// The largest share, with its forces, between a point where it rises and the one a step
+    /// further, where it falls.
+    fn turn(&mut self, here: &Point, step: f64) -> Result<(f64, DVector<f64>), Error> {
+        let mut best = (here.share, here.response.forces.clone());
+        let [mut low, mut high] = [0.0, step];
+        for _ in 0..TURN_HALVINGS {
+            let middle = 0.5 * (low + high);
+            let Some((point, _)) = self.step(here, middle)? else { break };
+            if point.share > best.0 {
+                best = (point.share, point.response.forces.clone());
+            }
+            *(if self.rises(&point) { &mut low } else { &mut high }) = middle;
+        }
+        Ok(best)
+    }
+
+    fn respond(&mut self, creepages: DVector<f64>) -> Result<Option<Response>, Error> {
+        tell(self.watch, Progress::count(Stage::Steady, self.done))?;
+        self.done += 1;
+        let response = self.scaled.respond(creepages, self.solver, self.watch)?;
+        if let Some(Response { solution: Solution { work, .. }, .. }) = &response {
+            self.products += work.operator_products + work.sensitivity_products as f64;
+        }
+        Ok(response)
+    }
+}

@@ -1,0 +1,186 @@
+//! Prescribed forces over time: in every step, the creepages with which it ends at these forces.
+//!
+//! Within a step the forces follow the creepages, which last as long as the step, almost linearly
+//! until everything slides, and alike from step to step. So the slopes are learnt from step to step
+//! (Broyden 1965), and most steps need two or three equilibria instead of one.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::equilibrium::measure;
+use crate::error::{Error, ForceError};
+use crate::history::History;
+use crate::kinematics::Kinematics;
+use crate::normal::NormalSummary;
+use crate::prescribed_forces::{Direction, PrescribedForces};
+use crate::problem::Problem;
+use crate::quantity::Quantity;
+use crate::simplified::EllipticContact;
+use crate::solution::Resultant;
+
+/// The forces, and the creepages that they cause in the present step.
+#[derive(Debug, Clone)]
+pub(super) struct ForceControl {
+    prescribed: PrescribedForces,
+    directions: Vec<Direction>,
+    /// Position of the reference point in the contact frame, x and y in m.
+    place: [f64; 2],
+    /// N or N m per unit of force: μ0 N, and times √(ab); and creepage per unit of creepage, with
+    /// which Kalker's slopes are one.
+    force_units: Vec<f64>,
+    creepage_units: Vec<f64>,
+    /// Creepages, in their units.
+    creepages: DVector<f64>,
+    /// ∂(forces)/∂(creepages) at the end of a step, in their units.
+    slopes: DMatrix<f64>,
+    /// Creepages and missing forces of the trial before.
+    before: Option<(DVector<f64>, DVector<f64>)>,
+    trials: usize,
+    /// Missing forces in their units, dimensionless.
+    pub missing: f64,
+}
+
+/// Most equilibria of a step.
+const MOST_TRIALS: usize = 40;
+
+/// Longest change of the creepages from trial to trial: in their units, and relative to them.
+const LONGEST: [f64; 2] = [4.0, 2.0];
+
+/// Refuses tangential forces of at least μN, if friction is the same everywhere.
+fn refuse_beyond_friction(
+    problem: &Problem,
+    forces: &PrescribedForces,
+    (load, width): (f64, f64),
+) -> Result<(), Error> {
+    let Some(friction) = problem.uniform_friction(width) else { return Ok(()) };
+    let [x, y] = [forces.x.map_or(0.0, |force| force.under(load)), forces.y.unwrap_or(0.0)];
+    let ratio = x.hypot(y) / (friction * load);
+    if ratio < 1.0 {
+        return Ok(());
+    }
+    let (quantity, value, largest) = match forces.x.filter(|_| x.abs() >= y.abs()) {
+        Some(force) => {
+            let (quantity, value) = force.given();
+            (quantity, value, force.in_terms(x / ratio, load))
+        }
+        None => (Quantity::ForceY, y, y / ratio),
+    };
+    let limit = Some(friction * load);
+    Err(ForceError::Unreachable { quantity, value, largest, limit }.into())
+}
+
+impl ForceControl {
+    /// That of a problem and a history, if forces are prescribed: about a reference point at
+    /// `place`, in time steps over a way (both in m).
+    ///
+    /// # Errors
+    /// Those of Kalker's coefficients.
+    pub fn of(
+        problem: &Problem,
+        (prescribed, history): (&PrescribedForces, &History),
+        normal: &NormalSummary,
+        (place, way): ([f64; 2], f64),
+    ) -> Result<Option<Self>, Error> {
+        let prescribed = history.prescribed(history.span()[0], prescribed);
+        if prescribed.is_none() {
+            return Ok(None);
+        }
+        let contact = EllipticContact::of(problem, *normal)?;
+        let (load, lever) = (normal.load, contact.lever());
+        for time in &history.time {
+            let load = history.load(*time).unwrap_or(load);
+            let forces = history.prescribed(*time, &prescribed);
+            let at_time = |error| Error::AtTime { error: Box::new(error), time: *time };
+            refuse_beyond_friction(problem, &forces, (load, normal.semi_axis_y))
+                .map_err(at_time)?;
+        }
+        let directions: Vec<Direction> =
+            prescribed.under(load).iter().map(|(direction, _)| *direction).collect();
+        let limit = problem.friction.cold_coefficient() * load;
+        let limit = if limit > 0.0 { limit } else { load };
+        let unit = |way: &Direction| limit * if *way == Direction::Spin { lever } else { 1.0 };
+        let force_units: Vec<f64> = directions.iter().map(unit).collect();
+        let stiffness =
+            |way: &Direction| contact.linear_force(&way.unit()).along(*way).unwrap_or(1.0).abs();
+        let pairs = directions.iter().zip(&force_units);
+        let creepage_units = pairs.map(|(way, unit)| unit / stiffness(way)).collect();
+        let count = directions.len();
+        // Kalker's slopes take the passage of the patch.
+        let of_step = (way / normal.semi_axis_x).min(1.0);
+        Ok(Some(Self {
+            prescribed,
+            directions,
+            place,
+            force_units,
+            creepage_units,
+            creepages: DVector::zeros(count),
+            slopes: DMatrix::identity(count, count) * of_step,
+            before: None,
+            trials: 0,
+            missing: 0.0,
+        }))
+    }
+
+    /// A motion at the centre of the patch with the present creepages.
+    pub fn motion(&self, given: &Kinematics) -> Kinematics {
+        let mut motion = given.at(self.place);
+        for (k, direction) in self.directions.iter().enumerate() {
+            *direction.creepage_of(&mut motion) = self.creepages[k] * self.creepage_units[k];
+        }
+        motion.at(self.place.map(|part| -part))
+    }
+
+    /// Prepares a step that ends at a time, in s.
+    pub fn begin(&mut self, history: &History, time: f64) {
+        self.prescribed = history.prescribed(time, &self.prescribed);
+        (self.before, self.trials) = (None, 0);
+    }
+
+    /// Compares the forces of a trial with those prescribed under a load in N, to an accuracy
+    /// relative to the bounds ‖μ pₙ‖₂ and the tractions ‖p‖₂ (in Pa). Returns whether the step is
+    /// done; if not, the creepages are those of the next trial.
+    pub fn is_reached(
+        &mut self,
+        (force, load): (&Resultant, f64),
+        (accuracy, bound, traction): (f64, f64, f64),
+    ) -> bool {
+        let force = force.about(self.place);
+        let wanted = self.prescribed.under(load);
+        let missing = wanted.iter().zip(&self.force_units).map(|((direction, wanted), unit)| {
+            // On the rail, so that the slopes are positive.
+            (force.along(*direction).unwrap_or(0.0) - wanted) / unit
+        });
+        let missing = DVector::from_iterator(wanted.len(), missing);
+        let size = wanted.iter().zip(&self.force_units).map(|((_, wanted), unit)| wanted / unit);
+        let size = size.fold(0.0_f64, f64::hypot).min(1.0);
+        let share = if bound > 0.0 { measure(bound, traction) / bound } else { 1.0 };
+        self.missing = missing.norm();
+        self.trials += 1;
+        if self.missing <= accuracy * size.max(share) || self.trials >= MOST_TRIALS {
+            return true;
+        }
+        self.learn(&missing);
+        let mut change =
+            self.slopes.clone().lu().solve(&missing).unwrap_or_else(|| missing.clone());
+        let longest = LONGEST[0].max(LONGEST[1] * self.creepages.norm());
+        if change.norm() > longest {
+            change *= longest / change.norm();
+        }
+        self.before = Some((self.creepages.clone(), missing));
+        self.creepages += change;
+        false
+    }
+
+    /// Corrects the slopes by what the last change of the creepages did.
+    fn learn(&mut self, missing: &DVector<f64>) {
+        let Some((creepages, before)) = &self.before else { return };
+        let change = &self.creepages - creepages;
+        let squared = change.norm_squared();
+        if squared > 0.0 {
+            let unforeseen = before - missing - &self.slopes * &change;
+            let corrected = &self.slopes + unforeseen * change.transpose() / squared;
+            if corrected.determinant().is_finite() && corrected.determinant() > 0.0 {
+                self.slopes = corrected;
+            }
+        }
+    }
+}
