@@ -107,11 +107,6 @@ fn strips(
     if share == 0.0 || (!sticks && !problem.contact_law.is_coulomb()) {
         return Ok(Box::new(Bristles::new(problem, &contact.patch)));
     }
-    if !problem.contact_law.is_coulomb() {
-        // Bristles keep adjacent strips from oscillating against each other, and the calibration is
-        // that of one interpolation.
-        contact.fix_interpolation(1.0);
-    }
     if share == 1.0 {
         return Ok(Box::new(StickSlip::new(problem, normal, contact)?));
     }
