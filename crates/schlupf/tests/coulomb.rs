@@ -255,8 +255,9 @@ impl ContactLaw for FromCellToCell {
     }
 }
 
-/// Where one treatment of the bristles has just taken over from the other, k_c = 8·10⁷/m on 40 cells, both
-/// have much the same forces: within 0.1 % of μN in the median, 0.2 % for 90 % and 0.4 % at most.
+/// Where one treatment of the bristles has just taken over from the other, k_c = 8·10⁷/m on 40
+/// cells, both have much the same forces: within 0.1 % of μN in the median, 0.2 % for 90 % and
+/// 0.4 % at most.
 #[test]
 fn both_treatments_of_bristles_agree_where_one_takes_over() {
     const STIFFNESS: f64 = 8e7;
