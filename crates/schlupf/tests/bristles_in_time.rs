@@ -5,10 +5,11 @@ mod common;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::transients::{self, constant, swinging};
+use common::transients::{self, LIMIT, LOAD, constant, swinging};
 use common::{cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over};
 use schlupf::elasticity::Elasticity;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
+use schlupf::history::History;
 use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::ellipse::Ellipse;
@@ -107,6 +108,32 @@ fn time_steps_take_no_more_work_than_under_coulombs_law() {
             println!("{is_fast} {stiffness:e}: {stiff:.1} products a step, Coulomb {coulomb:.1}");
             assert!(stiff < 1.3 * coulomb, "{is_fast} {stiffness:e}: {stiff} {coulomb}");
         }
+    }
+}
+
+/// On a layer, whose surface ends at a distance from the grid, a load falls to a half, so that the
+/// patch leaves most of the grid, and stays there: the end is the steady state on a grid of its own,
+/// to the error of the grid.
+#[test]
+fn a_layer_on_a_grid_that_the_patch_leaves() {
+    let laws: [Arc<dyn ContactLaw>; 2] =
+        [Arc::new(Coulomb), Arc::new(Incremental::new(2e8).unwrap())];
+    for law in laws {
+        let falling = Problem { elasticity: layer(), ..transients::reference(law) };
+        let history = History {
+            time: vec![0.0, 12e-3, 40e-3],
+            load: Some(vec![LOAD, 0.5 * LOAD, 0.5 * LOAD]),
+            ..History::default()
+        };
+        let over = solve_over(&falling, history, &cells(30));
+        let products = over.work.operator_products / over.work.steps as f64;
+        assert!(products < 40.0, "{products}");
+        let half = falling.normal.normal_contact(Some(0.5 * LOAD)).unwrap().summary;
+        let normal = Ellipse::from_load(half.semi_axis_x, half.semi_axis_y, 0.5 * LOAD).unwrap();
+        let small = Problem { normal: Arc::new(normal), ..falling.clone() };
+        let steady = at_once(&small, &cells(30));
+        let off = (over.force.x - steady.force.x).abs() / (0.5 * LIMIT);
+        assert!(off < 2e-3, "{off}");
     }
 }
 
