@@ -112,8 +112,8 @@ fn time_steps_take_no_more_work_than_under_coulombs_law() {
 }
 
 /// On a layer, whose surface ends at a distance from the grid, a load falls to a half, so that the
-/// patch leaves most of the grid, and stays there: the end is the steady state on a grid of its own,
-/// to the error of the grid.
+/// patch leaves most of the grid, and stays there: the end is the steady state on a grid of its
+/// own, to the error of the grid.
 #[test]
 fn a_layer_on_a_grid_that_the_patch_leaves() {
     let laws: [Arc<dyn ContactLaw>; 2] =

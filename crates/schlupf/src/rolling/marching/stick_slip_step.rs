@@ -270,6 +270,10 @@ impl Equilibrium for StickSlipStep<'_> {
         }
     }
 
+    fn complete(&self, p: &mut [f64]) {
+        self.law.contact.slivers.complete(p);
+    }
+
     fn directions(&mut self) -> Option<&mut Directions> {
         Some(&mut self.law.directions)
     }

@@ -17,6 +17,9 @@ use super::steady_friction::SteadyFriction;
 use super::stick_slip::StickSlip;
 use super::strip_law::{Cause, Changed, StripLaw};
 
+/// ‖p‖₂ over ‖μ pₙ‖₂ below which hardly a cell slides, dimensionless.
+const STUCK: f64 = 0.05;
+
 /// Both laws along the strips of a patch.
 pub(super) struct Blend {
     bristles: Bristles,
@@ -26,6 +29,8 @@ pub(super) struct Blend {
     /// In Pa.
     peak_pressure: f64,
     share: StickShare,
+    /// Whether all but the edges stuck at the last residual.
+    is_stuck: bool,
     /// F of both at the last residual, in Pa.
     residuals: [Vec<f64>; 2],
 }
@@ -48,6 +53,7 @@ impl Blend {
             finest_cell,
             peak_pressure: normal.summary.peak_pressure,
             share: StickShare::of(problem, normal.summary.peak_pressure, finest_cell),
+            is_stuck: true,
             residuals: [zeros(), zeros()],
             stick_slip: StickSlip::new(problem, normal, contact)?,
         })
@@ -118,6 +124,7 @@ impl StripLaw for Blend {
         }
         self.stick_slip.residual(p, &of_stick_slip, second);
         self.stick_slip.depart(p, second);
+        self.is_stuck = norm(p) < STUCK * norm(self.bristles.bound());
         residual.copy_from_slice(first);
         self.mean(residual, &self.residuals[1]);
     }
@@ -141,12 +148,17 @@ impl StripLaw for Blend {
         }
     }
 
-    /// The mean of both approximations. A sliver has an equation of its own here, so what its part
-    /// of v demands is added to what follows from the others.
+    /// The mean of both approximations; where all sticks that of stick and slip alone, which knows
+    /// how the cells of a strip move each other. A sliver has an equation of its own here, so what
+    /// its part of v demands is added to what follows from the others.
     fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
         let mut other = v.to_vec();
         self.stick_slip.precondition(&mut other, friction);
         self.stick_slip.add_to_slivers(v, &mut other);
+        if self.is_stuck {
+            v.copy_from_slice(&other);
+            return;
+        }
         if self.has_bristles() {
             self.bristles.precondition(v, friction);
         }
