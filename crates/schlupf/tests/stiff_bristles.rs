@@ -172,15 +172,18 @@ fn from_sliding_to_sticking() {
 }
 
 /// Bristles between soft and stiff on fine grids, under motions so slow that all but the edges
-/// sticks: thousands of products before the Jacobian of a strip counted there.
+/// sticks: hundreds to thousands of products if the preconditioner does not know how the cells of a
+/// strip move each other.
 #[test]
 fn a_patch_that_sticks() {
-    for (stiffness, count) in [(5e7, 60), (7e7, 80), (1e8, 80)] {
+    for (stiffness, count, most) in
+        [(2e7, 40, 60.0), (4e7, 80, 80.0), (5e7, 60, 40.0), (7e7, 80, 40.0), (1e8, 80, 40.0)]
+    {
         for spin in [1e-3, 1e-2] {
             let problem = steel(rolling(0.0, 0.0, spin), [5e-3, 5e-3, 1e9], incremental(stiffness));
             let products = at_once(&problem, &cells(count)).work.operator_products;
             println!("{stiffness:e}, {count} cells, {spin}/m: {products:.1}");
-            assert!(products < 40.0, "{stiffness:e}, {count} cells, {spin}/m: {products}");
+            assert!(products < most, "{stiffness:e}, {count} cells, {spin}/m: {products}");
         }
     }
 }

@@ -40,6 +40,10 @@ pub(super) struct Setup {
     pub levels: Vec<Level>,
     /// Share of stick and slip of the first problem: none, all, or a part of it like in all others.
     stick_share: f64,
+    /// Whether patches that stick are known to be, see [`DiscreteContact::is_held`].
+    ///
+    /// [`DiscreteContact::is_held`]: crate::rolling::shared::contact::DiscreteContact::is_held
+    is_held: bool,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
 }
@@ -118,7 +122,8 @@ impl Setup {
         let normal = problem.normal.normal_contact(None)?;
         let levels = level::nested(problem, &normal, options, treated)?;
         let stick_share = levels[0].strips.stick_share();
-        Ok(Self { problem: problem.clone(), levels, stick_share, earlier: Vec::new() })
+        let is_held = levels[0].contact.is_held(problem);
+        Ok(Self { problem: problem.clone(), levels, stick_share, is_held, earlier: Vec::new() })
     }
 
     pub fn fits(&self, problem: &Problem) -> bool {
@@ -126,6 +131,7 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
             && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
             && is_alike(self.levels[0].contact.stick_share(problem).value, self.stick_share)
+            && (self.is_held || !self.levels[0].contact.is_held(problem))
     }
 
     /// Whether the bristles of a problem are in series with stick and slip, at least in part.
