@@ -451,6 +451,15 @@ messages! {
         format!("{name}: {}; {method:?} has none", purpose.text())
     };
 
+    /// A method without the stresses of the surface where they are needed.
+    "method-without-fields" MethodWithoutFields {
+        /// The method.
+        method: &'static str,
+    } Quantity::Method, |name, words| format!(
+        "{name}: stresses below the surface follow from pressure and traction in the contact, which \
+         {method:?} does not compute"
+    );
+
     /// No heat where something follows from it.
     "no-heat" NoHeat {} Quantity::HeatModel, |name, words| format!(
         "{name}: the wheel is heated by friction only, but {}",
