@@ -1,5 +1,6 @@
 //! Stresses below the surface.
 
+use schlupf::error::MethodPurpose;
 use schlupf::rolling::marching::march;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
@@ -37,7 +38,7 @@ pub struct Plan {
 /// A case that is wrong, or a place that is none.
 pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
     for (name, place) in request.names.iter().zip([request.x, request.y]) {
-        if let Some(place) = place.filter(|place| !(place.abs() <= FARTHEST)) {
+        if let Some(place) = place.filter(|place| !(-FARTHEST..=FARTHEST).contains(place)) {
             let text = format!("{name} must be at most ±{FARTHEST} m, but is {place} m");
             return Err(TaskError::Request(text));
         }
@@ -45,7 +46,7 @@ pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, Tas
     let case = file.pose(watch)?;
     if !case.method.has_fields() {
         let method = case.method.name();
-        let error = Error::MethodWithoutFields { method };
+        let error = Error::OtherMethod { purpose: MethodPurpose::Stress, method };
         return Err(CaseErrors::from(case.explain(&error)).into());
     }
     let rolling = case.rolling(None).map_err(CaseErrors::from)?;

@@ -49,15 +49,13 @@ fn place(point: &PointStress) -> String {
 
 fn profile(text: &mut Summary, points: &[PointStress]) {
     let heads = ["depth (mm)", "σxx (MPa)", "σyy (MPa)", "σzz (MPa)", "σxz (MPa)", "von Mises"];
-    let heads: String = heads.iter().map(|head| format!("{head:>12}")).collect();
-    line(text, &heads);
+    line(text, &heads.map(|head| format!("{head:>12}")).concat());
     let last = points.len().saturating_sub(1);
     let rows = last.clamp(1, ROWS - 1);
     for point in (0..=rows.min(last)).filter_map(|row| points.get(row * last / rows)) {
         let stress = &point.stress;
         let values = [stress.xx, stress.yy, stress.zz, stress.xz, stress.von_mises()];
-        let values: String =
-            values.iter().map(|value| format!("{:>12}", number(value / 1e6))).collect();
+        let values = values.map(|value| format!("{:>12}", number(value / 1e6))).concat();
         line(text, &format!("{:>12}{values}", number(point.depth / 1e-3)));
     }
     if rows < last {

@@ -34,7 +34,7 @@ pub(super) fn rectilinear_grid(report: &StressReport) -> Vec<u8> {
     };
     file.extend(b"TENSORS stress double\n");
     append(&mut file, &stresses().map(tensor).collect::<Vec<_>>());
-    let scalars: [(&str, fn(&Stress) -> f64); 4] = [
+    let scalars: [(&str, Invariant); 4] = [
         ("von_mises_stress", Stress::von_mises),
         ("largest_shear_stress", Stress::largest_shear),
         ("largest_principal_stress", |stress| stress.principal()[0]),
@@ -46,6 +46,9 @@ pub(super) fn rectilinear_grid(report: &StressReport) -> Vec<u8> {
     }
     file
 }
+
+/// A number of a tensor.
+type Invariant = fn(&Stress) -> f64;
 
 /// The layers in the order of increasing z.
 fn upwards(volume: &StressVolume, side: Side) -> Vec<usize> {

@@ -17,7 +17,7 @@ mod layer;
 mod load;
 mod stress;
 
-use crate::error::{Error, require_finite};
+use crate::error::{Error, MethodPurpose, require_finite};
 use crate::grid::Grid;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -104,7 +104,8 @@ impl SubsurfaceStress {
     pub fn new(problem: &Problem, solution: &Solution, side: Side) -> Result<Self, Error> {
         let fields = &solution.fields;
         if fields.is_empty() {
-            return Err(Error::MethodWithoutFields { method: solution.method.name() });
+            let method = solution.method.name();
+            return Err(Error::OtherMethod { purpose: MethodPurpose::Stress, method });
         }
         let (load, pieces) = SurfaceLoad::of_solution(problem, solution, side)?;
         let body = match side {
