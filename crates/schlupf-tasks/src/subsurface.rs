@@ -1,13 +1,14 @@
 //! Stresses below the surface.
 
 use schlupf::error::MethodPurpose;
-use schlupf::rolling::marching::march;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile, Rolling, SubsurfaceRequest};
+use schlupf_output::Report;
 use schlupf_output::subsurface::{PROFILE_POINTS, StressReport};
 
-use crate::{TaskError, messages};
+use crate::TaskError;
+use crate::solve::solve;
 
 /// Where to look besides the volume of the case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,11 +63,9 @@ impl Plan {
     pub fn find(self, watch: Watch) -> Result<StressReport, TaskError> {
         let Self { case, rolling, volume: wanted, request } = self;
         let explain = |error: Error| CaseErrors::from(case.explain(&error));
-        let solution = match rolling {
-            Rolling::Steady(mut solver) => solver.solve(&case.problem, watch),
-            Rolling::Transient(transient) => march(&transient, &case.options, watch),
-        };
-        let solution = solution.map_err(explain)?;
+        let solved = solve(&case, rolling, watch).map_err(explain)?;
+        let status = solved.status();
+        let solution = solved.solution;
         check_size(&case, &wanted, &solution)?;
         let stresses =
             SubsurfaceStress::new(&case.problem, &solution, wanted.side).map_err(explain)?;
@@ -80,13 +79,13 @@ impl Plan {
         let [x, y] = [request.x.unwrap_or(largest[0].x), request.y.unwrap_or(largest[0].y)];
         let deepest = depths.last().copied().unwrap_or(0.0);
         Ok(StressReport {
-            status: solution.status,
+            status,
             profile: profile(&stresses, [x, y], deepest),
             stresses,
             volume,
             largest,
             normal: solution.normal,
-            warnings: case.notices.iter().cloned().chain(messages(&solution.warnings)).collect(),
+            warnings: solved.warnings,
             title: case.title,
         })
     }
