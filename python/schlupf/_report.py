@@ -207,9 +207,7 @@ class Subsurface(Report):
         """Stresses in all layers, over ``depth``, ``y`` and ``x`` (m)."""
         columns = self._report.volume() or {}
         axes = ("depth", "y", "x")
-        coords = {
-            name: (name, columns[name]["values"], attributes(columns[name])) for name in axes
-        }
+        coords = {name: (name, columns[name]["values"], attributes(columns[name])) for name in axes}
         variables = {
             name: (axes, column["values"], attributes(column))
             for name, column in columns.items()

@@ -14,7 +14,16 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from ._report import Comparison, Curve, Damage, Fit, RoughContact, Subsurface, Temperatures, Wheelset
+    from ._report import (
+        Comparison,
+        Curve,
+        Damage,
+        Fit,
+        RoughContact,
+        Subsurface,
+        Temperatures,
+        Wheelset,
+    )
 
 #: Forces on the wheel with their symbols.
 FORCES = {"force_x": "$F_x$", "force_y": "$F_y$"}
