@@ -201,7 +201,7 @@ fn the_speed_over_time_is_read() {
 fn a_rolling_radius_without_angular_velocity_is_noticed() {
     let text = "[kinematics]\nwheel_radius = \"0.4 m\"";
     let expected = "case.toml:2:16: kinematics.wheel_radius has no effect without \
-                    kinematics.angular_velocity";
+                    kinematics.angular_velocity or kinematics.wheel_torque";
     assert_eq!(texts(&read(text, &[]).notices), [expected]);
     assert_eq!(texts(&read(text, &["kinematics.angular_velocity=60 rad/s"]).notices), [""; 0]);
 }

@@ -249,6 +249,10 @@ const TEN_TOLERANCES: f64 = 1e-5;
 const BLENDED: std::ops::Range<f64> = 1.5e7..5e7;
 const OF_BLEND: f64 = 5e-4;
 
+/// Results that are compared by these bounds and not by that of the pins: a prescribed force of
+/// zero is met to the tolerance of the solver.
+const FORCES: [&str; 2] = ["/force/", "/normalised/"];
+
 /// The steady driver and marching give the same results: they solve the same discrete equations.
 /// The forces over μ0 N agree to ten times the solver's tolerance, except where bristles are
 /// treated in two ways.
@@ -275,7 +279,8 @@ fn marching_ends_where_the_steady_driver_does() {
         }
         if !is_blended {
             let differences = differences("", &marched, &expected);
-            found.extend(differences.iter().map(|d| format!("{name}{d}")));
+            let others = differences.iter().filter(|d| !FORCES.iter().any(|f| d.starts_with(f)));
+            found.extend(others.map(|d| format!("{name}{d}")));
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));

@@ -84,6 +84,14 @@ impl Grid {
         }
     }
 
+    /// The rectangle of its cells without the border.
+    pub fn extent(&self) -> Extent {
+        Extent {
+            x: [self.edge_x(BORDER), self.edge_x(self.columns - BORDER)],
+            y: [self.edge_y(0), self.edge_y(self.rows)],
+        }
+    }
+
     /// Number of cells, border included.
     pub fn len(&self) -> usize {
         self.columns * self.rows

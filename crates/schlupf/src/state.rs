@@ -55,7 +55,6 @@ pub struct TrackPoint {
     /// Sliding distance from entry to there, in m.
     pub sliding: [f64; 2],
     /// Traction on the rail over μ pₙ there, dimensionless.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub saturation: [f64; 2],
 }
 

@@ -8,7 +8,7 @@ use schlupf::elasticity::Elasticity;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental, TotalDisplacement};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::memory::FrictionMemory;
@@ -16,8 +16,9 @@ use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::normal::ellipse::Ellipse;
+use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::Work;
-use schlupf::{Options, Problem, Solution, Status, unwatched};
+use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 use std::sync::Arc;
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {
@@ -135,4 +136,54 @@ fn a_failure_is_not_several_states() {
     let says = |what: &str| solution.warnings.iter().any(|text| text.to_string().contains(what));
     assert!(says("was not found directly"), "{:?}", solution.warnings);
     assert!(!says("several"), "{:?}", solution.warnings);
+}
+
+/// From full sliding to a motion at which nearly all sticks: the earlier solutions say nothing, and
+/// a step along F is no way out of them. What is found is what is found without them, at about the
+/// same cost.
+#[test]
+fn from_sliding_to_sticking() {
+    const STATE: [f64; 3] = [5e-3, 5e-3, 1e9];
+    let sliding = [rolling(0.03, 0.0, 0.0), rolling(0.0, 0.03, 0.0), rolling(0.01, 0.01, 2.0)];
+    let sticking = [rolling(1e-5, 0.0, 0.0), rolling(0.0, -1e-4, 0.0), rolling(0.0, 0.0, 0.002)];
+    let laws: [Arc<dyn ContactLaw>; 4] =
+        [Arc::new(Coulomb), incremental(1e9), incremental(1e8), incremental(5e6)];
+    for law in laws {
+        for at in sliding {
+            for next in sticking {
+                let of = |kinematics| steel(kinematics, STATE, Arc::clone(&law));
+                let mut solver = SteadySolver::new(&cells(40));
+                for part in [0.5, 1.0] {
+                    let Kinematics { creepage_x, creepage_y, spin, .. } = at;
+                    let on_the_way = rolling(part * creepage_x, part * creepage_y, part * spin);
+                    solver.solve(&of(on_the_way), &unwatched).unwrap();
+                }
+                let warm = solver.solve(&of(next), &unwatched).unwrap();
+                let cold = at_once(&of(next), &cells(40));
+                let [x, y] = [warm.force.x - cold.force.x, warm.force.y - cold.force.y];
+                let off = x.hypot(y) / cold.force.tangential();
+                let products = [&warm, &cold].map(|solution| solution.work.operator_products);
+                println!("{law:?} {at:?} {next:?}: {products:.1?}, {off:e}");
+                assert!(off < 1e-4, "{law:?} {at:?} {next:?}: {off:e}");
+                assert!(products[0] < products[1] + 2.0, "{law:?} {at:?} {next:?}: {products:?}");
+            }
+        }
+    }
+}
+
+/// Bristles between soft and stiff on fine grids, under motions so slow that all but the edges
+/// sticks: hundreds to thousands of products if the preconditioner does not know how the cells of a
+/// strip move each other.
+#[test]
+fn a_patch_that_sticks() {
+    for (stiffness, count, most) in
+        [(2e7, 40, 60.0), (4e7, 80, 80.0), (5e7, 60, 40.0), (7e7, 80, 40.0), (1e8, 80, 40.0)]
+    {
+        for spin in [1e-3, 1e-2] {
+            let problem = steel(rolling(0.0, 0.0, spin), [5e-3, 5e-3, 1e9], incremental(stiffness));
+            let products = at_once(&problem, &cells(count)).work.operator_products;
+            println!("{stiffness:e}, {count} cells, {spin}/m: {products:.1}");
+            assert!(products < most, "{stiffness:e}, {count} cells, {spin}/m: {products}");
+        }
+    }
 }

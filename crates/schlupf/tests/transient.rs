@@ -246,13 +246,13 @@ fn a_history_starts_with_a_shift() {
     let force = |k: usize| -solution.history[k].force.x / LIMIT;
     assert!((force(0) - 0.6530).abs() < 3e-3, "{}", force(0));
     assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
-    for stiffness in [5e6, 3e7, 1e8, 1e9] {
+    for stiffness in [5e6, 1e8, 1e9] {
         let problem =
             Problem { contact_law: Arc::new(Incremental::new(stiffness).unwrap()), ..reference() };
         let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
         let steady = schlupf::rolling::steady::solve(&problem, &cells(40), &unwatched).unwrap();
-        assert_relative_eq!(end, steady.normalised.x, epsilon = 1e-3);
+        assert_relative_eq!(end, steady.normalised.x, epsilon = 1e-4);
     }
     // Nothing of the speed and creepages counts in the shift.
     assert_eq!(solution.history[0].kinematics, rolling_not_at_all());

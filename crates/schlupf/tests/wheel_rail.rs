@@ -318,7 +318,7 @@ fn assert_mirrored(name: &str, right: &WheelSolution, left: &WheelSolution, tole
             let moment = sign * force.moment_z.unwrap();
             let friction = [force.x / load, sign * force.y / load, moment / load];
             let place = [x, sign * y, z];
-            let angles = [sign * contact.angle, contact.turn, contact.solution.residual];
+            let angles = [sign * contact.angle, contact.turn, motion.speed];
             [place, angles, outwards, kinematics, pressure, friction].concat()
         };
         let [one_numbers, two_numbers] = [numbers(one, 1.0), numbers(two, -1.0)];
@@ -326,11 +326,14 @@ fn assert_mirrored(name: &str, right: &WheelSolution, left: &WheelSolution, tole
             close(&format!("{name}, number {k}"), one, two, tolerance);
         }
         assert_eq!(one.solution.work, two.solution.work, "{name}");
+        // Single precision in the preconditioner makes a last digit of a residual 10⁻⁷ of it, so
+        // that what an iteration leaves undone has three digits.
+        close(name, one.solution.residual, two.solution.residual, tolerance.max(1e-9));
     }
 }
 
 /// A right wheel is the mirror image of a left one to rounding (the rows of its cells are added up
-/// the other way round): on the tread, with several parts and on the flange, with bristles and by
+/// the other way round, which single precision in the preconditioner magnifies): on the tread, with several parts and on the flange, with bristles and by
 /// Coulomb's law.
 #[test]
 fn both_sides_are_mirror_images() {
@@ -351,15 +354,15 @@ fn both_sides_are_mirror_images() {
                 &format!("{lateral} m, {force} N"),
                 &solve(&right),
                 &solve(&mirrored(&right)),
-                1e-12,
+                1e-10,
             );
         }
     }
 }
 
 /// The same with both wheels resting on their rails, so that the roll angle changes its sign. Its
-/// last digit depends on friction, and the pressure follows it within a hundredth of the tolerance
-/// of the normal contact, 10⁻⁸.
+/// last digit depends on friction, and the pressure follows it within a tenth of the tolerance of
+/// the normal contact, 10⁻⁸.
 #[test]
 fn wheelsets_at_rest_are_mirror_images() {
     let pair = benchmark(1.435);
@@ -371,7 +374,7 @@ fn wheelsets_at_rest_are_mirror_images() {
         };
         let [wheels, mirrored] = [solve(&right), solve(&mirrored(&right))];
         for (one, two) in wheels.iter().zip(&mirrored) {
-            assert_mirrored(&format!("{:?} wheel, {lateral} m", one.side), one, two, 1e-10);
+            assert_mirrored(&format!("{:?} wheel, {lateral} m", one.side), one, two, 1e-9);
         }
     }
 }

@@ -40,6 +40,10 @@ pub trait Equilibrium: Send + Sync {
     /// Jacobian of F times v, with L v given, at the p of the last residual evaluation.
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]);
 
+    /// Gives the unknowns that have no equation of their own what follows from the others, in
+    /// place: a step along F leaves them behind.
+    fn complete(&self, _p: &mut [f64]) {}
+
     /// Another initial guess, where the given one is nearly worthless; returns whether there is
     /// one.
     fn other_guess(&mut self, _p: &mut [f64]) -> bool {

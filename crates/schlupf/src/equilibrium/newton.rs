@@ -242,6 +242,7 @@ impl Newton {
     ) -> f64 {
         for _ in 0..SAFE_STEPS {
             add_scaled(p, -1.0, &self.residual);
+            system.complete(p);
             system.compliance_product(p, &mut self.u);
             system.residual(p, &self.u, &mut self.residual);
         }

@@ -37,14 +37,18 @@ messages! {
         largest: f64,
         /// μN, in N; not if friction depends on the motion.
         limit: Option<f64>,
+        /// Whether other forces are prescribed, too: the largest one is with all of them in
+        /// proportion.
+        has_others: bool,
     } *quantity, |name, words| {
         let unit = quantity.unit();
+        let others = if *has_others { ", with the other prescribed forces in proportion" } else { "" };
         let friction = limit.map_or_else(
             || "with this law of friction".to_owned(),
             |limit| format!("with a friction limit of {}", with_unit(limit, "N")),
         );
         format!(
-            "{name} cannot be {}: no creepage causes it; {friction} the largest is {}",
+            "{name} cannot be {}: no creepage causes it; {friction} the largest is {}{others}",
             with_unit(*value, unit),
             with_unit(*largest, unit)
         )

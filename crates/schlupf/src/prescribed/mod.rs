@@ -223,7 +223,8 @@ impl ForceSolver {
             return Ok(ForceError::NotFound { quantity, value, nearest: largest }.into());
         }
         let limit = scaled.has_uniform_friction().then_some(scaled.limit);
-        Ok(ForceError::Unreachable { quantity, value, largest, limit }.into())
+        let has_others = scaled.count() > 1;
+        Ok(ForceError::Unreachable { quantity, value, largest, limit, has_others }.into())
     }
 }
 
@@ -236,8 +237,8 @@ fn refuse_beyond_friction(scaled: &Scaled) -> Result<(), Error> {
     let largest = &scaled.target / ratio;
     match scaled.in_terms(&largest) {
         Some((quantity, [value, largest])) => {
-            let limit = Some(scaled.limit);
-            Err(ForceError::Unreachable { quantity, value, largest, limit }.into())
+            let (limit, has_others) = (Some(scaled.limit), scaled.count() > 1);
+            Err(ForceError::Unreachable { quantity, value, largest, limit, has_others }.into())
         }
         None => Ok(()),
     }

@@ -64,8 +64,8 @@ fn refuse_beyond_friction(
         }
         None => (Quantity::ForceY, y, y / ratio),
     };
-    let limit = Some(friction * load);
-    Err(ForceError::Unreachable { quantity, value, largest, limit }.into())
+    let (limit, has_others) = (Some(friction * load), forces.x.is_some() && forces.y.is_some());
+    Err(ForceError::Unreachable { quantity, value, largest, limit, has_others }.into())
 }
 
 impl ForceControl {

@@ -7,7 +7,7 @@ use crate::heat::HeatStep;
 use crate::normal::NormalContact;
 use crate::patch::Patch;
 use crate::problem::Options;
-use crate::state::{Element, State};
+use crate::state::{Element, State, TrackPoint};
 use crate::transient::Transient;
 
 use super::arrival::positions;
@@ -19,19 +19,28 @@ const LARGEST_FRICTION: f64 = 1e3;
 pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     let mut taken = vec![false; grid.len()];
     let is_sound = |element: &Element| {
-        let [x, y] = element.saturation;
         let is_new =
             element.index < grid.len() && !std::mem::replace(&mut taken[element.index], true);
         let is_heat = |step: &HeatStep| {
             step.flux.is_finite() && step.duration > 0.0 && step.duration.is_finite()
         };
+        let is_within = |[x, y]: [f64; 2]| x.hypot(y) <= 1.0 + 1e-6;
+        let is_track = |track: &[TrackPoint]| {
+            track.iter().all(|place| {
+                let is_ahead = (0.0..f64::INFINITY).contains(&place.distance);
+                is_ahead
+                    && place.sliding.iter().all(|s| s.is_finite())
+                    && is_within(place.saturation)
+            }) && track.is_sorted_by(|one, next| one.distance <= next.distance)
+        };
         let is_friction = |mu: f64| (0.0..=LARGEST_FRICTION).contains(&mu);
         is_new
-            && x.hypot(y) <= 1.0 + 1e-6
+            && is_within(element.saturation)
             && element.scaled_rise.is_finite()
             && (0.0..f64::INFINITY).contains(&element.slip_speed)
             && element.friction_on_leaving.is_none_or(is_friction)
             && element.heat.iter().all(is_heat)
+            && is_track(&element.track)
             && element
                 .traction
                 .iter()

@@ -120,9 +120,9 @@ pub fn shift(
 /// ends.
 const HOPELESS: usize = 10;
 
-/// The share of stick and slip in steady rolling from which on a march takes bristles to be in
-/// series with it, dimensionless.
-const STICKING: f64 = 0.5;
+/// The share of stick and slip in steady rolling from which a march puts the bristles in series
+/// with a slider, dimensionless.
+const IN_SERIES: f64 = 0.5;
 
 /// Everything that changes from step to step.
 struct March<'a> {
@@ -130,7 +130,7 @@ struct March<'a> {
     history: &'a History,
     options: &'a Options,
     contact: DiscreteContact,
-    /// If the law is Coulomb's, or its bristles are in series with it.
+    /// If the law is Coulomb's, or its bristles are in series with a slider.
     stick_slip: Option<StickSlip>,
     /// If forces are prescribed.
     control: Option<ForceControl>,
@@ -176,9 +176,9 @@ impl<'a> March<'a> {
         let (grid, peak_pressure) = grid_over_history(transient, options)?;
         let normal = problem.normal.normal_contact(history.load(start))?;
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
-        let sticks = contact.stick_share_under(problem, peak_pressure).value >= STICKING;
+        let is_in_series = contact.stick_share_under(problem, peak_pressure).value >= IN_SERIES;
         let stick_slip =
-            sticks.then(|| StickSlip::of(problem, &normal, &mut contact)).transpose()?;
+            is_in_series.then(|| StickSlip::of(problem, &normal, &mut contact)).transpose()?;
         let state = match initial_state {
             Some(state) => fitting(state, &grid)?,
             None => State::at_rest(&contact.patch),

@@ -1,11 +1,13 @@
-//! A time step under Coulomb's law: p = P(p + γ s) for every cell, as in steady rolling, with s the
-//! sliding at the end of the step along the path of its material; less what stretches the bristles
-//! of a law in which they are stiff.
+//! A time step with stick and slip. Under Coulomb's law p = P(p + γ s) for every cell, as in steady
+//! rolling, with s the sliding at the end of the step along the path of its material; if stiff
+//! bristles are in series with the slider, P allows for what they stretch by
+//! ([`Series`](crate::rolling::shared::coulomb::Series)).
 //!
 //! s is the derivative of the sliding since entry along the path, by the polynomial through its
 //! present value and those at up to three earlier steps. It is thus of third order once the
 //! material has been in contact for three steps, of lower order after entry and after a shift. The
-//! end of a march is the steady state of the direct solver.
+//! end of a march is the steady state of the direct solver, except on patches much longer than
+//! wide, where the direct solver also uses a cell downstream.
 
 use crate::equilibrium::{self, Directions, Equilibrium};
 use crate::error::Error;
@@ -25,7 +27,7 @@ use super::moved::Moved;
 use super::past::Past;
 use super::step_response::{Prescribed, StepResponse};
 
-/// Coulomb's law on a patch, kept from step to step.
+/// Stick and slip on a patch, kept from step to step.
 pub(super) struct StickSlip {
     pub contact: CoulombContact,
     /// 1/k_c of the bristles in series with it, in m; zero if there are none.
@@ -121,7 +123,7 @@ impl Track {
     }
 }
 
-/// The equilibrium of one instant under Coulomb's law.
+/// The equilibrium of one instant with stick and slip.
 pub(super) struct StickSlipStep<'a> {
     response: StepResponse<'a>,
     law: &'a mut StickSlip,
@@ -185,10 +187,10 @@ impl<'a> StickSlipStep<'a> {
     }
 
     /// The traction that follows from that of a cell and its sliding, in Pa, with its derivatives.
-    fn reduced(&self, p: &[f64], u: &[f64], k: usize) -> ([f64; 2], Slope) {
+    fn answer(&self, p: &[f64], u: &[f64], k: usize) -> ([f64; 2], Slope) {
         let sliding = self.sliding(u, k);
         let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        self.slips[k].series.reduced(pull, self.bound[k], self.gamma * self.law.length)
+        self.slips[k].series.traction(pull, self.bound[k], self.gamma * self.law.length)
     }
 
     fn inverse(&self, k: usize) -> Matrix {
@@ -236,7 +238,7 @@ impl Equilibrium for StickSlipStep<'_> {
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
         let square = |k: usize| {
-            let (onto, _) = self.reduced(p, u, k);
+            let (onto, _) = self.answer(p, u, k);
             (p[2 * k] - onto[0]).powi(2) + (p[2 * k + 1] - onto[1]).powi(2)
         };
         self.law.contact.kept().map(square).sum::<f64>().sqrt()
@@ -246,7 +248,7 @@ impl Equilibrium for StickSlipStep<'_> {
         residual.fill(0.0);
         for strip in 0..self.law.contact.slivers.kept.len() {
             for k in self.law.contact.slivers.kept[strip].clone() {
-                let (onto, slope) = self.reduced(p, u, k);
+                let (onto, slope) = self.answer(p, u, k);
                 self.slopes[k] = slope;
                 self.inverses[k] = self.inverse(k);
                 for c in 0..2 {
@@ -266,6 +268,10 @@ impl Equilibrium for StickSlipStep<'_> {
                 product[2 * k + c] = v[2 * k + c] - answer[c];
             }
         }
+    }
+
+    fn complete(&self, p: &mut [f64]) {
+        self.law.contact.slivers.complete(p);
     }
 
     fn directions(&mut self) -> Option<&mut Directions> {

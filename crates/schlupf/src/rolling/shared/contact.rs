@@ -6,7 +6,7 @@ use crate::grid::{Grid, VectorField};
 use crate::interface::contact_law::Slide;
 use crate::normal::{NormalContact, NormalSummary};
 use crate::numerics::vector::{dot, norm};
-use crate::patch::{Interpolation, Patch};
+use crate::patch::{Cell, Interpolation, Patch};
 use crate::problem::Problem;
 
 /// A patch with the compliance between its cells.
@@ -82,20 +82,32 @@ const STIFF: [f64; 2] = [30.0, 60.0];
 /// matters: it is found sooner from cell to cell.
 const FASTEST: f64 = 0.5;
 
+/// Ratio of the bristle stiffness to that of a cell from which a patch that sticks is like one
+/// under Coulomb's law, dimensionless.
+const FIRM: f64 = 6.0;
+
+/// What the motion pulls at a cell, over the largest bound, below which all but the edges sticks;
+/// dimensionless.
+const SLOW: f64 = 0.03;
+
 impl StickShare {
     const COULOMB: Self = Self { value: 1.0, by_stiffness: 0.0 };
 
-    /// Of a problem with a peak pressure (in Pa) and the stiffness of a cell, in Pa/m. Friction
-    /// that depends on the slip speed goes with bristles: where it falls, Newton's method often
-    /// fails with stick and slip.
+    /// Whether bristles may be in series with stick and slip. Friction that depends on the slip
+    /// speed goes with bristles: where it falls, Newton's method often fails with stick and slip.
+    fn is_for(problem: &Problem) -> bool {
+        let friction = &problem.friction;
+        let follows_slip = friction.law.follows_slip_speed() || friction.memory.is_some();
+        let is_fast = problem.kinematics.creepage_x.abs() > FASTEST;
+        problem.contact_law.relaxation().is_some() && !is_fast && !follows_slip
+    }
+
+    /// Of a problem with a peak pressure (in Pa) and the stiffness of a cell, in Pa/m.
     pub fn of(problem: &Problem, peak_pressure: f64, cell_stiffness: f64) -> Self {
         if problem.contact_law.is_coulomb() {
             return Self::COULOMB;
         }
-        let friction = &problem.friction;
-        let follows_slip = friction.law.follows_slip_speed() || friction.memory.is_some();
-        let is_fast = problem.kinematics.creepage_x.abs() > FASTEST;
-        if problem.contact_law.relaxation().is_none() || is_fast || follows_slip {
+        if !Self::is_for(problem) {
             return Self::default();
         }
         let [low, high] = STIFF;
@@ -198,6 +210,22 @@ impl DiscreteContact {
             return StickShare::of(problem, peak_pressure, self.cell_stiffness());
         }
         StickShare::default()
+    }
+
+    /// Whether bristles are not soft, and a motion so slow that the cells of a strip move each other
+    /// more than they slide.
+    pub fn is_held(&self, problem: &Problem) -> bool {
+        if !StickShare::is_for(problem) || !self.compliance.couples_cells() {
+            return false;
+        }
+        let slip = |k: &Cell| {
+            let [x, y] = k.path_in.rigid_slip(&problem.kinematics);
+            x.hypot(y)
+        };
+        let farthest = self.patch.cells.iter().map(slip).fold(0.0, f64::max);
+        let bound = problem.friction.cold_coefficient() * self.normal.peak_pressure;
+        let ratio = bristles(problem) * self.normal.peak_pressure / self.cell_stiffness();
+        ratio > FIRM && farthest * self.cell_stiffness() < SLOW * bound
     }
 
     /// Ratio of the stiffness of bristles with μ0 k_c (in 1/m) to that of a cell, dimensionless.

@@ -17,6 +17,9 @@ use super::steady_friction::SteadyFriction;
 use super::stick_slip::StickSlip;
 use super::strip_law::{Cause, Changed, StripLaw};
 
+/// ‖p‖₂ over ‖μ pₙ‖₂ below which hardly a cell slides, dimensionless.
+const STUCK: f64 = 0.03;
+
 /// Both laws along the strips of a patch.
 pub(super) struct Blend {
     bristles: Bristles,
@@ -26,6 +29,8 @@ pub(super) struct Blend {
     /// In Pa.
     peak_pressure: f64,
     share: StickShare,
+    /// Whether all but the edges stuck at the last residual.
+    is_stuck: bool,
     /// F of both at the last residual, in Pa.
     residuals: [Vec<f64>; 2],
 }
@@ -48,6 +53,7 @@ impl Blend {
             finest_cell,
             peak_pressure: normal.summary.peak_pressure,
             share: StickShare::of(problem, normal.summary.peak_pressure, finest_cell),
+            is_stuck: true,
             residuals: [zeros(), zeros()],
             stick_slip: StickSlip::new(problem, normal, contact)?,
         })
@@ -56,11 +62,14 @@ impl Blend {
     /// The response of each law to a traction, from the displacements relative to the entry.
     fn responses(&self, p: &[f64], relative: &[f64]) -> [Vec<f64>; 2] {
         let relative = &relative[..p.len()];
-        let mut responses = [relative.to_vec(), relative.to_vec()];
-        let [of_bristles, of_stick_slip] = &mut responses;
-        self.bristles.relate(p, of_bristles);
-        self.stick_slip.relate(p, of_stick_slip);
-        responses
+        let mut of_bristles = relative.to_vec();
+        self.bristles.relate(p, &mut of_bristles);
+        let mut of_stick_slip = Vec::new();
+        if self.has_slider() {
+            of_stick_slip.extend_from_slice(relative);
+            self.stick_slip.relate(p, &mut of_stick_slip);
+        }
+        [of_bristles, of_stick_slip]
     }
 
     /// The mean of what both laws give, in place of the first.
@@ -74,6 +83,11 @@ impl Blend {
     /// Whether the bristles count: under Coulomb's law they would be infinitely stiff.
     fn has_bristles(&self) -> bool {
         self.share.value < 1.0
+    }
+
+    /// Whether stick and slip count, at least for the preconditioner.
+    fn has_slider(&self) -> bool {
+        self.share.value > 0.0 || self.is_stuck
     }
 }
 
@@ -100,8 +114,13 @@ impl StripLaw for Blend {
         self.stick_slip.rigid_saturation()
     }
 
-    /// ‖F‖₂ of the last residual, in Pa.
-    fn defect(&self, _p: &[f64], _b: &[f64]) -> f64 {
+    /// ‖F‖₂ of the last residual (in Pa), unless only bristles count.
+    fn defect(&self, p: &[f64], b: &[f64]) -> f64 {
+        if self.share.value == 0.0 {
+            let mut of_bristles = b[..p.len()].to_vec();
+            self.bristles.relate(p, &mut of_bristles);
+            return self.bristles.defect(p, &of_bristles);
+        }
         let [of_bristles, of_stick_slip] = &self.residuals;
         let mut residual = of_bristles.clone();
         self.mean(&mut residual, of_stick_slip);
@@ -109,15 +128,18 @@ impl StripLaw for Blend {
     }
 
     fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
+        self.is_stuck = norm(p) < STUCK * norm(self.bristles.bound());
         let [of_bristles, of_stick_slip] = self.responses(p, b);
-        let has_bristles = self.has_bristles();
+        let (has_bristles, has_slider) = (self.has_bristles(), self.has_slider());
         let [first, second] = &mut self.residuals;
         first.fill(0.0);
         if has_bristles {
             self.bristles.residual(p, &of_bristles, first);
         }
-        self.stick_slip.residual(p, &of_stick_slip, second);
-        self.stick_slip.depart(p, second);
+        if has_slider {
+            self.stick_slip.residual(p, &of_stick_slip, second);
+            self.stick_slip.depart(p, second);
+        }
         residual.copy_from_slice(first);
         self.mean(residual, &self.residuals[1]);
     }
@@ -128,6 +150,9 @@ impl StripLaw for Blend {
         if self.has_bristles() {
             let change = Changed { response: &of_bristles, ..*change };
             self.bristles.tangent(&change, cause, product);
+        }
+        if self.share.value == 0.0 {
+            return;
         }
         let mut other = vec![0.0; product.len()];
         let change = Changed { response: &of_stick_slip, ..*change };
@@ -141,21 +166,34 @@ impl StripLaw for Blend {
         }
     }
 
-    /// The mean of both approximations. A sliver has an equation of its own here, so what its part
-    /// of v demands is added to what follows from the others.
+    /// The mean of both approximations; where all sticks that of stick and slip alone, which knows
+    /// how the cells of a strip move each other. A sliver has an equation of its own here, so what
+    /// its part of v demands is added to what follows from the others.
     fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
-        let mut other = v.to_vec();
-        self.stick_slip.precondition(&mut other, friction);
-        self.stick_slip.add_to_slivers(v, &mut other);
+        let mut other = Vec::new();
+        if self.has_slider() {
+            other.extend_from_slice(v);
+            self.stick_slip.precondition(&mut other, friction);
+            self.stick_slip.add_to_slivers(v, &mut other);
+        }
+        if self.is_stuck {
+            v.copy_from_slice(&other);
+            return;
+        }
         if self.has_bristles() {
             self.bristles.precondition(v, friction);
         }
-        self.mean(v, &other);
+        if self.share.value > 0.0 {
+            self.mean(v, &other);
+        }
     }
 
     fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], relative: &[f64]) -> Vec<Element> {
         let [of_bristles, _] = self.responses(p, b);
         let mut elements = self.bristles.elements(patch, p, &of_bristles, relative);
+        if self.share.value == 0.0 {
+            return elements;
+        }
         for (k, element) in elements.iter_mut().enumerate() {
             element.saturation = saturation(pair(p, k), self.bound()[k]);
         }

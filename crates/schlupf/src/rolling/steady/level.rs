@@ -104,13 +104,9 @@ fn strips(
 ) -> Result<Box<dyn StripLaw>, Error> {
     let finest = finest.unwrap_or(contact);
     let (share, finest_cell) = (finest.stick_share(problem).value, finest.cell_stiffness());
-    if share == 0.0 || (!sticks && !problem.contact_law.is_coulomb()) {
+    let has_slider = share > 0.0 || finest.is_held(problem);
+    if !has_slider || (!sticks && !problem.contact_law.is_coulomb()) {
         return Ok(Box::new(Bristles::new(problem, &contact.patch)));
-    }
-    if !problem.contact_law.is_coulomb() {
-        // Bristles keep adjacent strips from oscillating against each other, and the calibration is
-        // that of one interpolation.
-        contact.fix_interpolation(1.0);
     }
     if share == 1.0 {
         return Ok(Box::new(StickSlip::new(problem, normal, contact)?));

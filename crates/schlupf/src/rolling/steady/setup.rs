@@ -3,12 +3,12 @@
 
 use std::sync::Arc;
 
-use crate::equilibrium::{Limits, Newton, Outcome};
+use crate::equilibrium::{Equilibrium, Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::interface::contact_law::{ContactLaw, Coulomb, Slide};
 use crate::kinematics::Kinematics;
 use crate::method::Method;
-use crate::numerics::vector::dot;
+use crate::numerics::vector::{dot, norm};
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::shared::passage::speed_of;
@@ -40,6 +40,10 @@ pub(super) struct Setup {
     pub levels: Vec<Level>,
     /// Share of stick and slip of the first problem: none, all, or a part of it like in all others.
     stick_share: f64,
+    /// Whether patches that stick are known to be, see [`DiscreteContact::is_held`].
+    ///
+    /// [`DiscreteContact::is_held`]: crate::rolling::shared::contact::DiscreteContact::is_held
+    is_held: bool,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
 }
@@ -118,7 +122,8 @@ impl Setup {
         let normal = problem.normal.normal_contact(None)?;
         let levels = level::nested(problem, &normal, options, treated)?;
         let stick_share = levels[0].strips.stick_share();
-        Ok(Self { problem: problem.clone(), levels, stick_share, earlier: Vec::new() })
+        let is_held = levels[0].contact.is_held(problem);
+        Ok(Self { problem: problem.clone(), levels, stick_share, is_held, earlier: Vec::new() })
     }
 
     pub fn fits(&self, problem: &Problem) -> bool {
@@ -126,6 +131,7 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
             && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
             && is_alike(self.levels[0].contact.stick_share(problem).value, self.stick_share)
+            && (self.is_held || !self.levels[0].contact.is_held(problem))
     }
 
     /// Whether the bristles of a problem are in series with stick and slip, at least in part.
@@ -177,8 +183,12 @@ impl Setup {
         if self.earlier.len() == 1 && !sticks {
             self.finish_coarse(search)?;
         }
-        let ahead = self.extrapolation(problem);
+        let mut ahead = self.extrapolation(problem);
         self.problem = problem.clone();
+        if self.is_nearer_rest() && self.is_misled(ahead, search) {
+            self.earlier.clear();
+            ahead = 0.0;
+        }
         let is_fine = !self.earlier.is_empty() || sticks;
         let coarse = COARSE_TOLERANCE[usize::from(is_fine)];
         let mut outcome = Outcome::default();
@@ -204,6 +214,37 @@ impl Setup {
             self.earlier.clear();
         }
         Ok(outcome)
+    }
+
+    /// Whether the motion is nearer to pure rolling than to that of the last solution.
+    fn is_nearer_rest(&self) -> bool {
+        let at = self.problem.kinematics;
+        let rest = Kinematics { creepage_x: 0.0, creepage_y: 0.0, spin: 0.0, ..at };
+        let square = |from: &Kinematics| {
+            let way = self.way(from, &at);
+            dot(&way, &way)
+        };
+        self.earlier.first().is_some_and(|last| square(last) > square(&rest))
+    }
+
+    /// Whether the guess from earlier solutions is worse than none, on the coarsest level.
+    fn is_misled(&mut self, ahead: f64, search: &mut Search) -> bool {
+        let coarsest = self.levels.len() - 1;
+        self.levels[coarsest].set_problem(&self.problem);
+        self.guess(coarsest, ahead);
+        let of_all = self.levels[coarsest].strips.len() as f64 / self.levels[0].strips.len() as f64;
+        search.work.operator_products += of_all;
+        let guess = std::mem::take(&mut self.levels[coarsest].traction);
+        let mut system = SteadyState::new(&self.problem, &mut self.levels[coarsest..]);
+        let mut response = vec![0.0; system.response_size()];
+        let mut residual = vec![0.0; system.size()];
+        let none = vec![0.0; system.size()];
+        system.residual(&none, &response, &mut residual);
+        let without = norm(&residual);
+        system.compliance_product(&guess, &mut response);
+        system.residual(&guess, &response, &mut residual);
+        self.levels[coarsest].traction = guess;
+        norm(&residual) > without
     }
 
     /// Solves the coarser grids of the previous problem as accurately as those of the next one will
@@ -348,16 +389,7 @@ impl Setup {
     /// between them; zero if it is not on that line.
     fn extrapolation(&self, problem: &Problem) -> f64 {
         let [last, before] = self.earlier.as_slice() else { return 0.0 };
-        let normal = &self.levels[0].contact.normal;
-        let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
-        let difference = |to: &Kinematics, from: &Kinematics| {
-            [
-                to.creepage_x - from.creepage_x,
-                to.creepage_y - from.creepage_y,
-                lever * (to.spin - from.spin),
-            ]
-        };
-        let (made, next) = (difference(last, before), difference(&problem.kinematics, last));
+        let (made, next) = (self.way(before, last), self.way(last, &problem.kinematics));
         let squared = dot(&made, &made);
         if squared == 0.0 {
             return 0.0;
@@ -365,6 +397,17 @@ impl Setup {
         let ahead = dot(&made, &next) / squared;
         let aside: f64 = (0..3).map(|c| (next[c] - ahead * made[c]).powi(2)).sum();
         if aside > 1e-6 * dot(&next, &next) { 0.0 } else { ahead.clamp(-1.0, FARTHEST) }
+    }
+
+    /// From one motion to another; the spin with √(ab), dimensionless.
+    fn way(&self, from: &Kinematics, to: &Kinematics) -> [f64; 3] {
+        let normal = &self.levels[0].contact.normal;
+        let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
+        [
+            to.creepage_x - from.creepage_x,
+            to.creepage_y - from.creepage_y,
+            lever * (to.spin - from.spin),
+        ]
     }
 
     /// All results.

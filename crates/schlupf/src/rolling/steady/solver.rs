@@ -16,6 +16,7 @@ use crate::warning::Warning;
 
 use super::branches;
 use super::driven::Drives;
+use super::level::Level;
 use super::sensitivity::{by_constants, by_motions, sensitivity};
 use super::setup::{Search, Setup};
 
@@ -109,19 +110,11 @@ impl Solver for SteadySolver {
         directions: &[Direction],
         watch: Watch,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
-        let at = AtPatch::new(problem, watch)?;
-        let Some(mut solution) = self.attempt(&at.problem, false, watch)?.found() else {
-            return Ok(None);
-        };
-        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
-        let to_centre = at.place().map(|part| -part);
-        let motions: Vec<_> = directions.iter().map(|way| way.unit().at(to_centre)).collect();
-        let (found, products) = by_motions(&at.problem, levels, &motions, watch)?;
-        solution.work.sensitivity_products = products;
-        Ok(found.map(|slopes| {
-            let slopes = slopes.iter().map(|slope| at.resultant_back(slope)).collect();
-            (at.back(solution), slopes)
-        }))
+        self.solve_with(problem, watch, |at, levels| {
+            let to_centre = at.place().map(|part| -part);
+            let motions: Vec<_> = directions.iter().map(|way| way.unit().at(to_centre)).collect();
+            by_motions(&at.problem, levels, &motions, watch)
+        })
     }
 
     fn solves_for_forces(&self) -> bool {
@@ -160,13 +153,26 @@ impl SteadySolver {
         constants: &[InterfaceConstant],
         watch: Watch,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let tolerance = self.options.tolerance;
+        self.solve_with(problem, watch, |at, levels| {
+            by_constants(&at.problem, levels, tolerance, (constants, watch))
+        })
+    }
+
+    /// The steady state with derivatives of forces and moment, which are found with the levels of
+    /// its solution; `None` if Newton's method or a linear system fails.
+    fn solve_with(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+        derive: impl FnOnce(&AtPatch, &mut [Level]) -> Result<(Option<Vec<Resultant>>, usize), Error>,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
         let at = AtPatch::new(problem, watch)?;
         let Some(mut solution) = self.attempt(&at.problem, false, watch)?.found() else {
             return Ok(None);
         };
         let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
-        let tolerance = self.options.tolerance;
-        let (found, products) = by_constants(&at.problem, levels, tolerance, (constants, watch))?;
+        let (found, products) = derive(&at, levels)?;
         solution.work.sensitivity_products = products;
         Ok(found.map(|derivatives| {
             let derivatives = derivatives.iter().map(|by| at.resultant_back(by)).collect();

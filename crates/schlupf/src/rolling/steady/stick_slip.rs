@@ -109,8 +109,8 @@ impl StickSlip {
     }
 
     /// The places of the path of an element to a cell of a strip from which the next slip follows,
-    /// the latest first, with the sliding since entry up to each cell (in m) and the traction there
-    /// (in Pa). Slivers at the leading edge are none of them.
+    /// the latest first, with the sliding since entry up to each cell, in m. Slivers at the leading
+    /// edge are none of them.
     fn track(&self, patch: &Patch, slid: &[f64], p: &[f64], at: (usize, usize)) -> Vec<TrackPoint> {
         let (strip, k) = at;
         let kept = self.contact.slivers.kept[strip].clone();

@@ -6,14 +6,14 @@ use crate::patch::{Cell, Patch};
 /// Weights between the cells of a fine and a coarse patch of the same contact.
 ///
 /// The transferred quantity is the traction divided by the pressure: bilinear between the cells of
-/// the coarse patch in one direction, and as a weighted mean in the other. The weights are in
-/// single precision: what is transferred is a guess or part of a preconditioner.
+/// the coarse patch in one direction, and as a weighted mean in the other. (With weights in single
+/// precision mirror images would differ by more than rounding.)
 #[derive(Debug)]
 pub(super) struct Transfer {
     /// Stencil of each fine cell in the coarse ones: prolongation.
     stencils: Vec<Stencil>,
     /// Weights of each coarse cell in the fine ones, one cell after another: restriction.
-    shares: Vec<(u32, f32)>,
+    shares: Vec<(u32, f64)>,
     /// End of the shares of each coarse cell.
     ends: Vec<usize>,
 }
@@ -21,7 +21,7 @@ pub(super) struct Transfer {
 #[derive(Debug, Clone, Copy, Default)]
 struct Stencil {
     cell: [u32; 4],
-    weight: [f32; 4],
+    weight: [f64; 4],
 }
 
 impl Transfer {
@@ -41,16 +41,15 @@ impl Transfer {
         let pairs = corners.iter().zip(&fine.cells);
         let stencils = pairs.map(|(corners, cell)| Stencil {
             cell: corners.map(|(to, _)| to as u32),
-            weight: corners.map(|(to, weight)| {
-                (weight * cell.pressure * over(coarse.cells[to].pressure)) as f32
-            }),
+            weight: corners
+                .map(|(to, weight)| weight * cell.pressure * over(coarse.cells[to].pressure)),
         });
         let mut transfer =
             Self { stencils: stencils.collect(), shares: Vec::new(), ends: Vec::new() };
         for (row, cell) in rows.iter().zip(&coarse.cells) {
             let total: f64 = row.iter().map(|(k, share)| share * fine.cells[*k].pressure).sum();
             let factor = cell.pressure * over(total);
-            let shares = row.iter().map(|(k, share)| (*k as u32, (factor * share) as f32));
+            let shares = row.iter().map(|(k, share)| (*k as u32, factor * share));
             transfer.shares.extend(shares);
             transfer.ends.push(transfer.shares.len());
         }
@@ -63,8 +62,8 @@ impl Transfer {
         for (stencil, fine) in self.stencils.iter().zip(fine.chunks_exact_mut(2)) {
             for (cell, weight) in stencil.cell.iter().zip(stencil.weight) {
                 let from = &coarse[2 * *cell as usize..][..2];
-                fine[0] += f64::from(weight) * from[0];
-                fine[1] += f64::from(weight) * from[1];
+                fine[0] += weight * from[0];
+                fine[1] += weight * from[1];
             }
         }
     }
@@ -77,8 +76,8 @@ impl Transfer {
             let mut sum = [0.0; 2];
             for (k, share) in &self.shares[start..*end] {
                 let from = &fine[2 * *k as usize..][..2];
-                sum[0] += f64::from(*share) * from[0];
-                sum[1] += f64::from(*share) * from[1];
+                sum[0] += share * from[0];
+                sum[1] += share * from[1];
             }
             coarse.copy_from_slice(&sum);
             start = *end;

@@ -158,7 +158,9 @@ impl Exact {
         let finer = (2..=FINER).rev().find(|finer| finer * finer * grid.len() <= MOST_CELLS);
         let finer = finer.unwrap_or(1);
         let across = [grid.columns - 2 * BORDER, grid.rows].map(|cells| finer * cells);
-        let grid = Grid::across(&normal.extent(), across[0], across[1]);
+        // Of the same surface: a layer ends at a distance from its grid, which the patch of a small
+        // load in a history does not fill.
+        let grid = Grid::across(&grid.extent(), across[0], across[1]);
         let patch = Patch::new(normal, grid);
         let mut compliance = problem.elasticity.compliance(&grid)?;
         let spread = Interpolation::new(&patch, 0.0);

@@ -35,6 +35,11 @@ impl CoulombContact {
         if own[0] <= 0.0 || own[1] <= 0.0 {
             return Err(Error::CoulombOfRigidBodies {});
         }
+        if !problem.contact_law.is_coulomb() {
+            // Bristles keep adjacent strips from oscillating against each other, and the
+            // calibration is that of one interpolation.
+            contact.fix_interpolation(1.0);
+        }
         let missing = Missing::new(problem, normal, contact)?;
         let patch = &contact.patch;
         let smaller: Vec<f64> = missing.at_cells.iter().map(|u| u[0].min(u[1])).collect();

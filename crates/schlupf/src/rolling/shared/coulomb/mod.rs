@@ -19,4 +19,4 @@ pub(in crate::rolling) use contact::CoulombContact;
 pub(in crate::rolling) use reduction::{Matrix, Slope, reduced, saturation};
 pub(in crate::rolling) use series::Series;
 pub(in crate::rolling) use slip_stencil::{NODES, SlipStencil, slide, through};
-pub(in crate::rolling) use stretch::Stretch;
+pub(in crate::rolling) use stretch::{Growth, Stretch};

@@ -28,9 +28,9 @@ const EVALUATIONS: usize = 60;
 const ACCURACY: f64 = 1e-13;
 
 impl Series {
-    /// The traction (in Pa) under a pull for a bound μ pₙ, both in Pa, with its derivatives; with
-    /// bristles for which γ/k_c is `compliance`, in Pa.
-    pub fn reduced(&self, pull: [f64; 2], bound: f64, compliance: f64) -> ([f64; 2], Slope) {
+    /// The traction (in Pa) under a pull for a bound μ pₙ, both in Pa, with its derivatives at that
+    /// bound; with bristles for which γ/k_c is `compliance`, in Pa.
+    pub fn traction(&self, pull: [f64; 2], bound: f64, compliance: f64) -> ([f64; 2], Slope) {
         if compliance == 0.0 {
             return (reduced(pull, bound), Slope::at(pull, bound));
         }
@@ -51,6 +51,7 @@ impl Series {
                 across + (bound / stiffness - secant) * n[r] * n[c]
             })
         });
+        // A time step takes the bound as given: its derivative only says whether the cell slides.
         (pull.map(|pull| secant * pull), Slope { by_pull, by_bound: [0.0; 2] })
     }
 }
@@ -69,11 +70,12 @@ impl Along<'_> {
     fn pull(&self, size: f64) -> (f64, f64) {
         let Series { weight, excess, .. } = self.series;
         let at = Stretch::of([size, 0.0], 1.0);
-        let [grown, slope] = Stretch::growth(weight * at.excess + excess);
+        let growth = Stretch::growth(weight * at.excess, *excess);
         let change = at.saturation_change([1.0, 0.0], 0.0);
         let (n, turn) = (at.direction[0], at.turn_of_size(change[0]));
-        let stretch = weight * size + n * grown;
-        let by_size = weight + turn * grown + n * slope * weight * at.excess_change(change);
+        let stretch = weight * size + n * growth.value;
+        let grown = growth.change(weight * at.excess_change(change), 0.0);
+        let by_size = weight + turn * growth.value + n * grown;
         (self.bound * size + self.compliance * stretch, self.bound + self.compliance * by_size)
     }
 
@@ -88,7 +90,7 @@ impl Along<'_> {
             let (reached, by_size) = self.pull(size);
             stiffness = by_size;
             let missing = pull - reached;
-            if missing.abs() <= ACCURACY * pull {
+            if missing.abs() <= ACCURACY * pull || high - low <= ACCURACY * size {
                 break;
             }
             if missing > 0.0 {
@@ -112,26 +114,43 @@ mod tests {
     const BOUND: f64 = 50.0;
     const COMPLIANCE: f64 = 12.0;
 
+    /// The last two make every case slide.
+    const PULLS: [[f64; 2]; 7] = [
+        [3.0, -2.0],
+        [30.0, 20.0],
+        [60.0, -40.0],
+        [-0.01, 0.02],
+        [1e-7, 0.0],
+        [300.0, -400.0],
+        [-200.0, 100.0],
+    ];
+
     fn cases() -> Vec<Series> {
         let fresh = Series { weight: 1.0, ..Series::default() };
         let grows = Series { weight: 1.8, saturation: [-0.7, 0.2], excess: -0.4 };
         let falls = Series { weight: 1.5, saturation: [-1.4, 0.3], excess: -4.0 };
-        vec![fresh, grows, falls]
+        let fell_fast = Series { weight: 11.0 / 6.0, saturation: [-1.7, 0.1], excess: 0.8 };
+        vec![fresh, grows, falls, fell_fast]
     }
 
-    /// In stick the traction solves p + γ/k_c (W(q) + n W(z)) = pull, without W(z) where that is
-    /// negative; in slip it is the bound, along what is left of the pull.
+    /// In stick the traction solves p + γ/k_c (W(q) + n W(z)) = pull, with the growth of z for
+    /// W(z); in slip it is the bound, along what is left of the pull.
     #[test]
     fn bristles_take_up_the_pull() {
         for series in cases() {
-            for pull in [[3.0, -2.0], [30.0, 20.0], [60.0, -40.0], [-0.01, 0.02], [1e-7, 0.0]] {
-                let (p, slope) = series.reduced(pull, BOUND, COMPLIANCE);
+            for pull in PULLS {
+                let (p, slope) = series.traction(pull, BOUND, COMPLIANCE);
                 let at = Stretch::of(p, BOUND);
-                let [grown, _] = Stretch::growth(series.weight * at.excess + series.excess);
+                let grown = Stretch::growth(series.weight * at.excess, series.excess).value;
                 let left = [0, 1].map(|c| {
                     let q = series.weight * at.saturation[c] + series.saturation[c];
                     pull[c] - COMPLIANCE * (q + at.direction[c] * grown) - p[c]
                 });
+                assert_eq!(
+                    slope.is_sliding(),
+                    pull[0].hypot(pull[1]) > 200.0,
+                    "{series:?} {pull:?}"
+                );
                 if slope.is_sliding() {
                     assert_relative_eq!(p[0].hypot(p[1]), BOUND, max_relative = 1e-12);
                     assert!(left[0] * p[0] + left[1] * p[1] > 0.0, "{left:?}");
@@ -144,18 +163,33 @@ mod tests {
         }
     }
 
+    /// The traction follows the pull smoothly through zero, also where it was large before.
+    #[test]
+    fn nothing_jumps_where_the_traction_vanishes() {
+        for series in cases() {
+            let known = series.saturation.map(|q| COMPLIANCE * q);
+            let at =
+                |pull: f64| series.traction([known[0] + pull, known[1]], BOUND, COMPLIANCE).0[0];
+            let slope = at(1e-3) / 1e-3;
+            assert_relative_eq!(at(-1e-3), -at(1e-3), max_relative = 1e-9);
+            for pull in [1e-2, 1e-1, 1.0] {
+                assert_relative_eq!(at(pull) / pull, slope, max_relative = 0.02);
+            }
+        }
+    }
+
     /// The derivatives against central differences, in stick and in slip.
     #[test]
     fn slopes_are_those_of_central_differences() {
         const H: f64 = 1e-4;
         for series in cases() {
             for pull in [[3.0, -2.0], [30.0, 20.0], [90.0, -80.0], [300.0, 400.0]] {
-                let (_, slope) = series.reduced(pull, BOUND, COMPLIANCE);
+                let (_, slope) = series.traction(pull, BOUND, COMPLIANCE);
                 for c in 0..2 {
                     let moved = |h: f64| {
                         let mut pull = pull;
                         pull[c] += h;
-                        series.reduced(pull, BOUND, COMPLIANCE).0
+                        series.traction(pull, BOUND, COMPLIANCE).0
                     };
                     let (plus, minus) = (moved(H), moved(-H));
                     for r in 0..2 {

@@ -16,6 +16,30 @@ const LONGEST: f64 = 5.0;
 /// Saturation (dimensionless) below which the direction fades: without traction there is none.
 const FAINT: f64 = 1e-6;
 
+/// The growth of z over a way; none where q falls.
+///
+/// Where z falls fast, the polynomial through earlier places may grow. Their part is then left out:
+/// without traction nothing is stretched along n, wherever q comes from.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::rolling) struct Growth {
+    /// Dimensionless.
+    pub value: f64,
+    /// Whether it changes with z at the cell, and whether with z before.
+    pub counts_here: bool,
+    pub counts_before: bool,
+}
+
+impl Growth {
+    /// Its change with those of both parts of the change of z, all dimensionless.
+    pub fn change(&self, here: f64, before: f64) -> f64 {
+        match (self.counts_here, self.counts_before) {
+            (false, _) => 0.0,
+            (true, false) => here,
+            (true, true) => here + before,
+        }
+    }
+}
+
 /// The bristles of a cell under a traction.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct Stretch {
@@ -60,10 +84,12 @@ impl Stretch {
         }
     }
 
-    /// The part along n of what stretches the bristles over a way on which z changes by `change`,
-    /// with its derivative by that, both dimensionless: none where q falls.
-    pub fn growth(change: f64) -> [f64; 2] {
-        if change > 0.0 { [change, 1.0] } else { [0.0; 2] }
+    /// The part along n of what stretches the bristles over a way, from the parts of the change of
+    /// z over it at the cell itself (and at a cell ahead) and at those before, all dimensionless.
+    pub fn growth(here: f64, before: f64) -> Growth {
+        let counts_before = before < 0.0;
+        let change = if counts_before { here + before } else { here };
+        Growth { value: change.max(0.0), counts_here: change > 0.0, counts_before }
     }
 
     /// Change of q (dimensionless) with those of the traction and of its bound, in Pa.
