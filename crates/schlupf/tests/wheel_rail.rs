@@ -333,8 +333,8 @@ fn assert_mirrored(name: &str, right: &WheelSolution, left: &WheelSolution, tole
 }
 
 /// A right wheel is the mirror image of a left one to rounding (the rows of its cells are added up
-/// the other way round, which single precision in the preconditioner magnifies): on the tread, with several parts and on the flange, with bristles and by
-/// Coulomb's law.
+/// the other way round, which single precision in the preconditioner magnifies): on the tread, with
+/// several parts and on the flange, with bristles and by Coulomb's law.
 #[test]
 fn both_sides_are_mirror_images() {
     let pair = benchmark(1.435);

@@ -82,9 +82,9 @@ const STIFF: [f64; 2] = [30.0, 60.0];
 /// matters: it is found sooner from cell to cell.
 const FASTEST: f64 = 0.5;
 
-/// Ratio of the bristle stiffness to that of a cell from which a patch that sticks is like one
-/// under Coulomb's law, dimensionless.
-const FIRM: f64 = 6.0;
+/// Ratio of the bristle stiffness to that of a strip of the patch, so to that of a cell over its
+/// number of cells, from which a patch that sticks is like one under Coulomb's law; dimensionless.
+const FIRM: f64 = 360.0;
 
 /// What the motion pulls at a cell, over the largest bound, below which all but the edges sticks;
 /// dimensionless.
@@ -212,8 +212,8 @@ impl DiscreteContact {
         StickShare::default()
     }
 
-    /// Whether bristles are not soft, and a motion so slow that the cells of a strip move each other
-    /// more than they slide.
+    /// Whether bristles are not soft, and a motion is so slow that the cells of a strip move each
+    /// other more than they slide.
     pub fn is_held(&self, problem: &Problem) -> bool {
         if !StickShare::is_for(problem) || !self.compliance.couples_cells() {
             return false;
@@ -224,8 +224,9 @@ impl DiscreteContact {
         };
         let farthest = self.patch.cells.iter().map(slip).fold(0.0, f64::max);
         let bound = problem.friction.cold_coefficient() * self.normal.peak_pressure;
-        let ratio = bristles(problem) * self.normal.peak_pressure / self.cell_stiffness();
-        ratio > FIRM && farthest * self.cell_stiffness() < SLOW * bound
+        let longest = self.patch.strips.iter().map(|strip| strip.cells.len()).max().unwrap_or(0);
+        let over_strip = self.over_cells(bristles(problem)) * longest as f64;
+        over_strip > FIRM && farthest * self.cell_stiffness() < SLOW * bound
     }
 
     /// Ratio of the stiffness of bristles with μ0 k_c (in 1/m) to that of a cell, dimensionless.
