@@ -32,6 +32,7 @@ from ._report import (
     Fit,
     Report,
     RoughContact,
+    Subsurface,
     Temperatures,
     Wheelset,
 )
@@ -62,6 +63,7 @@ __all__ = [
     "SchlupfWarning",
     "Section",
     "Solver",
+    "Subsurface",
     "Sweep",
     "TableForces",
     "Temperatures",

@@ -22,6 +22,7 @@ from ._report import (
     Curve,
     Fit,
     RoughContact,
+    Subsurface,
     Temperatures,
     Wheelset,
 )
@@ -683,6 +684,45 @@ class Case:
         lines = (range_, _length("wake", wake), _count("points", points))
         found = _core.temperatures(self._file, place, lines)
         return Temperatures._new(found, warn=warn, strict=strict)
+
+    def subsurface(
+        self,
+        *,
+        x: float | str | None = None,
+        y: float | str | None = None,
+        strict: bool = True,
+        warn: bool = True,
+    ) -> Subsurface:
+        """Stresses below the contact, in the body and down to the depth of ``subsurface``.
+
+        Parameters
+        ----------
+        x, y : float, optional
+            Place of the profile, in m or as text with a unit; by default that of the largest
+            stress of von Mises.
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
+        warn : bool, default True
+            Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        Subsurface
+            With ``largest``, ``profile`` and ``volume`` in Pa, and `Subsurface.at` for any point.
+
+        Raises
+        ------
+        CaseError
+            If the method has no fields, or there are too many points.
+        NotConverged
+            If the solution has not converged; it has the result.
+
+        References
+        ----------
+        Love (1929); Ahmadi, Keer and Mura (1983).
+        """
+        found = _core.subsurface_stresses(self._file, (_length("x", x), _length("y", y)))
+        return Subsurface._new(found, warn=warn, strict=strict)
 
     def bulk_temperature(self, *, strict: bool = True, warn: bool = True) -> BulkTemperature:
         """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says.

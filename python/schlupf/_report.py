@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 import xarray as xr
 
+from . import _core
 from ._errors import NotConverged
 from ._fields import FIELDS
 from ._result import Record, Saved, restored, table, written
@@ -19,10 +20,10 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from os import PathLike
 
+    import numpy.typing as npt
     import pandas as pd
     from matplotlib.axes import Axes
 
-    from . import _core
     from ._case import Case
     from ._report_plots import RoughContactPlots
 
@@ -191,6 +192,83 @@ class Temperatures(Report):
         from ._report_plots import temperatures
 
         return temperatures(self, ax, **style)
+
+
+class Subsurface(Report):
+    """Stresses in wheel or rail below the contact."""
+
+    @cached_property
+    def profile(self) -> xr.Dataset:
+        """Stresses below the point, over ``depth`` (m); ``x`` and ``y`` are that point."""
+        return along(self._tables["profile"][0], "depth", "depth")
+
+    @cached_property
+    def volume(self) -> xr.Dataset:
+        """Stresses in all layers, over ``depth``, ``y`` and ``x`` (m)."""
+        columns = self._report.volume() or {}
+        axes = ("depth", "y", "x")
+        coords = {name: (name, columns[name]["values"], attributes(columns[name])) for name in axes}
+        variables = {
+            name: (axes, column["values"], attributes(column))
+            for name, column in columns.items()
+            if name not in axes
+        }
+        return xr.Dataset(variables, coords)
+
+    def at(
+        self,
+        x: npt.ArrayLike | xr.DataArray,
+        y: npt.ArrayLike | xr.DataArray,
+        depth: npt.ArrayLike | xr.DataArray,
+    ) -> xr.Dataset:
+        """Stresses at points, lines or planes of any shape.
+
+        Parameters
+        ----------
+        x, y, depth : array_like
+            Places, in m, broadcast against each other; the depth is not negative.
+
+        Returns
+        -------
+        xarray.Dataset
+            Stresses over the dimensions of the places: those of data arrays, else ``dim_0`` and so
+            on.
+
+        Raises
+        ------
+        ValueError
+            If a place is not finite or above the surface.
+        TypeError
+            If this result was pickled: the stresses at other points are not kept.
+        """
+        places = _places(x, y, depth)
+        flat = [np.asarray(place, float).ravel() for place in places]
+        report = self._report
+        if isinstance(report, Saved):
+            raise TypeError("a pickled result has no stresses at other points")
+        if not all(np.isfinite(values).all() for values in flat) or (flat[2] < 0).any():
+            raise ValueError("places must be finite, and the depth must not be negative")
+        columns = _core.stresses_at(report, list(zip(*(v.tolist() for v in flat), strict=True)))
+        first = places[0]
+        variables = {
+            name: (first.dims, np.reshape(column["values"], first.shape), attributes(column))
+            for name, column in (columns or {}).items()
+        }
+        return xr.Dataset(variables).set_coords(["x", "y", "depth"])
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws von Mises's stress over x and z in the plane through the largest one."""
+        from ._report_plots import subsurface
+
+        return subsurface(self, ax, **style)
+
+
+def _places(*values: npt.ArrayLike | xr.DataArray) -> list[xr.DataArray]:
+    """Coordinates of points in one shape: by names of dimensions if any has some, else as NumPy."""
+    if any(isinstance(value, xr.DataArray) for value in values):
+        named = (v if isinstance(v, xr.DataArray) else xr.DataArray(v) for v in values)
+        return list(xr.broadcast(*named))
+    return [xr.DataArray(array) for array in np.broadcast_arrays(*values)]
 
 
 class BulkTemperature(Report):

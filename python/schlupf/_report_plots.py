@@ -14,7 +14,16 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from ._report import Comparison, Curve, Damage, Fit, RoughContact, Temperatures, Wheelset
+    from ._report import (
+        Comparison,
+        Curve,
+        Damage,
+        Fit,
+        RoughContact,
+        Subsurface,
+        Temperatures,
+        Wheelset,
+    )
 
 #: Forces on the wheel with their symbols.
 FORCES = {"force_x": "$F_x$", "force_y": "$F_y$"}
@@ -96,6 +105,25 @@ def temperatures(found: Temperatures, ax: Axes | None = None, **style: Any) -> A
     ax.set_xlabel("$x$ (mm), rolling →")
     ax.set_ylabel("surface temperature (°C)")
     legend_beside(ax)
+    ax.set_title(found.title)
+    return ax
+
+
+@styled
+def subsurface(found: Subsurface, ax: Axes | None = None, **style: Any) -> Axes:
+    """Von Mises's stress over x and z in the plane through the largest one."""
+    ax = axes_or_new(ax)
+    place = found.largest.von_mises
+    plane = found.volume["von_mises_stress"].sel(y=place.y, method="nearest")
+    factor, unit = scaled(largest(plane), "Pa")
+    sign = -1.0 if found.body == "rail" else 1.0
+    x, z = plane["x"] * 1e3, sign * plane["depth"] * 1e3
+    drawn = ax.contourf(x, z, plane * factor, **{"levels": 12, **style})
+    ax.plot(place.x * 1e3, sign * place.depth * 1e3, "wx")
+    ax.figure.colorbar(drawn, ax=ax, label=f"von Mises stress ({unit})")
+    ax.set_aspect("equal")
+    ax.set_xlabel("$x$ (mm), rolling →")
+    ax.set_ylabel("$z$ (mm)")
     ax.set_title(found.title)
     return ax
 

@@ -314,3 +314,42 @@ def test_a_wheelset_has_contacts_over_its_lateral_position():
         SMALL.wheelset()
     with pytest.raises(schlupf.CaseError, match="lateral_position"):
         case.wheelset(lateral_position=(-8.0, 8.0))
+
+
+def test_stresses_below_the_surface_are_those_of_hertz():
+    """Hertz 1882 on the axis of a circle, σzz = −p0/(1 + (z/a)²); 0.310 p0 in shear (ν = 0.3)."""
+    radius, peak = 6e-3, 1e9
+    ellipse = {"semi_axis_x": radius, "semi_axis_y": radius, "peak_pressure": peak}
+    case = schlupf.Case(
+        kinematics={"creepage_x": 0.0},
+        wheel={"poisson_ratio": 0.3},
+        rail={"poisson_ratio": 0.3},
+        normal={"model": "ellipse", **ellipse},
+        heat={"model": "none"},
+        grid=GRID,
+        subsurface={"layers": 9, "margin": "1 mm"},
+    )
+    found = case.subsurface()
+    shear = found.largest.shear
+    assert shear.largest_shear_stress == pytest.approx(0.310 * peak, rel=0.01)
+    assert shear.depth == pytest.approx(0.48 * radius, abs=0.01 * radius)
+    depth = np.linspace(0.0, 2.0 * radius, 7)
+    axis = found.at(0.0, 0.0, depth)
+    expected = -peak / (1.0 + (depth / radius) ** 2)
+    np.testing.assert_allclose(axis["stress_zz"], expected, atol=0.01 * peak)
+    assert axis["stress_zz"].attrs["units"] == "Pa"
+    volume = found.volume
+    assert volume["von_mises_stress"].dims == ("depth", "y", "x")
+    assert volume.sizes["depth"] == 9
+    row = volume.isel(depth=3, y=4)
+    again = found.at(row["x"], row["y"], row["depth"])
+    np.testing.assert_allclose(again["stress_xx"], row["stress_xx"], rtol=1e-9)
+    assert found.profile["depth"][-1] == pytest.approx(2.0 * radius)
+    assert found.plot().get_xlabel().startswith("$x$")
+    with pytest.raises(ValueError, match="depth"):
+        found.at(0.0, 0.0, -1e-3)
+
+
+def test_methods_without_fields_have_no_stresses_below():
+    with pytest.raises(schlupf.CaseError, match="polach"):
+        SMALL.with_(solver={"method": "polach"}).subsurface()

@@ -25,6 +25,7 @@ use crate::place::{Place, Source};
 use crate::profiles;
 use crate::read::{self, Posed};
 use crate::setting::Setting;
+use crate::subsurface::SubsurfaceRequest;
 
 /// What makes a history, each by itself.
 const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
@@ -340,7 +341,8 @@ impl Case {
         read::any_solver(self.method, self.driver, options)
     }
 
-    fn contradiction(&self, field: &str, reason: &str) -> CaseError {
+    /// An error at the place of a field, with the reason why it cannot be.
+    pub fn contradiction(&self, field: &str, reason: &str) -> CaseError {
         self.file.settings.error(field, format!("{field}: {reason}"))
     }
 
@@ -355,6 +357,14 @@ impl Case {
     /// The field that is missing where the case does not say so.
     pub fn require_cooling(&self) -> Result<Cooling, CaseError> {
         self.cooling.ok_or_else(|| read::missing_cooling(&self.file.settings))
+    }
+
+    /// Where to compute stresses below the surface.
+    ///
+    /// # Errors
+    /// A field that cannot be.
+    pub fn subsurface(&self) -> Result<SubsurfaceRequest, CaseError> {
+        read::subsurface(&self.file.settings)
     }
 
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure

@@ -90,6 +90,7 @@ mod tests {
                 .replacen(line, &line[2..], 1)
                 .replace("# [history]", "[history]")
                 .replace("# [cooling]", "[cooling]")
+                .replace("# [subsurface]", "[subsurface]")
                 .replace("# [damage]", "[damage]")
                 .replace("# [contact_law.roughness]", "[contact_law.roughness]")
                 .replace("# [fastsim]", "[fastsim]")

@@ -15,6 +15,7 @@ use crate::import::ImportArguments;
 use crate::roughness::Roughness;
 use crate::solve::Solve;
 use crate::stdout;
+use crate::subsurface::Subsurface;
 use crate::sweep::{Merge, Sweep};
 use crate::table::Table;
 use crate::temperature::Temperature;
@@ -65,6 +66,9 @@ pub enum Command {
     /// Compute temperatures below a point and along its row, including the wake
     #[command(after_help = EXIT_CODES)]
     Temperature(Box<Temperature>),
+    /// Compute the stresses below the surface of wheel or rail
+    #[command(after_help = EXIT_CODES)]
+    Subsurface(Box<Subsurface>),
     /// Compute the long-term bulk temperature of the wheel from its heat balance
     #[command(after_help = EXIT_CODES)]
     Bulk(Box<Bulk>),

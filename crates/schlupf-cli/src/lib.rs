@@ -24,6 +24,7 @@ mod stdout;
 mod sweep;
 mod table;
 mod task;
+mod subsurface;
 mod temperature;
 mod wheelset;
 
@@ -53,6 +54,7 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
     match arguments.command {
         Command::Solve(arguments) => task::run(&*arguments),
         Command::Curve(arguments) => task::run(&*arguments),
+        Command::Subsurface(arguments) => task::run(&*arguments),
         Command::Temperature(arguments) => task::run(&*arguments),
         Command::Wheelset(arguments) => task::run(&*arguments),
         Command::Bulk(arguments) => task::run(&*arguments),

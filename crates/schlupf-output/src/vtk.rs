@@ -49,7 +49,7 @@ fn header(title: &str, fields: &Fields) -> String {
 }
 
 /// The format allows one line of at most 255 ASCII characters.
-fn title_line(title: &str) -> String {
+pub(crate) fn title_line(title: &str) -> String {
     let ascii = |c: char| {
         if c.is_ascii() && !c.is_ascii_control() { c } else { ' ' }
     };
@@ -78,7 +78,7 @@ fn on_grid<const N: usize>(fields: &Fields, value: impl Fn(usize) -> [f64; N]) -
 }
 
 /// The format requires the most significant byte first.
-fn append<const N: usize>(file: &mut Vec<u8>, values: &[[f64; N]]) {
+pub(crate) fn append<const N: usize>(file: &mut Vec<u8>, values: &[[f64; N]]) {
     file.extend(values.iter().flatten().flat_map(|value| value.to_be_bytes()));
     file.push(b'\n');
 }

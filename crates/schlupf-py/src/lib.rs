@@ -35,13 +35,13 @@ mod _core {
     #[pymodule_export]
     use super::look_up_table::LookUpTable;
     #[pymodule_export]
-    use super::report::Report;
+    use super::report::{Report, stresses_at};
     #[pymodule_export]
     use super::solution::Solution;
     #[pymodule_export]
     use super::tasks::{
         bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, rough_contact,
-        temperatures, wheelset_contacts,
+        subsurface_stresses, temperatures, wheelset_contacts,
     };
 
     #[pymodule_export]

@@ -5,6 +5,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use schlupf::Quantity;
+use schlupf::columns::Record;
+use schlupf::subsurface::PointStress;
 use schlupf::surface::Lattice;
 use schlupf_output::bulk_temperature::BulkReport;
 use schlupf_output::calibration::CalibrationReport;
@@ -13,6 +15,7 @@ use schlupf_output::creep_curve::CurveFamily;
 use schlupf_output::damage::DamageReport;
 use schlupf_output::identification::FitReport;
 use schlupf_output::roughness::RoughnessReport;
+use schlupf_output::subsurface::StressReport;
 use schlupf_output::temperature::{Line, Temperatures};
 use schlupf_output::wheelset::WheelsetReport;
 
@@ -27,6 +30,7 @@ pub enum Found {
     Damage(Box<DamageReport>),
     Fit(Box<FitReport>),
     Roughness(Box<RoughnessReport>),
+    Subsurface(Box<StressReport>),
     Temperature(Box<Temperatures>),
     Wheelset(Box<WheelsetReport>),
 }
@@ -52,6 +56,7 @@ impl Report {
             Found::Damage(report) => &**report,
             Found::Fit(report) => &**report,
             Found::Roughness(report) => &**report,
+            Found::Subsurface(report) => &**report,
             Found::Temperature(report) => &**report,
             Found::Wheelset(report) => &**report,
         }
@@ -128,6 +133,10 @@ impl Report {
                 add("loads", vec![columns(py, &result.normal)])?;
                 add("curves", result.tangential.iter().map(|c| columns(py, c)).collect())?;
             }
+            Found::Subsurface(report) => {
+                add("profile", vec![columns(py, report.profile.as_slice())])?;
+                add("largest", vec![columns(py, report.largest.as_slice())])?;
+            }
             Found::Temperature(report) => {
                 add("profile", vec![line(py, Quantity::Depth, &report.profile)])?;
                 let rows = report.rows.iter().map(|row| line(py, Quantity::X, &row.line));
@@ -139,6 +148,38 @@ impl Report {
             }
         }
         Ok(tables)
+    }
+
+    /// Stresses in layers: each column as an array over depth, y and x, and these three.
+    fn volume<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Found::Subsurface(report) = &self.found else { return Ok(None) };
+        let volume = &report.volume;
+        let grid = &volume.grid;
+        let table = PyDict::new(py);
+        for column in <[PointStress]>::columns() {
+            let (count, value): (usize, Box<dyn Fn(usize) -> f64>) = match column.quantity {
+                Quantity::X => (grid.columns, Box::new(|i| grid.x(i))),
+                Quantity::Y => (grid.rows, Box::new(|j| grid.y(j))),
+                Quantity::Depth => (volume.layers.len(), Box::new(|k| volume.layers[k].depth)),
+                _ => {
+                    let value = |k: usize| {
+                        let stress = volume.layers[k / grid.len()].stress[k % grid.len()];
+                        let point = PointStress { x: 0.0, y: 0.0, depth: 0.0, stress };
+                        (column.value)(std::slice::from_ref(&point), 0).number().unwrap_or(f64::NAN)
+                    };
+                    (volume.layers.len() * grid.len(), Box::new(value))
+                }
+            };
+            let values = PyArray1::from_vec(py, (0..count).map(value).collect());
+            let is_place = count < volume.layers.len() * grid.len();
+            let values = if is_place {
+                values.into_any()
+            } else {
+                values.reshape([volume.layers.len(), grid.rows, grid.columns])?.into_any()
+            };
+            table.set_item(column.name, described(py, column.quantity, values)?)?;
+        }
+        Ok(Some(table))
     }
 
     /// Values over a surface with cells of equal size: spacings along x and y (in m), then the
@@ -157,6 +198,19 @@ impl Report {
         }
         Ok(Some(([lattice.spacing_x, lattice.spacing_y], table)))
     }
+}
+
+/// Stresses at places (x, y and depth in m) as columns; `None` for a report without stresses.
+#[pyfunction]
+pub fn stresses_at<'py>(
+    py: Python<'py>,
+    report: &Report,
+    places: Vec<[f64; 3]>,
+) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let Found::Subsurface(report) = &report.found else { return Ok(None) };
+    let points: Vec<PointStress> =
+        places.into_iter().map(|place| report.stresses.point(place)).collect();
+    columns(py, points.as_slice()).map(Some)
 }
 
 /// Temperatures along a line with the places of its points.

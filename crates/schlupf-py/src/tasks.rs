@@ -13,7 +13,7 @@ use schlupf::{Status, Watch};
 use schlupf_case::identification::parameters;
 use schlupf_case::{CaseError, Family, InputFile, Place, direction, range, read_displacements};
 use schlupf_tasks::{
-    TaskError, bulk, calibrate, compare, curve, fit, roughness, temperature, wheelset,
+    TaskError, bulk, calibrate, compare, curve, fit, roughness, subsurface, temperature, wheelset,
 };
 
 use crate::case_file::CaseFile;
@@ -108,6 +108,21 @@ pub fn temperatures(
     report(py, case, |file, watch| {
         let found = temperature::plan(file, request, watch)?.find(watch)?;
         Ok(Found::Temperature(Box::new(found)))
+    })
+}
+
+/// Stresses below the surface, with a profile below a point.
+#[pyfunction]
+pub fn subsurface_stresses(
+    py: Python<'_>,
+    case: &CaseFile,
+    point: [Option<f64>; 2],
+) -> PyResult<Report> {
+    let [x, y] = point;
+    let request = subsurface::Request { x, y, names: ["x", "y"] };
+    report(py, case, |file, watch| {
+        let found = subsurface::plan(file, request, watch)?.find(watch)?;
+        Ok(Found::Subsurface(Box::new(found)))
     })
 }
 

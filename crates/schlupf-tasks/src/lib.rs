@@ -19,6 +19,7 @@ pub mod loaded_solver;
 mod notice;
 pub mod roughness;
 pub mod solve;
+pub mod subsurface;
 pub mod temperature;
 pub mod wheelset;
 

@@ -18,7 +18,7 @@
 //! Limits: the wheel has one temperature apart from a thin skin; temperature-dependent friction is
 //! that of the warm wheel; radiation and heat from brake blocks or bearings are neglected.
 
-use crate::error::{Error, HeatPurpose, require_finite, require_positive};
+use crate::error::{Error, MethodPurpose, require_finite, require_positive};
 use crate::grid::Grid;
 use crate::patch::Patch;
 use crate::problem::Problem;
@@ -158,7 +158,7 @@ impl Balance<'_> {
         self.iterations += 1;
         let known = solution.power.and_then(|power| Some((power.into_wheel, power.exchanged?)));
         let Some((frictional_heat, conduction)) = known else {
-            let (purpose, method) = (HeatPurpose::BulkTemperature, solution.method.name());
+            let (purpose, method) = (MethodPurpose::BulkTemperature, solution.method.name());
             return Err(Error::OtherMethod { purpose, method });
         };
         let partition = self.problem.conduction(&solution.kinematics);

@@ -9,6 +9,7 @@ use crate::interface::roughness::load_curve::LoadCurve;
 use crate::interface::roughness::tangential_curve::TangentialCurve;
 use crate::quantity::Quantity;
 use crate::solution::{Fields, Instant, Power, Solution, Status, Temperature};
+use crate::subsurface::PointStress;
 use crate::surface::spectrum::RadialSpectrum;
 
 /// An entry of a column.
@@ -341,6 +342,31 @@ impl Record for [RunPoint] {
     }
 }
 
+/// Stresses at points below the surface.
+impl Record for [PointStress] {
+    fn rows(&self) -> usize {
+        self.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { [PointStress]:
+            X => |points, k| points[k].x,
+            Y => |points, k| points[k].y,
+            Depth => |points, k| points[k].depth,
+            StressXx => |points, k| points[k].stress.xx,
+            StressYy => |points, k| points[k].stress.yy,
+            StressZz => |points, k| points[k].stress.zz,
+            StressXy => |points, k| points[k].stress.xy,
+            StressXz => |points, k| points[k].stress.xz,
+            StressYz => |points, k| points[k].stress.yz,
+            VonMisesStress => |points, k| points[k].stress.von_mises(),
+            LargestShearStress => |points, k| points[k].stress.largest_shear(),
+            LargestPrincipalStress => |points, k| points[k].stress.principal()[0],
+            HydrostaticStress => |points, k| points[k].stress.hydrostatic(),
+        }
+    }
+}
+
 /// Loads on a rough surface.
 impl Record for LoadCurve {
     fn rows(&self) -> usize {
@@ -415,6 +441,7 @@ mod tests {
         check::<CreepCurve>();
         check::<Profile>();
         check::<[RunPoint]>();
+        check::<[PointStress]>();
         check::<LoadCurve>();
         check::<TangentialCurve>();
     }

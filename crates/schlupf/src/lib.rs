@@ -50,6 +50,7 @@ pub mod rolling;
 pub mod prescribed;
 pub mod wheel_rail;
 pub mod temperature_field;
+pub mod subsurface;
 pub mod bulk_temperature;
 pub mod damage;
 pub mod creep_curve;

@@ -24,6 +24,8 @@ pub enum Stage {
     Fit,
     /// Motions that a calibration has solved.
     Calibration,
+    /// Layers of stresses below the surface.
+    Subsurface,
     /// States of a study.
     Study,
     /// States of a look-up table.
@@ -42,6 +44,7 @@ impl Stage {
             Self::BulkTemperature => "steady states",
             Self::Fit => "fitting, forces",
             Self::Calibration => "calibrating, motions",
+            Self::Subsurface => "layers",
             Self::Study => "states",
             Self::Table => "states of the table",
         }

@@ -228,6 +228,16 @@ quantities! {
     WearNumber "t_gamma" "Tγ" "N" "wear number, frictional energy per distance rolled"
     FatigueIndex "fatigue_index" "FI" "" "surface-fatigue index; fatigue begins where it is positive"
     SlipSpeed "slip_speed" "s" "m/s" "mean slip speed of the patch, weighted by the pressure"
+    StressXx "stress_xx" "σ_xx" "Pa" "normal stress along rolling, tension positive"
+    StressYy "stress_yy" "σ_yy" "Pa" "normal stress across rolling, tension positive"
+    StressZz "stress_zz" "σ_zz" "Pa" "normal stress perpendicular to the surface, tension positive"
+    StressXy "stress_xy" "σ_xy" "Pa" "shear stress in the planes of x and y"
+    StressXz "stress_xz" "σ_xz" "Pa" "shear stress in the planes of x and z, z up"
+    StressYz "stress_yz" "σ_yz" "Pa" "shear stress in the planes of y and z, z up"
+    VonMisesStress "von_mises_stress" "σ_v" "Pa" "equivalent stress of von Mises"
+    LargestShearStress "largest_shear_stress" "τ_max" "Pa" "largest shear stress over all planes"
+    LargestPrincipalStress "largest_principal_stress" "σ_1" "Pa" "largest principal stress"
+    HydrostaticStress "hydrostatic_stress" "σ_m" "Pa" "mean of the normal stresses"
     DissipatedEnergy "dissipated_energy" "E" "J" "energy dissipated by friction since the start"
     WearDepth "wear_depth" "h" "m" "depth of wear"
     WearVolume "wear_volume" "" "m^2" "volume worn from each body per distance rolled"
@@ -325,6 +335,14 @@ impl Quantity {
             | Self::MaxRiseRail => {
                 "Neuhaus and Sextro (2014), Eqs. (19)-(22), for a heat source that varies: \
                  Carslaw and Jaeger (1959)"
+            }
+            Self::StressXx
+            | Self::StressYy
+            | Self::StressZz
+            | Self::StressXy
+            | Self::StressXz
+            | Self::StressYz => {
+                "Love (1929) for the pressure, Ahmadi, Keer and Mura (1983) for the traction"
             }
             Self::FatigueIndex => "Ekberg, Kabo and Andersson (2002)",
             Self::WearVolume => "Archard (1953), with the wear map of Jendel (2002)",

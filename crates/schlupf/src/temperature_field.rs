@@ -8,7 +8,7 @@
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
-use crate::error::{Error, HeatPurpose};
+use crate::error::{Error, MethodPurpose};
 use crate::heat::HeatStep;
 use crate::heat::peclet::semi_axes;
 use crate::kinematics::ReferencePoint;
@@ -102,7 +102,7 @@ impl TemperatureField {
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
         if solution.method != Method::Full {
             let method = solution.method.name();
-            return Err(Error::OtherMethod { purpose: HeatPurpose::Field, method });
+            return Err(Error::OtherMethod { purpose: MethodPurpose::Field, method });
         }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;

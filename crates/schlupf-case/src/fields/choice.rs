@@ -154,6 +154,12 @@ choices! {
         Velocity "velocity" "from speeds and effusivities of both bodies";
     }
 
+    /// `subsurface.body`.
+    BodyChoice {
+        Rail "rail" "the rail";
+        Wheel "wheel" "the wheel";
+    }
+
     /// `solver.driver`: how the full equations are solved.
     Driver {
         Steady "steady" "the steady state directly";

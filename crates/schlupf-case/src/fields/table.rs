@@ -33,6 +33,7 @@ mod damage;
 mod elasticity;
 mod friction;
 mod solver;
+mod subsurface;
 mod wheel_rail;
 
 use super::choice::{
@@ -95,6 +96,7 @@ pub const SECTIONS: &[Section] = &[
     friction::FRICTION,
     HEAT,
     COOLING,
+    subsurface::SUBSURFACE,
     damage::DAMAGE,
     solver::GRID,
     solver::SOLVER,

@@ -12,6 +12,7 @@ mod kinematics;
 mod normal;
 mod options;
 mod roughness;
+mod subsurface;
 mod wheel_rail;
 
 use std::sync::Arc;
@@ -27,6 +28,7 @@ use schlupf::{Error, Method, Options, Problem, Solver, Watch};
 pub use cooling::{cooling, missing as missing_cooling};
 pub use damage::damage;
 pub use options::{driver, method};
+pub use subsurface::subsurface;
 
 use crate::error::CaseError;
 use crate::fields::choice::Driver;

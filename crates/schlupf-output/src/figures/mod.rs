@@ -21,6 +21,7 @@ mod patch;
 mod projection;
 mod quantity;
 mod raster;
+pub(crate) mod relief;
 mod run;
 mod sampler;
 pub(crate) mod smooth;
@@ -63,6 +64,9 @@ pub enum FigureError {
     /// There are no curves of a rough contact to draw.
     #[error("there are no tangential curves of finite numbers to draw")]
     NoTangentialCurve,
+    /// There are no stresses to draw.
+    #[error("there are no stresses over a range of depths to draw")]
+    NoStress,
     /// There are no temperatures to draw.
     #[error("there are no temperatures over a range of places to draw")]
     NoTemperature,

@@ -441,10 +441,10 @@ messages! {
     /// The caller stopped it.
     "stopped" Stopped {} Quantity::MaxIterations, |name, words| "stopped before the end".to_owned();
 
-    /// A method without temperatures where they are needed.
+    /// A method without temperatures or fields where they are needed.
     "method" OtherMethod {
         /// For what.
-        purpose: HeatPurpose,
+        purpose: MethodPurpose,
         /// The method.
         method: &'static str,
     } Quantity::Method, |name, words| {
@@ -565,21 +565,24 @@ fn flatter(curvatures: &[f64; 2]) -> Quantity {
     if curvatures[0] > curvatures[1] { Quantity::WheelRadiusY } else { Quantity::WheelRadiusX }
 }
 
-/// What temperatures are needed for.
+/// What temperatures or fields are needed for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum HeatPurpose {
+pub enum MethodPurpose {
     /// The bulk temperature of a wheel that friction heats.
     BulkTemperature,
     /// Temperatures below the surface.
     Field,
+    /// Stresses below the surface.
+    Stress,
 }
 
-impl HeatPurpose {
+impl MethodPurpose {
     fn text(self) -> &'static str {
         match self {
             Self::BulkTemperature => "bulk temperatures need a method with temperatures",
             Self::Field => "temperatures below the surface need the heat record of \"full\"",
+            Self::Stress => "stresses below the surface need pressure and traction in cells",
         }
     }
 }

@@ -1,0 +1,21 @@
+//! `[subsurface]`.
+
+use schlupf::temperature_field::Side;
+
+use crate::error::CaseError;
+use crate::fields::choice::BodyChoice;
+use crate::settings::Settings;
+use crate::subsurface::SubsurfaceRequest;
+
+/// Where to compute stresses below the surface.
+pub fn subsurface(settings: &Settings) -> Result<SubsurfaceRequest, CaseError> {
+    Ok(SubsurfaceRequest {
+        side: match settings.chosen("subsurface.body")? {
+            BodyChoice::Rail => Side::Rail,
+            BodyChoice::Wheel => Side::Wheel,
+        },
+        depth: settings.optional_number("subsurface.depth")?,
+        layers: settings.count("subsurface.layers")?,
+        margin: settings.optional_number("subsurface.margin")?,
+    })
+}

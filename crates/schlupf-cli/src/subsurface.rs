@@ -1,0 +1,77 @@
+//! `schlupf subsurface`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueHint};
+use schlupf::Watch;
+use schlupf_case::{CaseError, CaseErrors, CaseFile, position};
+use schlupf_output::subsurface::StressReport;
+use schlupf_tasks::subsurface::{self, Plan, Request};
+
+use crate::arguments::{CaseArguments, OutputArguments};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::task::{Found, OwnFile, Task};
+
+const X: &str = "--x";
+const Y: &str = "--y";
+
+/// Where to look at the stresses, and where to write them.
+#[derive(Debug, Args)]
+pub struct Subsurface {
+    /// Which case.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Position of the profile along rolling, such as "-3 mm" [default: the largest von Mises
+    /// stress]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub x: Option<String>,
+    /// Position of the profile across rolling [default: the largest von Mises stress]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub y: Option<String>,
+    /// Write the stresses in all layers as a VTK file
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub vtk: Option<PathBuf>,
+    /// Where to write the results.
+    #[command(flatten)]
+    pub outputs: OutputArguments,
+}
+
+impl Task for Subsurface {
+    type Plan = Plan;
+    type Report = StressReport;
+
+    fn case(&self) -> CaseArguments {
+        self.case.clone()
+    }
+
+    fn outputs(&self) -> &OutputArguments {
+        &self.outputs
+    }
+
+    fn own_files(&self) -> Vec<OwnFile<'_>> {
+        OwnFile::given("--vtk", StressReport::VTK, self.vtk.as_ref()).into_iter().collect()
+    }
+
+    fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
+        let request = self.request().map_err(CaseErrors::from)?;
+        Ok(subsurface::plan(&file, request, watch)?)
+    }
+
+    fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<StressReport>, Failure> {
+        Ok(plan.find(&progress.watch())?.into())
+    }
+}
+
+impl Subsurface {
+    fn request(&self) -> Result<Request, CaseError> {
+        let place = |option, what, text: &Option<String>| {
+            text.as_deref().map(|text| position(option, what, text)).transpose()
+        };
+        Ok(Request {
+            x: place(X, "the place along rolling", &self.x)?,
+            y: place(Y, "the place across rolling", &self.y)?,
+            names: [X, Y],
+        })
+    }
+}

@@ -1,0 +1,133 @@
+//! `schlupf subsurface` from the outside: outputs, fields, errors and exit codes.
+
+mod support;
+
+use serde_json::Value;
+use support::{Bench, Run};
+
+/// A circular contact without traction: p0 = 1 GPa, a = 6 mm, ν = 0.3.
+const CIRCLE: &str = "title = \"circle\"\n[kinematics]\ncreepage_x = 0.0\n\
+                      [wheel]\npoisson_ratio = 0.3\n[rail]\npoisson_ratio = 0.3\n\
+                      [normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"6 mm\"\npeak_pressure = \"1 GPa\"\n\
+                      [heat]\nmodel = \"none\"\n\
+                      [grid]\ncells_x = 12\ncells_y = 12\n\
+                      [subsurface]\nlayers = 9\n";
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("case.toml", CIRCLE);
+    bench
+}
+
+fn run(bench: &Bench, arguments: &[&str]) -> Run {
+    bench.run(&[&["subsurface", "case.toml"], arguments].concat())
+}
+
+fn document(bench: &Bench, arguments: &[&str]) -> Value {
+    let run = run(bench, &[&["--json", "-"], arguments].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    serde_json::from_str(&run.stdout).unwrap()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+#[test]
+fn every_output_is_written() {
+    let bench = bench();
+    let outputs = ["--json", "s.json", "--csv", "s.csv", "--vtk", "s.vtk", "--figures", "in/here"];
+    let run = run(&bench, &outputs);
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+    assert_eq!(bench.list(), ["case.toml", "in", "s.csv", "s.json", "s.vtk"]);
+    for part in ["circle", "stresses in the rail", "largest von Mises stress", "converged"] {
+        assert!(run.stdout.contains(part), "{part:?} is not in\n{}", run.stdout);
+    }
+    for name in ["section.svg", "section.png", "profile.svg", "profile.png"] {
+        assert!(bench.path(&format!("in/here/subsurface_{name}")).exists());
+    }
+    let table = bench.read("s.csv");
+    assert!(table.starts_with("# units: m, m, m, Pa"));
+    assert_eq!(table.lines().count(), 2 + 201);
+    // 12 cells and the two columns of the border, with half the patch on each side.
+    let vtk = std::fs::read(bench.path("s.vtk")).unwrap();
+    let head = String::from_utf8_lossy(&vtk[..200]).into_owned();
+    for part in ["DATASET RECTILINEAR_GRID", "DIMENSIONS 28 24 9", "X_COORDINATES 28 double"] {
+        assert!(head.contains(part), "{part:?} is not in {head:?}");
+    }
+    let numbers = 28 + 24 + 9 + 28 * 24 * 9 * (9 + 4);
+    assert!(vtk.len() > 8 * numbers && vtk.len() < 8 * numbers + 1000, "{}", vtk.len());
+}
+
+/// Hertz 1882: the largest shear stress is 0.310 p0 at 0.48 a below the middle (Johnson 1985,
+/// §4.2), in rail and wheel alike; on the surface the profile begins with −p0.
+#[test]
+fn hertz_1882_largest_shear_below_a_circle() {
+    let bench = bench();
+    for body in ["rail", "wheel"] {
+        let found = document(&bench, &["--set", &format!("subsurface.body={body}")]);
+        assert_eq!(found["body"], body);
+        let largest = &found["largest"]["shear"];
+        assert!((number(&largest["largest_shear_stress"]) / 0.310e9 - 1.0).abs() < 0.01);
+        assert!((number(&largest["depth"]) / 6e-3 - 0.48).abs() < 0.01, "{largest}");
+        assert!(number(&largest["x"]).abs() < 1e-4 && number(&largest["y"]).abs() < 1e-4);
+        let profile = document(&bench, &["--x", "0 mm", "--y", "0 mm"])["profile"].clone();
+        assert!((number(&profile["stress_zz"][0]) / -1e9 - 1.0).abs() < 0.01, "{profile}");
+    }
+}
+
+/// Depth, layers and margin are those of the case; without them they follow from the patch.
+#[test]
+fn the_case_says_where() {
+    let bench = bench();
+    let layers = |arguments: &[&str]| {
+        let found = document(&bench, arguments);
+        let depths = found["layers"]["depth"].as_array().unwrap().clone();
+        (depths.len(), number(depths.last().unwrap()))
+    };
+    let (count, deepest) = layers(&[]);
+    assert_eq!(count, 9);
+    assert!((deepest - 12e-3).abs() < 1e-12);
+    let (count, deepest) =
+        layers(&["--set", "subsurface.depth=3 mm", "--set", "subsurface.layers=4"]);
+    assert_eq!(count, 4);
+    assert!((deepest - 3e-3).abs() < 1e-12);
+    let found = run(&bench, &["--vtk", "s.vtk", "--set", "subsurface.margin=0 mm"]);
+    assert_eq!(found.code, Some(0), "{}", found.stderr);
+    let vtk = std::fs::read(bench.path("s.vtk")).unwrap();
+    assert!(String::from_utf8_lossy(&vtk[..200]).contains("DIMENSIONS 16 12 9"));
+}
+
+/// What cannot be is refused with its place, and nothing is written.
+#[test]
+fn what_cannot_be_is_refused() {
+    let bench = bench();
+    for (arguments, parts) in [
+        (vec!["--set", "subsurface.body=sleeper"], vec!["subsurface.body", "rail"]),
+        (vec!["--set", "subsurface.depth=-1 mm"], vec!["subsurface.depth", "between"]),
+        (vec!["--set", "subsurface.layers=1"], vec!["subsurface.layers"]),
+        (vec!["--set", "subsurface.margin=5 m"], vec!["subsurface.margin", "5000000"]),
+        (vec!["--set", "solver.method=polach"], vec!["solver.method", "polach"]),
+        (vec!["--x", "far"], vec!["--x"]),
+        (vec!["--x", "2 km"], vec!["--x", "1000"]),
+    ] {
+        let run = run(&bench, &[&["--json", "s.json"], arguments.as_slice()].concat());
+        assert_eq!(run.code, Some(2), "{arguments:?}: {}", run.stderr);
+        for part in parts {
+            assert!(run.stderr.contains(part), "{arguments:?}: {part:?} is not in {}", run.stderr);
+        }
+        assert_eq!(bench.list(), ["case.toml"]);
+    }
+}
+
+/// The stresses of a history are those of its last instant: pressure and load at its end.
+#[test]
+fn a_history_has_the_stresses_of_its_end() {
+    let bench = bench();
+    let history = "[history]\ntime = [\"0 s\", \"0.2 ms\"]\ncreepage_x = [0.0, 0.001]\n";
+    bench.write("case.toml", &format!("{CIRCLE}{history}"));
+    let found = document(&bench, &[]);
+    let profile = document(&bench, &["--x", "0 mm", "--y", "0 mm"])["profile"].clone();
+    assert_eq!(found["status"], "converged");
+    assert!(number(&profile["stress_xz"][0]).abs() > 1e6, "{profile}");
+}

@@ -1,0 +1,139 @@
+//! Stresses below the surface: the stress of von Mises in a section along rolling, and stresses
+//! below a point.
+
+use schlupf::Status;
+use schlupf::subsurface::{PointStress, Stress};
+
+use super::StressReport;
+use crate::figures::Drawing as Named;
+use crate::figures::color::{BLUE, ColorScale, GREEN, Palette, VERMILION};
+use crate::figures::frame::Frame;
+use crate::figures::lattice::Lattice;
+use crate::figures::marks::{self, HEADING, short};
+use crate::figures::panels::{Curve, LEFT, Panel, Stack, WIDTH};
+use crate::figures::relief;
+use crate::figures::svg::Drawing;
+use crate::figures::ticks::round_ticks;
+use crate::figures::units::{self, Unit};
+
+/// Names of all figures.
+pub(super) const NAMES: [&str; 2] = ["subsurface_section", "subsurface_profile"];
+
+/// Largest height of the section.
+const TALLEST: f64 = 620.0;
+/// Space to the right of the section, for the colour bar.
+const BAR: f64 = 150.0;
+
+/// All figures; `None` where there is nothing to draw.
+pub(super) fn draw(report: &StressReport) -> Option<Vec<Named>> {
+    let drawn = [section(report)?, profile(report)?];
+    Some(NAMES.iter().zip(drawn).map(|(name, svg)| ((*name).to_owned(), svg)).collect())
+}
+
+fn heading(drawing: &mut Drawing, report: &StressReport, title: &str, place: &str) {
+    let remark = if report.status == Status::Converged { "" } else { "not converged" };
+    let peak = short(report.normal.peak_pressure / 1e6);
+    let load = short(report.normal.load / 1e3);
+    let about = format!("{place}; $N$ = {load} kN, $p$_0 = {peak} MPa");
+    marks::title_block(drawing, title, [&report.title, &about], remark);
+}
+
+/// The unit in which the stress of von Mises is shown.
+fn unit(report: &StressReport) -> Unit {
+    units::pick(units::PRESSURE, report.largest[0].stress.von_mises())
+}
+
+/// The plane y = constant through the profile; depths downwards in the rail and upwards in the
+/// wheel, as they lie in the frame.
+fn section(report: &StressReport) -> Option<String> {
+    let y = report.place()[1];
+    let unit = unit(report);
+    let volume = &report.volume;
+    let is_rail = report.body() == "rail";
+    let mut rows: Vec<(f64, Vec<f64>)> = volume
+        .section(y)
+        .into_iter()
+        .zip(&volume.layers)
+        .map(|(row, layer)| {
+            let height = if is_rail { -layer.depth } else { layer.depth };
+            (height / 1e-3, row.iter().map(|stress| stress.von_mises() / unit.size).collect())
+        })
+        .collect();
+    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let x = (0..volume.grid.columns).map(|i| volume.grid.x(i) / 1e-3).collect();
+    let (heights, rows) = rows.into_iter().unzip();
+    let coarse = Lattice { x, y: heights, rows };
+    let [low, high] = coarse.range().filter(|[low, high]| high > low)?;
+    let ends = |values: &[f64]| {
+        let ends = [*values.first()?, *values.last()?];
+        (ends[1] > ends[0]).then_some(ends)
+    };
+    let (x, y) = (ends(&coarse.x)?, ends(&coarse.y)?);
+    // Lengths are alike both ways, unless the section would become too tall or too flat.
+    let width = WIDTH - LEFT - BAR;
+    let height = (width * (y[1] - y[0]) / (x[1] - x[0])).clamp(160.0, TALLEST);
+    let frame = Frame { corner: [LEFT, HEADING + 34.0], size: [width, height], x, y };
+    let mut drawing = Drawing::new(WIDTH, frame.bottom() + 66.0);
+    let place =
+        format!("plane $y$ = {} mm of the {}", short(report.place()[1] / 1e-3), report.body());
+    heading(&mut drawing, report, "Equivalent stress of von Mises", &place);
+    marks::rolling_direction(&mut drawing, [WIDTH - 116.0, HEADING + 8.0]);
+    let scale = ColorScale { palette: Palette::Mechanical, low, high };
+    let levels = round_ticks(low, high, 9);
+    relief::draw(&mut drawing, &frame, &coarse.refined(), (&scale, &levels));
+    let point = &report.largest[0];
+    let depth = if is_rail { -point.depth } else { point.depth };
+    let at = frame.at([point.x / 1e-3, depth / 1e-3]);
+    marks::cross(&mut drawing, at, MARK);
+    frame.draw_vertical(&mut drawing, "$z$ (mm)");
+    frame.draw_horizontal(&mut drawing, "$x$ (mm)");
+    let bar = [frame.right() + 30.0, frame.corner[1] + 28.0];
+    let label = format!("$σ$_v ({})", unit.symbol);
+    marks::color_bar(&mut drawing, bar, height - 28.0, &scale, &label);
+    Some(drawing.finish())
+}
+
+/// The largest stress.
+const MARK: &str = r##"stroke="#ffffff" stroke-width="2.4" fill="none""##;
+
+/// Invariants and components against the depth.
+fn profile(report: &StressReport) -> Option<String> {
+    let points = &report.profile;
+    let range = [points.first()?.depth / 1e-3, points.last()?.depth / 1e-3];
+    if range[1] <= range[0] {
+        return None;
+    }
+    let unit = unit(report);
+    let along = |value: fn(&Stress) -> f64| -> Vec<[f64; 2]> {
+        let point = |point: &PointStress| [point.depth / 1e-3, value(&point.stress) / unit.size];
+        points.iter().map(point).collect()
+    };
+    let invariants = vec![
+        Curve::solid(along(Stress::von_mises), BLUE, "von Mises"),
+        Curve::solid(along(Stress::largest_shear), VERMILION, "largest shear"),
+    ];
+    let components = vec![
+        Curve::solid(along(|stress| stress.xx), BLUE, "$σ$_{xx}"),
+        Curve::solid(along(|stress| stress.yy), GREEN, "$σ$_{yy}"),
+        Curve::solid(along(|stress| stress.zz), VERMILION, "$σ$_{zz}"),
+        Curve::dashed(along(|stress| stress.xz), BLUE, "$σ$_{xz}"),
+        Curve::dashed(along(|stress| stress.yz), VERMILION, "$σ$_{yz}"),
+    ];
+    let label = format!("stress ({})", unit.symbol);
+    let stack = Stack {
+        x: range,
+        label: "depth (mm)",
+        panels: vec![
+            Panel { label: label.clone(), height: 200.0, curves: invariants },
+            Panel { label, height: 260.0, curves: components },
+        ],
+        shaded: Vec::new(),
+        shading: "",
+    };
+    let mut drawing = stack.drawing();
+    let [x, y] = report.place().map(|place| short(place / 1e-3));
+    let place = format!("in the {} at $x$ = {x} mm, $y$ = {y} mm", report.body());
+    heading(&mut drawing, report, "Stresses below a point", &place);
+    stack.draw(&mut drawing, HEADING + 30.0);
+    Some(drawing.finish())
+}

@@ -1,0 +1,64 @@
+//! Stresses below the surface as text.
+
+use schlupf::subsurface::{Measure, PointStress};
+
+use super::StressReport;
+use crate::number::significant as number;
+use crate::report::{reasons, verdict};
+use crate::summary::{Summary, entry, line};
+
+/// Rows of the table of the profile.
+const ROWS: usize = 11;
+
+/// The largest stresses with their places, and the profile.
+pub(super) fn text(report: &StressReport) -> Summary {
+    let mut text = Summary::titled(&report.title);
+    text.blank();
+    line(
+        &mut text,
+        &format!("stresses in the {}, in its half-space below the contact", report.body()),
+    );
+    let peak = report.normal.peak_pressure;
+    entry(&mut text, "largest pressure", peak / 1e6, "MPa", "p0");
+    let measures = [
+        ("von Mises stress", Measure::VonMises),
+        ("shear stress", Measure::Shear),
+        ("principal stress", Measure::Tension),
+    ];
+    for ((name, measure), point) in measures.into_iter().zip(&report.largest) {
+        let value = measure.of(&point.stress);
+        let remark = format!("{} p0, {}", number(value / peak), place(point));
+        entry(&mut text, &format!("largest {name}"), value / 1e6, "MPa", &remark);
+    }
+    text.blank();
+    let [x, y] = report.place().map(|place| number(place / 1e-3));
+    line(&mut text, &format!("below x = {x} mm, y = {y} mm"));
+    profile(&mut text, &report.profile);
+    text.blank();
+    line(&mut text, verdict(report.status));
+    for reason in reasons(&report.warnings) {
+        line(&mut text, &format!("  {reason}"));
+    }
+    text
+}
+
+fn place(point: &PointStress) -> String {
+    let [x, y, depth] = [point.x, point.y, point.depth].map(|place| number(place / 1e-3));
+    format!("at x = {x} mm, y = {y} mm, {depth} mm deep")
+}
+
+fn profile(text: &mut Summary, points: &[PointStress]) {
+    let heads = ["depth (mm)", "σxx (MPa)", "σyy (MPa)", "σzz (MPa)", "σxz (MPa)", "von Mises"];
+    line(text, &heads.map(|head| format!("{head:>12}")).concat());
+    let last = points.len().saturating_sub(1);
+    let rows = last.clamp(1, ROWS - 1);
+    for point in (0..=rows.min(last)).filter_map(|row| points.get(row * last / rows)) {
+        let stress = &point.stress;
+        let values = [stress.xx, stress.yy, stress.zz, stress.xz, stress.von_mises()];
+        let values = values.map(|value| format!("{:>12}", number(value / 1e6))).concat();
+        line(text, &format!("{:>12}{values}", number(point.depth / 1e-3)));
+    }
+    if rows < last {
+        line(text, &format!("  ({} of {} points; CSV and JSON have all)", rows + 1, last + 1));
+    }
+}

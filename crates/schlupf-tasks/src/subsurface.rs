@@ -1,0 +1,115 @@
+//! Stresses below the surface.
+
+use schlupf::error::MethodPurpose;
+use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
+use schlupf::{Error, Solution, Watch};
+use schlupf_case::{Case, CaseErrors, CaseFile, Rolling, SubsurfaceRequest};
+use schlupf_output::Report;
+use schlupf_output::subsurface::{PROFILE_POINTS, StressReport};
+
+use crate::TaskError;
+use crate::solve::solve;
+
+/// Where to look besides the volume of the case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Place of the profile along rolling, in m; by default that of the largest stress of von
+    /// Mises.
+    pub x: Option<f64>,
+    /// The same across rolling, in m.
+    pub y: Option<f64>,
+    /// What messages call x and y.
+    pub names: [&'static str; 2],
+}
+
+/// Places may be so far from the middle of the patch, in m.
+const FARTHEST: f64 = 1e3;
+
+/// A case with where to look.
+pub struct Plan {
+    case: Case,
+    rolling: Rolling,
+    volume: SubsurfaceRequest,
+    request: Request,
+}
+
+/// Poses the case.
+///
+/// # Errors
+/// A case that is wrong, or a place that is none.
+pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
+    for (name, place) in request.names.iter().zip([request.x, request.y]) {
+        if let Some(place) = place.filter(|place| !(-FARTHEST..=FARTHEST).contains(place)) {
+            let text = format!("{name} must be at most ±{FARTHEST} m, but is {place} m");
+            return Err(TaskError::Request(text));
+        }
+    }
+    let case = file.pose(watch)?;
+    if !case.method.has_fields() {
+        let method = case.method.name();
+        let error = Error::OtherMethod { purpose: MethodPurpose::Stress, method };
+        return Err(CaseErrors::from(case.explain(&error)).into());
+    }
+    let rolling = case.rolling(None).map_err(CaseErrors::from)?;
+    let volume = case.subsurface().map_err(CaseErrors::from)?;
+    Ok(Plan { case, rolling, volume, request })
+}
+
+impl Plan {
+    /// Solves the case and computes the stresses.
+    ///
+    /// # Errors
+    /// More points than can be stored, or whatever the solver refuses.
+    pub fn find(self, watch: Watch) -> Result<StressReport, TaskError> {
+        let Self { case, rolling, volume: wanted, request } = self;
+        let explain = |error: Error| CaseErrors::from(case.explain(&error));
+        let solved = solve(&case, rolling, watch).map_err(explain)?;
+        let status = solved.status();
+        let solution = solved.solution;
+        check_size(&case, &wanted, &solution)?;
+        let stresses =
+            SubsurfaceStress::new(&case.problem, &solution, wanted.side).map_err(explain)?;
+        let depths = wanted.depths(&solution.normal);
+        let margin = wanted.margin(&solution.normal, stresses.grid());
+        let volume = stresses.volume(&depths, margin, watch).map_err(explain)?;
+        let largest = |measure: Measure| {
+            stresses.largest(measure, &volume).unwrap_or_else(|| stresses.point([0.0; 3]))
+        };
+        let largest = [Measure::VonMises, Measure::Shear, Measure::Tension].map(largest);
+        let [x, y] = [request.x.unwrap_or(largest[0].x), request.y.unwrap_or(largest[0].y)];
+        let deepest = depths.last().copied().unwrap_or(0.0);
+        Ok(StressReport {
+            status,
+            profile: profile(&stresses, [x, y], deepest),
+            stresses,
+            volume,
+            largest,
+            normal: solution.normal,
+            warnings: solved.warnings,
+            title: case.title,
+        })
+    }
+}
+
+/// Stresses below a point, from the surface to a depth in m.
+fn profile(stresses: &SubsurfaceStress, [x, y]: [f64; 2], deepest: f64) -> Vec<PointStress> {
+    let last = PROFILE_POINTS - 1;
+    let depth = |k: usize| deepest * k as f64 / last as f64;
+    (0..=last).map(|k| stresses.point([x, y, depth(k)])).collect()
+}
+
+/// Refuses a volume that no memory holds.
+fn check_size(
+    case: &Case,
+    wanted: &SubsurfaceRequest,
+    solution: &Solution,
+) -> Result<(), CaseErrors> {
+    let points = wanted.points(&solution.normal, &solution.fields.grid);
+    let most = SubsurfaceRequest::MOST_POINTS;
+    if points <= most as f64 {
+        return Ok(());
+    }
+    let field = if wanted.margin.is_some() { "subsurface.margin" } else { "subsurface.layers" };
+    let reason = format!("{points:.3e} points in all layers together are more than {most}");
+    Err(case.contradiction(field, &reason).into())
+}

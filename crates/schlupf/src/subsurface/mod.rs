@@ -1,0 +1,249 @@
+//! Stresses below the surfaces of wheel and rail, due to pressure and traction of the contact.
+//!
+//! Each body is a half-space, on whose cells pressure and traction are constant; the stresses at
+//! any point are then sums of closed forms (`kernel`). [`SubsurfaceStress::at`] takes the sum for
+//! a point, and [`SubsurfaceStress::layer`] for all points of a layer at a depth, as a convolution
+//! by fast Fourier transform.
+//!
+//! Limits: elastic bodies that are large compared with the patch, without residual, thermal and
+//! bending stresses. The loads are those of the solution, whatever its model of elasticity.
+//! Cells of a solution are divided into pieces, some 72 across the patch, each with its own mean
+//! pressure. Loads that are constant in pieces have steps between them, which are felt down to a
+//! depth of about one piece: there the stresses at the middles of the pieces are interpolated.
+
+mod kernel;
+mod largest;
+mod layer;
+mod load;
+mod stress;
+
+use crate::error::{Error, MethodPurpose, require_finite};
+use crate::grid::Grid;
+use crate::problem::Problem;
+use crate::progress::{Progress, Stage, Watch, tell};
+use crate::quantity::Quantity;
+use crate::solution::Solution;
+use crate::temperature_field::Side;
+
+use kernel::corner;
+pub use largest::{Measure, PointStress};
+pub use layer::Layer;
+use layer::LayerTransform;
+pub use load::SurfaceLoad;
+use load::divided;
+pub use stress::Stress;
+
+/// The stresses in one of the two bodies.
+#[derive(Debug, Clone)]
+pub struct SubsurfaceStress {
+    grid: Grid,
+    /// The same with every cell divided into pieces, and how many of them there are each way.
+    finer: Grid,
+    pieces: usize,
+    side: Side,
+    /// Dimensionless.
+    poisson_ratio: f64,
+    load: SurfaceLoad,
+    /// By how much each load steps up at the corners of the pieces, row by row, in Pa.
+    steps: Vec<[f64; 3]>,
+}
+
+/// Stresses in a box below the contact.
+#[derive(Debug, Clone)]
+pub struct StressVolume {
+    /// The points of every layer are the middles of the cells of this grid.
+    pub grid: Grid,
+    /// Layers, in the order of the depths.
+    pub layers: Vec<Layer>,
+}
+
+impl StressVolume {
+    /// The stress at a cell of a layer.
+    pub fn at(&self, layer: usize, column: usize, row: usize) -> Stress {
+        self.layers[layer].stress[self.grid.index(column, row)]
+    }
+
+    /// The stresses in the plane at y (in m), a row for each layer: linear between the two
+    /// neighbouring rows of points, and those of the outermost row beyond it.
+    pub fn section(&self, y: f64) -> Vec<Vec<Stress>> {
+        let place = ((y - self.grid.y(0)) / self.grid.spacing_y).max(0.0);
+        let lower = (place as usize).min(self.grid.rows.saturating_sub(1));
+        let upper = (lower + 1).min(self.grid.rows.saturating_sub(1));
+        let part = (place - lower as f64).min(1.0);
+        let at = |layer: usize, column: usize| {
+            self.at(layer, column, lower) * (1.0 - part) + self.at(layer, column, upper) * part
+        };
+        let columns = self.grid.columns;
+        (0..self.layers.len())
+            .map(|layer| (0..columns).map(|column| at(layer, column)).collect())
+            .collect()
+    }
+}
+
+impl SubsurfaceStress {
+    /// Stresses in a body due to the pressure and the traction of a solution, that of the last
+    /// instant of a history.
+    ///
+    /// ```
+    /// use schlupf::subsurface::{Measure, SubsurfaceStress};
+    /// use schlupf::temperature_field::Side;
+    /// use schlupf::{Options, Problem, rolling, unwatched};
+    ///
+    /// let problem = Problem::builder().creepage_x(0.002).build()?;
+    /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+    /// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
+    /// let rail = SubsurfaceStress::new(&problem, &solution, Side::Rail)?;
+    /// let p0 = solution.normal.peak_pressure;
+    /// let below = rail.at([0.0, 0.0], 0.5 * solution.normal.semi_axis_x);
+    /// assert!(below.zz < -0.7 * p0 && below.von_mises() < 0.8 * p0);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A method without fields.
+    pub fn new(problem: &Problem, solution: &Solution, side: Side) -> Result<Self, Error> {
+        let fields = &solution.fields;
+        if fields.is_empty() {
+            let method = solution.method.name();
+            return Err(Error::OtherMethod { purpose: MethodPurpose::Stress, method });
+        }
+        let (load, pieces) = SurfaceLoad::of_solution(problem, solution, side)?;
+        let body = match side {
+            Side::Wheel => &problem.wheel,
+            Side::Rail => &problem.rail,
+        };
+        Self::on(fields.grid, pieces, load, (side, body.material.poisson_ratio))
+    }
+
+    /// Stresses in a body with the given Poisson's ratio (dimensionless) due to loads on the cells
+    /// of a grid, row by row.
+    ///
+    /// # Errors
+    /// Another number of loads than of cells, and loads that are not finite.
+    pub fn of_load(
+        grid: Grid,
+        load: SurfaceLoad,
+        side: Side,
+        poisson_ratio: f64,
+    ) -> Result<Self, Error> {
+        Self::on(grid, 1, load, (side, poisson_ratio))
+    }
+
+    /// Loads on the pieces of the cells of a grid.
+    fn on(
+        grid: Grid,
+        pieces: usize,
+        load: SurfaceLoad,
+        (side, poisson_ratio): (Side, f64),
+    ) -> Result<Self, Error> {
+        let finer = divided(&grid, pieces);
+        load.check(&finer)?;
+        require_finite(Quantity::PoissonRatio, poisson_ratio)?;
+        let steps = steps(&finer, &load);
+        Ok(Self { grid, finer, pieces, side, poisson_ratio, load, steps })
+    }
+
+    /// The body.
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
+    /// The grid of the contact.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// The stress at (x, y) and at the given `depth` below the surface of the body (all in m, the
+    /// depth not negative). Less than one piece of a cell deep, it is interpolated linearly between
+    /// the middles of the pieces; below it is exact for loads that are constant in pieces.
+    pub fn at(&self, [x, y]: [f64; 2], depth: f64) -> Stress {
+        let Grid { spacing_x, spacing_y, origin_x, origin_y, .. } = self.finer;
+        let depth = depth.max(0.0);
+        if depth >= spacing_x.max(spacing_y) {
+            return self.exact([x, y], depth);
+        }
+        let place = [(x - origin_x) / spacing_x - 0.5, (y - origin_y) / spacing_y - 0.5];
+        let first = place.map(f64::floor);
+        let parts: [f64; 2] = std::array::from_fn(|c| place[c] - first[c]);
+        let middle = |i: f64, j: f64| {
+            let at = [
+                origin_x + (first[0] + i + 0.5) * spacing_x,
+                origin_y + (first[1] + j + 0.5) * spacing_y,
+            ];
+            let along = if i == 0.0 { 1.0 - parts[0] } else { parts[0] };
+            let across = if j == 0.0 { 1.0 - parts[1] } else { parts[1] };
+            let weight = along * across;
+            // A point in the middle of a piece, or of a row, needs no neighbours.
+            if weight == 0.0 { Stress::default() } else { self.exact(at, depth) * weight }
+        };
+        middle(0.0, 0.0) + middle(1.0, 0.0) + middle(0.0, 1.0) + middle(1.0, 1.0)
+    }
+
+    /// The sum over the corners of all pieces.
+    fn exact(&self, [x, y]: [f64; 2], depth: f64) -> Stress {
+        let columns = self.finer.columns + 1;
+        let mut sum = [0.0; 6];
+        let corners = self.steps.iter().enumerate();
+        for (k, steps) in corners.filter(|(_, steps)| **steps != [0.0; 3]) {
+            let [i, j] = [k % columns, k / columns];
+            let way = [x - self.finer.edge_x(i), y - self.finer.edge_y(j)];
+            let response = corner(way, depth, self.poisson_ratio);
+            for (step, stresses) in steps.iter().zip(&response) {
+                for (total, stress) in sum.iter_mut().zip(stresses) {
+                    *total += step * stress;
+                }
+            }
+        }
+        self.in_contact_frame(sum)
+    }
+
+    /// Components with z into the body as components in the contact frame.
+    fn in_contact_frame(&self, [xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Stress {
+        let sign = match self.side {
+            Side::Wheel => 1.0,
+            Side::Rail => -1.0,
+        };
+        Stress::new([xx, yy, zz, xy, sign * xz, sign * yz])
+    }
+
+    /// The stresses at a depth (in m) below the middles of the cells and of `margin` more columns
+    /// and rows on each side, by fast Fourier transform.
+    pub fn layer(&self, depth: f64, margin: [usize; 2]) -> Layer {
+        LayerTransform::new(self, margin).layer(self, depth)
+    }
+
+    /// The stresses in layers at the given depths (in m), each as [`Self::layer`] has it.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] if `watch` says so.
+    pub fn volume(
+        &self,
+        depths: &[f64],
+        margin: [usize; 2],
+        watch: Watch,
+    ) -> Result<StressVolume, Error> {
+        let mut transform = LayerTransform::new(self, margin);
+        let mut layers = Vec::with_capacity(depths.len());
+        for (k, depth) in depths.iter().enumerate() {
+            tell(watch, Progress::count(Stage::Subsurface, 0).of(k, depths.len()))?;
+            layers.push(transform.layer(self, *depth));
+        }
+        Ok(StressVolume { grid: transform.grid(), layers })
+    }
+}
+
+/// The mixed differences of the loads: q(i, j) − q(i − 1, j) − q(i, j − 1) + q(i − 1, j − 1) at the
+/// lower corner of piece (i, j).
+fn steps(grid: &Grid, load: &SurfaceLoad) -> Vec<[f64; 3]> {
+    let loads = load.fields().map(|(_, values)| values);
+    let value = |c: usize, i: usize, j: usize| {
+        let inside = (1..=grid.columns).contains(&i) && (1..=grid.rows).contains(&j);
+        if inside { loads[c][grid.index(i - 1, j - 1)] } else { 0.0 }
+    };
+    let step = |i: usize, j: usize| {
+        std::array::from_fn(|c| {
+            value(c, i + 1, j + 1) - value(c, i, j + 1) - value(c, i + 1, j) + value(c, i, j)
+        })
+    };
+    (0..=grid.rows).flat_map(|j| (0..=grid.columns).map(move |i| step(i, j))).collect()
+}
