@@ -67,10 +67,10 @@ mod tests {
     /// tangential (−2Q/π x³, xz², x²z over r⁴), by the midpoint rule over s = a sin θ.
     #[test]
     fn flamant_1892_line_loads_add_up() {
+        const PARTS: u32 = 4000;
         let line = SlidingLineContact { half_length: 2.0, peak_pressure: 3.0, traction_ratio: 0.4 };
         for [x, z] in [[0.3, 0.5], [-1.7, 0.9], [2.6, 0.4], [-3.0, 2.0], [0.0, 1.5]] {
             let mut sum = [0.0; 3];
-            const PARTS: u32 = 4000;
             for k in 0..PARTS {
                 let angle = ((f64::from(k) + 0.5) / f64::from(PARTS) * 2.0 - 1.0) * FRAC_PI_2;
                 let load =
