@@ -82,9 +82,10 @@ const STIFF: [f64; 2] = [30.0, 60.0];
 /// matters: it is found sooner from cell to cell.
 const FASTEST: f64 = 0.5;
 
-/// Ratio of the bristle stiffness to that of a strip of the patch, so to that of a cell over its
-/// number of cells, from which a patch that sticks is like one under Coulomb's law; dimensionless.
-const FIRM: f64 = 360.0;
+/// Ratios of the bristle stiffness to that of a cell, and to that of a strip of the patch (that of
+/// a cell over its number of cells), from which a patch that sticks is like one under Coulomb's
+/// law; dimensionless.
+const FIRM: [f64; 2] = [5.0, 360.0];
 
 /// What the motion pulls at a cell, over the largest bound, below which all but the edges sticks;
 /// dimensionless.
@@ -225,8 +226,9 @@ impl DiscreteContact {
         let farthest = self.patch.cells.iter().map(slip).fold(0.0, f64::max);
         let bound = problem.friction.cold_coefficient() * self.normal.peak_pressure;
         let longest = self.patch.strips.iter().map(|strip| strip.cells.len()).max().unwrap_or(0);
-        let over_strip = self.over_cells(bristles(problem)) * longest as f64;
-        over_strip > FIRM && farthest * self.cell_stiffness() < SLOW * bound
+        let over_cells = self.over_cells(bristles(problem));
+        let is_firm = over_cells > FIRM[0] && over_cells * longest as f64 > FIRM[1];
+        is_firm && farthest * self.cell_stiffness() < SLOW * bound
     }
 
     /// Ratio of the stiffness of bristles with μ0 k_c (in 1/m) to that of a cell, dimensionless.
