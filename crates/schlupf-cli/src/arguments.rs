@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
+use schlupf_case::{CaseError, position};
 
 /// Which case.
 #[derive(Debug, Clone, Args)]
@@ -56,4 +57,18 @@ pub struct InitArguments {
     /// Overwrite an existing file
     #[arg(long)]
     pub force: bool,
+}
+
+/// The place on the contact that two options give, in m; `None` where one is not given.
+pub fn place(
+    options: [&'static str; 2],
+    texts: [&Option<String>; 2],
+) -> Result<[Option<f64>; 2], CaseError> {
+    let coordinate = |option, what, text: &Option<String>| {
+        text.as_deref().map(|text| position(option, what, text)).transpose()
+    };
+    Ok([
+        coordinate(options[0], "the place along rolling", texts[0])?,
+        coordinate(options[1], "the place across rolling", texts[1])?,
+    ])
 }

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 use schlupf::Watch;
-use schlupf_case::{CaseError, CaseErrors, CaseFile, position};
+use schlupf_case::{CaseError, CaseErrors, CaseFile};
 use schlupf_output::subsurface::StressReport;
 use schlupf_tasks::subsurface::{self, Plan, Request};
 
-use crate::arguments::{CaseArguments, OutputArguments};
+use crate::arguments::{CaseArguments, OutputArguments, place};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::task::{Found, OwnFile, Task};
@@ -65,13 +65,7 @@ impl Task for Subsurface {
 
 impl Subsurface {
     fn request(&self) -> Result<Request, CaseError> {
-        let place = |option, what, text: &Option<String>| {
-            text.as_deref().map(|text| position(option, what, text)).transpose()
-        };
-        Ok(Request {
-            x: place(X, "the place along rolling", &self.x)?,
-            y: place(Y, "the place across rolling", &self.y)?,
-            names: [X, Y],
-        })
+        let [x, y] = place([X, Y], [&self.x, &self.y])?;
+        Ok(Request { x, y, names: [X, Y] })
     }
 }

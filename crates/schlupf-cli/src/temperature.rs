@@ -2,11 +2,11 @@
 
 use clap::Args;
 use schlupf::Watch;
-use schlupf_case::{CaseError, CaseErrors, CaseFile, depths, length, position};
+use schlupf_case::{CaseError, CaseErrors, CaseFile, depths, length};
 use schlupf_output::temperature::Temperatures;
 use schlupf_tasks::temperature::{self, POINTS, Plan, Request};
 
-use crate::arguments::{CaseArguments, OutputArguments};
+use crate::arguments::{CaseArguments, OutputArguments, place};
 use crate::curve::number_of_points;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -67,19 +67,10 @@ impl Task for Temperature {
 
 impl Temperature {
     fn request(&self) -> Result<Request, CaseError> {
-        let place = |option, what, text: &Option<String>| {
-            text.as_deref().map(|text| position(option, what, text)).transpose()
-        };
+        let [x, y] = place([X, Y], [&self.x, &self.y])?;
         let depth = self.depth.as_deref().map(|text| depths(DEPTH, text)).transpose()?;
         let wake = self.wake.as_deref();
         let wake = wake.map(|text| length(WAKE, "the length of the wake", text)).transpose()?;
-        Ok(Request {
-            x: place(X, "the place along rolling", &self.x)?,
-            y: place(Y, "the place across rolling", &self.y)?,
-            depth,
-            wake,
-            points: self.points,
-            names: [X, Y, DEPTH, WAKE],
-        })
+        Ok(Request { x, y, depth, wake, points: self.points, names: [X, Y, DEPTH, WAKE] })
     }
 }

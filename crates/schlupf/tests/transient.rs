@@ -38,14 +38,15 @@ fn run(history: History, across: usize) -> Solution {
 }
 
 /// From rest (T1) and under a load that swings by 30 % over 36 mm (T4), forces are those of CONTACT
-/// on 80 cells within 0.006 of μN, its own grid error. T1 takes 59 products a step.
+/// on 80 cells within 0.006 of μN, its own grid error. T1 takes 29 products a step.
 #[test]
 fn vollebregt_contact_transients() {
     let rest = run(constant(23.7e-3), 40);
     let off = largest_difference(&rest, &contact("T1"));
     assert!(off < 6e-3, "T1: {off}");
     let products = rest.work.operator_products / rest.work.steps as f64;
-    assert!(products < 62.0, "{products}");
+    println!("{products:.1} products a step");
+    assert!(products < 32.0, "{products}");
     let off = largest_difference(&run(swinging(0.3, 36e-3, 36e-3), 40), &contact("T4"));
     assert!(off < 6e-3, "T4: {off}");
 }

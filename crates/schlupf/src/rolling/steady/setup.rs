@@ -232,8 +232,7 @@ impl Setup {
         let coarsest = self.levels.len() - 1;
         self.levels[coarsest].set_problem(&self.problem);
         self.guess(coarsest, ahead);
-        let of_all = self.levels[coarsest].strips.len() as f64 / self.levels[0].strips.len() as f64;
-        search.work.operator_products += of_all;
+        search.work.operator_products += self.part_of_product(coarsest);
         let guess = std::mem::take(&mut self.levels[coarsest].traction);
         let mut system = SteadyState::new(&self.problem, &mut self.levels[coarsest..]);
         let mut response = vec![0.0; system.response_size()];
@@ -284,10 +283,15 @@ impl Setup {
         let solved = solved?;
         self.levels[depth].response.clear();
         self.levels[depth].response.extend_from_slice(solved.response);
-        let of_all = self.levels[depth].strips.len() as f64 / self.levels[0].strips.len() as f64;
-        work.newton_iterations += solved.outcome.iterations;
-        work.operator_products += of_all * solved.outcome.products as f64;
-        Ok(solved.outcome)
+        let outcome = solved.outcome;
+        work.newton_iterations += outcome.iterations;
+        work.operator_products += self.part_of_product(depth) * outcome.products as f64;
+        Ok(outcome)
+    }
+
+    /// Cells of a level over those of the finest, dimensionless: a product counts by its cells.
+    pub fn part_of_product(&self, depth: usize) -> f64 {
+        self.levels[depth].strips.len() as f64 / self.levels[0].strips.len() as f64
     }
 
     /// Follows the creepage to a problem from high slip and from low slip, the requested branch

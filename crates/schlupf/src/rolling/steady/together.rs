@@ -79,9 +79,8 @@ impl Setup {
             .response
             .extend_from_slice(&solved.response[..solved.response.len() - drives.all.len()]);
         let mut outcome = solved.outcome;
-        let of_all = self.levels[depth].strips.len() as f64 / self.levels[0].strips.len() as f64;
         search.work.newton_iterations += outcome.iterations;
-        search.work.operator_products += of_all * outcome.products as f64;
+        search.work.operator_products += self.part_of_product(depth) * outcome.products as f64;
         let found = Problem { kinematics, ..problem };
         outcome.converged &= found.kinematics.check().is_ok();
         if outcome.converged {
