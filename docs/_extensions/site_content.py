@@ -199,6 +199,7 @@ PRESETS = {
     "materials": ("Materials", "For the sections `wheel` and `rail`."),
     "roughnesses": ("Roughnesses", 'For `contact_law={"roughness": …}`.'),
     "friction": ("Friction", "For the section `friction`."),
+    "layers": ("Layers", "For the section `layer`."),
     "methods": ("Fast methods", "For several sections: `Case(**schlupf.methods.…)`."),
 }
 

@@ -22,7 +22,7 @@ from ._look_up_table import LookUpTable, TableForces
 from ._plots import ResultPlots
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
-from ._presets import Preset, friction, materials, methods, roughnesses
+from ._presets import Preset, friction, layers, materials, methods, roughnesses
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -75,6 +75,7 @@ __all__ = [
     "forces",
     "friction",
     "import_contact",
+    "layers",
     "materials",
     "merge",
     "methods",

@@ -94,5 +94,8 @@ roughnesses = Presets("roughnesses")
 #: Friction laws with their constants, for ``friction``.
 friction = Presets("friction")
 
+#: Layers between the surfaces, for ``layer``.
+layers = Presets("layers")
+
 #: Fast methods with their constants: ``Case(**methods.polach_dry)``.
 methods = Presets("methods")

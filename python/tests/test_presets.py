@@ -13,6 +13,7 @@ GROUPS = {
     "materials": lambda preset: {"wheel": preset},
     "roughnesses": lambda preset: {"contact_law": {"roughness": preset}},
     "friction": lambda preset: {"friction": preset},
+    "layers": lambda preset: {"layer": preset},
     "methods": lambda preset: preset,
 }
 

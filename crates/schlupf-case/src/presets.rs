@@ -7,7 +7,7 @@ use toml::{Table, Value};
 /// Constants of a material, a roughness, friction or a method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preset {
-    /// `materials`, `roughnesses`, `friction` or `methods`.
+    /// `materials`, `roughnesses`, `friction`, `layers` or `methods`.
     pub group: String,
     /// Its name within the group.
     pub name: String,
@@ -27,6 +27,7 @@ impl Preset {
             "materials" => "wheel",
             "roughnesses" => "contact_law.roughness",
             "friction" => "friction",
+            "layers" => "layer",
             _ => "",
         }
     }

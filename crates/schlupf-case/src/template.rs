@@ -93,6 +93,7 @@ mod tests {
                 .replace("# [subsurface]", "[subsurface]")
                 .replace("# [damage]", "[damage]")
                 .replace("# [contact_law.roughness]", "[contact_law.roughness]")
+                .replace("# [layer]", "[layer]")
                 .replace("# [fastsim]", "[fastsim]")
                 .replace("# [track]", "[track]")
                 .replace("# [wheelset]", "[wheelset]");

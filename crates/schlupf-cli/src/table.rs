@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use schlupf::table_building::{TableOptions, build, build_from};
+use schlupf::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
 use schlupf::{Error, Quantity};
 use schlupf_table::{StatedError, StoredTable, TableFileError};
 
@@ -98,6 +98,11 @@ fn read(path: &Path, arguments: &Table, cells: usize) -> Result<StoredTable, Fai
     if of.cells != cells {
         let reason = format!("must have been solved on {cells} cells, but was on {}", of.cells);
         return Err(refused(reason));
+    }
+    if of.longer_side_exponent != LONGER_SIDE_EXPONENT {
+        let reason = "must have been solved on more cells along the longer side of the patch, but \
+                      was on as many as across it: make the table anew";
+        return Err(refused(reason.to_owned()));
     }
     Ok(stored)
 }

@@ -4,6 +4,7 @@ mod support;
 
 use std::fs;
 
+use schlupf_table::StoredTable;
 use support::Bench;
 
 /// Few nodes.
@@ -29,6 +30,14 @@ fn a_table_has_a_summary_and_a_file_that_can_be_refined() {
     let again = bench.run(&[&QUICK[..], &["--from", "t.npz", "--output", "u.npz"]].concat());
     assert_eq!(again.code, Some(0), "{}", again.stderr);
     assert_eq!(bench.list(), ["t.npz", "u.npz"]);
+    // Solutions on grids of another shape are not mixed with these.
+    let mut square = StoredTable::from_bytes(&fs::read(bench.path("t.npz")).unwrap()).unwrap();
+    square.metadata.longer_side_exponent = 0.0;
+    fs::write(bench.path("square.npz"), square.to_bytes().unwrap()).unwrap();
+    let refused = bench.run(&[&QUICK[..], &["--from", "square.npz", "--output", "w.npz"]].concat());
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    assert!(refused.stderr.contains("--from: square.npz must have been solved on more cells"));
+    assert_eq!(bench.list(), ["square.npz", "t.npz", "u.npz"]);
     let quiet = bench.run(&[&QUICK[..], &["--output", "v.npz", "--quiet"]].concat());
     assert_eq!(quiet.stdout, "");
     // The file is the same whenever and on however many threads it is made.

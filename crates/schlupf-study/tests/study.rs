@@ -293,7 +293,7 @@ fn wrong_studies_are_refused_with_field_and_place() {
         ("[vary]\n\"history.time\" = [[1.0]]\n", &["history.time"]),
         ("[vary]\n[states]\nfile = \"run.csv\"\n", &["one of [vary] and [states]"]),
         ("[states]\nfile = \"missing.csv\"\n", &["missing.csv", "No such file"]),
-        ("[states]\nfile = \"run.csv\"\n", &["must have rows, but has none"]),
+        ("[states]\nfile = \"run.csv\"\n", &["run.csv", "must have rows, but has none"]),
         (sample, &["sample.range is missing"]),
         (
             &format!("{sample}[sample.range]\n\"normal.load\" = [\"2 N\", \"1 N\"]\n"),

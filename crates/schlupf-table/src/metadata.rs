@@ -1,6 +1,6 @@
 //! What a file says about its table.
 
-use schlupf::table_building::{BuiltTable, TableError, TableOptions};
+use schlupf::table_building::{BuiltTable, LONGER_SIDE_EXPONENT, TableError, TableOptions};
 use serde::{Deserialize, Serialize};
 
 /// What `metadata.json` calls the format.
@@ -41,8 +41,12 @@ pub struct Metadata {
     pub solutions: usize,
     /// Solutions of these, and of the random states, that did not converge.
     pub unconverged: usize,
-    /// Cells across the patch of the coarser grids.
+    /// Cells across the narrower side of the patch of the coarser grids.
     pub cells: usize,
+    /// Cells along the longer side over those across the narrower one: the ratio of the sides to
+    /// this power. Earlier files do not say; their grids have as many along both.
+    #[serde(default)]
+    pub longer_side_exponent: f64,
     /// SHA-256 of all arrays in the order of their names, in hexadecimal digits.
     pub sha256: String,
 }
@@ -102,6 +106,7 @@ impl Metadata {
             solutions: built.solutions,
             unconverged: built.unconverged,
             cells: options.cells,
+            longer_side_exponent: LONGER_SIDE_EXPONENT,
             sha256,
         }
     }

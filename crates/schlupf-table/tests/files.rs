@@ -1,6 +1,6 @@
 //! Tables as files.
 
-use schlupf::table_building::{TableOptions, build, build_from};
+use schlupf::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
 use schlupf::unwatched;
 use schlupf_table::{StoredTable, TableFileError, standard};
 
@@ -21,6 +21,7 @@ fn the_standard_table_states_its_error() {
     assert!(metadata.is_within_tolerance && metadata.error.largest <= 0.01);
     assert!(metadata.error.median < 0.001 && metadata.error.states >= 1000);
     assert_eq!(metadata.unconverged, 0);
+    assert_eq!(metadata.longer_side_exponent, LONGER_SIDE_EXPONENT);
 }
 
 /// Files of the same bytes give the same table, others another one.

@@ -9,6 +9,7 @@ use crate::heat::Heat;
 use crate::interface::contact_law::{ContactLaw, Incremental};
 use crate::interface::friction::temperature_linear::TemperatureLinear;
 use crate::interface::friction::{Friction, FrictionLaw};
+use crate::interface::third_body::ThirdBodyLayer;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::{Body, contact_modulus};
 use crate::normal::PressureSource;
@@ -49,6 +50,7 @@ pub struct ProblemBuilder {
     load: Option<f64>,
     normal: Option<Arc<dyn PressureSource>>,
     elasticity: Option<Arc<dyn Elasticity>>,
+    layer: Option<ThirdBodyLayer>,
     contact_law: Option<Arc<dyn ContactLaw>>,
     friction: Option<Arc<dyn FrictionLaw>>,
     reference_temperature: Option<f64>,
@@ -67,6 +69,7 @@ impl Default for ProblemBuilder {
             load: None,
             normal: None,
             elasticity: None,
+            layer: None,
             contact_law: None,
             friction: None,
             reference_temperature: None,
@@ -160,6 +163,12 @@ impl ProblemBuilder {
         self
     }
 
+    /// A layer between the surfaces; default: none.
+    pub fn layer(mut self, layer: ThirdBodyLayer) -> Self {
+        self.layer = Some(layer);
+        self
+    }
+
     /// Contact law, replacing [`Incremental::default`].
     pub fn contact_law(mut self, law: impl ContactLaw + 'static) -> Self {
         self.contact_law = Some(Arc::new(law));
@@ -215,6 +224,7 @@ impl ProblemBuilder {
             rail: self.rail,
             normal,
             elasticity,
+            layer: self.layer,
             contact_law: self.contact_law.unwrap_or_else(|| Arc::new(Incremental::default())),
             friction: Friction::new(friction, reference_temperature),
             heat: self.heat,

@@ -10,9 +10,11 @@ use crate::heat::peclet::Peclet;
 use crate::interface::contact_law::ContactLaw;
 use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
+use crate::interface::third_body::ThirdBodyLayer;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::material::Body;
 use crate::normal::PressureSource;
+use crate::patch::Cell;
 use crate::prescribed_forces::PrescribedForces;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
@@ -34,6 +36,8 @@ pub struct Problem {
     pub normal: Arc<dyn PressureSource>,
     /// Elastic deformation of the bodies under tangential traction.
     pub elasticity: Arc<dyn Elasticity>,
+    /// The layer between the surfaces, if there is one.
+    pub layer: Option<ThirdBodyLayer>,
     /// Dependence of the traction of a point on its sliding, Eq. (8).
     pub contact_law: Arc<dyn ContactLaw>,
     /// Coefficient of friction, Eq. (23).
@@ -46,6 +50,25 @@ impl Problem {
     /// The same with all creepages given.
     pub(crate) fn without_forces(&self) -> Self {
         Self { prescribed: PrescribedForces::default(), ..self.clone() }
+    }
+
+    /// Compliance h/G of the layer between the surfaces (in m/Pa); zero if there is none.
+    pub fn layer_compliance(&self) -> f64 {
+        self.layer.map_or(0.0, |layer| layer.compliance())
+    }
+
+    /// What bounds the traction over the pressure in a cell (dimensionless) with a coefficient of
+    /// friction and a layer that has not flowed yet.
+    pub(crate) fn at_entry(&self, friction: f64, cell: &Cell) -> f64 {
+        let pressure = cell.pressure_where_covered();
+        self.layer.map_or(friction, |layer| {
+            layer.pass(friction * pressure, 0.0, [0.0; 2]).bound / pressure
+        })
+    }
+
+    /// Whether nothing that changes within the contact changes what bounds the traction.
+    pub(crate) fn has_constant_bound(&self) -> bool {
+        self.friction.law.is_constant() && !self.layer.is_some_and(|layer| layer.hardens())
     }
 
     /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
@@ -101,7 +124,8 @@ impl Problem {
         let conduction = self.conduction(&self.kinematics);
         let mut places = (-PLACES..=PLACES).map(|k| width * f64::from(k) / f64::from(PLACES));
         let is_cold = |y| self.entry_friction(&conduction, y).coefficient == cold;
-        (law.is_constant() && places.all(is_cold)).then_some(cold)
+        let is_bounded = self.layer.is_none_or(|layer| layer.yield_limit().is_none());
+        (law.is_constant() && is_bounded && places.all(is_cold)).then_some(cold)
     }
 
     /// How friction lags behind its law, if it depends on anything that changes within the contact.

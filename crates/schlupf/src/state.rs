@@ -42,6 +42,9 @@ pub struct Element {
     pub slip_speed: f64,
     /// Coefficient of friction on leaving the cell, dimensionless; if friction has a memory.
     pub friction_on_leaving: Option<f64>,
+    /// Plastic way of the layer between the surfaces on leaving the cell, in m.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_zero"))]
+    pub plastic_way: f64,
     /// Heat received from entry until it leaves the cell, the latest step first.
     pub heat: Vec<HeatStep>,
 }
@@ -56,6 +59,12 @@ pub struct TrackPoint {
     pub sliding: [f64; 2],
     /// Traction on the rail over μ pₙ there, dimensionless.
     pub saturation: [f64; 2],
+}
+
+#[cfg(feature = "serde")]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_zero(way: &f64) -> bool {
+    *way == 0.0
 }
 
 impl State {

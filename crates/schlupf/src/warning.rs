@@ -77,8 +77,8 @@ messages! {
 
     /// Forces were not extrapolated.
     "no-extrapolation" NoExtrapolation {} Quantity::Extrapolate, |name, words| format!(
-        "{name}: there is no second grid, half as fine and solved, which takes 16 cells in each \
-         direction (8 on a layer); the forces are those of the grid alone"
+        "{name}: there is no second grid, half as fine and solved, which takes the steady driver and \
+         16 cells in each direction (8 on a layer); the forces are those of the grid alone"
     );
 
     /// A pressure beyond the elastic range of any metal.
@@ -266,6 +266,14 @@ messages! {
         method: &'static str,
     } Quantity::MemoryDistance, |name, words| format!(
         "{name}: {method:?} has no friction memory; friction follows its law instantly"
+    );
+
+    /// A layer that yields, in a method that takes it to be elastic.
+    "no-yield" NoYield {
+        /// The method.
+        method: &'static str,
+    } Quantity::LayerYieldStress, |name, words| format!(
+        "{name}: {method:?} takes the layer to be elastic whatever the traction"
     );
 
     /// A method without fields.

@@ -15,7 +15,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::marching::march;
 use schlupf::state::Element;
-use schlupf::{Error, Options, Problem, Solution, Status, unwatched};
+use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
 fn bristly(elasticity: Arc<dyn Elasticity>, stiffness: f64, motion: [f64; 3]) -> Problem {
     let [xi, eta, spin] = motion;
@@ -57,6 +57,35 @@ fn the_steady_state_is_the_end_of_marching() {
     }
     let both = hot(bristly(half_space(), 2e8, [0.01, 0.002, 0.3]));
     let off = gap(&at_once(&both, &options), &solve(&both, &options));
+    assert!(off < 10.0 * options.tolerance, "{off:e}");
+}
+
+/// A history of creepages is judged by the largest of them, not by that of the case: it ends where
+/// one that begins there ends.
+#[test]
+fn a_history_is_judged_by_its_largest_creepage() {
+    let options = Options { tolerance: 1e-8, ..cells(16) };
+    let at = |xi: f64| hot(bristly(half_space(), 2e8, [xi, 0.0, 0.0]));
+    let history = |time: Vec<f64>, creepages: Vec<f64>| History {
+        time,
+        creepage_x: Some(creepages),
+        ..History::default()
+    };
+    let times = vec![0.0, 4e-4, 4e-3];
+    let end = |of_case: f64, creepages: [f64; 3]| {
+        let transient = Transient {
+            problem: at(of_case),
+            history: history(times.clone(), creepages.to_vec()),
+            initial_state: None,
+        };
+        let solution = march(&transient, &options, &unwatched).unwrap();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+        solution
+    };
+    let steady = at_once(&at(0.7), &options);
+    let off = gap(&steady, &end(0.0, [0.0, 0.7, 0.7]));
+    assert!(off < 10.0 * options.tolerance, "{off:e}");
+    let off = gap(&steady, &end(0.7, [0.7, 0.7, 0.7]));
     assert!(off < 10.0 * options.tolerance, "{off:e}");
 }
 

@@ -31,6 +31,7 @@ macro_rules! section {
 mod contact_law;
 mod damage;
 mod elasticity;
+mod layer;
 mod friction;
 mod solver;
 mod subsurface;
@@ -91,6 +92,7 @@ pub const SECTIONS: &[Section] = &[
     wheel_rail::TRACK,
     wheel_rail::WHEELSET,
     elasticity::ELASTICITY,
+    layer::LAYER,
     contact_law::CONTACT_LAW,
     contact_law::ROUGHNESS,
     friction::FRICTION,

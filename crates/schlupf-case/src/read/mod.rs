@@ -9,6 +9,7 @@ mod heat;
 mod history;
 mod interface;
 mod kinematics;
+mod layer;
 mod normal;
 mod options;
 mod roughness;
@@ -78,6 +79,7 @@ impl Parts {
             prescribed: kinematics::prescribed(settings)?,
             reference: kinematics::reference(settings)?,
             elasticity: deformation.provisional(),
+            layer: layer::layer(settings)?,
             normal: normal::source(settings, materials[0], materials[1])?,
             contact_law: interface::contact_law(settings, stiffness.provisional())?,
             friction: friction::friction(settings)?,

@@ -72,6 +72,9 @@ fn design(path: &Path, columns: Vec<(Head, Cells)>) -> Result<Design, StudyError
     if varied.is_empty() {
         return Err(refused("a file of states needs columns named as fields".to_owned()));
     }
+    if varied.iter().any(|varied| varied.values.is_empty()) {
+        return Err(refused("a file of states must have rows, but has none".to_owned()));
+    }
     Ok(Design::Rows(varied, carried))
 }
 
@@ -291,6 +294,8 @@ mod tests {
         assert!(short.contains("must have 2 cells, but has 1"), "{short}");
         assert!(refused("history.time [s]\n1\n").contains("is a list"));
         assert!(refused("time [s]\n1\n").contains("needs columns named as fields"));
+        let none = refused("normal.load [N]\n");
+        assert!(none.contains("states.csv: a file of states must have rows"), "{none}");
         let separated = refused("normal.load [N];kinematics.creepage_x\n1;0,1\n");
         assert!(separated.contains("states.csv:1:1"), "{separated}");
         assert!(separated.contains("by commas, but are by semicolons"), "{separated}");

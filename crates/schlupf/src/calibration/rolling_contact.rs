@@ -72,6 +72,7 @@ impl RollingContact {
             rail: Body { material, ..Body::STEEL },
             normal: Arc::new(ellipse),
             elasticity: Arc::new(bodies),
+            layer: None,
             contact_law: Arc::new(FromCellToCell(Incremental::new(STIFFNESS)?)),
             friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
             heat: Heat { model: None, partition: Partition::Given(0.5) },

@@ -227,6 +227,11 @@ messages! {
         format!("{name}: the contact law in use has no such constant")
     };
 
+    /// The shear modulus of a layer that the case does not have.
+    "no-layer" NoLayer {} Quantity::LayerShearModulus, |name, words| {
+        format!("{name}: there is no layer between the surfaces")
+    };
+
     /// k_c together with the roughness that determines it.
     "stiffness-and-roughness" StiffnessAndRoughness {} Quantity::ContactStiffness, |name, words| {
         format!("{name}: it cannot be fitted together with the roughness that determines it")

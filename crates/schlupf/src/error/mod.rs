@@ -400,6 +400,14 @@ messages! {
         words.word(Quantity::ContactLaw)
     );
 
+    /// A look-up table for bodies with a layer between them.
+    "layer-with-table" LayerWithTable {} Quantity::LookUpTable, |name, words| format!(
+        "{name}: a look-up table holds for surfaces without a layer between them; choose another {} \
+         or leave out {}",
+        words.word(Quantity::Method),
+        words.word(Quantity::LayerThickness)
+    );
+
     /// A history over which the wheel rolls too far.
     "history-too-long" HistoryTooLong {
         /// First and last time, in s.

@@ -13,6 +13,7 @@ mod moving_half_space;
 pub mod partition;
 pub mod peclet;
 pub(crate) mod strip_heat;
+mod strip_weights;
 
 use std::fmt::Debug;
 use std::sync::Arc;

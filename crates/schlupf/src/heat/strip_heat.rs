@@ -4,48 +4,44 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::numerics::vector::dot;
 use crate::patch::{Patch, Strip};
 
+use super::strip_weights::StripWeights;
 use super::{HeatModel, HeatStep};
+
+/// Relative difference of the times in which cells are passed that only comes from rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Heat fluxes in the cells of a patch, and their weights in the temperatures.
 #[derive(Debug)]
 pub(crate) struct StripHeat {
     model: Option<Arc<dyn HeatModel>>,
-    /// First cell of the strip of each cell.
-    first: Vec<usize>,
-    /// Start of the row of each cell in the weights.
-    rows: Vec<usize>,
-    /// The lower triangle ∂rise/∂flux, strip by strip and row by row, in √s.
-    weights: Vec<f64>,
+    /// ∂rise/∂flux, in √s.
+    weights: StripWeights,
+    /// The cell in the middle of the longest strip: most are like this one.
+    typical: usize,
     /// Times for the path to the cell's point and through the cell, in s.
     durations: Vec<[f64; 2]>,
     /// Heat flux on the path through each cell, in W/m².
     pub flux: Vec<f64>,
     record: Vec<HeatStep>,
+    /// Derivatives of a record, in √s.
+    by_flux: Vec<f64>,
 }
 
 impl StripHeat {
     /// The cells of a patch, without heat.
     pub fn new(patch: &Patch) -> Self {
-        let longest = patch.strips.iter().map(|strip| strip.cells.len()).max().unwrap_or(0);
-        let first = patch.strips.iter().flat_map(|s| s.cells.clone().map(|_| s.cells.start));
-        let first: Vec<usize> = first.collect();
-        let mut size = 0;
-        let mut rows = Vec::with_capacity(first.len());
-        for (k, first) in first.iter().enumerate() {
-            rows.push(size);
-            size += k + 1 - first;
-        }
+        let longest = patch.strips.iter().map(|strip| &strip.cells).max_by_key(|cells| cells.len());
+        let weights = StripWeights::new(patch);
         Self {
             model: None,
-            durations: vec![[0.0; 2]; first.len()],
-            flux: vec![0.0; first.len()],
-            weights: vec![0.0; size],
-            record: Vec::with_capacity(longest + 1),
-            first,
-            rows,
+            typical: longest.map_or(0, |cells| cells.start + cells.len() / 2),
+            durations: vec![[0.0; 2]; weights.len()],
+            flux: vec![0.0; weights.len()],
+            record: Vec::with_capacity(longest.map_or(0, ExactSizeIterator::len) + 1),
+            by_flux: Vec::new(),
+            weights,
         }
     }
 
@@ -61,14 +57,46 @@ impl StripHeat {
             *own = duration;
         }
         self.flux.fill(0.0);
+        let typical = self.durations.get(self.typical).copied().unwrap_or_default();
+        let durations = &self.durations;
+        let is_equal = |k: usize| {
+            let differs = |c: usize| (durations[k][c] - typical[c]).abs() > ROUNDING * typical[c];
+            !differs(0) && !differs(1)
+        };
         if self.is_linear() {
-            (0..self.rows.len()).for_each(|k| self.weigh(k));
+            self.weights.lay_out(is_equal);
+            self.weigh_equal_cells(typical);
+            (0..self.len()).for_each(|k| self.weigh(k));
+        } else {
+            self.weights.lay_out(|_| false);
+        }
+    }
+
+    /// Weights of cells that are passed in equal times, in s, to their points and through them.
+    fn weigh_equal_cells(&mut self, [before, through]: [f64; 2]) {
+        let count = self.weights.common().len();
+        self.record.clear();
+        self.record.push(HeatStep { flux: 0.0, duration: before });
+        self.record.resize(count, HeatStep { flux: 0.0, duration: through });
+        self.differentiate();
+        for (weight, derivative) in self.weights.common().iter_mut().zip(self.by_flux.iter().rev())
+        {
+            *weight = *derivative;
+        }
+    }
+
+    /// Derivatives of the rise of the record.
+    fn differentiate(&mut self) {
+        self.by_flux.clear();
+        self.by_flux.resize(self.record.len(), 0.0);
+        if let Some(model) = &self.model {
+            model.derivatives(&self.record, &mut self.by_flux);
         }
     }
 
     /// Number of cells.
     pub fn len(&self) -> usize {
-        self.rows.len()
+        self.weights.len()
     }
 
     /// Whether there is a heat model.
@@ -78,7 +106,7 @@ impl StripHeat {
 
     /// First cell of the strip of a cell.
     pub fn first(&self, k: usize) -> usize {
-        self.first[k]
+        self.weights.first(k)
     }
 
     /// Times for the path to a cell's point and through the cell, in s.
@@ -86,15 +114,22 @@ impl StripHeat {
         self.durations[k]
     }
 
-    /// Weights of the fluxes from the first cell of the strip to a given cell in its rise times
-    /// effusivity, in s^½.
-    pub fn row(&self, k: usize) -> &[f64] {
-        &self.weights[self.rows[k]..][..=k - self.first[k]]
+    /// Weight of the flux of a cell in its own rise times effusivity, in s^½.
+    pub fn own_weight(&self, k: usize) -> f64 {
+        self.weights.diagonal(k)
     }
 
-    /// The same, to be overwritten, in s^½.
-    pub fn row_mut(&mut self, k: usize) -> &mut [f64] {
-        &mut self.weights[self.rows[k]..][..=k - self.first[k]]
+    /// Replaces the weights, in s^½, by those of a cell so many cells upstream.
+    pub fn replace_weights(&mut self, weight: impl Fn(usize, usize) -> f64) {
+        for k in 0..self.len() {
+            let first = self.weights.first(k);
+            for (j, own) in (first..).zip(self.weights.own_row(k)) {
+                *own = weight(k - j, j);
+            }
+        }
+        for (columns, common) in self.weights.common().iter_mut().rev().enumerate() {
+            *common = weight(columns, self.typical);
+        }
     }
 
     /// Recomputes the weights of a cell's own and upstream fluxes by linearisation about the
@@ -105,17 +140,30 @@ impl StripHeat {
         }
     }
 
+    /// Computes the weights that only the row of a cell has. The path through the cells whose
+    /// weights are common counts as one step.
     fn weigh(&mut self, k: usize) {
-        let Some(model) = self.model.clone() else { return };
-        self.recall(k, HeatStep { flux: self.flux[k], duration: self.durations[k][0] });
-        let row = &mut self.weights[self.rows[k]..][..=k - self.first[k]];
-        model.derivatives(&self.record, row);
-        row.reverse();
+        let equal = self.weights.common_in_row(k);
+        let own = HeatStep { flux: self.flux[k], duration: self.durations[k][0] };
+        if equal == 0 {
+            self.recall(k, own);
+        } else {
+            self.recall_strip(self.first(k)..k + 1 - equal, own);
+            if equal > 1 {
+                let duration = (equal - 1) as f64 * self.durations[k][1];
+                self.record.insert(1, HeatStep { flux: 0.0, duration });
+            }
+        }
+        self.differentiate();
+        let steps = self.by_flux.iter().rev();
+        for (weight, derivative) in self.weights.own_row(k).iter_mut().zip(steps) {
+            *weight = *derivative;
+        }
     }
 
     /// Writes the record of a cell, with its own step as the latest, into the buffer.
     fn recall(&mut self, k: usize, own: HeatStep) {
-        self.recall_strip(self.first[k]..k, own);
+        self.recall_strip(self.first(k)..k, own);
     }
 
     fn recall_strip(&mut self, upstream: Range<usize>, last: HeatStep) {
@@ -131,8 +179,7 @@ impl StripHeat {
         if self.model.is_none() {
             return 0.0;
         }
-        let upstream = &flux[self.first[k]..flux.len().min(k + 1)];
-        dot(&self.row(k)[..upstream.len()], upstream)
+        self.weights.weighted(k, &flux[self.first(k)..])
     }
 
     /// Contribution of the upstream heat to the rise times effusivity of a cell (in W √s/m²) in a
@@ -150,7 +197,7 @@ impl StripHeat {
     pub fn scaled_rise(&mut self, k: usize, inherited: f64, flux: f64) -> f64 {
         let Some(model) = self.model.clone() else { return 0.0 };
         if model.is_linear() {
-            return inherited + self.weights[self.rows[k] + k - self.first[k]] * flux;
+            return inherited + self.weights.diagonal(k) * flux;
         }
         self.recall(k, HeatStep { flux, duration: self.durations[k][0] });
         model.rise_times_effusivity(&self.record)
@@ -173,5 +220,64 @@ impl StripHeat {
         let Some(model) = self.model.clone() else { return 0.0 };
         self.recall_strip(strip.cells.clone(), step);
         model.rise_times_effusivity(&self.record)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::grid::Grid;
+    use crate::heat::duhamel::Duhamel;
+    use crate::normal::PressureSource;
+    use crate::normal::ellipse::Ellipse;
+
+    /// The heat of a patch whose cells have different fluxes; the cells are passed in equal times
+    /// but for the first and last of a strip.
+    fn heated_patch() -> (StripHeat, Patch) {
+        let source = Ellipse::from_peak_pressure(7e-3, 4e-3, 1e9).unwrap();
+        let contact = source.normal_contact(None).unwrap();
+        let patch = Patch::new(&contact, Grid::across(&contact.extent(), 24, 17));
+        let strips = patch.strips.iter();
+        let durations = strips.flat_map(|strip| {
+            let cells = strip.cells.clone();
+            let is_edge = move |k: usize| k == cells.start || k + 1 == cells.end;
+            strip.cells.clone().map(move |k| if is_edge(k) { [1.3e-5, 2e-5] } else { [2e-5, 4e-5] })
+        });
+        let model: Arc<dyn HeatModel> = Arc::new(Duhamel);
+        let mut heat = StripHeat::new(&patch);
+        heat.set(Some(&model), durations);
+        for (k, flux) in heat.flux.iter_mut().enumerate() {
+            *flux = 1e8 * (1.0 + (k as f64).sin());
+        }
+        (heat, patch)
+    }
+
+    /// Weights that equal cells share give the rises of the records, at any cell.
+    #[test]
+    fn shared_weights_are_those_of_the_records() {
+        let (mut heat, patch) = heated_patch();
+        for k in 0..patch.len() {
+            let own = HeatStep { flux: heat.flux[k], duration: heat.durations(k)[0] };
+            heat.recall(k, own);
+            let rise = Duhamel.rise_times_effusivity(&heat.record);
+            let flux = heat.flux.clone();
+            assert_relative_eq!(heat.weighted(k, &flux), rise, max_relative = 1e-12);
+            let own = heat.own_weight(k) * flux[k];
+            assert_relative_eq!(heat.inherited(k), rise - own, epsilon = 1e-12 * rise);
+        }
+    }
+
+    /// Only a small part of the triangles is stored.
+    #[test]
+    fn few_weights_are_stored() {
+        let (heat, patch) = heated_patch();
+        let triangles = patch.strips.iter().map(|strip| {
+            let cells = strip.cells.len();
+            cells * (cells + 1) / 2
+        });
+        let (all, stored) = (triangles.sum::<usize>(), heat.weights.stored());
+        assert!(4 * stored < all, "{stored} of {all}");
     }
 }

@@ -13,6 +13,8 @@ pub enum Parameter {
     ContactStiffness,
     /// r.m.s. height of the combined roughness of both surfaces, from which k_c follows, in m.
     Roughness,
+    /// Shear modulus of the layer between the surfaces, in Pa.
+    LayerShearModulus,
     /// k_A of Polach's method, dimensionless.
     AreaAdhesion,
     /// k_S of Polach's method, dimensionless.
@@ -38,6 +40,7 @@ impl Parameter {
         friction.chain([
             Self::ContactStiffness,
             Self::Roughness,
+            Self::LayerShearModulus,
             Self::AreaAdhesion,
             Self::AreaSlip,
         ])
@@ -49,6 +52,7 @@ impl Parameter {
             Self::Friction(constant) => constant.quantity(),
             Self::ContactStiffness => Quantity::ContactStiffness,
             Self::Roughness => Quantity::ContactRoughness,
+            Self::LayerShearModulus => Quantity::LayerShearModulus,
             Self::AreaAdhesion => Quantity::PolachAreaAdhesion,
             Self::AreaSlip => Quantity::PolachAreaSlip,
         }
@@ -69,6 +73,7 @@ impl Parameter {
             },
             Self::ContactStiffness => [1e3, 1e11],
             Self::Roughness => [1e-10, 1e-2],
+            Self::LayerShearModulus => [1e3, 1e14],
             Self::AreaAdhesion | Self::AreaSlip => [1e-3, 1.0],
         }
     }

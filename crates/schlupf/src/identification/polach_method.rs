@@ -47,7 +47,7 @@ impl PolachModel {
             Parameter::Friction(constant) => friction_constant(&problem.friction, *constant),
             Parameter::AreaAdhesion => Ok(reduction.area_adhesion),
             Parameter::AreaSlip => Ok(reduction.area_slip),
-            Parameter::ContactStiffness | Parameter::Roughness => {
+            Parameter::ContactStiffness | Parameter::Roughness | Parameter::LayerShearModulus => {
                 let quantity = parameter.quantity();
                 Err(FitError::NotOfMethod { quantity, method: "polach" }.into())
             }
@@ -124,7 +124,9 @@ impl CreepForceModel for PolachModel {
             Parameter::Friction(constant) => by_constant(*constant),
             Parameter::AreaAdhesion => ratio(by_area_adhesion),
             Parameter::AreaSlip => ratio(by_area_slip),
-            Parameter::ContactStiffness | Parameter::Roughness => [0.0; 2],
+            Parameter::ContactStiffness | Parameter::Roughness | Parameter::LayerShearModulus => {
+                [0.0; 2]
+            }
         });
         let by_parameter = by_parameter.collect();
         let value = ratio(force);

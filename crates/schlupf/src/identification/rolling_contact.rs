@@ -112,6 +112,10 @@ impl RollingContactModel {
             Parameter::AreaAdhesion | Parameter::AreaSlip => {
                 Err(FitError::NotOfMethod { quantity: parameter.quantity(), method: "full" }.into())
             }
+            Parameter::LayerShearModulus => {
+                let layer = self.problem.layer.ok_or(FitError::NoLayer {})?;
+                Ok(layer.shear_modulus())
+            }
             _ if self.problem.contact_law.with_stiffness(self.stiffness)?.is_none() => {
                 Err(FitError::NoStiffness {}.into())
             }
@@ -186,6 +190,7 @@ fn constant(parameter: Parameter) -> Option<InterfaceConstant> {
         Parameter::ContactStiffness | Parameter::Roughness => {
             Some(InterfaceConstant::ContactStiffness)
         }
+        Parameter::LayerShearModulus => Some(InterfaceConstant::LayerShearModulus),
         Parameter::AreaAdhesion | Parameter::AreaSlip => None,
     }
 }
@@ -200,11 +205,14 @@ impl CreepForceModel for RollingContactModel {
     }
 
     fn set(&mut self, values: &[f64]) -> Result<(), Error> {
-        let (mut stiffness, mut height) = (self.stiffness, None);
+        let (mut stiffness, mut height, mut layer) = (self.stiffness, None, self.problem.layer);
         for (parameter, value) in self.parameters.iter().zip(values) {
             match parameter {
                 Parameter::ContactStiffness => stiffness = *value,
                 Parameter::Roughness => height = Some(*value),
+                Parameter::LayerShearModulus => {
+                    layer = layer.map(|own| own.with_shear_modulus(*value)).transpose()?;
+                }
                 _ => {}
             }
         }
@@ -213,7 +221,7 @@ impl CreepForceModel for RollingContactModel {
         if let Some(height) = height {
             stiffness = self.roughness_number / (coefficient * height);
         }
-        let mut problem = Problem { friction, ..self.problem.clone() };
+        let mut problem = Problem { layer, friction, ..self.problem.clone() };
         if let Some(law) = self.problem.contact_law.with_stiffness(stiffness)? {
             problem.contact_law = law;
         }

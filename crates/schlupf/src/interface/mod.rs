@@ -3,6 +3,7 @@
 pub mod contact_law;
 pub mod friction;
 pub mod roughness;
+pub mod third_body;
 
 use self::friction::constants::FrictionConstant;
 
@@ -13,4 +14,6 @@ pub enum InterfaceConstant {
     Friction(FrictionConstant),
     /// k_c of the contact law, in 1/m.
     ContactStiffness,
+    /// Shear modulus of the layer between the surfaces, in Pa.
+    LayerShearModulus,
 }

@@ -114,6 +114,11 @@ impl Cell {
         self.covered > 1.0 - WHOLE
     }
 
+    /// Pressure on the covered part, in Pa.
+    pub(crate) fn pressure_where_covered(&self) -> f64 {
+        self.pressure / self.covered
+    }
+
     /// Entry position of the material of the cell (in m), averaged over its covered part.
     pub fn entry_x(&self) -> f64 {
         self.x + self.since_entry.distance

@@ -108,7 +108,7 @@ impl ForceSolver {
 
     fn find(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let scaled = Scaled::new(problem, watch)?;
-        let is_constant = problem.friction.law.is_constant();
+        let is_constant = problem.has_constant_bound();
         let is_limited = !matches!(self.inner.method(), Method::Fast(FastMethod::KalkerLinear));
         if is_limited && scaled.has_uniform_friction() {
             refuse_beyond_friction(&scaled)?;
@@ -137,7 +137,7 @@ impl ForceSolver {
             ..options.clone()
         };
         let branch = options.branch;
-        let is_single = scaled.problem.friction.law.is_constant();
+        let is_single = scaled.problem.has_constant_bound();
         let scout = self.scout.get_or_insert_with(|| Box::new(SteadySolver::new(&coarse))).as_mut();
         let path = path::follow(scaled, scout, (is_single, watch))?;
         let mut found = Vec::new();
@@ -161,7 +161,7 @@ impl ForceSolver {
     /// The state along the path of this solver.
     fn along_path(&mut self, scaled: &Scaled, watch: Watch) -> Result<Solution, Error> {
         let branch = self.inner.options().branch;
-        let is_single = scaled.problem.friction.law.is_constant();
+        let is_single = scaled.problem.has_constant_bound();
         let path = path::follow(scaled, self.inner.as_mut(), (is_single, watch))?;
         let mut states = path.states.iter().map(|state| state.solution.clone());
         let Some(first) = states.next() else {

@@ -20,7 +20,11 @@ pub struct EllipticContact {
     pub normal: NormalSummary,
     /// Shear modulus G of both bodies, 1/G = ½ (1/G₁ + 1/G₂), in Pa.
     pub shear_modulus: f64,
-    /// C11, C22, C23, C33.
+    /// C11, C22, C23, C33 of the bodies alone.
+    of_bodies: CreepCoefficients,
+    /// Compliance h/G of the layer between the surfaces (in m/Pa); zero if there is none.
+    layer_compliance: f64,
+    /// C11, C22, C23, C33, with the layer.
     pub coefficients: CreepCoefficients,
 }
 
@@ -34,11 +38,46 @@ impl EllipticContact {
     pub(crate) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
         let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
         let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
-        Ok(Self {
-            normal,
-            shear_modulus: bodies.shear_modulus(),
-            coefficients: interpolated_coefficients(axis_ratio, bodies.poisson_ratio())?,
-        })
+        let of_bodies = interpolated_coefficients(axis_ratio, bodies.poisson_ratio())?;
+        let shear_modulus = bodies.shear_modulus();
+        Ok(Self::new_of(normal, shear_modulus, of_bodies, problem.layer_compliance()))
+    }
+
+    /// An ellipse with bodies of shear modulus G (in Pa) and a layer of compliance h/G, in m/Pa.
+    pub(crate) fn new_of(
+        normal: NormalSummary,
+        shear_modulus: f64,
+        of_bodies: CreepCoefficients,
+        layer_compliance: f64,
+    ) -> Self {
+        let coefficients = of_bodies;
+        let contact = Self { normal, shear_modulus, of_bodies, layer_compliance, coefficients };
+        contact.resized(normal)
+    }
+
+    /// The same bodies and layer with another load and another size of a like patch.
+    pub(super) fn resized(&self, normal: NormalSummary) -> Self {
+        let mut contact = Self { normal, ..*self };
+        if self.layer_compliance > 0.0 {
+            contact.coefficients = contact.softened();
+        }
+        contact
+    }
+
+    /// The coefficients with the layer in series: those for which the springs that stand for the
+    /// bodies, L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23) (Kalker 1982) and 8
+    /// b/(15 G C33) for the moment, are as much softer as the layer.
+    fn softened(&self) -> CreepCoefficients {
+        let [a, b] = [self.normal.semi_axis_x, self.normal.semi_axis_y];
+        let relative = self.layer_compliance * self.shear_modulus;
+        let soft = |c: f64, unit: f64| c / (1.0 + relative * c / unit);
+        let CreepCoefficients { c11, c22, c23, c33 } = self.of_bodies;
+        CreepCoefficients {
+            c11: soft(c11, 8.0 / 3.0 * a),
+            c22: soft(c22, 8.0 / 3.0 * a),
+            c23: soft(c23, 0.25 * PI * a * a / self.lever()),
+            c33: soft(c33, 8.0 / 15.0 * b),
+        }
     }
 
     /// Lever arm √(ab), in m.

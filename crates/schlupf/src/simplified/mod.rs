@@ -83,6 +83,7 @@ impl Kernel {
             FastMethod::Polach(reduction) => Ok(Self::Polach(reduction)),
             FastMethod::Fastsim(brush) => fastsim((brush, None)),
             FastMethod::ModifiedFastsim(brush, reduction) => fastsim((brush, Some(reduction))),
+            FastMethod::Table(_) if problem.layer.is_some() => Err(Error::LayerWithTable {}),
             FastMethod::Table(table) => {
                 let contact = EllipticContact::of(problem, normal.summary)?;
                 Ok(Self::Table(table, Box::new(TableContact::shape(table.0, &contact))))
@@ -129,6 +130,7 @@ impl FastContact {
     pub fn set_problem(&mut self, problem: &Problem) -> Result<(), Error> {
         let bodies = |problem: &Problem| [problem.wheel.material, problem.rail.material];
         let fits = Arc::ptr_eq(&self.at.problem.normal, &problem.normal)
+            && self.at.problem.layer == problem.layer
             && bodies(&self.at.problem) == bodies(problem);
         if !fits {
             *self = Self::new(problem, self.method, &self.options)?;
@@ -158,7 +160,7 @@ impl FastContact {
                 normal.peak_pressure / before.peak_pressure,
             );
         }
-        self.contact.normal = normal;
+        self.contact = self.contact.resized(normal);
         Ok(())
     }
 

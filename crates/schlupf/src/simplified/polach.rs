@@ -189,19 +189,17 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_central_differences() {
-        let contact = EllipticContact {
-            normal: NormalSummary {
-                load: 82e3,
-                semi_axis_x: 8e-3,
-                semi_axis_y: 4e-3,
-                peak_pressure: 1.2e9,
-                approach: None,
-                origin: None,
-                parts: 1,
-            },
-            shear_modulus: 82e9,
-            coefficients: CreepCoefficients { c11: 4.8, c22: 4.3, c23: 2.2, c33: 0.7 },
+        let normal = NormalSummary {
+            load: 82e3,
+            semi_axis_x: 8e-3,
+            semi_axis_y: 4e-3,
+            peak_pressure: 1.2e9,
+            approach: None,
+            origin: None,
+            parts: 1,
         };
+        let coefficients = CreepCoefficients { c11: 4.8, c22: 4.3, c23: 2.2, c33: 0.7 };
+        let contact = EllipticContact::new_of(normal, 82e9, coefficients, 0.0);
         let dry = AreaReduction { area_adhesion: 0.9, area_slip: 0.4 };
         for (xi, eta, spin) in [
             (3e-3, 0.0, 0.0),

@@ -44,6 +44,10 @@ pub(super) fn of_any_motion(
     if problem.friction_memory().is_some() {
         warnings.push(Warning::NoMemory { method: name });
     }
+    let may_yield = problem.layer.is_some_and(|layer| layer.yield_limit().is_some());
+    if may_yield && !method.has_fields() {
+        warnings.push(Warning::NoYield { method: name });
+    }
     let is_cold = !method.has_fields() && method != FastMethod::KalkerLinear;
     if is_cold && depends_on_temperature(problem) {
         warnings.push(Warning::ColdFriction { method: name });

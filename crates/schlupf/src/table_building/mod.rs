@@ -34,6 +34,8 @@ use random_states::RandomStates;
 use refinement::{Additions, Grid};
 use states::{Solved, StateSolver};
 
+pub use states::LONGER_SIDE_EXPONENT;
+
 /// Which table to make.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableOptions {

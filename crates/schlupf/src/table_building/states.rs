@@ -20,6 +20,10 @@ use crate::rolling::steady::SteadySolver;
 use crate::solution::{Resultant, Solution, Status};
 use crate::solver::Solver;
 
+/// Cells along the longer side of the patch over those across the narrower one: the ratio of the
+/// sides to this power, dimensionless.
+pub const LONGER_SIDE_EXPONENT: f64 = 0.5;
+
 /// √(ab), in m; any value would do.
 const SIZE: f64 = 5e-3;
 
@@ -68,6 +72,7 @@ impl StateSolver {
             rail: Body { material, ..Body::STEEL },
             normal: Arc::new(ellipse),
             elasticity: Arc::new(bodies),
+            layer: None,
             contact_law: Arc::new(Coulomb),
             friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
             heat: Heat { model: None, partition: Partition::Given(0.5) },
@@ -77,7 +82,8 @@ impl StateSolver {
         let on = |cells: usize| {
             let along_side = |slenderness: f64| {
                 // Even, for the grid of half as many.
-                2 * (0.5 * cells as f64 * slenderness.max(1.0).sqrt()).round() as usize
+                2 * (0.5 * cells as f64 * slenderness.max(1.0).powf(LONGER_SIDE_EXPONENT)).round()
+                    as usize
             };
             SteadySolver::new(&Options {
                 cells_x: along_side(axis_ratio),

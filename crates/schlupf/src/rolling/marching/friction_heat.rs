@@ -5,7 +5,8 @@ use crate::heat::{Heat, HeatStep};
 use crate::numerics::root::fixed_point;
 use crate::patch::Patch;
 use crate::problem::Problem;
-use crate::rolling::shared::passage::{Passage, heat};
+use crate::rolling::shared::passage::{Passage, heat, ways_through};
+use crate::state::Element;
 use crate::summary::snapshot::Snapshot;
 
 use super::arrival::Arrival;
@@ -41,10 +42,37 @@ pub(super) struct FrictionPoint {
 }
 
 impl FrictionPoint {
+    /// What bounds the traction in a cell over the pressure (in Pa) on its covered part,
+    /// dimensionless: the coefficient of friction, or less where the layer between the surfaces
+    /// flows.
+    pub fn coefficient(
+        &self,
+        problem: &Problem,
+        now: &Snapshot,
+        passage: &Passage,
+        arrived: &Arrival,
+        pressure: f64,
+    ) -> f64 {
+        let friction = self.of_friction(problem, now, passage, arrived);
+        let Some(layer) = &problem.layer else { return friction };
+        let slip = self.slip_speed * passage.ways[0] / now.over_step.speed;
+        let flow = layer.pass(friction * pressure, arrived.plastic_way, [slip; 2]);
+        let found = flow.bound / pressure;
+        // The slip is that of the step before. A bound that grows takes some of it up, as shear of
+        // the layer; without this a layer that hardens steeply would go up and down with each step.
+        let taken_up = layer.yield_limit().map_or(0.0, |limit| limit.hardening.max(0.0));
+        let share = (1.0 + taken_up * layer.compliance()).recip();
+        if flow.yields[0] && self.friction > 0.0 {
+            self.friction + share * (found - self.friction)
+        } else {
+            found
+        }
+    }
+
     /// The coefficient of friction (dimensionless) in a cell into which an element with a heat
     /// record has come: the root of μ = law(T(μ)), where the friction power is proportional to μ.
     /// If μ decreases with T, it is unique.
-    pub fn coefficient(
+    fn of_friction(
         &self,
         problem: &Problem,
         now: &Snapshot,
@@ -100,6 +128,59 @@ pub(super) fn lagging(
     let Some(memory) = problem.friction_memory() else { return law };
     let arrived = arrived.unwrap_or_else(|| problem.entry_friction(&now.conduction, y).coefficient);
     law + (arrived - law) * memory.kept(slip_speed, way / now.over_step.speed).part
+}
+
+/// What material brings along with which it leaves a cell.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Brought {
+    /// Coefficient of friction (dimensionless), with friction memory.
+    friction: Option<f64>,
+    /// Plastic way of the layer between the surfaces, in m.
+    plastic_way: f64,
+}
+
+impl Brought {
+    pub fn by(arrival: &Arrival) -> Self {
+        Self { friction: arrival.friction, plastic_way: arrival.plastic_way }
+    }
+}
+
+/// The coefficients of friction and the plastic ways with which the elements leave their cells.
+pub(super) fn remember(
+    problem: &Problem,
+    now: &Snapshot,
+    patch: &Patch,
+    elements: &mut [Element],
+    brought: &[Brought],
+) {
+    let yields = problem.layer.filter(|layer| layer.yield_limit().is_some());
+    if problem.friction_memory().is_none() && yields.is_none() {
+        return;
+    }
+    for strip in &patch.strips {
+        for k in strip.cells.clone() {
+            let (element, cell, before) = (&mut elements[k], &patch.cells[k], &brought[k]);
+            let ways = ways_through(patch, strip, k);
+            let after = |way: f64| FrictionInput {
+                y: cell.y,
+                way,
+                scaled_rise: element.scaled_rise,
+                slip_speed: element.slip_speed,
+            };
+            let through = ways[0] + ways[1];
+            let [here, leaving] =
+                [ways[0], through].map(|way| lagging(problem, now, before.friction, &after(way)));
+            if problem.friction_memory().is_some() {
+                element.friction_on_leaving = Some(leaving);
+            }
+            if let Some(layer) = &yields {
+                let slips =
+                    [ways[0], through].map(|way| element.slip_speed * way / now.over_step.speed);
+                let friction = here * cell.pressure_where_covered();
+                element.plastic_way = layer.pass(friction, before.plastic_way, slips).left;
+            }
+        }
+    }
 }
 
 /// The temperature of an element in a cell, and its record when it leaves.

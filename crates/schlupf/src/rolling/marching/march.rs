@@ -15,7 +15,7 @@ use crate::progress::{Progress, Stage, Watch, tell, within};
 use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
-use crate::rolling::shared::passage::{Passage, speed_of, ways_through};
+use crate::rolling::shared::passage::{Passage, speed_of};
 use crate::rolling::shared::turn::{Way, with_turn};
 use crate::solution::{FieldsAt, Instant, Solution, Work};
 use crate::state::{Element, State};
@@ -28,7 +28,7 @@ use crate::transient::Transient;
 use super::arrival::{Arrival, carry_over, positions, rigid_slip};
 use super::change::{largest_change, relative_change};
 use super::force_control::ForceControl;
-use super::friction_heat::{FrictionInput, FrictionPoint, lagging, set_temperatures};
+use super::friction_heat::{Brought, FrictionPoint, remember, set_temperatures};
 use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
 use super::moved::Moved;
 use super::past::Past;
@@ -136,6 +136,8 @@ struct March<'a> {
     control: Option<ForceControl>,
     /// A p of the present traction on the whole grid, in m.
     displacement: VectorField,
+    /// That of the bodies alone: how the material is displaced that enters.
+    displacement_of_bodies: VectorField,
     time: f64,
     now: Snapshot,
     /// The elements, in the order of the patch.
@@ -176,7 +178,13 @@ impl<'a> March<'a> {
         let (grid, peak_pressure) = grid_over_history(transient, options)?;
         let normal = problem.normal.normal_contact(history.load(start))?;
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
-        let is_in_series = contact.stick_share_under(problem, peak_pressure).value >= IN_SERIES;
+        let creepage_x = history.largest_creepage_x(&problem.kinematics);
+        let fastest = Problem {
+            kinematics: Kinematics { creepage_x, ..problem.kinematics },
+            ..problem.clone()
+        };
+        let share = contact.stick_share_under(&fastest, peak_pressure);
+        let is_in_series = share.value >= IN_SERIES;
         let stick_slip =
             is_in_series.then(|| StickSlip::of(problem, &normal, &mut contact)).transpose()?;
         let state = match initial_state {
@@ -211,6 +219,7 @@ impl<'a> March<'a> {
             instants: Vec::new(),
             field_history: Vec::new(),
             displacement: VectorField::zeros(grid.len()),
+            displacement_of_bodies: VectorField::zeros(grid.len()),
             stick_slip,
             control: None,
             contact,
@@ -270,7 +279,7 @@ impl<'a> March<'a> {
             let scaled_rise = self.now.scaled_rise[k];
             let friction =
                 self.problem.friction_response(&self.now.conduction, scaled_rise, 0.0, cell.y);
-            self.now.friction[k] = friction.coefficient;
+            self.now.friction[k] = self.problem.at_entry(friction.coefficient, cell);
         }
         let bound = self.now.bound(patch);
         let limits = self.limits();
@@ -353,8 +362,10 @@ impl<'a> March<'a> {
                     };
                 }
                 let passage = Passage::of(patch, strip, k);
-                self.now.friction[k] =
-                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k]);
+                self.now.friction[k] = {
+                    let pressure = cell.pressure_where_covered();
+                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], pressure)
+                };
             }
         }
     }
@@ -471,6 +482,7 @@ impl<'a> March<'a> {
         made.at_cells(&mut self.now.displacement);
         self.now.stored_energy = made.stored_energy();
         self.displacement.clone_from(made.field());
+        self.displacement_of_bodies.clone_from(made.field_of_bodies());
         self.work.operator_products += 1.0;
     }
 
@@ -481,7 +493,8 @@ impl<'a> March<'a> {
 
     /// The record of the present instant, with the lengths of the paths into the cells, in m.
     fn record(&self, ways: impl Iterator<Item = f64>) -> Past {
-        let mut past = Past::of(&self.contact, &self.displacement, ways);
+        let mut past =
+            Past::of(&self.contact, [&self.displacement, &self.displacement_of_bodies], ways);
         if let Some(stick_slip) = &self.stick_slip {
             calibrate(&mut past, stick_slip, &self.contact.patch, &self.now.traction);
         }
@@ -493,7 +506,7 @@ impl<'a> March<'a> {
         let (contact, displacement) = (&self.contact, &self.displacement);
         start.set_friction_power(&mut self.now, contact, displacement);
         self.powers = Some(start.powers_until(&self.now, contact, displacement));
-        let remembered: Vec<_> = arrivals.iter().map(|arrival| arrival.friction).collect();
+        let brought: Vec<Brought> = arrivals.iter().map(Brought::by).collect();
         let mut records: Vec<_> = arrivals.into_iter().map(|arrival| arrival.heat).collect();
         let patch = &self.contact.patch;
         let old_scaled_rise = self.now.scaled_rise.clone();
@@ -504,31 +517,11 @@ impl<'a> March<'a> {
             element.slip_speed = speed_of(self.now.slip[k]);
         }
         self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
-        self.remember_friction(&remembered);
+        let patch = &self.contact.patch;
+        remember(self.problem, &self.now, patch, &mut self.elements, &brought);
         if let Some(stick_slip) = &self.stick_slip {
             stick_slip.contact.slivers.copy(&mut self.now.friction);
             stick_slip.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
-        }
-    }
-
-    /// The coefficients of friction with which the elements leave their cells.
-    fn remember_friction(&mut self, arrived: &[Option<f64>]) {
-        if self.problem.friction_memory().is_none() {
-            return;
-        }
-        let patch = &self.contact.patch;
-        for strip in &patch.strips {
-            for k in strip.cells.clone() {
-                let element = &mut self.elements[k];
-                let input = FrictionInput {
-                    y: patch.cells[k].y,
-                    way: ways_through(patch, strip, k).iter().sum(),
-                    scaled_rise: element.scaled_rise,
-                    slip_speed: element.slip_speed,
-                };
-                let coefficient = lagging(self.problem, &self.now, arrived[k], &input);
-                element.friction_on_leaving = Some(coefficient);
-            }
         }
     }
 

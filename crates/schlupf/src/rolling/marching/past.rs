@@ -33,18 +33,18 @@ pub(super) struct Past {
 }
 
 impl Past {
-    /// The record of an instant with the displacement `field`. `ways` are the lengths of the paths
-    /// into the cells, in m.
+    /// The record of an instant with a displacement, and that of the bodies alone. `ways` are the
+    /// lengths of the paths into the cells, in m.
     pub fn of(
         contact: &DiscreteContact,
-        field: &VectorField,
+        [field, of_bodies]: [&VectorField; 2],
         ways: impl Iterator<Item = f64>,
     ) -> Self {
         let patch = &contact.patch;
         let mut displacement = vec![0.0; 2 * patch.len()];
         let mut at_entry = displacement.clone();
         contact.interpolation.gather(field, &mut displacement);
-        contact.interpolation.gather_at_entries(field, &mut at_entry);
+        contact.interpolation.gather_at_entries(of_bodies, &mut at_entry);
         let mut cells = vec![None; patch.grid.len()];
         let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
         let strips = patch.strips.iter().zip(&reaches);

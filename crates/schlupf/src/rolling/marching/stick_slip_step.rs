@@ -44,6 +44,7 @@ impl StickSlip {
         normal: &NormalContact,
         contact: &mut DiscreteContact,
     ) -> Result<Self, Error> {
+        CoulombContact::interpolate(problem, contact);
         Ok(Self {
             contact: CoulombContact::new(problem, normal, contact)?,
             length: problem.contact_law.relaxation().map_or(0.0, f64::recip),

@@ -14,6 +14,8 @@ pub(crate) struct DiscreteContact {
     pub normal: NormalSummary,
     pub patch: Patch,
     pub compliance: Box<dyn Compliance>,
+    /// Displacement of the layer between the surfaces over its traction, in m/Pa.
+    pub layer_compliance: f64,
     pub interpolation: Interpolation,
     /// Buffers for the fields of a product.
     workspace: Workspace,
@@ -34,7 +36,10 @@ pub(crate) type Row = [[f64; 2]; 6];
 
 struct Workspace {
     traction: VectorField,
+    /// That of the bodies.
     displacement: VectorField,
+    /// The same with that of the layer between the surfaces, if there is one.
+    with_layer: Option<VectorField>,
     /// Differences of the displacement along the passage.
     passing: VectorField,
 }
@@ -128,12 +133,16 @@ impl DiscreteContact {
         let compliance = problem.elasticity.compliance(&grid)?;
         let patch = touching_patch(normal, grid)?;
         let zeros = || VectorField::zeros(grid.len());
+        let with_layer = problem.layer.map(|_| zeros());
+        let fields = [zeros(), zeros(), zeros()];
+        let [traction, displacement, passing] = fields;
         let mut contact = Self {
             interpolation: Interpolation::uncoupled(&patch),
             normal: normal.summary,
             patch,
             compliance,
-            workspace: Workspace { traction: zeros(), displacement: zeros(), passing: zeros() },
+            layer_compliance: problem.layer_compliance(),
+            workspace: Workspace { traction, displacement, with_layer, passing },
             bristles: bristles(problem),
             cell_stiffness: 0.0,
             row: Row::default(),
@@ -297,16 +306,49 @@ impl DiscreteContact {
     /// A p, with the traction given in each cell.
     pub fn product(&mut self, p: &[f64]) -> Displaced<'_> {
         self.interpolation.spread(p, &mut self.workspace.traction);
-        self.compliance.displacement(&self.workspace.traction, &mut self.workspace.displacement);
+        let Workspace { traction, displacement, .. } = &mut self.workspace;
+        self.compliance.displacement(traction, displacement);
+        self.shear_layer();
         self.displaced()
+    }
+
+    /// The part of A p that is the shear of the layer between the surfaces, if there is one.
+    pub fn product_of_layer(&mut self, p: &[f64]) -> Option<Displaced<'_>> {
+        self.workspace.with_layer.as_ref()?;
+        let Workspace { traction, displacement, .. } = &mut self.workspace;
+        self.interpolation.spread(p, traction);
+        displacement.x.fill(0.0);
+        displacement.y.fill(0.0);
+        self.shear_layer();
+        Some(self.displaced())
+    }
+
+    /// Adds the shear of the layer under the present traction to the present displacement.
+    fn shear_layer(&mut self) {
+        let layer = self.layer_compliance;
+        let Workspace { traction, displacement, with_layer, .. } = &mut self.workspace;
+        if let Some(with_layer) = with_layer {
+            for (both, (u, t)) in [
+                (&mut with_layer.x, (&displacement.x, &traction.x)),
+                (&mut with_layer.y, (&displacement.y, &traction.y)),
+            ] {
+                for (both, (u, t)) in both.iter_mut().zip(u.iter().zip(t)) {
+                    *both = u + layer * t;
+                }
+            }
+        }
     }
 
     /// The derivative of A p with respect to the logarithm of the patch size, if the elasticity
     /// knows it.
     pub fn product_by_size(&mut self, p: &[f64]) -> Option<Displaced<'_>> {
-        let Workspace { traction, displacement, .. } = &mut self.workspace;
+        let Workspace { traction, displacement, with_layer, .. } = &mut self.workspace;
         self.interpolation.spread(p, traction);
         let is_known = self.compliance.displacement_by_size(traction, displacement);
+        if let Some(with_layer) = with_layer {
+            // The shear of the layer does not depend on the size of the patch.
+            with_layer.clone_from(displacement);
+        }
         is_known.then(|| self.displaced())
     }
 
@@ -402,15 +444,20 @@ impl DiscreteContact {
 impl Displaced<'_> {
     /// On the whole grid, in m.
     pub fn field(&self) -> &VectorField {
+        self.workspace.with_layer.as_ref().unwrap_or(&self.workspace.displacement)
+    }
+
+    /// The same of the bodies alone, without the shear of a layer between the surfaces.
+    pub fn field_of_bodies(&self) -> &VectorField {
         &self.workspace.displacement
     }
 
     /// At the cells' points, in m.
     pub fn at_cells(&self, u: &mut [f64]) {
-        self.interpolation.gather(&self.workspace.displacement, u);
+        self.interpolation.gather(self.field(), u);
     }
 
-    /// Where the material of each cell entered, in m.
+    /// Where the material of each cell entered, in m. The layer enters unsheared.
     pub fn at_entries(&self, u: &mut [f64]) {
         self.interpolation.gather_at_entries(&self.workspace.displacement, u);
     }
@@ -430,7 +477,7 @@ impl Displaced<'_> {
 
     /// Elastic energy ½ Σ p·(A p) ΔA, in J.
     pub fn stored_energy(&self) -> f64 {
-        let (p, u) = (&self.workspace.traction, &self.workspace.displacement);
+        let (p, u) = (&self.workspace.traction, self.field());
         0.5 * (dot(&p.x, &u.x) + dot(&p.y, &u.y)) * self.patch.grid.cell_area()
     }
 
@@ -440,8 +487,8 @@ impl Displaced<'_> {
     /// A symmetric, translation-invariant compliance does no net work on such changes, Σ p·change =
     /// 0 exactly: elasticity is conservative.
     pub fn change_in_passing(&mut self, change: &mut [f64]) {
-        let Workspace { displacement, passing, .. } = &mut *self.workspace;
-        differences(displacement, self.patch.grid.columns, passing);
+        let Workspace { displacement, with_layer, passing, .. } = &mut *self.workspace;
+        differences(with_layer.as_ref().unwrap_or(displacement), self.patch.grid.columns, passing);
         self.interpolation.gather_means(passing, change);
     }
 }

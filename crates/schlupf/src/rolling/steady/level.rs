@@ -167,7 +167,7 @@ impl Level {
 
     /// μ pₙ with the friction of the last evaluation.
     pub fn take_bound(&mut self) {
-        self.strips.set_bound(&self.contact.patch.cells, &self.friction.lag.coefficient);
+        self.strips.set_bound(&self.contact.patch.cells, self.friction.coefficients());
     }
 
     /// Number of unknowns.

@@ -2,6 +2,7 @@
 //! equilibrium, found on nested grids.
 
 mod transfer;
+mod yielding;
 mod lag;
 mod steady_friction;
 mod strip_law;

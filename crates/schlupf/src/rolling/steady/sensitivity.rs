@@ -155,6 +155,7 @@ impl<'a> Derivatives<'a> {
     fn by_constant(&mut self, constant: InterfaceConstant) -> Option<Resultant> {
         match constant {
             InterfaceConstant::ContactStiffness => self.by_stiffness(),
+            InterfaceConstant::LayerShearModulus => self.by_layer(),
             InterfaceConstant::Friction(FrictionConstant::ColdCoefficient) => {
                 self.by(&self.by_friction())
             }
@@ -236,6 +237,18 @@ impl<'a> Derivatives<'a> {
         Some(scaled(&self.by(&direct)?, stiffness.recip()))
     }
 
+    /// Derivative by the shear modulus of the layer, whose shear is inversely proportional to it.
+    fn by_layer(&mut self) -> Option<Resultant> {
+        let layer = self.problem.layer?;
+        let mut direct = Direct::nothing(self.levels[0].strips.len());
+        direct.response = vec![0.0; self.response_step.len()];
+        let mut system = SteadyState::new(self.problem, self.levels);
+        if !system.response_of_layer(&mut direct.response) {
+            return None;
+        }
+        Some(scaled(&self.by(&direct)?, -layer.shear_modulus().recip()))
+    }
+
     /// Direct changes with the logarithm of the load, if the elasticity knows how it scales.
     fn direct_by_load(&mut self) -> Option<Direct> {
         let load_exponent = self.problem.normal.load_exponent()?;
@@ -274,7 +287,9 @@ impl<'a> Derivatives<'a> {
             direct.friction.scaled_rise[k] = load_exponent * by_size;
             direct.friction.law[k] = load_exponent * friction.response[k].by_y * cell.y;
             direct.friction.entry[k] = load_exponent * friction.lag.entry[k].by_y * cell.y;
-            direct.bound[k] = (1.0 - 2.0 * load_exponent) * strips.bound()[k];
+            let is_layer = friction.yields(k);
+            let growing = if is_layer { 0.0 } else { 1.0 - 2.0 * load_exponent };
+            direct.bound[k] = growing * strips.bound()[k];
         }
         direct.friction.way = load_exponent;
         // The slip is the change of A p along the passage divided by the cell size, which grows.
@@ -291,13 +306,15 @@ impl<'a> Derivatives<'a> {
     }
 
     /// Whether all that is computed of the displacement scales with the patch. The calibration of
-    /// stick and slip does so with that of the half-space, but not in a mean with bristles.
+    /// stick and slip does so with that of the half-space, but not in a mean with bristles, and not
+    /// with a layer, whose shear does not depend on the size.
     fn scales(&self) -> bool {
         let Level { contact, strips, .. } = &self.levels[0];
         let semi_axes = [contact.normal.semi_axis_x, contact.normal.semi_axis_y];
         let is_half_space = || self.problem.elasticity.under_ellipsoid(semi_axes).is_some();
         match strips.stick_share() {
             0.0 => true,
+            1.0 if self.problem.layer.is_some() => false,
             1.0 => !contact.compliance.couples_cells() || is_half_space(),
             _ => false,
         }

@@ -129,6 +129,7 @@ impl Setup {
     pub fn fits(&self, problem: &Problem) -> bool {
         Arc::ptr_eq(&self.problem.normal, &problem.normal)
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
+            && self.problem.layer == problem.layer
             && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
             && is_alike(self.levels[0].contact.stick_share(problem).value, self.stick_share)
             && (self.is_held || !self.levels[0].contact.is_held(problem))
@@ -441,13 +442,14 @@ impl Setup {
         strips.take_slip(response, problem.kinematics.speed, &mut now.slip);
         now.friction_power.copy_from_slice(&friction.power);
         now.scaled_rise.copy_from_slice(&friction.scaled_rise);
-        now.friction.copy_from_slice(&friction.lag.coefficient);
+        now.friction.copy_from_slice(friction.coefficients());
         strips.complete_friction(&mut now.friction);
         let mut elements = strips.elements(&contact.patch, traction, response, &relative);
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = speed_of(friction.slip[k]);
             element.scaled_rise = friction.scaled_rise[k];
             element.friction_on_leaving = friction.lag.on_leaving(k);
+            element.plastic_way = friction.flowed_on_leaving(k);
             if problem.heat.model.is_some() {
                 element.heat = friction.heat.record_on_leaving(k).to_vec();
             }

@@ -24,6 +24,7 @@ use crate::rolling::shared::passage::{
 };
 
 use super::lag::{FrictionInput, Lag, LagCause};
+use super::yielding::{FlowCause, Yielding};
 
 /// Slip, heat, temperature and friction of every cell, and their tangent.
 pub(super) struct SteadyFriction {
@@ -50,6 +51,8 @@ pub(super) struct SteadyFriction {
     pub response: Vec<FrictionResponse>,
     /// The resulting coefficients.
     pub lag: Lag,
+    /// The layer between the surfaces, if it may flow.
+    yielding: Option<Yielding>,
     /// Bodies in which heat also flows along the surface, if this matters.
     conductors: Option<Conductors>,
     /// Their conduction, once requested.
@@ -78,6 +81,7 @@ impl SteadyFriction {
             scaled_rise: vec![0.0; cells],
             response: vec![FrictionResponse::default(); cells],
             lag: Lag::new(cells),
+            yielding: None,
             conductors: None,
             conduction_along: None,
             risen: vec![0.0; cells],
@@ -86,7 +90,8 @@ impl SteadyFriction {
 
     /// Switches to another motion, and other friction and heat laws.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
-        self.is_coupled = !problem.friction.law.is_constant();
+        self.is_coupled = !problem.has_constant_bound();
+        self.yielding = Yielding::new(problem.layer, patch);
         self.conduction = problem.conduction(&problem.kinematics);
         self.kinematics = problem.kinematics;
         self.conductors = conductors_along(problem, patch);
@@ -126,13 +131,10 @@ impl SteadyFriction {
     fn weigh_upstream(&mut self) {
         let Some(conduction) = &self.conduction_along else { return };
         let over_factor = self.conduction.contact_factor().recip();
-        for k in 0..self.heat.len() {
-            let first = self.heat.first(k);
-            for (j, weight) in (first..=k).zip(self.heat.row_mut(k)) {
-                let per_power = over_factor * conduction.downstream(k - j);
-                *weight = per_power / self.flux_over_power[j];
-            }
-        }
+        let over_power = &self.flux_over_power;
+        self.heat.replace_weights(|columns, j| {
+            over_factor * conduction.downstream(columns) / over_power[j]
+        });
     }
 
     /// Rises due to the friction power, if heat also flows along the surface: those that give the
@@ -204,6 +206,10 @@ impl SteadyFriction {
         let input = FrictionInput { law: response.coefficient, slip_speed, durations, is_first };
         self.lag.pass(k, &input);
         self.response[k] = response;
+        if let Some(yielding) = &mut self.yielding {
+            let slips = durations.map(|duration| slip_speed * duration);
+            yielding.pass(k, is_first, self.lag.coefficient[k], slips);
+        }
     }
 
     /// Slip, heat, temperature and friction for the traction p, where `change` is the change of A p
@@ -243,7 +249,7 @@ impl SteadyFriction {
         self.slip.copy_from_slice(&self.rigid);
         for (k, along) in saturation.iter().enumerate() {
             let start =
-                if k == self.heat.first(k) { None } else { Some(self.lag.coefficient[k - 1]) };
+                if k == self.heat.first(k) { None } else { Some(self.coefficients()[k - 1]) };
             let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
             let heat = passage::heat(passage::power(*along, self.rigid[k]));
             let flux = self.pressure[k] * heat * self.flux_over_power[k];
@@ -251,7 +257,7 @@ impl SteadyFriction {
                 self.heat.flux[k] = coefficient * flux;
                 self.warm(k);
                 self.respond(problem, patch, k);
-                self.lag.coefficient[k]
+                self.coefficients()[k]
             });
             for c in 0..2 {
                 p[2 * k + c] = coefficient * self.pressure[k] * along[c];
@@ -264,6 +270,22 @@ impl SteadyFriction {
     fn warm(&mut self, k: usize) {
         let inherited = self.heat.inherited(k);
         self.scaled_rise[k] = self.heat.scaled_rise(k, inherited, self.heat.flux[k]);
+    }
+
+    /// What bounds the tractions over the pressure, dimensionless: the coefficient of friction, or
+    /// less where the layer between the surfaces flows.
+    pub fn coefficients(&self) -> &[f64] {
+        self.yielding.as_ref().map_or(&self.lag.coefficient, |yielding| &yielding.coefficient)
+    }
+
+    /// Whether the layer bounds the traction of a cell, and not friction.
+    pub fn yields(&self, k: usize) -> bool {
+        self.yielding.as_ref().is_some_and(|yielding| yielding.yields(k))
+    }
+
+    /// The plastic way of the layer (in m) with which the material leaves a cell.
+    pub fn flowed_on_leaving(&self, k: usize) -> f64 {
+        self.yielding.as_ref().map_or(0.0, |yielding| yielding.on_leaving(k))
     }
 
     /// ∂μ/∂(rise times effusivity), in m²/(W √s).
@@ -287,10 +309,10 @@ impl SteadyFriction {
         traction: [f64; 2],
         by_bound: [f64; 2],
     ) -> f64 {
-        if !self.heat.has_model() {
+        if !self.heat.has_model() || self.yields(k) {
             return 0.0;
         }
-        let own = self.heat.row(k)[k - self.heat.first(k)];
+        let own = self.heat.own_weight(k);
         let inherited = self.heat.weighted(k, &upstream[..k]);
         let by_rise = self.pressure[k] * self.lag.follows(k) * self.by_rise(k);
         let raised = by_rise * (inherited + own * self.flux_change(k, traction));
@@ -316,12 +338,13 @@ impl SteadyFriction {
         }
         let mut risen = std::mem::take(&mut self.risen);
         self.rise_changes(flux, &mut risen);
-        let mut carried = 0.0;
+        let (mut carried, mut flowed) = (0.0, 0.0);
         for k in 0..self.heat.len() {
             let v = self.slip[k];
             let slid = self.slip_change(passing, cause, k);
             if k == self.heat.first(k) {
                 carried = cause.map_or(0.0, |cause| cause.entry[k]);
+                flowed = 0.0;
             }
             let speed = speed_of(v);
             let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
@@ -331,7 +354,12 @@ impl SteadyFriction {
                 + cause.map_or(0.0, |cause| cause.law[k]);
             let way = cause.map_or(0.0, |cause| cause.way);
             let lagged = LagCause { law, slip_speed: faster, way };
-            bound[k] = self.pressure[k] * self.lag.change(k, &lagged, &mut carried);
+            let mut change = self.lag.change(k, &lagged, &mut carried);
+            if let Some(yielding) = &self.yielding {
+                let slips = self.heat.durations(k).map(|time| (faster + speed * way) * time);
+                change = yielding.change(k, &FlowCause { friction: change, slips }, &mut flowed);
+            }
+            bound[k] = self.pressure[k] * change;
         }
         self.risen = risen;
     }

@@ -2,7 +2,7 @@
 //! upstream of it in its strip. Traction, temperature and friction are found together.
 
 use crate::equilibrium::{self, Equilibrium};
-use crate::numerics::vector::norm;
+use crate::numerics::vector::{add_scaled, norm};
 use crate::problem::Problem;
 use crate::rolling::shared::contact::Displaced;
 
@@ -226,6 +226,44 @@ impl SteadyState<'_> {
             relate(made, &strips, &mut workspace.at_entry, response, is_coupled);
         }
         is_known
+    }
+
+    /// The part of the linear response at the present traction that is the shear of the layer
+    /// between the surfaces. Returns whether there is one.
+    ///
+    /// Where the displacement is calibrated, so is this. In a mean with bristles it is not, and the
+    /// derivative by the layer is that but for the cells at the edge.
+    pub fn response_of_layer(&mut self, response: &mut [f64]) -> bool {
+        let is_coupled = self.is_coupled();
+        let Level { contact, strips, traction, workspace, .. } = &mut self.levels[0];
+        let size = workspace.at_entry.len();
+        let (b, passing) = response.split_at_mut(size);
+        let is_calibrated = strips.stick_share() == 1.0 && contact.compliance.couples_cells();
+        if is_calibrated {
+            let cells = contact.patch.cells.iter();
+            let pressure: Vec<f64> = cells.flat_map(|cell| [cell.pressure; 2]).collect();
+            let Some(under_pressure) = contact.product_of_layer(&pressure) else { return false };
+            under_pressure.at_cells(&mut workspace.at_entry);
+        }
+        let layer = contact.layer_compliance;
+        let Some(mut made) = contact.product_of_layer(traction) else { return false };
+        made.at_cells(b);
+        if is_coupled {
+            made.change_in_passing(passing);
+        }
+        if is_calibrated {
+            for (at, u) in b.iter_mut().enumerate() {
+                let cell = &contact.patch.cells[at / 2];
+                let missing = layer / cell.covered - workspace.at_entry[at] / cell.pressure;
+                *u += missing * traction[at];
+            }
+        }
+        // What the law adds to any displacement is not that of the layer.
+        workspace.at_entry.fill(0.0);
+        strips.relate(traction, &mut workspace.at_entry);
+        strips.relate(traction, b);
+        add_scaled(b, -1.0, &workspace.at_entry);
+        true
     }
 }
 

@@ -55,6 +55,7 @@ impl StickSlip {
         normal: &NormalContact,
         discrete: &mut DiscreteContact,
     ) -> Result<Self, Error> {
+        CoulombContact::interpolate(problem, discrete);
         let contact = CoulombContact::new(problem, normal, discrete)?;
         let row = discrete.row_compliances();
         let patch = &discrete.patch;

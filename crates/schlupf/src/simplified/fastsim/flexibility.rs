@@ -8,7 +8,7 @@ use crate::patch::Travel;
 use crate::simplified::EllipticContact;
 
 /// L1, L2, L3 for longitudinal, lateral and spin creepage.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Flexibility {
     /// L1, in m³/N.
     pub longitudinal: f64,
@@ -16,9 +16,15 @@ pub(super) struct Flexibility {
     pub lateral: f64,
     /// L3, in m³/N.
     pub spin: f64,
+    /// k of modified FASTSIM, by which the flexibilities of the bodies have been divided; otherwise
+    /// 1. Dimensionless.
+    pub reduction: f64,
 }
 
 impl Flexibility {
+    /// That of no bodies.
+    pub const RIGID: Self = Self { longitudinal: 0.0, lateral: 0.0, spin: 0.0, reduction: 1.0 };
+
     /// L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23): with these a patch in full
     /// adhesion has the forces of the linear theory (Kalker 1982).
     fn three(contact: &EllipticContact) -> Self {
@@ -29,6 +35,7 @@ impl Flexibility {
             longitudinal: 8.0 / 3.0 * per_modulus / c.c11,
             lateral: 8.0 / 3.0 * per_modulus / c.c22,
             spin: 0.25 * PI * per_modulus * a / (contact.lever() * c.c23),
+            reduction: 1.0,
         }
     }
 
@@ -46,7 +53,7 @@ impl Flexibility {
             + creepage_y.abs() * three.lateral
             + turning.abs() * three.spin;
         let mean = sum / total;
-        Self { longitudinal: mean, lateral: mean, spin: mean }
+        Self { longitudinal: mean, lateral: mean, spin: mean, reduction: 1.0 }
     }
 
     /// Growth of the traction on the rail along a path in adhesion, in Pa.
@@ -62,7 +69,7 @@ impl Flexibility {
     /// the one that converts the increment of the traction into the rigid slip (in m) of the same
     /// path, as far as both are parallel, but within the largest and the smallest of the three.
     pub fn along(&self, stick_increment: [f64; 2], rigid_slip: [f64; 2]) -> f64 {
-        let Self { longitudinal, lateral, spin } = *self;
+        let Self { longitudinal, lateral, spin, .. } = *self;
         let smallest = longitudinal.min(lateral).min(spin);
         let largest = longitudinal.max(lateral).max(spin);
         let square =
@@ -80,6 +87,7 @@ impl Flexibility {
             longitudinal: self.longitudinal / reduction,
             lateral: self.lateral / reduction,
             spin: self.spin / reduction,
+            reduction,
         }
     }
 }
@@ -89,7 +97,8 @@ impl Flexibility {
 ///
 /// Source: Spiryagin, Polach and Cole, Creep force modelling for rail traction vehicles based on
 /// the Fastsim algorithm, Vehicle System Dynamics 51 (2013) 1765–1783. Here ε is computed from
-/// Kalker's coefficients without k0 and without spin.
+/// Kalker's coefficients without k0 and without spin; it is twice that for which the authors state
+/// β.
 pub(super) fn slope_reduction(reduction: SlopeReduction, gradient: f64) -> f64 {
     let SlopeReduction { initial, limit_ratio, decay } = reduction;
     initial * ((1.0 - limit_ratio) / (1.0 + decay * gradient) + limit_ratio)

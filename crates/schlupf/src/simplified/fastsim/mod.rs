@@ -25,11 +25,12 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::heat::strip_heat::StripHeat;
 use crate::heat::{HeatModel, HeatStep};
+use crate::interface::third_body::Flow;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, SlopeReduction, TractionBound};
 use crate::normal::{NormalContact, NormalSummary, Pressure};
 use crate::numerics::root::fixed_point_near;
-use crate::patch::{Cell, Patch};
+use crate::patch::Patch;
 use crate::problem::{Options, Problem};
 use crate::solution::Resultant;
 use crate::summary::snapshot::Snapshot;
@@ -80,7 +81,7 @@ impl Fastsim {
             reduction,
             traction: vec![[0.0; 2]; patch.len()],
             friction: vec![0.0; patch.len()],
-            flexibility: Flexibility::default(),
+            flexibility: Flexibility::RIGID,
             heat: StripHeat::new(&patch),
             heated: (None, 0.0),
             patch,
@@ -93,7 +94,8 @@ impl Fastsim {
     pub fn set_friction(&mut self, problem: &Problem) {
         let conduction = problem.conduction(&problem.kinematics);
         for (friction, cell) in self.friction.iter_mut().zip(&self.patch.cells) {
-            *friction = problem.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
+            let by_law = problem.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
+            *friction = problem.at_entry(by_law, cell);
         }
     }
 
@@ -113,7 +115,7 @@ impl Fastsim {
             let factor = slope_reduction(reduction, contact.stress_gradient(motion, limit));
             self.flexibility = self.flexibility.softened(factor);
         }
-        if problem.friction.law.is_constant() {
+        if problem.has_constant_bound() {
             self.pass(motion);
         } else {
             self.pass_with_friction(problem);
@@ -144,7 +146,7 @@ impl Fastsim {
             for k in strip.cells.clone() {
                 let cell = &self.patch.cells[k];
                 let rigid = self.flexibility.stick_increment(motion, &cell.path_in);
-                carried = carried.next(rigid, self.friction[k] * pressure(cell));
+                carried = carried.next(rigid, self.friction[k] * cell.pressure_where_covered());
                 self.traction[k] = carried.traction;
             }
         }
@@ -164,27 +166,33 @@ impl Fastsim {
         for strip in &patch.strips {
             let mut carried = Carried::default();
             let mut pressure_before = 0.0;
+            let mut flowed = 0.0;
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
                 let inherited = heat.inherited(k);
                 let approach = Approach::new(flexibility, motion, &cell.path_in);
-                let pressure_here = pressure(cell);
+                let pressure_here = cell.pressure_where_covered();
                 let arrive = |mu: f64| {
                     let next = carried.next(approach.stick_increment, mu * pressure_here);
                     let ends = [cut(carried.traction, mu * pressure_before), next.traction];
-                    (next, approach.passage(ends))
+                    let passage = approach.passage(ends);
+                    (next, passage, approach.slip_speed(&passage, ends))
                 };
                 let start = (2.0 * last[0] - last[1]).max(0.0);
+                let mut flow = Flow::default();
                 let mu = fixed_point_near(start, &mut slope, |mu| {
-                    let (_, passage) = arrive(mu);
+                    let (_, passage, slip_speed) = arrive(mu);
                     let scaled_rise = heat.scaled_rise(k, inherited, passage.heat());
-                    let [x, y] = passage.slip;
-                    let slip_speed = (x * x + y * y).sqrt();
-                    problem
+                    let friction = problem
                         .friction_response(&conduction, scaled_rise, slip_speed, cell.y)
-                        .coefficient
+                        .coefficient;
+                    let Some(layer) = &problem.layer else { return friction };
+                    let slip = slip_speed * passage.distance / motion.speed;
+                    flow = layer.pass(friction * pressure_here, flowed, [slip; 2]);
+                    flow.bound / pressure_here
                 });
-                let (next, passage) = arrive(mu);
+                flowed = flow.left;
+                let (next, passage, _) = arrive(mu);
                 heat.flux[k] = passage.heat();
                 (friction[k], traction[k]) = (mu, next.traction);
                 last = [mu, last[0]];
@@ -268,16 +276,12 @@ impl Fastsim {
     /// and springs back. The resulting slip and heat in a cell depend on the cell size, and so
     /// would friction that depends on them; this part is therefore ignored.
     fn path_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
-        let held =
-            |j: usize| cut(self.traction[j], self.friction[k] * pressure(&self.patch.cells[j]));
+        let held = |j: usize| {
+            cut(self.traction[j], self.friction[k] * self.patch.cells[j].pressure_where_covered())
+        };
         let ends = [before.map_or([0.0; 2], held), self.traction[k]];
         Passage::new(&self.flexibility, motion, &self.patch.cells[k].path_in, ends)
     }
-}
-
-/// Pressure over the covered part of a cell, in Pa.
-fn pressure(cell: &Cell) -> f64 {
-    cell.pressure / cell.covered
 }
 
 /// Replaces the pressure by 2N/(πab) (1 − x²/a² − y²/b²). Its mean over the covered part of a cell

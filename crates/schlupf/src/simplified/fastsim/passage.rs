@@ -43,6 +43,8 @@ pub(super) struct Approach {
     scale: f64,
     /// In m.
     distance: f64,
+    /// k of modified FASTSIM, dimensionless.
+    reduction: f64,
 }
 
 impl Approach {
@@ -50,15 +52,30 @@ impl Approach {
         let rate = motion.speed / way.distance;
         let stick_increment = flexibility.stick_increment(motion, way);
         let scale = rate * flexibility.along(stick_increment, way.rigid_slip(motion));
-        Self { stick_increment, scale, distance: way.distance }
+        let reduction = flexibility.reduction;
+        Self { stick_increment, scale, distance: way.distance, reduction }
     }
 
     /// With the tractions on the rail (in Pa) at both ends.
     #[inline]
     pub fn passage(&self, [from, to]: [[f64; 2]; 2]) -> Passage {
-        let Self { stick_increment, scale, distance } = *self;
+        let Self { stick_increment, scale, distance, .. } = *self;
         let slip = [0, 1].map(|c| scale * (stick_increment[c] - (to[c] - from[c])));
         let power = 0.5 * ((from[0] + to[0]) * slip[0] + (from[1] + to[1]) * slip[1]);
         Passage { distance, slip, power }
+    }
+
+    /// The slip speed that friction depends on, in m/s. Modified FASTSIM softens the springs on
+    /// account of what is between the surfaces; only the springs of the bodies follow a bound that
+    /// changes, so that a patch that slides does so at nearly the speed of the rigid slip.
+    #[inline]
+    pub fn slip_speed(&self, passage: &Passage, [from, to]: [[f64; 2]; 2]) -> f64 {
+        let [x, y] = if self.reduction == 1.0 || passage.slip == [0.0; 2] {
+            passage.slip
+        } else {
+            let grown = |c: usize| self.reduction * (to[c] - from[c]);
+            [0, 1].map(|c| self.scale * (self.stick_increment[c] - grown(c)))
+        };
+        (x * x + y * y).sqrt()
     }
 }

@@ -36,6 +36,9 @@ impl March<'_> {
         };
         let mut warnings = warnings(self.problem, self.options, &mut self.contact, &self.now);
         warnings.extend(self.of_load());
+        if self.options.extrapolate {
+            warnings.push(Warning::NoExtrapolation {});
+        }
         if status == Status::NotConverged {
             warnings.insert(0, Warning::of(self.why_not_converged()));
         }

@@ -55,11 +55,16 @@ impl Missing {
         }
         let exact = Exact::of(problem, normal, &contact.patch.grid)?;
         let [mut at_cells, mut at_entries] = discrete(contact);
+        let layer = contact.layer_compliance;
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             let known = [[cell.x, cell.y], [cell.entry_x(), cell.y]].map(|at| exact.at(at));
             for (missing, known) in [&mut at_cells[k], &mut at_entries[k]].into_iter().zip(known) {
                 *missing = std::array::from_fn(|c| known[c] - missing[c]);
             }
+            // The layer is sheared by the traction of the point above it.
+            let sheared = layer * cell.pressure_where_covered();
+            at_cells[k][0] += sheared;
+            at_cells[k][1] += sheared;
         }
         Ok(Self { at_cells, at_entries })
     }

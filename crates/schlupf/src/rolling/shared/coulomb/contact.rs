@@ -22,7 +22,16 @@ pub(in crate::rolling) struct CoulombContact {
 }
 
 impl CoulombContact {
-    /// Of a problem.
+    /// Makes a contact interpolate as the calibration of its displacement requires, whose numbers
+    /// are those of one interpolation. Where there are bristles, they keep adjacent strips from
+    /// oscillating against each other.
+    pub fn interpolate(problem: &Problem, contact: &mut DiscreteContact) {
+        if !problem.contact_law.is_coulomb() {
+            contact.fix_interpolation(1.0);
+        }
+    }
+
+    /// Of a problem, on a contact that interpolates as [`Self::interpolate`] makes it.
     ///
     /// # Errors
     /// Rigid bodies, for which nothing determines the traction where they stick.
@@ -34,11 +43,6 @@ impl CoulombContact {
         let own = contact.cell_compliances();
         if own[0] <= 0.0 || own[1] <= 0.0 {
             return Err(Error::CoulombOfRigidBodies {});
-        }
-        if !problem.contact_law.is_coulomb() {
-            // Bristles keep adjacent strips from oscillating against each other, and the
-            // calibration is that of one interpolation.
-            contact.fix_interpolation(1.0);
         }
         let missing = Missing::new(problem, normal, contact)?;
         let patch = &contact.patch;

@@ -1,0 +1,29 @@
+//! `[layer]`.
+
+use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
+
+use crate::error::CaseError;
+use crate::settings::Settings;
+
+const THICKNESS: &str = "layer.thickness";
+const SHEAR_MODULUS: &str = "layer.shear_modulus";
+const YIELD_STRESS: &str = "layer.yield_stress";
+const HARDENING: &str = "layer.hardening";
+
+/// The layer between the surfaces, if there is one.
+pub fn layer(settings: &Settings) -> Result<Option<ThirdBodyLayer>, CaseError> {
+    if !settings.any_given(&[THICKNESS, SHEAR_MODULUS, YIELD_STRESS, HARDENING]) {
+        return Ok(None);
+    }
+    let explain = |error| settings.explain(&error);
+    let [thickness, shear_modulus] = [settings.number(THICKNESS)?, settings.number(SHEAR_MODULUS)?];
+    let layer = ThirdBodyLayer::new(thickness, shear_modulus).map_err(explain)?;
+    if !settings.any_given(&[YIELD_STRESS, HARDENING]) {
+        return Ok(Some(layer));
+    }
+    let limit = YieldLimit {
+        stress: settings.number(YIELD_STRESS)?,
+        hardening: settings.optional_number(HARDENING)?.unwrap_or(0.0),
+    };
+    layer.with_yield(limit).map(Some).map_err(explain)
+}
