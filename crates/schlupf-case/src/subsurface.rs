@@ -21,6 +21,9 @@ impl SubsurfaceRequest {
     /// Most points of all layers together: their stresses take some hundreds of megabytes.
     pub const MOST_POINTS: usize = 5_000_000;
 
+    /// Most points of the lattice on which a layer is computed: some 800 megabytes.
+    pub const MOST_LATTICE_POINTS: usize = 4_000_000;
+
     /// The depths of the layers below a contact, in m.
     pub fn depths(&self, normal: &NormalSummary) -> Vec<f64> {
         let deepest = self.depth.unwrap_or(2.0 * normal.semi_axis_x.max(normal.semi_axis_y));

@@ -43,7 +43,7 @@ fn every_output_is_written() {
     for part in ["circle", "stresses in the rail", "largest von Mises stress", "converged"] {
         assert!(run.stdout.contains(part), "{part:?} is not in\n{}", run.stdout);
     }
-    for name in ["section.svg", "section.png", "profile.svg", "profile.png"] {
+    for name in ["section.svg", "section.png", "shear.svg", "shear.png", "profile.svg", "profile.png"] {
         assert!(bench.path(&format!("in/here/subsurface_{name}")).exists());
     }
     let table = bench.read("s.csv");
@@ -65,15 +65,33 @@ fn every_output_is_written() {
 fn hertz_1882_largest_shear_below_a_circle() {
     let bench = bench();
     for body in ["rail", "wheel"] {
-        let found = document(&bench, &["--set", &format!("subsurface.body={body}")]);
+        let set = format!("subsurface.body={body}");
+        let found = document(&bench, &["--set", &set, "--x", "0 mm", "--y", "0 mm"]);
         assert_eq!(found["body"], body);
         let largest = &found["largest"]["shear"];
         assert!((number(&largest["largest_shear_stress"]) / 0.310e9 - 1.0).abs() < 0.01);
         assert!((number(&largest["depth"]) / 6e-3 - 0.48).abs() < 0.01, "{largest}");
         assert!(number(&largest["x"]).abs() < 1e-4 && number(&largest["y"]).abs() < 1e-4);
-        let profile = document(&bench, &["--x", "0 mm", "--y", "0 mm"])["profile"].clone();
+        let profile = &found["profile"];
         assert!((number(&profile["stress_zz"][0]) / -1e9 - 1.0).abs() < 0.01, "{profile}");
     }
+}
+
+/// The largest stresses are those of the body, whatever layers are written.
+#[test]
+fn the_largest_stresses_do_not_depend_on_the_layers() {
+    let bench = bench();
+    let slip = "kinematics.creepage_x=0.001";
+    let usual = document(&bench, &["--set", slip]);
+    for layers in [["depth=1 mm", "layers=2"], ["depth=100 m", "margin=0 mm"]] {
+        let [one, other] = layers.map(|field| format!("subsurface.{field}"));
+        let found = document(&bench, &["--set", slip, "--set", &one, "--set", &other]);
+        for part in ["largest", "surface", "below"] {
+            assert_eq!(found[part], usual[part], "{layers:?}, {part}");
+        }
+    }
+    assert_eq!(usual["surface"]["von_mises"]["depth"], 0.0);
+    assert!(number(&usual["below"]["von_mises"]["depth"]) > 1e-3);
 }
 
 /// Depth, layers and margin are those of the case; without them they follow from the patch.
@@ -110,6 +128,8 @@ fn what_cannot_be_is_refused() {
         (vec!["--set", "solver.method=polach"], vec!["solver.method", "polach"]),
         (vec!["--x", "far"], vec!["--x"]),
         (vec!["--x", "2 km"], vec!["--x", "1000"]),
+        (vec!["--y", "500 mm"], vec!["--y", "500 mm", "-12.000 to 12.000 mm", "subsurface.margin"]),
+        (vec!["--set", "subsurface.margin=0.6 m", "--set", "subsurface.layers=2"], vec!["4000000"]),
     ] {
         let run = run(&bench, &[&["--json", "s.json"], arguments.as_slice()].concat());
         assert_eq!(run.code, Some(2), "{arguments:?}: {}", run.stderr);
@@ -124,10 +144,15 @@ fn what_cannot_be_is_refused() {
 #[test]
 fn a_history_has_the_stresses_of_its_end() {
     let bench = bench();
-    let history = "[history]\ntime = [\"0 s\", \"0.2 ms\"]\ncreepage_x = [0.0, 0.001]\n";
-    bench.write("case.toml", &format!("{CIRCLE}{history}"));
-    let found = document(&bench, &[]);
-    let profile = document(&bench, &["--x", "0 mm", "--y", "0 mm"])["profile"].clone();
+    // Half the load, so the cube root of ½ of the pressure and of the size.
+    let history = "[history]\ntime = [\"0 s\", \"0.2 ms\"]\ncreepage_x = [0.0, 0.001]\n\
+                   load = [\"75.398 kN\", \"37.699 kN\"]\n";
+    let by_load = CIRCLE.replace("peak_pressure = \"1 GPa\"", "load = \"75.398 kN\"");
+    bench.write("case.toml", &format!("{by_load}{history}"));
+    let found = document(&bench, &["--x", "0 mm", "--y", "0 mm"]);
     assert_eq!(found["status"], "converged");
+    let profile = &found["profile"];
+    let expected = -1e9 * 0.5_f64.cbrt();
+    assert!((number(&profile["stress_zz"][0]) / expected - 1.0).abs() < 0.01, "{profile}");
     assert!(number(&profile["stress_xz"][0]).abs() > 1e6, "{profile}");
 }

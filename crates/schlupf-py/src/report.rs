@@ -135,7 +135,6 @@ impl Report {
             }
             Found::Subsurface(report) => {
                 add("profile", vec![columns(py, report.profile.as_slice())])?;
-                add("largest", vec![columns(py, report.largest.as_slice())])?;
             }
             Found::Temperature(report) => {
                 add("profile", vec![line(py, Quantity::Depth, &report.profile)])?;
@@ -208,8 +207,8 @@ pub fn stresses_at<'py>(
     places: Vec<[f64; 3]>,
 ) -> PyResult<Option<Bound<'py, PyDict>>> {
     let Found::Subsurface(report) = &report.found else { return Ok(None) };
-    let points: Vec<PointStress> =
-        places.into_iter().map(|place| report.stresses.point(place)).collect();
+    let point = |place| report.stresses.point(place);
+    let points: Vec<PointStress> = py.detach(|| places.into_iter().map(point).collect());
     columns(py, points.as_slice()).map(Some)
 }
 

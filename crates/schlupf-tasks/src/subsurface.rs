@@ -1,6 +1,7 @@
 //! Stresses below the surface.
 
 use schlupf::error::MethodPurpose;
+use schlupf::grid::Grid;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile, Rolling, SubsurfaceRequest};
@@ -66,17 +67,16 @@ impl Plan {
         let solved = solve(&case, rolling, watch).map_err(explain)?;
         let status = solved.status();
         let solution = solved.solution;
-        check_size(&case, &wanted, &solution)?;
         let stresses =
             SubsurfaceStress::new(&case.problem, &solution, wanted.side).map_err(explain)?;
+        check_size(&case, &wanted, &solution, &stresses)?;
         let depths = wanted.depths(&solution.normal);
         let margin = wanted.margin(&solution.normal, stresses.grid());
         let volume = stresses.volume(&depths, margin, watch).map_err(explain)?;
-        let largest = |measure: Measure| {
-            stresses.largest(measure, &volume).unwrap_or_else(|| stresses.point([0.0; 3]))
-        };
-        let largest = [Measure::VonMises, Measure::Shear, Measure::Tension].map(largest);
-        let [x, y] = [request.x.unwrap_or(largest[0].x), request.y.unwrap_or(largest[0].y)];
+        check_plane(&volume.grid, &request)?;
+        let largest = stresses.largest(Measure::ALL, watch).map_err(explain)?;
+        let by_default = largest[0].anywhere;
+        let [x, y] = [request.x.unwrap_or(by_default.x), request.y.unwrap_or(by_default.y)];
         let deepest = depths.last().copied().unwrap_or(0.0);
         Ok(StressReport {
             status,
@@ -98,18 +98,45 @@ fn profile(stresses: &SubsurfaceStress, [x, y]: [f64; 2], deepest: f64) -> Vec<P
     (0..=last).map(|k| stresses.point([x, y, depth(k)])).collect()
 }
 
+/// Refuses a plane beside the layers, which have no stresses there.
+fn check_plane(grid: &Grid, request: &Request) -> Result<(), TaskError> {
+    let [first, last] = [grid.edge_y(0), grid.edge_y(grid.rows)];
+    match request.y {
+        Some(y) if !(first..=last).contains(&y) => {
+            let name = request.names[1];
+            let [y, first, last] = [y, first, last].map(|place| 1e3 * place);
+            Err(TaskError::Request(format!(
+                "{name} must be within the layers, {first:.3} to {last:.3} mm, but is {y} mm: \
+                 subsurface.margin makes them wider"
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Refuses a volume that no memory holds.
 fn check_size(
     case: &Case,
     wanted: &SubsurfaceRequest,
     solution: &Solution,
+    stresses: &SubsurfaceStress,
 ) -> Result<(), CaseErrors> {
     let points = wanted.points(&solution.normal, &solution.fields.grid);
-    let most = SubsurfaceRequest::MOST_POINTS;
-    if points <= most as f64 {
+    let margin = wanted.margin(&solution.normal, stresses.grid());
+    let lattice = stresses.lattice_points(margin);
+    let [most, most_of_lattice] =
+        [SubsurfaceRequest::MOST_POINTS, SubsurfaceRequest::MOST_LATTICE_POINTS];
+    let reason = if points > most as f64 {
+        format!("{points:.3e} points in all layers together are more than {most}")
+    } else if lattice > most_of_lattice as f64 {
+        format!("a layer is computed on {lattice:.3e} points, more than {most_of_lattice}")
+    } else {
         return Ok(());
-    }
-    let field = if wanted.margin.is_some() { "subsurface.margin" } else { "subsurface.layers" };
-    let reason = format!("{points:.3e} points in all layers together are more than {most}");
+    };
+    let field = match wanted.margin {
+        Some(_) => "subsurface.margin",
+        None if points > most as f64 => "subsurface.layers",
+        None => "grid.cells_x",
+    };
     Err(case.contradiction(field, &reason).into())
 }

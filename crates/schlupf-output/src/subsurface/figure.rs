@@ -1,8 +1,8 @@
-//! Stresses below the surface: the stress of von Mises in a section along rolling, and stresses
-//! below a point.
+//! Stresses below the surface: the stress of von Mises and the largest shear stress in a section
+//! along rolling, and stresses below a point.
 
 use schlupf::Status;
-use schlupf::subsurface::{PointStress, Stress};
+use schlupf::subsurface::{Measure, PointStress, Stress};
 
 use super::StressReport;
 use crate::figures::Drawing as Named;
@@ -17,7 +17,8 @@ use crate::figures::ticks::round_ticks;
 use crate::figures::units::{self, Unit};
 
 /// Names of all figures.
-pub(super) const NAMES: [&str; 2] = ["subsurface_section", "subsurface_profile"];
+pub(super) const NAMES: [&str; 3] =
+    ["subsurface_section", "subsurface_shear", "subsurface_profile"];
 
 /// Largest height of the section.
 const TALLEST: f64 = 620.0;
@@ -26,7 +27,9 @@ const BAR: f64 = 150.0;
 
 /// All figures; `None` where there is nothing to draw.
 pub(super) fn draw(report: &StressReport) -> Option<Vec<Named>> {
-    let drawn = [section(report)?, profile(report)?];
+    let sections = [Measure::VonMises, Measure::Shear];
+    let [von_mises, shear] = sections.map(|measure| section(report, measure));
+    let drawn = [von_mises?, shear?, profile(report)?];
     Some(NAMES.iter().zip(drawn).map(|(name, svg)| ((*name).to_owned(), svg)).collect())
 }
 
@@ -40,14 +43,19 @@ fn heading(drawing: &mut Drawing, report: &StressReport, title: &str, place: &st
 
 /// The unit in which the stress of von Mises is shown.
 fn unit(report: &StressReport) -> Unit {
-    units::pick(units::PRESSURE, report.largest[0].stress.von_mises())
+    units::pick(units::PRESSURE, report.largest[0].anywhere.stress.von_mises())
 }
 
 /// The plane y = constant through the profile; depths downwards in the rail and upwards in the
 /// wheel, as they lie in the frame.
-fn section(report: &StressReport) -> Option<String> {
+fn section(report: &StressReport, measure: Measure) -> Option<String> {
     let y = report.place()[1];
     let unit = unit(report);
+    let (title, symbol) = match measure {
+        Measure::VonMises => ("Equivalent stress of von Mises", "$σ$_v"),
+        Measure::Shear => ("Largest shear stress", "$τ$_{max}"),
+        Measure::Tension => ("Largest principal stress", "$σ$_1"),
+    };
     let volume = &report.volume;
     let is_rail = report.body() == "rail";
     let mut rows: Vec<(f64, Vec<f64>)> = volume
@@ -56,7 +64,7 @@ fn section(report: &StressReport) -> Option<String> {
         .zip(&volume.layers)
         .map(|(row, layer)| {
             let height = if is_rail { -layer.depth } else { layer.depth };
-            (height / 1e-3, row.iter().map(|stress| stress.von_mises() / unit.size).collect())
+            (height / 1e-3, row.iter().map(|stress| measure.of(stress) / unit.size).collect())
         })
         .collect();
     rows.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -76,24 +84,36 @@ fn section(report: &StressReport) -> Option<String> {
     let mut drawing = Drawing::new(WIDTH, frame.bottom() + 66.0);
     let place =
         format!("plane $y$ = {} mm of the {}", short(report.place()[1] / 1e-3), report.body());
-    heading(&mut drawing, report, "Equivalent stress of von Mises", &place);
+    heading(&mut drawing, report, title, &place);
     marks::rolling_direction(&mut drawing, [WIDTH - 116.0, HEADING + 8.0]);
     let scale = ColorScale { palette: Palette::Mechanical, low, high };
     let levels = round_ticks(low, high, 9);
     relief::draw(&mut drawing, &frame, &coarse.refined(), (&scale, &levels));
-    let point = &report.largest[0];
-    let depth = if is_rail { -point.depth } else { point.depth };
-    let at = frame.at([point.x / 1e-3, depth / 1e-3]);
-    marks::cross(&mut drawing, at, MARK);
+    for point in marked(report, measure) {
+        let depth = if is_rail { -point.depth } else { point.depth };
+        let at = [point.x, depth].map(|place| place / 1e-3);
+        if frame.x[0] <= at[0] && at[0] <= frame.x[1] && frame.y[0] <= at[1] && at[1] <= frame.y[1] {
+            marks::cross(&mut drawing, frame.at(at), MARK);
+        }
+    }
     frame.draw_vertical(&mut drawing, "$z$ (mm)");
     frame.draw_horizontal(&mut drawing, "$x$ (mm)");
     let bar = [frame.right() + 30.0, frame.corner[1] + 28.0];
-    let label = format!("$σ$_v ({})", unit.symbol);
+    let label = format!("{symbol} ({})", unit.symbol);
     marks::color_bar(&mut drawing, bar, height - 28.0, &scale, &label);
     Some(drawing.finish())
 }
 
-/// The largest stress.
+/// The points where a measure is largest, on the surface and below, as far as they lie in the
+/// plane of the section, to half a cell.
+fn marked(report: &StressReport, measure: Measure) -> Vec<&PointStress> {
+    let near = 0.5 * report.volume.grid.spacing_y;
+    let of_measure = Measure::ALL.iter().zip(&report.largest).filter(|(of, _)| **of == measure);
+    let points = of_measure.flat_map(|(_, largest)| [Some(&largest.surface), largest.below.as_ref()]);
+    points.flatten().filter(|point| (point.y - report.place()[1]).abs() <= near).collect()
+}
+
+/// The largest stresses.
 const MARK: &str = r##"stroke="#ffffff" stroke-width="2.4" fill="none""##;
 
 /// Invariants and components against the depth.

@@ -3,7 +3,7 @@
 use schlupf::Status;
 use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
-use schlupf::subsurface::{Measure, PointStress};
+use schlupf::subsurface::{Largest, Measure, PointStress};
 use serde::Serialize;
 
 use super::StressReport;
@@ -12,15 +12,15 @@ use crate::table::{Arrays, Row};
 
 /// The stresses as a JSON document: lengths in m, stresses in Pa.
 pub(super) fn document(report: &StressReport) -> String {
-    let [von_mises, shear, tension] = report.largest.each_ref().map(std::slice::from_ref);
-    let [von_mises, shear, tension] = [von_mises, shear, tension].map(|point| Row(Some(point)));
     text(&Document {
         program: PROGRAM,
         title: &report.title,
         status: report.status,
         body: report.body(),
         normal: &report.normal,
-        largest: Largest { von_mises, shear, tension },
+        largest: Points::of(report, |largest| Some(&largest.anywhere)),
+        surface: Points::of(report, |largest| Some(&largest.surface)),
+        below: Points::of(report, |largest| largest.below.as_ref()),
         profile: Arrays(report.profile.as_slice()),
         layers: Layers {
             depth: report.volume.layers.iter().map(|layer| layer.depth).collect(),
@@ -39,18 +39,28 @@ struct Document<'a> {
     status: Status,
     body: &'static str,
     normal: &'a NormalSummary,
-    largest: Largest<'a>,
+    largest: Points<'a>,
+    surface: Points<'a>,
+    below: Points<'a>,
     profile: Arrays<'a, [PointStress]>,
     layers: Layers,
     warnings: &'a [Message],
 }
 
-/// The points with the largest stresses.
+/// The points with the largest stresses; null where there is none.
 #[derive(Serialize)]
-struct Largest<'a> {
+struct Points<'a> {
     von_mises: Row<'a, [PointStress]>,
     shear: Row<'a, [PointStress]>,
     tension: Row<'a, [PointStress]>,
+}
+
+impl<'a> Points<'a> {
+    fn of(report: &'a StressReport, point: impl Fn(&'a Largest) -> Option<&'a PointStress>) -> Self {
+        let row = |largest| Row(point(largest).map(std::slice::from_ref));
+        let [von_mises, shear, tension] = report.largest.each_ref().map(row);
+        Self { von_mises, shear, tension }
+    }
 }
 
 /// The largest stresses of every layer.

@@ -8,7 +8,7 @@ mod vtk;
 use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
 use schlupf::solution::Status;
-use schlupf::subsurface::{Measure, PointStress, StressVolume, SubsurfaceStress};
+use schlupf::subsurface::{Largest, Measure, PointStress, StressVolume, SubsurfaceStress};
 use schlupf::temperature_field::Side;
 
 use crate::figures::{Drawing, FigureError};
@@ -30,9 +30,8 @@ pub struct StressReport {
     pub stresses: SubsurfaceStress,
     /// The stresses in layers from the surface on.
     pub volume: StressVolume,
-    /// Where the stress of von Mises, the largest shear stress and the largest principal stress are
-    /// largest in the volume.
-    pub largest: [PointStress; 3],
+    /// Where the measures of [`Measure::ALL`] are largest in the body.
+    pub largest: [Largest; 3],
     /// Stresses below a point, from the surface on.
     pub profile: Vec<PointStress>,
     /// The normal contact.

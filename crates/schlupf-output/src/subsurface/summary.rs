@@ -20,15 +20,23 @@ pub(super) fn text(report: &StressReport) -> Summary {
     );
     let peak = report.normal.peak_pressure;
     entry(&mut text, "largest pressure", peak / 1e6, "MPa", "p0");
-    let measures = [
-        ("von Mises stress", Measure::VonMises),
-        ("shear stress", Measure::Shear),
-        ("principal stress", Measure::Tension),
-    ];
-    for ((name, measure), point) in measures.into_iter().zip(&report.largest) {
-        let value = measure.of(&point.stress);
-        let remark = format!("{} p0, {}", number(value / peak), place(point));
+    let measures = ["von Mises stress", "shear stress", "principal stress"];
+    for ((name, measure), largest) in measures.into_iter().zip(Measure::ALL).zip(&report.largest) {
+        let described = |point: &PointStress| {
+            let value = measure.of(&point.stress);
+            (value, format!("{} p0, {}", number(value / peak), place(point)))
+        };
+        let (value, remark) = described(&largest.anywhere);
         entry(&mut text, &format!("largest {name}"), value / 1e6, "MPa", &remark);
+        let other = match &largest.below {
+            Some(below) if *below == largest.anywhere => Some(("on the surface", &largest.surface)),
+            Some(below) => Some(("below the surface", below)),
+            None => None,
+        };
+        if let Some((name, point)) = other {
+            let (value, remark) = described(point);
+            entry(&mut text, &format!("  {name}"), value / 1e6, "MPa", &remark);
+        }
     }
     text.blank();
     let [x, y] = report.place().map(|place| number(place / 1e-3));

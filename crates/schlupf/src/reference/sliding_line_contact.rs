@@ -45,11 +45,13 @@ impl SlidingLineContact {
         let sum = root;
         let m = (0.5 * (root + r).max(0.0)).sqrt();
         let n = (0.5 * (root - r).max(0.0)).sqrt().copysign(x);
-        let part = (z * z + n * n) / sum;
+        // At the ends of the contact m, n and z vanish, and these ratios are multiplied by them.
+        let over = |value: f64| if sum > 0.0 { value / sum } else { 0.0 };
+        let part = over(z * z + n * n);
         let xx = 2.0 * z - m * (1.0 + part);
         let zz = m * (part - 1.0);
-        let xz = -n * (m * m - z * z) / sum;
-        let dragged = n * (2.0 - (z * z - m * m) / sum) - 2.0 * x;
+        let xz = -n * over(m * m - z * z);
+        let dragged = n * (2.0 - over(z * z - m * m)) - 2.0 * x;
         let f = self.traction_ratio;
         [xx + f * dragged, zz + f * xz, xz + f * xx].map(|s| s * self.peak_pressure / a)
     }
@@ -62,6 +64,14 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+
+    /// At the ends of the contact only the traction is left: σxx = ∓2 f p0 (Johnson 1985, §7.1).
+    #[test]
+    fn the_ends_are_stretched_and_compressed_by_the_traction() {
+        let line = SlidingLineContact { half_length: 2e-3, peak_pressure: 1e9, traction_ratio: 0.3 };
+        assert_eq!(line.stress(2e-3, 0.0), [-0.6e9, 0.0, 0.0]);
+        assert_eq!(line.stress(-2e-3, 0.0), [0.6e9, 0.0, 0.0]);
+    }
 
     /// The sum of the stresses of Flamant under line loads, normal (−2P/π x²z, z³, xz² over r⁴) and
     /// tangential (−2Q/π x³, xz², x²z over r⁴), by the midpoint rule over s = a sin θ.

@@ -48,7 +48,10 @@ impl Directional {
         let square = p * p + z * z;
         let sum = if q >= 0.0 { distance + q } else { square / (distance - q) };
         let over = if sum > 0.0 { z / (distance * sum) } else { 0.0 };
-        let first = if square > 0.0 { (q / square.sqrt()).asinh() } else { 0.0 };
+        // asinh(Y/√(X² + z²)), with an error of one rounding of 1.
+        let stretched = distance + q.abs();
+        let first =
+            if square > 0.0 { (0.5 * (stretched * stretched / square).ln()).copysign(q) } else { 0.0 };
         let depth = distance + z;
         Self {
             first,

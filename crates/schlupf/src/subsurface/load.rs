@@ -19,7 +19,7 @@ pub struct SurfaceLoad {
     pub traction_y: Vec<f64>,
 }
 
-/// Pieces across the patch up to which cells are divided, and most pieces of one cell.
+/// Fewest pieces across the patch, as long as a cell has no more than the most pieces each way.
 const PIECES_ACROSS: usize = 72;
 const MOST_PIECES: usize = 9;
 

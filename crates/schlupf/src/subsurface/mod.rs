@@ -7,9 +7,9 @@
 //!
 //! Limits: elastic bodies that are large compared with the patch, without residual, thermal and
 //! bending stresses. The loads are those of the solution, whatever its model of elasticity.
-//! Cells of a solution are divided into pieces, some 72 across the patch, each with its own mean
-//! pressure. Loads that are constant in pieces have steps between them, which are felt down to a
-//! depth of about one piece: there the stresses at the middles of the pieces are interpolated.
+//! Cells of a solution are divided into pieces, at least 72 across the patch, each with its own
+//! mean pressure. Loads that are constant in pieces have steps between them, which are felt down to
+//! a depth of about one piece: there the stresses at the middles of the pieces are interpolated.
 
 mod kernel;
 mod largest;
@@ -26,7 +26,7 @@ use crate::solution::Solution;
 use crate::temperature_field::Side;
 
 use kernel::corner;
-pub use largest::{Measure, PointStress};
+pub use largest::{Largest, Measure, PointStress};
 pub use layer::Layer;
 use layer::LayerTransform;
 pub use load::SurfaceLoad;
@@ -154,29 +154,24 @@ impl SubsurfaceStress {
     }
 
     /// The stress at (x, y) and at the given `depth` below the surface of the body (all in m, the
-    /// depth not negative). Less than one piece of a cell deep, it is interpolated linearly between
-    /// the middles of the pieces; below it is exact for loads that are constant in pieces.
+    /// depth not negative).
+    ///
+    /// Two pieces deep and below, it is exact for loads that are constant in pieces. Less than one
+    /// piece deep, it is interpolated linearly between the middles of the pieces, and between one
+    /// and two pieces deep the one passes into the other; each direction goes by its own size of
+    /// the pieces.
     pub fn at(&self, [x, y]: [f64; 2], depth: f64) -> Stress {
         let Grid { spacing_x, spacing_y, origin_x, origin_y, .. } = self.finer;
         let depth = depth.max(0.0);
-        if depth >= spacing_x.max(spacing_y) {
-            return self.exact([x, y], depth);
+        let along = nodes(x, [origin_x, spacing_x], depth);
+        let across = nodes(y, [origin_y, spacing_y], depth);
+        let mut sum = Stress::default();
+        for (x, of_x) in along.into_iter().filter(|(_, weight)| *weight > 0.0) {
+            for (y, of_y) in across.into_iter().filter(|(_, weight)| *weight > 0.0) {
+                sum = sum + self.exact([x, y], depth) * (of_x * of_y);
+            }
         }
-        let place = [(x - origin_x) / spacing_x - 0.5, (y - origin_y) / spacing_y - 0.5];
-        let first = place.map(f64::floor);
-        let parts: [f64; 2] = std::array::from_fn(|c| place[c] - first[c]);
-        let middle = |i: f64, j: f64| {
-            let at = [
-                origin_x + (first[0] + i + 0.5) * spacing_x,
-                origin_y + (first[1] + j + 0.5) * spacing_y,
-            ];
-            let along = if i == 0.0 { 1.0 - parts[0] } else { parts[0] };
-            let across = if j == 0.0 { 1.0 - parts[1] } else { parts[1] };
-            let weight = along * across;
-            // A point in the middle of a piece, or of a row, needs no neighbours.
-            if weight == 0.0 { Stress::default() } else { self.exact(at, depth) * weight }
-        };
-        middle(0.0, 0.0) + middle(1.0, 0.0) + middle(0.0, 1.0) + middle(1.0, 1.0)
+        sum
     }
 
     /// The sum over the corners of all pieces.
@@ -212,6 +207,12 @@ impl SubsurfaceStress {
         LayerTransform::new(self, margin).layer(self, depth)
     }
 
+    /// Number of points of the lattice of pieces on which layers with that margin are computed
+    /// (dimensionless, beyond any whole number for a huge margin): each takes some 200 bytes.
+    pub fn lattice_points(&self, margin: [usize; 2]) -> f64 {
+        LayerTransform::points(self, margin)
+    }
+
     /// The stresses in layers at the given depths (in m), each as [`Self::layer`] has it.
     ///
     /// # Errors
@@ -230,6 +231,22 @@ impl SubsurfaceStress {
         }
         Ok(StressVolume { grid: transform.grid(), layers })
     }
+}
+
+/// Places (in m) at which a stress is needed for that at a place and at a depth (both in m), with
+/// their weights: the place itself, and the middles of the two pieces around it. Pieces begin at
+/// an origin and have a size (in m).
+fn nodes(place: f64, [origin, spacing]: [f64; 2], depth: f64) -> [(f64, f64); 3] {
+    let interpolated = (2.0 - depth / spacing).clamp(0.0, 1.0);
+    let from_first = (place - origin) / spacing - 0.5;
+    let lower = from_first.floor();
+    let part = from_first - lower;
+    let middle = |k: f64| origin + (lower + k + 0.5) * spacing;
+    [
+        (place, 1.0 - interpolated),
+        (middle(0.0), interpolated * (1.0 - part)),
+        (middle(1.0), interpolated * part),
+    ]
 }
 
 /// The mixed differences of the loads: q(i, j) − q(i − 1, j) − q(i, j − 1) + q(i − 1, j − 1) at the
