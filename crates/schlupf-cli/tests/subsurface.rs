@@ -43,7 +43,9 @@ fn every_output_is_written() {
     for part in ["circle", "stresses in the rail", "largest von Mises stress", "converged"] {
         assert!(run.stdout.contains(part), "{part:?} is not in\n{}", run.stdout);
     }
-    for name in ["section.svg", "section.png", "shear.svg", "shear.png", "profile.svg", "profile.png"] {
+    for name in
+        ["section.svg", "section.png", "shear.svg", "shear.png", "profile.svg", "profile.png"]
+    {
         assert!(bench.path(&format!("in/here/subsurface_{name}")).exists());
     }
     let table = bench.read("s.csv");

@@ -155,3 +155,24 @@ fn wrong_wheelsets_are_refused() {
     assert_eq!(run.code, Some(1), "{}", run.stderr);
     assert!(run.stderr.contains("none.csv") && run.stderr.contains("built in are \"60E1\""));
 }
+
+/// Where a wheel has two contacts, what is about the first of them says so.
+#[test]
+fn what_is_about_one_contact_says_so() {
+    let bench = bench();
+    let apart = [
+        "wheelset.lateral_position=5 mm",
+        "wheelset.side=left",
+        "normal.join_distance=1 mm",
+        "normal.join_angle=0.01 rad",
+        "normal.load=10 kN",
+    ];
+    let set: Vec<&str> = apart.iter().flat_map(|field| ["--set", *field]).collect();
+    let run = |command: &str| bench.run(&[&[command, "case.toml"], set.as_slice()].concat());
+    let said = "the wheel has 2 contacts, and this is about the first of them, which carries 60 %";
+    for command in ["subsurface", "temperature", "compare"] {
+        let found = run(command);
+        assert!(found.stderr.contains(said), "{command}: {}", found.stderr);
+    }
+    assert!(!run("solve").stderr.contains("is about the first"));
+}

@@ -5,7 +5,7 @@ use schlupf::{Error, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile};
 use schlupf_output::bulk_temperature::BulkReport;
 
-use crate::{TaskError, messages};
+use crate::{Notice, TaskError, messages};
 
 /// A case with what cools its wheel, checked.
 #[derive(Debug)]
@@ -43,7 +43,7 @@ impl Plan {
             cooling,
             rail_temperature: case.problem.rail.bulk_temperature,
             wheel_radius: case.wheel_radius(),
-            warnings: case.notices.iter().cloned().chain(warnings).collect(),
+            warnings: Notice::of_first_contact(&case).into_iter().chain(warnings).collect(),
             title: case.title,
             balance,
         })

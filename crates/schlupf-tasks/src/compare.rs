@@ -43,7 +43,8 @@ impl Plan {
     pub fn find(self, watch: Watch) -> Result<Comparison, TaskError> {
         let Self { case } = self;
         let entries = entries(&case, watch)?;
-        let warnings = case.notices.iter().cloned().chain(warnings(&entries)).collect();
+        let warnings =
+            Notice::of_first_contact(&case).into_iter().chain(warnings(&entries)).collect();
         Ok(Comparison { title: case.title, entries, warnings })
     }
 }

@@ -7,7 +7,7 @@ use schlupf::{Watch, parallel};
 use schlupf_case::{Case, CaseErrors, CaseFile, Family, FieldNames, quantity_field};
 use schlupf_output::creep_curve::{CurveFamily, FieldValue, Member as Found};
 
-use crate::TaskError;
+use crate::{Notice, TaskError};
 
 /// Which curves.
 #[derive(Debug, Clone)]
@@ -253,7 +253,7 @@ impl Member {
     fn found(&self, sampling: &Sampling, watch: Watch) -> Result<Found, CaseErrors> {
         let curve = self.trace(sampling, watch)?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
-        let warnings = self.case.notices.iter().cloned().chain(of_curve).collect();
+        let warnings = Notice::of_first_contact(&self.case).into_iter().chain(of_curve).collect();
         Ok(Found { values: self.values.clone(), warnings, curve })
     }
 

@@ -2,7 +2,7 @@
 
 use schlupf::Error;
 use schlupf::message::{Message, messages};
-use schlupf_case::FieldNames;
+use schlupf_case::{Case, FieldNames};
 
 const CALIBRATION: &str = "elasticity.calibration";
 
@@ -24,6 +24,17 @@ messages! {
         of_case: f64,
     } "normal.load", |subject, words| format!(
         "the data have a load of {of_data:.4e} N, the case one of {of_case:.4e} N: are the units right?"
+    );
+
+    /// A wheel has contacts of which nothing is computed.
+    "one-contact" OneContact {
+        /// How many the wheel has.
+        contacts: usize,
+        /// Normal force of the first over that of all, dimensionless.
+        share: f64,
+    } "normal.model", |subject, words| format!(
+        "the wheel has {contacts} contacts, and this is about the first of them, which carries \
+         {:.0} % of the normal forces", 100.0 * share
     );
 
     /// States of a run without a solution.
@@ -90,6 +101,20 @@ messages! {
         "displacement_{component} does not determine the coupling {direction} rolling: its decay \
          length reached its search bound"
     );
+}
+
+impl Notice {
+    /// What to know about a result that is about the first contact of a case only, besides the
+    /// warnings of its solution.
+    pub fn of_first_contact(case: &Case) -> Vec<Message> {
+        let of_wheel = case.wheel.as_ref().filter(|wheel| wheel.contacts.len() > 1).map(|wheel| {
+            let loads: Vec<f64> =
+                wheel.contacts.iter().map(|contact| contact.solution.normal.load).collect();
+            let share = loads.first().map_or(0.0, |first| first / loads.iter().sum::<f64>());
+            Self::OneContact { contacts: loads.len(), share }.into()
+        });
+        case.notices.iter().cloned().chain(of_wheel).collect()
+    }
 }
 
 impl From<Notice> for Message {

@@ -5,11 +5,10 @@ use schlupf::grid::Grid;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile, Rolling, SubsurfaceRequest};
-use schlupf_output::Report;
 use schlupf_output::subsurface::{PROFILE_POINTS, StressReport};
 
-use crate::TaskError;
 use crate::solve::solve;
+use crate::{Notice, TaskError, messages};
 
 /// Where to look besides the volume of the case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +64,6 @@ impl Plan {
         let Self { case, rolling, volume: wanted, request } = self;
         let explain = |error: Error| CaseErrors::from(case.explain(&error));
         let solved = solve(&case, rolling, watch).map_err(explain)?;
-        let status = solved.status();
         let solution = solved.solution;
         let stresses =
             SubsurfaceStress::new(&case.problem, &solution, wanted.side).map_err(explain)?;
@@ -78,14 +76,15 @@ impl Plan {
         let by_default = largest[0].anywhere;
         let [x, y] = [request.x.unwrap_or(by_default.x), request.y.unwrap_or(by_default.y)];
         let deepest = depths.last().copied().unwrap_or(0.0);
+        let warnings = messages(&solution.warnings);
         Ok(StressReport {
-            status,
+            status: solution.status,
             profile: profile(&stresses, [x, y], deepest),
             stresses,
             volume,
             largest,
             normal: solution.normal,
-            warnings: solved.warnings,
+            warnings: Notice::of_first_contact(&case).into_iter().chain(warnings).collect(),
             title: case.title,
         })
     }

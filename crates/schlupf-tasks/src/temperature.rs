@@ -5,7 +5,7 @@ use schlupf::{Error, Problem, Solution, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile};
 use schlupf_output::temperature::{Request as Positions, Temperatures};
 
-use crate::{TaskError, messages};
+use crate::{Notice, TaskError, messages};
 
 /// Points of each line by default.
 pub const POINTS: usize = 201;
@@ -69,7 +69,7 @@ impl Plan {
             bulk: [&problem.wheel, &problem.rail].map(|body| body.bulk_temperature),
             profile,
             rows,
-            warnings: case.notices.iter().cloned().chain(warnings).collect(),
+            warnings: Notice::of_first_contact(&case).into_iter().chain(warnings).collect(),
             title: case.title,
         })
     }

@@ -227,7 +227,8 @@ fn vollebregt_2022_stresses_below_a_partly_sliding_contact() {
         let bodies =
             [0.0, 0.0011].map(|xi| below(&ellipse([6e-3, 6e-3], 0.28, xi), across, Side::Wheel));
         let mut worst = [0.0_f64; 2];
-        let deep: Vec<&Reference> = references.iter().filter(|point| point.place[2] > 0.5).collect();
+        let deep: Vec<&Reference> =
+            references.iter().filter(|point| point.place[2] > 0.5).collect();
         assert_eq!(deep.len(), 1004);
         for reference in deep {
             let [x, y, z] = reference.place.map(|value| 1e-3 * value);

@@ -360,7 +360,28 @@ fn both_sides_are_mirror_images() {
     }
 }
 
-/// The same with both wheels resting on their rails, so that the roll angle changes its sign. Its
+/// Goal: a wheelset comes to rest from the middle of the track until its flange has climbed: both
+/// wheels carry the force at one height (to 0.3 µm and the tolerance of the force), which rises.
+/// On the flange root depths depend so much on the roll angle that they must not take turns.
+#[test]
+fn wheelsets_rest_wherever_the_flange_is() {
+    let pair = benchmark(1.435);
+    let with = (&bristles(), 0.3, &Options { cells_x: 10, cells_y: 10, ..Options::default() });
+    let mut before = f64::NEG_INFINITY;
+    for lateral in [0.0, 4e-3, 5.5e-3, 6.2e-3, 6.3e-3, 6.35e-3, 6.4e-3, 6.5e-3, 6.6e-3, 8e-3] {
+        let left = wheel(&pair, Side::Left, Position { lateral, yaw: 0.0, roll: 0.0 });
+        let left = WheelOnRail { support: Support::Force(80e3), ..left };
+        let [one, two] = solve_with(with, |with| left.solve_resting(with, &unwatched)).unwrap();
+        assert!((one.height - two.height).abs() < 0.5e-6, "{lateral}: {one:?}");
+        assert!(one.height > before, "{lateral}: {} after {before}", one.height);
+        before = one.height;
+        for wheel in [&one, &two] {
+            close(&format!("{lateral}"), wheel.force[2], 80e3, 1e-4 * 80e3);
+        }
+    }
+}
+
+/// Mirror images of wheelsets that rest on their rails, so that the roll angle changes its sign. Its
 /// last digit depends on friction, and the pressure follows it within a tenth of the tolerance of
 /// the normal contact, 10⁻⁸.
 #[test]

@@ -92,7 +92,8 @@ fn section(report: &StressReport, measure: Measure) -> Option<String> {
     for point in marked(report, measure) {
         let depth = if is_rail { -point.depth } else { point.depth };
         let at = [point.x, depth].map(|place| place / 1e-3);
-        if frame.x[0] <= at[0] && at[0] <= frame.x[1] && frame.y[0] <= at[1] && at[1] <= frame.y[1] {
+        if frame.x[0] <= at[0] && at[0] <= frame.x[1] && frame.y[0] <= at[1] && at[1] <= frame.y[1]
+        {
             marks::cross(&mut drawing, frame.at(at), MARK);
         }
     }
@@ -109,7 +110,8 @@ fn section(report: &StressReport, measure: Measure) -> Option<String> {
 fn marked(report: &StressReport, measure: Measure) -> Vec<&PointStress> {
     let near = 0.5 * report.volume.grid.spacing_y;
     let of_measure = Measure::ALL.iter().zip(&report.largest).filter(|(of, _)| **of == measure);
-    let points = of_measure.flat_map(|(_, largest)| [Some(&largest.surface), largest.below.as_ref()]);
+    let points =
+        of_measure.flat_map(|(_, largest)| [Some(&largest.surface), largest.below.as_ref()]);
     points.flatten().filter(|point| (point.y - report.place()[1]).abs() <= near).collect()
 }
 

@@ -56,7 +56,10 @@ struct Points<'a> {
 }
 
 impl<'a> Points<'a> {
-    fn of(report: &'a StressReport, point: impl Fn(&'a Largest) -> Option<&'a PointStress>) -> Self {
+    fn of(
+        report: &'a StressReport,
+        point: impl Fn(&'a Largest) -> Option<&'a PointStress>,
+    ) -> Self {
         let row = |largest| Row(point(largest).map(std::slice::from_ref));
         let [von_mises, shear, tension] = report.largest.each_ref().map(row);
         Self { von_mises, shear, tension }

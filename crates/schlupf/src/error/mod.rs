@@ -563,7 +563,10 @@ impl Error {
                 | Self::ContactNotFound { .. }
                 | Self::Fit { error: FitError::FitStuck { .. } }
                 | Self::Force { error: ForceError::NotFound { .. } }
-                | Self::WheelRail { error: WheelRailError::NotSettled { .. } }
+                | Self::WheelRail {
+                    error: WheelRailError::NotSettled { .. }
+                        | WheelRailError::RollNotSettled { .. }
+                }
         )
     }
 }

@@ -100,7 +100,18 @@ messages! {
         readable(1e3 * deepest)
     );
 
-    /// Heights, forces or roll that did not settle.
+    /// A roll angle that did not settle.
+    "roll-not-settled" RollNotSettled {
+        /// Rounds that were made.
+        rounds: usize,
+        /// Last change of the roll angle, in rad.
+        step: f64,
+    } Quantity::RollAngle, |name, words| format!(
+        "{name}: no roll angle was found in {rounds} rounds at which both wheels carry their \
+         forces at one height of the wheelset; the last one changed it by {step:.1e} rad"
+    );
+
+    /// Heights and forces that did not settle.
     "wheel-not-settled" NotSettled {
         /// Rounds that were made.
         rounds: usize,

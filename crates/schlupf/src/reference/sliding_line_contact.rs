@@ -68,7 +68,8 @@ mod tests {
     /// At the ends of the contact only the traction is left: σxx = ∓2 f p0 (Johnson 1985, §7.1).
     #[test]
     fn the_ends_are_stretched_and_compressed_by_the_traction() {
-        let line = SlidingLineContact { half_length: 2e-3, peak_pressure: 1e9, traction_ratio: 0.3 };
+        let line =
+            SlidingLineContact { half_length: 2e-3, peak_pressure: 1e9, traction_ratio: 0.3 };
         assert_eq!(line.stress(2e-3, 0.0), [-0.6e9, 0.0, 0.0]);
         assert_eq!(line.stress(-2e-3, 0.0), [0.6e9, 0.0, 0.0]);
     }

@@ -50,8 +50,11 @@ impl Directional {
         let over = if sum > 0.0 { z / (distance * sum) } else { 0.0 };
         // asinh(Y/√(X² + z²)), with an error of one rounding of 1.
         let stretched = distance + q.abs();
-        let first =
-            if square > 0.0 { (0.5 * (stretched * stretched / square).ln()).copysign(q) } else { 0.0 };
+        let first = if square > 0.0 {
+            (0.5 * (stretched * stretched / square).ln()).copysign(q)
+        } else {
+            0.0
+        };
         let depth = distance + z;
         Self {
             first,

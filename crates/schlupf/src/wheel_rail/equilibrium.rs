@@ -137,6 +137,7 @@ impl Lowering<'_> {
         let mut power = guess.power;
         let mut before: Option<[f64; 2]> = None;
         let mut worst: Option<(f64, f64)> = None;
+        let mut last = f64::INFINITY;
         for round in 0..MOST_ROUNDS {
             let contacts = self.at(depth, accuracy)?;
             worst = contacts
@@ -148,6 +149,7 @@ impl Lowering<'_> {
             let force: f64 =
                 contacts.iter().map(|contact| contact.force * weight(contact, ratios)).sum();
             let residual = force / load - 1.0;
+            last = residual.abs();
             power = local_power([depth, force / load], before).unwrap_or(power);
             if residual.abs() <= tolerance || (high - low) <= ROUNDING * depth {
                 return Ok(Lowered { at: Guess { depth, power }, contacts });
@@ -176,7 +178,7 @@ impl Lowering<'_> {
             };
             depth = depth.min(DEEPEST);
         }
-        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: high - low }.into())
+        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: last }.into())
     }
 }
 

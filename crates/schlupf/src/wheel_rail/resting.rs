@@ -16,8 +16,8 @@ const SETTLED: f64 = 2e-7;
 /// The same with rigid bodies, in rad.
 const RIGID: f64 = 1e-11;
 
-/// Most rounds of roll and depths, and most steps to a roll angle.
-const MOST_ROUNDS: usize = 12;
+/// Most rounds of roll and wheels, and most steps to a roll angle.
+const MOST_ROUNDS: usize = 30;
 const MOST_STEPS: usize = 60;
 
 /// Largest roll angle, in rad.
@@ -86,7 +86,8 @@ impl WheelOnRail {
         };
         let depths = [depth(Side::Left)?, depth(Side::Right)?];
         let mut roll = resting_roll(&self.pair, place, depths)?;
-        let mut change = f64::INFINITY;
+        let mut bracket = Bracket::new(-2.0 * self.pair.wheel_offset);
+        let mut step = f64::INFINITY;
         let mut before: Option<[WheelSolution; 2]> = None;
         for _ in 0..MOST_ROUNDS {
             let wheel = |side: Side| {
@@ -96,9 +97,9 @@ impl WheelOnRail {
                 wheel.solve_near(near, tangential, watch)
             };
             let [left, right] = [wheel(Side::Left)?, wheel(Side::Right)?];
-            let next = resting_roll(&self.pair, place, [left.depth(), right.depth()])?;
-            change = (next - roll).abs();
-            if change < SETTLED {
+            let next = bracket.next(roll, left.height - right.height);
+            step = (next - roll).abs();
+            if step < SETTLED {
                 return Ok(match self.side {
                     Side::Left => [left, right],
                     Side::Right => [right, left],
@@ -107,6 +108,49 @@ impl WheelOnRail {
             roll = next;
             before = Some([left, right]);
         }
-        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: change }.into())
+        Err(WheelRailError::RollNotSettled { rounds: MOST_ROUNDS, step }.into())
     }
 }
+
+/// The search for the roll angle at which both wheels carry their forces at the same height of the
+/// wheelset. What the left wheel is higher than the right one falls with the angle; it jumps where
+/// a contact does.
+struct Bracket {
+    low: f64,
+    high: f64,
+    /// The last angle (in rad) and by how much the left wheel was higher (in m).
+    last: Option<[f64; 2]>,
+    /// The slope of bodies that touch at the nominal places, in m.
+    usual_slope: f64,
+    rounds: usize,
+}
+
+impl Bracket {
+    fn new(usual_slope: f64) -> Self {
+        let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+        Self { low, high, last: None, usual_slope, rounds: 0 }
+    }
+
+    /// The angle to try after one (in rad) at which the left wheel is `off` (in m) higher: by the
+    /// secant, or in the middle of a bracket that this leaves or hardly narrows.
+    fn next(&mut self, roll: f64, off: f64) -> f64 {
+        self.rounds += 1;
+        if off > 0.0 {
+            self.low = roll;
+        } else {
+            self.high = roll;
+        }
+        let secant = self.last.map(|[before, off_before]| (off - off_before) / (roll - before));
+        let is_usual = |slope: &f64| (FLATTEST..STEEPEST).contains(&(slope / self.usual_slope));
+        let slope = secant.filter(is_usual).unwrap_or(self.usual_slope);
+        self.last = Some([roll, off]);
+        let next = roll - off / slope;
+        let middle = 0.5 * (self.low + self.high);
+        let is_inside = self.low <= next && next <= self.high;
+        if middle.is_finite() && (!is_inside || self.rounds % 4 == 0) { middle } else { next }
+    }
+}
+
+/// Slopes that are followed, over the usual one.
+const FLATTEST: f64 = 0.01;
+const STEEPEST: f64 = 20.0;
