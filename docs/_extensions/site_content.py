@@ -200,6 +200,10 @@ PRESETS = {
     "roughnesses": ("Roughnesses", 'For `contact_law={"roughness": …}`.'),
     "friction": ("Friction", "For the section `friction`."),
     "layers": ("Layers", "For the section `layer`."),
+    "conditions": (
+        "Conditions of the rail",
+        "A first guess, for several sections: `Case(**schlupf.conditions.…)`.",
+    ),
     "methods": ("Fast methods", "For several sections: `Case(**schlupf.methods.…)`."),
 }
 

@@ -22,7 +22,7 @@ from ._look_up_table import LookUpTable, TableForces
 from ._plots import ResultPlots
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
-from ._presets import Preset, friction, layers, materials, methods, roughnesses
+from ._presets import Preset, conditions, friction, layers, materials, methods, roughnesses
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -70,6 +70,7 @@ __all__ = [
     "Wheelset",
     "__version__",
     "animate",
+    "conditions",
     "damage",
     "examples",
     "forces",

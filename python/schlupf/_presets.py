@@ -97,5 +97,8 @@ friction = Presets("friction")
 #: Layers between the surfaces, for ``layer``.
 layers = Presets("layers")
 
+#: Conditions of the rail, for a first guess: ``Case(**conditions.wet)``.
+conditions = Presets("conditions")
+
 #: Fast methods with their constants: ``Case(**methods.polach_dry)``.
 methods = Presets("methods")

@@ -15,6 +15,7 @@ GROUPS = {
     "friction": lambda preset: {"friction": preset},
     "layers": lambda preset: {"layer": preset},
     "methods": lambda preset: preset,
+    "conditions": lambda preset: preset,
 }
 
 

@@ -7,7 +7,7 @@ use toml::{Table, Value};
 /// Constants of a material, a roughness, friction or a method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preset {
-    /// `materials`, `roughnesses`, `friction`, `layers` or `methods`.
+    /// `materials`, `roughnesses`, `friction`, `layers`, `methods` or `conditions`.
     pub group: String,
     /// Its name within the group.
     pub name: String,
@@ -15,8 +15,8 @@ pub struct Preset {
     pub doc: String,
     /// Where its numbers come from.
     pub source: String,
-    /// Fields with their values as TOML: within the section of the group, those of methods by their
-    /// dotted paths.
+    /// Fields with their values as TOML: within the section of the group, those of methods and
+    /// conditions by their dotted paths.
     pub fields: Vec<(String, String)>,
 }
 
@@ -46,6 +46,11 @@ impl Preset {
         let prefix = if section.is_empty() { String::new() } else { format!("{section}.") };
         self.fields.iter().map(|(field, value)| format!("{prefix}{field}={value}")).collect()
     }
+}
+
+/// The conditions of rails, by name: friction, and what else they change, for a first guess.
+pub fn conditions() -> impl Iterator<Item = &'static Preset> {
+    presets().iter().filter(|preset| preset.group == "conditions")
 }
 
 /// All of them, by group.

@@ -1,6 +1,9 @@
 //! The commented case file of `schlupf init`, which is also the default case.
 
+use std::collections::BTreeMap;
+
 use crate::fields::{Default, Field, Kind, SECTIONS, Section, UsedWith, find};
+use crate::presets::Preset;
 
 const HEAD: &str = "\
 # Case file of schlupf: rolling contact of wheel and rail.
@@ -16,53 +19,81 @@ const COMMENT_COLUMN: usize = 46;
 /// A case file with all fields and their meaning: the default case. Fields that only some models
 /// use, or that replace others, are comments.
 pub fn template() -> String {
-    let sections: Vec<String> = SECTIONS.iter().map(section).collect();
-    format!("{HEAD}{}", sections.join("\n"))
+    write(HEAD, &Template::default())
 }
 
-fn section(section: &Section) -> String {
-    let mut lines = Vec::new();
-    if !section.name.is_empty() {
-        let comment = if section.fields.iter().any(is_active) { "" } else { "# " };
-        lines.push(format!("# {}", section.doc));
-        lines.push(format!("{comment}[{}]", section.name));
-    }
-    for field in section.fields {
-        lines.push(line(field));
-        lines.extend(
-            field.kind.choices().iter().map(|choice| {
+/// The same with the fields of a preset that names its sections, such as a condition of the rail.
+pub fn template_with(preset: &Preset) -> String {
+    let Preset { name, doc, source, fields, .. } = preset;
+    let head = format!("{}\n#\n# {name}: {doc}\n# ({source})\n\n", HEAD.trim_end());
+    let given = fields.iter().map(|(path, literal)| (path.as_str(), literal.as_str())).collect();
+    write(&head, &Template { given })
+}
+
+fn write(head: &str, template: &Template) -> String {
+    let sections: Vec<String> = SECTIONS.iter().map(|section| template.section(section)).collect();
+    format!("{head}{}", sections.join("\n"))
+}
+
+/// Fields that have other values than in the default case.
+#[derive(Default)]
+struct Template<'a> {
+    /// Literals by dotted paths.
+    given: BTreeMap<&'a str, &'a str>,
+}
+
+impl Template<'_> {
+    fn section(&self, section: &Section) -> String {
+        let mut lines = Vec::new();
+        if !section.name.is_empty() {
+            let is_active = section.fields.iter().any(|field| self.is_active(field));
+            let comment = if is_active { "" } else { "# " };
+            lines.push(format!("# {}", section.doc));
+            lines.push(format!("{comment}[{}]", section.name));
+        }
+        for field in section.fields {
+            lines.push(self.line(field));
+            lines.extend(field.kind.choices().iter().map(|choice| {
                 format!("{:COMMENT_COLUMN$}#   {:?}: {}", "", choice.name, choice.doc)
-            }),
-        );
+            }));
+        }
+        lines.join("\n") + "\n"
     }
-    lines.join("\n") + "\n"
-}
 
-fn line(field: &Field) -> String {
-    let assignment = field.assignment().unwrap_or_default();
-    let comment = if is_active(field) { "" } else { "# " };
-    let doc = match field.default {
-        Default::Same(text) | Default::Computed(text) => format!("{}; default: {text}", field.doc),
-        Default::Nothing | Default::Text(_) => field.doc.to_owned(),
-    };
-    format!("{:COMMENT_COLUMN$}# {doc}", format!("{comment}{assignment}"))
-}
+    fn line(&self, field: &Field) -> String {
+        let assignment = match self.given.get(field.path) {
+            Some(literal) => format!("{} = {literal}", field.name()),
+            None => field.assignment().unwrap_or_default(),
+        };
+        let comment = if self.is_active(field) { "" } else { "# " };
+        let doc = match field.default {
+            Default::Same(text) | Default::Computed(text) => {
+                format!("{}; default: {text}", field.doc)
+            }
+            Default::Nothing | Default::Text(_) => field.doc.to_owned(),
+        };
+        format!("{:COMMENT_COLUMN$}# {doc}", format!("{comment}{assignment}"))
+    }
 
-/// Whether the default case spells the field out: it has a fixed default, and the default models
-/// use it.
-fn is_active(field: &Field) -> bool {
-    let is_default = |(model, names): UsedWith| {
-        let default = find(model).and_then(|model| model.default.text());
-        default.is_some_and(|default| names.contains(&default))
-    };
-    let is_used = field.uses().count() == 0 || field.uses().any(is_default);
-    let is_array = matches!(field.kind, Kind::Quantities(_) | Kind::Numbers);
-    field.default.text().is_some() && is_used && !is_array
+    /// Whether the case spells the field out: it is given, or it has a fixed default and the
+    /// models of the case use it.
+    fn is_active(&self, field: &Field) -> bool {
+        let is_chosen = |(model, names): UsedWith| {
+            let given = self.given.get(model).map(|literal| literal.trim_matches('"'));
+            let chosen = given.or_else(|| find(model).and_then(|model| model.default.text()));
+            chosen.is_some_and(|chosen| names.contains(&chosen))
+        };
+        let is_used = field.uses().count() == 0 || field.uses().any(is_chosen);
+        let is_array = matches!(field.kind, Kind::Quantities(_) | Kind::Numbers);
+        let is_default = field.default.text().is_some() && is_used && !is_array;
+        is_default || self.given.contains_key(field.path)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::presets::conditions;
     use crate::{Case, CaseFile, Folder, Overrides};
 
     fn read(text: &str) -> Result<Case, crate::CaseErrors> {
@@ -76,6 +107,24 @@ mod tests {
         assert_eq!(case.notices, []);
         assert_eq!(case.problem.kinematics.creepage_x, 0.008);
         assert_eq!(case.problem.kinematics.speed, 30.0);
+    }
+
+    /// A condition makes the same case as its fields do, and its head says where they come from.
+    #[test]
+    fn conditions_are_cases_with_their_fields() {
+        assert_eq!(conditions().count(), 5);
+        for condition in conditions() {
+            let text = template_with(condition);
+            assert!(text.contains(&condition.source), "{text}");
+            let case = read(&text).unwrap();
+            assert_eq!(case.notices, [], "{}", condition.name);
+            let assignments = condition.assignments();
+            let set = Overrides { option: "preset", assignments: &assignments };
+            let same = CaseFile::from_str("", "preset", Folder::new(""), set).unwrap();
+            let same = same.pose(&schlupf::unwatched).unwrap();
+            let of = |case: &Case| format!("{:?} {:?}", case.problem.friction, case.problem.layer);
+            assert_eq!(of(&case), of(&same));
+        }
     }
 
     /// Every line that is a comment may be made a field: it may contradict or need others, but it

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
-use schlupf_case::{CaseError, position};
+use schlupf_case::{CaseError, Preset, position};
 
 /// Which case.
 #[derive(Debug, Clone, Args)]
@@ -54,9 +55,18 @@ pub struct InitArguments {
     /// File to write; `-` is standard output
     #[arg(default_value = "case.toml", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
+    /// Condition of the rail, for a first guess of friction; its source is in the file
+    #[arg(long, value_name = "NAME", value_parser = conditions())]
+    pub condition: Option<String>,
     /// Overwrite an existing file
     #[arg(long)]
     pub force: bool,
+}
+
+/// The conditions of a rail by name.
+fn conditions() -> PossibleValuesParser {
+    let value = |preset: &'static Preset| PossibleValue::new(&*preset.name).help(&*preset.doc);
+    PossibleValuesParser::new(schlupf_case::conditions().map(value))
 }
 
 /// The place on the contact that two options give, in m; `None` where one is not given.

@@ -5,7 +5,8 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use schlupf_case::{
-    Case, CaseFile, Effective, Folder, Overrides, Place, schema as case_schema, template,
+    Case, CaseFile, Effective, Folder, Overrides, Place, Preset, conditions, schema as case_schema,
+    template, template_with,
 };
 use schlupf_output::significant;
 use schlupf_tasks::contact_law;
@@ -110,7 +111,9 @@ fn creepages(case: &Case, effective: &[Effective]) -> String {
 
 /// `schlupf init`: writes a commented case file.
 pub fn init(arguments: &InitArguments) -> Result<u8, Failure> {
-    let (path, text) = (&arguments.file, template());
+    let named = |preset: &&Preset| Some(&preset.name) == arguments.condition.as_ref();
+    let text = conditions().find(named).map_or_else(template, template_with);
+    let path = &arguments.file;
     if path == Path::new(STANDARD_STREAM) {
         stdout::write(&text)?;
         return Ok(SUCCESS);

@@ -23,6 +23,39 @@ fn init_writes_the_default_case_once() {
     assert_eq!(bench.list(), ["case.toml"]);
 }
 
+/// A condition by name makes a case that says where its numbers are from, and that converges.
+#[test]
+fn init_writes_a_condition_of_the_rail() {
+    let bench = Bench::new();
+    // Polach 2005, the grease and the leaves of Olofsson and Lewis 2006, and sand of Hou 1997.
+    for (name, source, friction) in [
+        ("dry", "Wear 258", 0.55),
+        ("wet", "Wear 258", 0.30),
+        ("leaves", "Handbook of Railway Vehicle Dynamics", 0.075),
+        ("oil", "Handbook of Railway Vehicle Dynamics", 0.075),
+        ("sanded", "Hou, Kalousek and Magel", 0.55),
+    ] {
+        let written = bench.run(&["init", "case.toml", "--condition", name, "--force"]);
+        assert_eq!(written.code, Some(0), "{}", written.stderr);
+        let text = bench.read("case.toml");
+        assert!(text.contains(&format!("# {name}: ")) && text.contains(source), "{text}");
+        assert_eq!(text.contains("\n[layer]"), name == "sanded");
+        let coarse = ["--set", "grid.cells_x=12", "--set", "grid.cells_y=12"];
+        let arguments = [&["solve", "case.toml", "--json", "-"], &coarse[..]].concat();
+        let run = bench.run(&arguments);
+        assert_eq!(run.code, Some(0), "{name}: {}", run.stderr);
+        let found: Value = serde_json::from_str(&run.stdout).unwrap();
+        // Braking at ξ = 0.008: no more than friction, and most of it where that is low.
+        let used = -found["force"]["x"].as_f64().unwrap() / 80e3 / friction;
+        assert!(used > 0.4 && used <= 1.0, "{name}: {used}");
+    }
+    let run = bench.run(&["init", "--condition", "icy"]);
+    assert_eq!(run.code, Some(2));
+    for part in ["--condition", "icy", "dry", "wet", "leaves", "oil", "sanded"] {
+        assert!(run.stderr.contains(part), "{}", run.stderr);
+    }
+}
+
 #[test]
 fn check_says_what_it_would_solve() {
     let bench = Bench::new();

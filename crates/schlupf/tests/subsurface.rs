@@ -256,8 +256,8 @@ fn patch_of_cells(side: Side, poisson_ratio: f64) -> SubsurfaceStress {
     SubsurfaceStress::of_load(grid, load, side, poisson_ratio).unwrap()
 }
 
-/// Goal: div σ = 0 two pieces deep and below, by central differences, in the contact frame (z up): the depth
-/// grows upwards in the wheel and downwards in the rail.
+/// Goal: div σ = 0 two pieces deep and below, by central differences, in the contact frame (z up):
+/// the depth grows upwards in the wheel and downwards in the rail.
 #[test]
 fn stresses_are_in_equilibrium() {
     for (side, up) in [(Side::Wheel, 1.0), (Side::Rail, -1.0)] {

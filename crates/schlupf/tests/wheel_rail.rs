@@ -381,9 +381,9 @@ fn wheelsets_rest_wherever_the_flange_is() {
     }
 }
 
-/// Mirror images of wheelsets that rest on their rails, so that the roll angle changes its sign. Its
-/// last digit depends on friction, and the pressure follows it within a tenth of the tolerance of
-/// the normal contact, 10⁻⁸.
+/// Mirror images of wheelsets that rest on their rails: the roll angle changes its sign. Its last
+/// digit depends on friction, and the pressure follows it within a tenth of the tolerance of the
+/// normal contact, 10⁻⁸.
 #[test]
 fn wheelsets_at_rest_are_mirror_images() {
     let pair = benchmark(1.435);

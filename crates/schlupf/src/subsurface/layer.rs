@@ -49,7 +49,7 @@ fn lattice(body: &SubsurfaceStress, margin: [usize; 2]) -> (Grid, [usize; 2]) {
 }
 
 impl LayerTransform {
-    /// Number of points of the lattice, each of which takes some 200 bytes.
+    /// Number of points of the lattice (dimensionless), each of which takes some 200 bytes.
     pub fn points(body: &SubsurfaceStress, margin: [usize; 2]) -> f64 {
         let [columns, rows] = [body.grid.columns, body.grid.rows];
         let size = [(columns, margin[0]), (rows, margin[1])]

@@ -147,7 +147,11 @@ impl Bracket {
         let next = roll - off / slope;
         let middle = 0.5 * (self.low + self.high);
         let is_inside = self.low <= next && next <= self.high;
-        if middle.is_finite() && (!is_inside || self.rounds % 4 == 0) { middle } else { next }
+        if middle.is_finite() && (!is_inside || self.rounds.is_multiple_of(4)) {
+            middle
+        } else {
+            next
+        }
     }
 }
 
