@@ -138,18 +138,15 @@ impl CaseFile {
         read::method(&self.settings)
     }
 
-    /// What turns a run of its wheel into damage; nothing is solved for it.
+    /// What turns rolling of its wheel into damage; nothing is solved for it.
     ///
     /// # Errors
     /// A wheel without a rolling radius.
     pub fn damage_laws(&self) -> Result<Laws, CaseError> {
-        let (fatigue, archard, energy) = read::damage(&self.settings)?;
         let laws = Laws {
-            fatigue,
-            archard,
-            energy,
             wheel_radius: self.settings.number("kinematics.wheel_radius")?,
             densities: self.materials().map(|material| material.density),
+            ..read::damage(&self.settings)?
         };
         laws.check().map_err(|error| self.explain(&error))?;
         Ok(laws)

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use schlupf::Status;
-use schlupf::damage::{ArchardWear, EnergyWear, Laws, RunPoint, State, SurfaceFatigue, of_run};
+use schlupf::damage::{Laws, RunPoint, State, of_run};
 use schlupf_output::Report;
 use schlupf_output::damage::{DamageReport, LeftOut};
 
@@ -28,13 +28,7 @@ fn report(states: usize, left_out: LeftOut) -> DamageReport {
             friction_coefficient: 0.4,
         }
     };
-    let laws = Laws {
-        fatigue: SurfaceFatigue::default(),
-        archard: ArchardWear::default(),
-        energy: EnergyWear::default(),
-        wheel_radius: 0.46,
-        densities: [7850.0; 2],
-    };
+    let laws = Laws::default();
     let run: Vec<State> = (0..states).map(state).collect();
     let damage = of_run(&run, &laws).unwrap();
     DamageReport { title: "a run".to_owned(), laws, damage, left_out, warnings: Vec::new() }

@@ -4,7 +4,7 @@
 //! them.
 
 use crate::creep_curve::CreepCurve;
-use crate::damage::{Profile, RunPoint};
+use crate::damage::{PassageProfile, Profile, RunPoint, WearCells};
 use crate::interface::roughness::load_curve::LoadCurve;
 use crate::interface::roughness::tangential_curve::TangentialCurve;
 use crate::quantity::Quantity;
@@ -323,6 +323,40 @@ impl Record for Profile {
     }
 }
 
+/// Wear rates in the cells of the contact.
+impl Record for WearCells {
+    fn rows(&self) -> usize {
+        self.x.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { WearCells:
+            X => |cells, k| cells.x[k],
+            Y => |cells, k| cells.y[k],
+            Pressure => |cells, k| cells.pressure[k],
+            LocalSlipSpeed "slip_speed" => |cells, k| cells.slip_speed[k],
+            WearRateArchard "archard" => |cells, k| cells.archard[k],
+            WearRateEnergy "energy" => |cells, k| cells.energy[k],
+        }
+    }
+}
+
+/// Depth of wear of a passage across the profile.
+impl Record for PassageProfile {
+    fn rows(&self) -> usize {
+        self.y.len()
+    }
+
+    fn columns() -> &'static [Column<Self>] {
+        columns! { PassageProfile:
+            Y => |profile, k| profile.y[k],
+            WearDepth "archard" => |profile, k| profile.archard[k],
+            WearDepth "wheel_energy" => |profile, k| profile.wheel_energy[k],
+            WearDepth "rail_energy" => |profile, k| profile.rail_energy[k],
+        }
+    }
+}
+
 /// States of a run with the damage that they do.
 impl Record for [RunPoint] {
     fn rows(&self) -> usize {
@@ -335,6 +369,7 @@ impl Record for [RunPoint] {
             Y "position_y" => |points, k| points[k].position_y,
             WearNumber => |points, k| points[k].t_gamma,
             FatigueIndex => |points, k| points[k].fatigue_index,
+            CrackDamage => |points, k| points[k].crack_damage,
             DissipatedEnergy "energy" => |points, k| points[k].energy,
             WearVolume "archard_wear" => |points, k| points[k].archard_wear,
             WearMass "energy_wear" => |points, k| points[k].energy_wear,

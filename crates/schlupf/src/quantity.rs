@@ -190,6 +190,9 @@ quantities! {
     WearCoefficientMild "wear_coefficient_mild" "k" "" "coefficient of Archard's law for mild wear"
     WearCoefficientSevere "wear_coefficient_severe" "k" "" "coefficient of Archard's law for severe wear"
     WearCoefficientCatastrophic "wear_coefficient_catastrophic" "k" "" "coefficient of Archard's law for catastrophic wear"
+    WearCoefficient "wear_coefficient" "k" "" "coefficient of Archard's law"
+    CrackWearNumber "crack_t_gamma" "Tγ" "N" "wear number at a point of the function of cracks"
+    MeltingTemperature "melting_temperature" "T_m" "degC" "temperature from which on the surfaces melt"
     WearRateMild "wear_rate_mild" "" "kg/J" "mass worn per energy, mild wear"
     WearRateCatastrophic "wear_rate_catastrophic" "" "kg/J" "mass worn per energy beyond severe wear"
     CurvePoints "points" "" "" "points of a creep curve"
@@ -243,6 +246,11 @@ quantities! {
     LargestPrincipalStress "largest_principal_stress" "σ_1" "Pa" "largest principal stress"
     HydrostaticStress "hydrostatic_stress" "σ_m" "Pa" "mean of the normal stresses"
     DissipatedEnergy "dissipated_energy" "E" "J" "energy dissipated by friction since the start"
+    CrackDamage "crack_damage" "" "" "damage by cracks: reciprocal of the number of passages until one is there"
+    LocalSlipSpeed "local_slip_speed" "s" "m/s" "slip speed"
+    PressureRatio "pressure_ratio" "p/H" "" "pressure over the hardness"
+    WearRateArchard "archard_wear_rate" "" "" "depth worn per distance in the contact, by Archard's law"
+    WearRateEnergy "energy_wear_rate" "" "kg/m^3" "mass worn per area and distance in the contact, by energy"
     WearDepth "wear_depth" "h" "m" "depth of wear"
     WearVolume "wear_volume" "" "m^2" "volume worn from each body per distance rolled"
     WearMass "wear_mass" "" "kg/m" "mass worn from each body per distance rolled"
@@ -349,8 +357,11 @@ impl Quantity {
                 "Love (1929) for the pressure, Ahmadi, Keer and Mura (1983) for the traction"
             }
             Self::FatigueIndex => "Ekberg, Kabo and Andersson (2002)",
-            Self::WearVolume => "Archard (1953), with the wear map of Jendel (2002)",
-            Self::WearMass => "Braghin, Lewis, Dwyer-Joyce and Bruni (2006)",
+            Self::CrackDamage => "Burstow (2004)",
+            Self::WearVolume | Self::WearRateArchard => {
+                "Archard (1953), with the wear map of Jendel (2002)"
+            }
+            Self::WearMass | Self::WearRateEnergy => "Braghin, Lewis, Dwyer-Joyce and Bruni (2006)",
             _ => "",
         }
     }

@@ -1,20 +1,25 @@
 //! Damage over a run, against closed forms and values of the literature.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
-use schlupf::damage::{ArchardWear, EnergyWear, Laws, Profile, State, SurfaceFatigue, of_run};
-use schlupf::{Error, Quantity};
+use schlupf::damage::{
+    ArchardWear, CrackFunction, EnergyWear, Laws, Profile, ShakedownLimits, State, SurfaceFatigue,
+    WearMap, of_passage, of_run,
+};
+use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::heat::Heat;
+use schlupf::interface::contact_law::Coulomb;
+use schlupf::interface::friction::constant::Constant;
+use schlupf::material::Material;
+use schlupf::method::{FastMethod, Method};
+use schlupf::normal::ellipse::Ellipse;
+use schlupf::{Error, Options, Problem, Quantity, rolling, unwatched};
 
 const RADIUS: f64 = 0.46;
 
 fn laws() -> Laws {
-    Laws {
-        fatigue: SurfaceFatigue::default(),
-        archard: ArchardWear::default(),
-        energy: EnergyWear::default(),
-        wheel_radius: RADIUS,
-        densities: [7850.0, 7800.0],
-    }
+    Laws { wheel_radius: RADIUS, densities: [7850.0, 7800.0], ..Laws::default() }
 }
 
 /// A Hertzian contact with p0 = 3N/(2πab) that slides at so many m/s.
@@ -173,4 +178,140 @@ fn what_is_no_run_is_refused() {
     assert_eq!(refused(&[state], &Laws { archard: soft, ..laws() }), Quantity::WearHardness);
     let error: Error = of_run(&[State { distance: -1.0, ..state }], &laws()).unwrap_err();
     assert!(error.to_string().contains("distance"), "{error}");
+}
+
+/// Johnson 1985, §9.2: a line contact without traction stays elastic up to 3.1 k (von Mises,
+/// ν = 0.3) and shakes down up to 4.00 k; from a friction of 0.37 on the surface decides, 1/μ, where
+/// the surface-fatigue index is zero. The limits fall with friction.
+#[test]
+fn johnson_1985_shakedown_of_a_line_contact() {
+    let free = ShakedownLimits::of(0.0, 0.3);
+    near(free.elastic, 3.1, 0.01);
+    near(free.shakedown, 4.0, 0.002);
+    for friction in [0.37, 0.45, 0.8] {
+        near(ShakedownLimits::of(friction, 0.3).shakedown, 1.0 / friction, 1e-3);
+    }
+    assert!(ShakedownLimits::of(0.3, 0.3).shakedown < 1.0 / 0.3);
+    let all: Vec<ShakedownLimits> =
+        (0..12).map(|k| ShakedownLimits::of(0.05 * f64::from(k), 0.3)).collect();
+    assert!(all.iter().all(|limits| limits.elastic <= limits.shakedown * (1.0 + 1e-9)));
+    assert!(all.windows(2).all(|pair| pair[1].shakedown <= pair[0].shakedown * (1.0 + 1e-9)));
+    assert_eq!(ShakedownLimits::of(-0.2, 0.3), all[4]);
+}
+
+/// Burstow 2004: nothing up to 15 N, 10⁻⁵ at 65 N, nothing at 175 N, and wear beyond, at the slope
+/// at which damage fell.
+#[test]
+fn burstow_2004_cracks_by_the_wear_number() {
+    let cracks = CrackFunction::default();
+    for (t_gamma, damage) in
+        [(0.0, 0.0), (15.0, 0.0), (40.0, 0.5e-5), (65.0, 1e-5), (120.0, 0.5e-5), (285.0, -1e-5)]
+    {
+        assert!((cracks.of(t_gamma) - damage).abs() < 1e-15, "{t_gamma}");
+    }
+    assert_eq!(cracks.of(-3.0), 0.0);
+    let refused = |t_gamma: &[f64], damage: &[f64]| {
+        CrackFunction::new(t_gamma.to_vec(), damage.to_vec()).unwrap_err().quantity()
+    };
+    assert_eq!(refused(&[1.0], &[1.0]), Quantity::CrackWearNumber);
+    assert_eq!(refused(&[1.0, 1.0], &[0.0, 1.0]), Quantity::CrackWearNumber);
+    assert_eq!(refused(&[0.0, 1.0], &[0.0]), Quantity::CrackDamage);
+    assert_eq!(refused(&[0.0, 1.0], &[0.0, f64::NAN]), Quantity::CrackDamage);
+    // Half of the way at 40 N, half without wear number.
+    let state = sliding(10.0, 0.1);
+    let run = [State { t_gamma: 40.0, ..state }, State { t_gamma: 0.0, ..state }];
+    let found = of_run(&run, &laws()).unwrap().cracks;
+    near(found.max, 0.5e-5, 1e-12);
+    near(found.mean, 0.25e-5, 1e-12);
+}
+
+/// A map has its coefficients from edge to edge, and what is none is refused.
+#[test]
+fn wear_maps_are_tables() {
+    let map = WearMap::new(vec![0.0, 0.5], vec![0.0, 0.4], vec![1e-4, 2e-4, 3e-4, 4e-4]).unwrap();
+    let of = |speed: f64, ratio: f64| map.coefficient(speed, ratio);
+    assert_eq!(
+        [of(0.0, 0.0), of(0.5, 0.39), of(0.49, 0.4), of(9.0, 9.0)],
+        [1e-4, 2e-4, 3e-4, 4e-4]
+    );
+    let refused = |speeds: &[f64], ratios: &[f64], coefficients: &[f64]| {
+        let map = WearMap::new(speeds.to_vec(), ratios.to_vec(), coefficients.to_vec());
+        map.unwrap_err().quantity()
+    };
+    assert_eq!(refused(&[0.1], &[0.0], &[1e-4]), Quantity::LocalSlipSpeed);
+    assert_eq!(refused(&[], &[0.0], &[]), Quantity::LocalSlipSpeed);
+    assert_eq!(refused(&[0.0, 0.0], &[0.0], &[1e-4; 2]), Quantity::LocalSlipSpeed);
+    assert_eq!(refused(&[0.0], &[0.0, f64::NAN], &[1e-4; 2]), Quantity::PressureRatio);
+    assert_eq!(refused(&[0.0], &[0.0], &[1e-4; 2]), Quantity::WearCoefficient);
+    assert_eq!(refused(&[0.0], &[0.0], &[-1e-4]), Quantity::WearCoefficient);
+}
+
+/// The passage of a contact in Coulomb's full sliding at ξ: slip speed s = |ξ| v0 all over, so
+/// Archard's depth is k s/(H v0) times the load of each strip, 3N/(4b) (1 − (y/b)²), and the mild
+/// law of energy wears 5.3 µg/J.
+#[test]
+fn a_sliding_passage_has_closed_forms() {
+    let (a, b, friction, creepage) = (6e-3, 4e-3, 0.3, 0.01);
+    let problem = Problem::builder().creepage_x(creepage).build().unwrap();
+    let contact = Ellipse::from_peak_pressure(a, b, 0.9e9).unwrap();
+    let mut problem = Problem { normal: Arc::new(contact), heat: Heat::none(), ..problem };
+    problem.contact_law = Arc::new(Coulomb);
+    problem.friction.law = Arc::new(Constant::new(friction).unwrap());
+    let steel = Material::STEEL;
+    problem.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
+    let options = Options { cells_x: 24, cells_y: 24, ..Options::default() };
+    let solution = rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+    let passage = of_passage(&problem, &solution, &laws()).unwrap();
+    let (load, speed) = (solution.normal.load, solution.kinematics.speed);
+    let slip_speed = creepage * speed;
+    let wear = passage.wear.as_ref().unwrap();
+    // Elastic slip is a part of the slip of some per cent, whose sum over a strip vanishes.
+    let volume = 35e-4 * load * slip_speed / (2.7e9 * speed);
+    near(wear.archard_volume, volume, 0.01);
+    near(wear.energy_per_distance, solution.power.unwrap().friction / speed, 1e-12);
+    near(wear.energy_mass, 5.3e-9 * wear.energy_per_distance, 1e-9);
+    let profile = &wear.profile;
+    let width = profile.y[1] - profile.y[0];
+    near(profile.archard.iter().sum::<f64>() * width, wear.archard_volume, 1e-12);
+    near(7800.0 * profile.rail_energy.iter().sum::<f64>() * width, wear.energy_mass, 1e-12);
+    near(7850.0 * profile.wheel_energy.iter().sum::<f64>() * width, wear.energy_mass, 1e-12);
+    for (y, depth) in profile.y.iter().zip(&profile.archard) {
+        let (u, w) = (y / b, width / b);
+        let expected = volume * 0.75 / b * (1.0 - u * u - w * w / 12.0);
+        assert!((depth - expected).abs() < 0.02 * volume / b, "{y}: {depth} {expected}");
+    }
+    let k = 300e6;
+    assert!((passage.fatigue_index - (friction - k / 0.9e9)).abs() < 1e-4 * friction);
+    near(passage.shakedown.load_factor, 3.0, 1e-9);
+    near(passage.shakedown.traction_coefficient, friction, 1e-4);
+    assert_eq!(passage.melting, None);
+    near(passage.t_gamma.without_spin, creepage * friction * load, 1e-4);
+    near(passage.crack_damage, CrackFunction::default().of(passage.t_gamma.without_spin), 1e-12);
+}
+
+/// Cells are hotter than a limit where their temperatures say so; a method without fields has
+/// neither wear nor melting, and the rest as well.
+#[test]
+fn what_is_hotter_than_the_limit_melts() {
+    let problem = Problem::builder().creepage_x(0.05).build().unwrap();
+    let options = Options { cells_x: 16, cells_y: 16, ..Options::default() };
+    let solution = rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+    let hottest = solution.temperature.unwrap();
+    let at = |melting_temperature: f64| {
+        let laws = Laws { melting_temperature, ..laws() };
+        of_passage(&problem, &solution, &laws).unwrap().melting.unwrap()
+    };
+    let cold = at(5000.0);
+    assert_eq!((cold.wheel_area, cold.rail_area, cold.share), (0.0, 0.0, 0.0));
+    near(cold.max_temperature, hottest.max_wheel.max(hottest.max_rail), 1e-12);
+    let all = at(-10.0);
+    near(all.share, 1.0, 1e-12);
+    near(all.wheel_area, solution.area.contact, 1e-9);
+    let middle = at(0.5 * (cold.max_temperature + 20.0));
+    assert!((0.01..0.99).contains(&middle.share), "{middle:?}");
+    let fast = Method::Fast(FastMethod::KalkerLinear);
+    let solution = fast.solver(&options).solve(&problem, &unwatched).unwrap();
+    let passage = of_passage(&problem, &solution, &laws()).unwrap();
+    assert_eq!((passage.wear, passage.melting), (None, None));
+    assert!(passage.shakedown.load_factor > 1.0);
 }

@@ -208,6 +208,15 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         second: &["friction.variation_y", "friction.variation_factor"],
         reason: "friction over y comes from a file or stands in the case",
     },
+    Alternatives {
+        first: &["damage.wear_map"],
+        second: &[
+            "damage.wear_coefficient_mild",
+            "damage.wear_coefficient_severe",
+            "damage.wear_coefficient_catastrophic",
+        ],
+        reason: "the coefficients are those of the map of KTH, or those of a file",
+    },
 ];
 
 impl Alternatives {

@@ -1,23 +1,50 @@
 //! `[damage]`.
 
-use schlupf::damage::{ArchardWear, EnergyWear, SurfaceFatigue};
+use schlupf::damage::{ArchardWear, CrackFunction, EnergyWear, Laws, SurfaceFatigue, WearMap};
 
 use crate::error::CaseError;
 use crate::settings::Settings;
+use crate::tables;
 
-/// The laws of fatigue and wear.
-pub fn damage(settings: &Settings) -> Result<(SurfaceFatigue, ArchardWear, EnergyWear), CaseError> {
+const MAP: &str = "damage.wear_map";
+const CRACKS: [&str; 2] = ["damage.crack_t_gamma", "damage.crack_damage"];
+
+/// The laws of fatigue and wear; the rest of [`Laws`] is that of the default.
+pub fn damage(settings: &Settings) -> Result<Laws, CaseError> {
     let fatigue =
         SurfaceFatigue { shear_yield_stress: settings.number("damage.shear_yield_stress")? };
-    let archard = ArchardWear {
-        hardness: settings.number("damage.hardness")?,
-        mild: settings.number("damage.wear_coefficient_mild")?,
-        severe: settings.number("damage.wear_coefficient_severe")?,
-        catastrophic: settings.number("damage.wear_coefficient_catastrophic")?,
-    };
+    let archard =
+        ArchardWear { hardness: settings.number("damage.hardness")?, map: wear_map(settings)? };
     let energy = EnergyWear {
         mild: settings.number("damage.wear_rate_mild")?,
         catastrophic: settings.number("damage.wear_rate_catastrophic")?,
     };
-    Ok((fatigue, archard, energy))
+    let melting_temperature = settings.number("damage.melting_temperature")?;
+    let cracks = cracks(settings)?;
+    Ok(Laws { fatigue, cracks, archard, energy, melting_temperature, ..Laws::default() })
+}
+
+fn wear_map(settings: &Settings) -> Result<WearMap, CaseError> {
+    if settings.is_given(MAP) {
+        let (name, bytes) = settings.read_file(MAP)?;
+        return tables::wear_map_from_csv(name, bytes);
+    }
+    Ok(WearMap::jendel([
+        settings.number("damage.wear_coefficient_mild")?,
+        settings.number("damage.wear_coefficient_severe")?,
+        settings.number("damage.wear_coefficient_catastrophic")?,
+    ]))
+}
+
+fn cracks(settings: &Settings) -> Result<CrackFunction, CaseError> {
+    let [t_gamma, damage] = CRACKS.map(|path| settings.series(path));
+    match (t_gamma, damage) {
+        (None, None) => Ok(CrackFunction::default()),
+        (Some(t_gamma), Some(damage)) => {
+            let function = CrackFunction::new(t_gamma.to_vec(), damage.to_vec());
+            function.map_err(|error| settings.explain(&error))
+        }
+        (Some(_), None) => Err(settings.missing_beside(CRACKS[1], CRACKS[0])),
+        (None, Some(_)) => Err(settings.missing_beside(CRACKS[0], CRACKS[1])),
+    }
 }

@@ -1,4 +1,4 @@
-//! Files that a case names: tables of pressure, of undeformed distance, of friction over y, and of
+//! Files that a case names: tables of pressure, of undeformed distance, of friction over y, of wear, and of
 //! time; displacements to calibrate with, and measured points of creep curves.
 
 mod across;
@@ -11,6 +11,7 @@ pub(crate) mod lattice;
 pub(crate) mod npy;
 mod pressure;
 mod time;
+mod wear_map;
 
 pub use across::from_csv as variation_from_csv;
 pub use creep_data::from_csv as creep_data_from_csv;
@@ -19,3 +20,4 @@ pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy}
 pub use lattice::NpyFile;
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};
+pub use wear_map::from_csv as wear_map_from_csv;

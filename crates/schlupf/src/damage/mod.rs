@@ -1,31 +1,45 @@
-//! Damage of wheel and rail over a run: dissipated energy, surface fatigue and wear.
+//! Damage of wheel and rail: dissipated energy, fatigue and wear, of one passage and over a run.
 //!
-//! A run is a series of steady states, each with the distance over which it holds; of every state
+//! [`of_passage`] takes the cells of a steady solution: wear rates in each, depths across the
+//! profile, the surface-fatigue index and the place in the shakedown map ([`ShakedownLimits`]),
+//! cracks by the wear number ([`CrackFunction`]), and what melts.
+//!
+//! [`of_run`] takes a run, which is a series of steady states, each with the distance over which it holds; of every state
 //! only the resultants are needed. Sums over the distance s are
 //!
 //! - the energy E = ∫ P/v0 ds of the friction power P;
 //! - the wear number Tγ = |ξ Fx| + |η Fy|, its mean and its distribution;
 //! - the surface-fatigue index of every state ([`SurfaceFatigue`]) and the part of the run in which
-//!   it is positive;
+//!   it is positive; the damage by cracks;
 //! - the depth of wear across the profile ([`Profile`]) by two laws: [`ArchardWear`] and
 //!   [`EnergyWear`].
 //!
-//! Limits: within a state wear is distributed across the patch as the load is, (1 − (y/b)²) over
+//! Limits: within a state of a run wear is distributed across the patch as the load is, (1 − (y/b)²) over
 //! its width 2b, as if all of it slid; wear does not change the profiles; fatigue and wear do not
 //! compete.
 
+mod cracks;
 mod fatigue;
 mod histogram;
+mod passage;
 mod profile;
+mod shakedown;
 mod wear;
+mod wear_map;
 
 use crate::error::{Error, require_finite, require_positive};
 use crate::quantity::Quantity;
 
+pub use cracks::CrackFunction;
 pub use fatigue::{FatigueSummary, SurfaceFatigue};
 pub use histogram::Histogram;
+pub use passage::{
+    Melting, Passage, PassageProfile, PassageWear, ShakedownPoint, WearCells, of_passage,
+};
 pub use profile::Profile;
+pub use shakedown::ShakedownLimits;
 pub use wear::{ArchardWear, EnergyWear, WearTotal};
+pub use wear_map::WearMap;
 
 /// A state of a run: the resultants of a steady rolling contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,11 +107,13 @@ impl State {
     }
 }
 
-/// What turns a run into damage.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// What turns rolling into damage.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Laws {
     /// Fatigue of the surface.
     pub fatigue: SurfaceFatigue,
+    /// Cracks by the wear number.
+    pub cracks: CrackFunction,
     /// Wear by sliding distance and load.
     pub archard: ArchardWear,
     /// Wear by dissipated energy.
@@ -106,6 +122,24 @@ pub struct Laws {
     pub wheel_radius: f64,
     /// Densities of wheel and rail, in kg/m³.
     pub densities: [f64; 2],
+    /// Temperature from which on the surfaces melt, in °C.
+    pub melting_temperature: f64,
+}
+
+impl Default for Laws {
+    /// The defaults of all laws, a wheel of 460 mm, steel; it melts at 1390 °C, the solidus of iron
+    /// with 0.75 % of carbon on the line from 1493 °C at 0.17 % to 1147 °C at 2.1 %.
+    fn default() -> Self {
+        Self {
+            fatigue: SurfaceFatigue::default(),
+            cracks: CrackFunction::default(),
+            archard: ArchardWear::default(),
+            energy: EnergyWear::default(),
+            wheel_radius: 0.46,
+            densities: [7850.0; 2],
+            melting_temperature: 1390.0,
+        }
+    }
 }
 
 impl Laws {
@@ -118,15 +152,13 @@ impl Laws {
         let Self { archard, energy, .. } = self;
         let constants = [
             (Quantity::WearHardness, archard.hardness),
-            (Quantity::WearCoefficientMild, archard.mild),
-            (Quantity::WearCoefficientSevere, archard.severe),
-            (Quantity::WearCoefficientCatastrophic, archard.catastrophic),
             (Quantity::WearRateMild, energy.mild),
             (Quantity::WearRateCatastrophic, energy.catastrophic),
         ];
         constants
             .into_iter()
             .try_for_each(|(quantity, value)| require_positive(quantity, value))?;
+        require_finite(Quantity::MeltingTemperature, self.melting_temperature)?;
         require_positive(Quantity::WheelRadiusX, self.wheel_radius)?;
         require_positive(Quantity::WheelDensity, self.densities[0])?;
         require_positive(Quantity::RailDensity, self.densities[1])
@@ -149,6 +181,8 @@ pub struct RunDamage {
     pub t_gamma: WearNumberSummary,
     /// Fatigue of the surface.
     pub fatigue: FatigueSummary,
+    /// Damage by cracks of one passing wheel.
+    pub cracks: CrackSummary,
     /// Wear by Archard's law.
     pub archard: WearTotal,
     /// Wear by energy.
@@ -175,6 +209,16 @@ pub struct WearNumberSummary {
     pub max: f64,
 }
 
+/// Damage by cracks over a run: see [`CrackFunction`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CrackSummary {
+    /// Largest damage of a passage, dimensionless.
+    pub max: f64,
+    /// Mean over the distance, dimensionless; negative where wear prevails.
+    pub mean: f64,
+}
+
 /// A state of a run with what it does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunPoint {
@@ -186,6 +230,8 @@ pub struct RunPoint {
     pub t_gamma: f64,
     /// Surface-fatigue index, dimensionless.
     pub fatigue_index: f64,
+    /// Damage by cracks of one passing wheel, dimensionless.
+    pub crack_damage: f64,
     /// Energy dissipated up to the end of the state, in J.
     pub energy: f64,
     /// Volume worn from each body by Archard's law, per distance rolled, in m².
@@ -197,7 +243,7 @@ pub struct RunPoint {
 /// The damage of a run.
 ///
 /// ```
-/// use schlupf::damage::{ArchardWear, EnergyWear, Laws, State, SurfaceFatigue, of_run};
+/// use schlupf::damage::{Laws, State, of_run};
 ///
 /// let state = State {
 ///     distance: 1000.0,
@@ -214,14 +260,7 @@ pub struct RunPoint {
 ///     friction_power: 800.0,
 ///     friction_coefficient: 0.4,
 /// };
-/// let laws = Laws {
-///     fatigue: SurfaceFatigue::default(),
-///     archard: ArchardWear::default(),
-///     energy: EnergyWear::default(),
-///     wheel_radius: 0.46,
-///     densities: [7850.0; 2],
-/// };
-/// let damage = of_run(&[state; 3], &laws)?;
+/// let damage = of_run(&[state; 3], &Laws::default())?;
 /// assert_eq!((damage.distance, damage.energy), (3000.0, 120e3));
 /// # Ok::<(), schlupf::Error>(())
 /// ```
@@ -241,6 +280,11 @@ pub fn of_run(states: &[State], laws: &Laws) -> Result<RunDamage, Error> {
     let distance = sum(&|_| 1.0);
     let t_gamma = sum(&|state| state.t_gamma);
     let largest = states.iter().map(|state| state.t_gamma).fold(f64::NEG_INFINITY, f64::max);
+    let each = states.iter().zip(&points);
+    let cracks = CrackSummary {
+        max: points.iter().map(|point| point.crack_damage).fold(f64::NEG_INFINITY, f64::max),
+        mean: each.map(|(s, point)| point.crack_damage * s.distance).sum::<f64>() / distance,
+    };
     let archard: Vec<f64> = points.iter().map(|point| point.archard_wear).collect();
     let by_energy: Vec<f64> = points.iter().map(|point| point.energy_wear).collect();
     Ok(RunDamage {
@@ -250,6 +294,7 @@ pub fn of_run(states: &[State], laws: &Laws) -> Result<RunDamage, Error> {
         energy: sum(&State::energy_per_distance),
         t_gamma: WearNumberSummary { sum: t_gamma, mean: t_gamma / distance, max: largest },
         fatigue: FatigueSummary::of(states, &points),
+        cracks,
         archard: WearTotal::of_volumes(states, &archard, laws.densities),
         energy_wear: WearTotal::of_masses(states, &by_energy, laws.densities),
         histograms: histograms(states, &points),
@@ -267,6 +312,7 @@ fn points(states: &[State], laws: &Laws) -> Vec<RunPoint> {
             position_y: state.position_y,
             t_gamma: state.t_gamma,
             fatigue_index: laws.fatigue.index(state),
+            crack_damage: laws.cracks.of(state.t_gamma),
             energy,
             archard_wear: laws.archard.volume(state),
             energy_wear: laws.energy.mass(state),

@@ -1,55 +1,41 @@
 //! Laws of wear.
 
-use super::State;
+use super::{State, WearMap};
 
 /// Archard's law (1953): the volume V = k ∫ p s dA/(H v0) is worn from each body per distance
 /// rolled, with the pressure p, the slip speed s and the hardness H. With the traction μ p where
 /// the bodies slide, ∫ p s dA is the friction power over μ.
 ///
-/// The coefficient k follows from the wear map of Jendel (2002): catastrophic where the largest
-/// pressure is above 0.8 H, severe where the slip speed is between 0.2 and 0.7 m/s, and mild below
-/// and above.
+/// The coefficient k is that of a [`WearMap`] at the slip speed and the pressure: those of a cell in
+/// a [passage](super::of_passage); of a run, the mean slip speed of the patch
+/// ([`State::slip_speed`]) and its largest pressure.
 ///
-/// Limits: dry steel on steel; the map takes the mean slip speed of the patch
-/// ([`State::slip_speed`]); friction that falls below the given μ means more sliding at the same
-/// power.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Limits: those of the map; over a run, friction that falls below the given μ means more sliding
+/// at the same power.
+#[derive(Debug, Clone, PartialEq)]
 pub struct ArchardWear {
     /// Hardness H of the softer body, in Pa.
     pub hardness: f64,
-    /// Coefficient of mild wear, dimensionless.
-    pub mild: f64,
-    /// Coefficient of severe wear, dimensionless.
-    pub severe: f64,
-    /// Coefficient of catastrophic wear, dimensionless.
-    pub catastrophic: f64,
+    /// The coefficients.
+    pub map: WearMap,
 }
 
 impl Default for ArchardWear {
-    /// The middle of the ranges of Jendel (2002), 1 to 10, 30 to 40 and 300 to 400 times 10⁻⁴, and
-    /// the hardness of rail steel R260, some 275 HB.
+    /// The map of Jendel (2002), and the hardness of rail steel R260, some 275 HB.
     fn default() -> Self {
-        Self { hardness: 2.7e9, mild: 5e-4, severe: 35e-4, catastrophic: 350e-4 }
+        Self { hardness: 2.7e9, map: WearMap::default() }
     }
 }
 
 impl ArchardWear {
-    /// Slip speeds between which wear is severe, in m/s.
-    pub const SEVERE: [f64; 2] = [0.2, 0.7];
+    /// The coefficient (dimensionless) for a slip speed (in m/s) and a pressure (in Pa).
+    pub fn coefficient(&self, slip_speed: f64, pressure: f64) -> f64 {
+        self.map.coefficient(slip_speed, pressure / self.hardness)
+    }
 
-    /// Largest pressure over the hardness above which wear is catastrophic, dimensionless.
-    pub const CATASTROPHIC: f64 = 0.8;
-
-    /// The coefficient (dimensionless) for a slip speed (in m/s) and a largest pressure (in Pa).
-    pub fn coefficient(&self, slip_speed: f64, peak_pressure: f64) -> f64 {
-        let [low, high] = Self::SEVERE;
-        if peak_pressure > Self::CATASTROPHIC * self.hardness {
-            self.catastrophic
-        } else if (low..=high).contains(&slip_speed) {
-            self.severe
-        } else {
-            self.mild
-        }
+    /// Depth worn per time in m/s, k p s/H, for a slip speed s (in m/s) and a pressure (in Pa).
+    pub fn rate(&self, slip_speed: f64, pressure: f64) -> f64 {
+        self.coefficient(slip_speed, pressure) * pressure * slip_speed / self.hardness
     }
 
     /// Volume worn from each body per distance rolled, in m².
@@ -68,7 +54,11 @@ impl ArchardWear {
 /// - constant up to 77.2 N/mm²: severe;
 /// - rising beyond by 61.9 µg/(N m): catastrophic.
 ///
-/// Limits: dry; the mean over the patch enters, and all frictional energy, that of spin included.
+/// Over a run the mean over the patch enters, in a [passage](super::of_passage) the energy of each
+/// cell.
+///
+/// Limits: dry; all frictional energy enters, that of spin included; the tests gave means over
+/// their patch only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyWear {
     /// Mass per energy of mild wear, in kg/J.
