@@ -34,6 +34,7 @@ from ._report import (
     RoughContact,
     Subsurface,
     Temperatures,
+    Wear,
     Wheelset,
 )
 from ._report_plots import RoughContactPlots
@@ -67,6 +68,7 @@ __all__ = [
     "Sweep",
     "TableForces",
     "Temperatures",
+    "Wear",
     "Wheelset",
     "__version__",
     "animate",

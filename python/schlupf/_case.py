@@ -24,6 +24,7 @@ from ._report import (
     RoughContact,
     Subsurface,
     Temperatures,
+    Wear,
     Wheelset,
 )
 from ._result import Result
@@ -723,6 +724,38 @@ class Case:
         """
         found = _core.subsurface_stresses(self._file, (_length("x", x), _length("y", y)))
         return Subsurface._new(found, warn=warn, strict=strict)
+
+    def wear(self, *, strict: bool = True, warn: bool = True) -> Wear:
+        """Wear, fatigue and melting of one passage of the wheel, by the laws of ``damage``.
+
+        Parameters
+        ----------
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
+        warn : bool, default True
+            Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        Wear
+            ``wear``, ``melting``, ``fatigue_index``, ``crack_damage``, ``shakedown`` and
+            ``t_gamma``; ``profile`` over y and ``cells``. ``wear`` and ``melting`` are None where
+            the method has no fields.
+
+        Raises
+        ------
+        CaseError
+            If something is wrong with the case, or it has a history.
+        NotConverged
+            If the solution has not converged; it has the result.
+
+        References
+        ----------
+        Wear: Archard (1953) with coefficients of Jendel (2002); Braghin, Lewis, Dwyer-Joyce and
+        Bruni (2006). Fatigue: Ekberg, Kabo and Andersson (2002), Burstow (2004). Shakedown:
+        Johnson and Jefferis (1963).
+        """
+        return Wear._new(_core.passage_damage(self._file), warn=warn, strict=strict)
 
     def bulk_temperature(self, *, strict: bool = True, warn: bool = True) -> BulkTemperature:
         """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says.

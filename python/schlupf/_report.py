@@ -304,6 +304,28 @@ class Comparison(Report):
         return methods(self, ax, **style)
 
 
+class Wear(Report):
+    """Wear, fatigue and melting of one passage of the wheel."""
+
+    @cached_property
+    def profile(self) -> xr.Dataset | None:
+        """Depths of wear over ``y`` (m); None if the method has no fields."""
+        tables = self._tables.get("profile")
+        return along(tables[0], "y", "y") if tables else None
+
+    @cached_property
+    def cells(self) -> xr.Dataset | None:
+        """Wear rates in the cells, along ``cell``; None if the method has no fields."""
+        tables = self._tables.get("cells")
+        return along(tables[0], "cell") if tables else None
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the depth of wear across the profile."""
+        from ._report_plots import passage
+
+        return passage(self, ax, **style)
+
+
 class Damage(Report):
     """Damage over a run: energy, fatigue and wear."""
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         RoughContact,
         Subsurface,
         Temperatures,
+        Wear,
         Wheelset,
     )
 
@@ -145,6 +146,22 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
     ax.set_xlabel(f"force on the wheel ({unit})")
     legend_beside(ax)
     ax.set_title(comparison.title)
+    return ax
+
+
+@styled
+def passage(found: Wear, ax: Axes | None = None, **style: Any) -> Axes:
+    """Depth of wear of one passage across the profile, by both laws."""
+    if found.profile is None:
+        raise ValueError("the method has no fields, so there is no wear to draw")
+    ax = axes_or_new(ax)
+    profile = found.profile
+    for name, label in (("archard", "Archard"), ("rail_energy", "energy")):
+        line(ax, profile["y"] * 1e3, profile[name] * 1e9, label, style)
+    ax.set_xlabel("$y$ (mm)")
+    ax.set_ylabel("depth of one passage (nm)")
+    legend_beside(ax)
+    ax.set_title(found.title)
     return ax
 
 

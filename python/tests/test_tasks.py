@@ -353,3 +353,31 @@ def test_stresses_below_the_surface_are_those_of_hertz():
 def test_methods_without_fields_have_no_stresses_below():
     with pytest.raises(schlupf.CaseError, match="polach"):
         SMALL.with_(solver={"method": "polach"}).subsurface()
+
+
+def test_wear_of_a_passage_is_that_of_its_cells():
+    """Volumes of cells and profile agree; Burstow (2004), 175 N: no damage, wear beyond."""
+    case = SMALL.with_(kinematics={"creepage_x": 0.004, "spin": "0.3 1/m"})
+    found = case.wear(warn=False)
+    profile, cells = found.profile, found.cells
+    width = float(profile["y"][1] - profile["y"][0])
+    assert float(profile["archard"].sum()) * width == pytest.approx(found.wear.archard_volume)
+    area = found.normal.semi_axis_x * found.normal.semi_axis_y * np.pi
+    assert cells.sizes["cell"] > 100
+    assert float(cells["archard"].max()) * area > found.wear.archard_volume
+    assert cells["slip_speed"].attrs["units"] == "m/s"
+    assert (found.crack_damage < 0) == (found.t_gamma.without_spin > 175)
+    assert found.fatigue_index == pytest.approx(
+        found.shakedown.traction_coefficient - 1 / found.shakedown.load_factor, rel=1e-3
+    )
+    assert found.melting.share == 0
+    assert found.plot().get_ylabel().startswith("depth")
+    hot = case.with_(damage={"melting_temperature": "25 degC"})
+    with pytest.warns(schlupf.SchlupfWarning, match="melts"):
+        assert hot.wear().melting.share > 0.1
+    with pytest.warns(schlupf.SchlupfWarning, match="wear and melting are unknown"):
+        fast = SMALL.with_(solver={"method": "polach"}).wear()
+    assert fast.wear is None
+    assert fast.profile is None
+    with pytest.raises(ValueError, match="no wear to draw"):
+        fast.plot()

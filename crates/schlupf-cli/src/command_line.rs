@@ -19,6 +19,7 @@ use crate::subsurface::Subsurface;
 use crate::sweep::{Merge, Sweep};
 use crate::table::Table;
 use crate::temperature::Temperature;
+use crate::wear::Wear;
 use crate::wheelset::Wheelset;
 
 const EXIT_CODES: &str = "\
@@ -69,6 +70,9 @@ pub enum Command {
     /// Compute the stresses below the surface of wheel or rail
     #[command(after_help = EXIT_CODES)]
     Subsurface(Box<Subsurface>),
+    /// Compute wear, fatigue and melting of one passage of the wheel
+    #[command(after_help = EXIT_CODES)]
+    Wear(Box<Wear>),
     /// Compute the long-term bulk temperature of the wheel from its heat balance
     #[command(after_help = EXIT_CODES)]
     Bulk(Box<Bulk>),

@@ -26,6 +26,7 @@ mod table;
 mod task;
 mod subsurface;
 mod temperature;
+mod wear;
 mod wheelset;
 
 use std::ffi::OsString;
@@ -64,6 +65,7 @@ fn run(arguments: Arguments) -> Result<u8, Failure> {
         Command::Fit(arguments) => task::run(&*arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Damage(arguments) => task::run(&*arguments),
+        Command::Wear(arguments) => task::run(&*arguments),
         Command::Merge(arguments) => sweep::merge(&arguments),
         Command::Table(arguments) => table::table(&arguments),
         Command::Check(arguments) => commands::check(&arguments),

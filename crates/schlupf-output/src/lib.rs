@@ -2,8 +2,8 @@
 //!
 //! Every function takes a [`Solution`](schlupf::Solution), a family of creep curves, temperatures
 //! along lines, the heat balance of a wheel, a comparison of methods, calibrated stiffnesses, a
-//! fit, a rough contact, stresses below the surface or the damage over a run, and returns text or
-//! bytes; writing files is left to the caller. Tractions and forces act on the wheel in all tables;
+//! fit, a rough contact, stresses below the surface or the damage of a passage or a run, and
+//! returns text or bytes; writing files is left to the caller. Tractions and forces act on the wheel in all tables;
 //! the figures show the traction on the rail, −t, as in Neuhaus and Sextro (2014), and say so on
 //! their axes.
 
@@ -27,6 +27,7 @@ pub mod summary;
 mod table;
 pub mod temperature;
 mod vtk;
+pub mod wear;
 pub mod wheelset;
 
 pub use number::significant;

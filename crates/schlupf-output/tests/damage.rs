@@ -43,7 +43,7 @@ fn json_has_its_keys() {
     };
     let set =
         |names: &str| -> BTreeSet<String> { names.split_whitespace().map(str::to_owned).collect() };
-    let names = "program title status laws states distance duration energy t_gamma fatigue archard \
+    let names = "program title status laws states distance duration energy t_gamma fatigue cracks archard \
                  energy_wear histograms left_out profile warnings";
     assert_eq!(keys(&document), set(names));
     assert_eq!(keys(&document["fatigue"]), set("max mean share mean_excess"));
@@ -63,7 +63,8 @@ fn tables_have_their_rows() {
     assert!(profile.starts_with("# units: m, m, m, m, m; wheel: over the run"), "{profile}");
     assert_eq!(profile.lines().count(), 2 + report.damage.profile.y.len());
     let run = String::from_utf8(report.own_file(DamageReport::RUN).unwrap()).unwrap();
-    let head = "distance,position_y,t_gamma,fatigue_index,energy,archard_wear,energy_wear";
+    let head =
+        "distance,position_y,t_gamma,fatigue_index,crack_damage,energy,archard_wear,energy_wear";
     assert_eq!(run.lines().nth(1), Some(head));
     assert_eq!(run.lines().count(), 52);
     assert!(report.own_file("vtk").is_none());

@@ -40,8 +40,8 @@ mod _core {
     use super::solution::Solution;
     #[pymodule_export]
     use super::tasks::{
-        bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, rough_contact,
-        subsurface_stresses, temperatures, wheelset_contacts,
+        bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, passage_damage,
+        rough_contact, subsurface_stresses, temperatures, wheelset_contacts,
     };
 
     #[pymodule_export]

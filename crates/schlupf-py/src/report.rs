@@ -17,6 +17,7 @@ use schlupf_output::identification::FitReport;
 use schlupf_output::roughness::RoughnessReport;
 use schlupf_output::subsurface::StressReport;
 use schlupf_output::temperature::{Line, Temperatures};
+use schlupf_output::wear::WearReport;
 use schlupf_output::wheelset::WheelsetReport;
 
 use crate::records::{columns, described, lines};
@@ -32,6 +33,7 @@ pub enum Found {
     Roughness(Box<RoughnessReport>),
     Subsurface(Box<StressReport>),
     Temperature(Box<Temperatures>),
+    Wear(Box<WearReport>),
     Wheelset(Box<WheelsetReport>),
 }
 
@@ -58,6 +60,7 @@ impl Report {
             Found::Roughness(report) => &**report,
             Found::Subsurface(report) => &**report,
             Found::Temperature(report) => &**report,
+            Found::Wear(report) => &**report,
             Found::Wheelset(report) => &**report,
         }
     }
@@ -140,6 +143,12 @@ impl Report {
                 add("profile", vec![line(py, Quantity::Depth, &report.profile)])?;
                 let rows = report.rows.iter().map(|row| line(py, Quantity::X, &row.line));
                 add("rows", rows.collect())?;
+            }
+            Found::Wear(report) => {
+                if let Some(wear) = &report.passage.wear {
+                    add("profile", vec![columns(py, &wear.profile)])?;
+                    add("cells", vec![columns(py, &wear.cells)])?;
+                }
             }
             Found::Wheelset(report) => {
                 add("contacts", vec![columns(py, &**report)])?;

@@ -13,7 +13,8 @@ use schlupf::{Status, Watch};
 use schlupf_case::identification::parameters;
 use schlupf_case::{CaseError, Family, InputFile, Place, direction, range, read_displacements};
 use schlupf_tasks::{
-    TaskError, bulk, calibrate, compare, curve, fit, roughness, subsurface, temperature, wheelset,
+    TaskError, bulk, calibrate, compare, curve, fit, roughness, subsurface, temperature, wear,
+    wheelset,
 };
 
 use crate::case_file::CaseFile;
@@ -124,6 +125,12 @@ pub fn subsurface_stresses(
         let found = subsurface::plan(file, request, watch)?.find(watch)?;
         Ok(Found::Subsurface(Box::new(found)))
     })
+}
+
+/// Wear, fatigue and melting of one passage.
+#[pyfunction]
+pub fn passage_damage(py: Python<'_>, case: &CaseFile) -> PyResult<Report> {
+    report(py, case, |file, watch| Ok(Found::Wear(Box::new(wear::plan(file, watch)?.find(watch)?))))
 }
 
 /// The bulk temperature of the wheel in the long run.

@@ -253,7 +253,7 @@ impl Run {
         let gaps = left_out.into_iter().chain(no_power).map(Message::from);
         Ok(DamageReport {
             title: path.display().to_string(),
-            laws: *laws,
+            laws: laws.clone(),
             damage,
             left_out: LeftOut {
                 states: unsolved.rows + powerless.rows,

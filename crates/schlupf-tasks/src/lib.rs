@@ -21,6 +21,7 @@ pub mod roughness;
 pub mod solve;
 pub mod subsurface;
 pub mod temperature;
+pub mod wear;
 pub mod wheelset;
 
 pub use error::TaskError;

@@ -37,6 +37,27 @@ messages! {
          {:.0} % of the normal forces", 100.0 * share
     );
 
+    /// A passage by a method that has no fields.
+    "no-wear" NoWear {
+        /// Its name.
+        method: &'static str,
+    } "solver.method", |subject, words| format!(
+        "the method {method} gives no fields: wear and melting are unknown"
+    );
+
+    /// Surfaces that are hotter than what they withstand.
+    "molten" Molten {
+        /// Part of the area of contact, dimensionless.
+        share: f64,
+        /// The largest temperature, in °C.
+        temperature: f64,
+        /// That of melting, in °C.
+        limit: f64,
+    } "damage.melting_temperature", |subject, words| format!(
+        "{:.1} % of the contact is hotter than {limit} °C, up to {temperature:.0} °C: a surface \
+         melts, and friction, wear and heat are no longer those of the laws", 100.0 * share
+    );
+
     /// States of a run without a solution.
     "left-out" LeftOut {
         /// How many.

@@ -1,7 +1,7 @@
 //! Damage over a run as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::damage::{Laws, Profile, RunDamage};
+use schlupf::damage::{CrackFunction, Laws, Profile, RunDamage, WearMap};
 use schlupf::message::Message;
 use serde::Serialize;
 
@@ -39,30 +39,30 @@ struct Document<'a> {
 
 /// The constants, under the names of their fields.
 #[derive(Serialize)]
-struct LawsEntry {
+pub(crate) struct LawsEntry {
     shear_yield_stress: f64,
     hardness: f64,
-    wear_coefficient_mild: f64,
-    wear_coefficient_severe: f64,
-    wear_coefficient_catastrophic: f64,
+    wear_map: WearMap,
     wear_rate_mild: f64,
     wear_rate_catastrophic: f64,
+    cracks: CrackFunction,
+    melting_temperature: f64,
     wheel_radius: f64,
     wheel_density: f64,
     rail_density: f64,
 }
 
 impl LawsEntry {
-    fn of(laws: &Laws) -> Self {
-        let Laws { fatigue, archard, energy, wheel_radius, densities } = laws;
+    pub(crate) fn of(laws: &Laws) -> Self {
+        let Laws { fatigue, cracks, archard, energy, wheel_radius, densities, .. } = laws;
         Self {
             shear_yield_stress: fatigue.shear_yield_stress,
             hardness: archard.hardness,
-            wear_coefficient_mild: archard.mild,
-            wear_coefficient_severe: archard.severe,
-            wear_coefficient_catastrophic: archard.catastrophic,
+            wear_map: archard.map.clone(),
             wear_rate_mild: energy.mild,
             wear_rate_catastrophic: energy.catastrophic,
+            cracks: cracks.clone(),
+            melting_temperature: laws.melting_temperature,
             wheel_radius: *wheel_radius,
             wheel_density: densities[0],
             rail_density: densities[1],

@@ -1,7 +1,7 @@
 //! Damage over a run: JSON, CSV, a summary and figures.
 
 mod figure;
-mod json;
+pub(crate) mod json;
 mod summary;
 
 use schlupf::Status;

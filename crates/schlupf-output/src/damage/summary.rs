@@ -41,6 +41,9 @@ fn fatigue(text: &mut Summary, report: &DamageReport) {
     let excess = number(fatigue.mean_excess);
     let positive = format!("of the distance with a positive index; mean excess {excess}");
     entry(text, "", 100.0 * fatigue.share, "%", &positive);
+    let cracks = &report.damage.cracks;
+    let mean = format!("largest of a passage; mean {}, by Tγ", number(cracks.mean));
+    entry(text, "crack damage", cracks.max, "", &mean);
     text.blank();
 }
 

@@ -26,14 +26,14 @@ pub struct ShakedownLimits {
 
 /// Depths, of the half-length of the contact, in a geometric series from the first to the last;
 /// places along the contact, evenly spaced up to the farthest on both sides.
-const DEPTHS: u32 = 120;
-const SHALLOWEST: f64 = 2e-3;
-const DEEPEST: f64 = 2.5;
-const PLACES: i32 = 300;
-const FARTHEST: f64 = 2.0;
+const DEPTHS: u32 = 80;
+const SHALLOWEST: f64 = 5e-3;
+const DEEPEST: f64 = 2.0;
+const PLACES: i32 = 200;
+const FARTHEST: f64 = 1.6;
 
 /// Steps of the search for the residual stress.
-const STEPS: usize = 60;
+const STEPS: usize = 36;
 
 impl ShakedownLimits {
     /// The limits for a coefficient of friction and Poisson's ratio (both dimensionless).
@@ -81,13 +81,18 @@ fn with_residual_stress(stresses: &[[f64; 3]]) -> f64 {
     };
     let part = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = (-4.0, 4.0);
+    let [mut left, mut right] =
+        [high - part * (high - low), low + part * (high - low)].map(|at| (at, largest(at)));
     for _ in 0..STEPS {
-        let [left, right] = [high - part * (high - low), low + part * (high - low)];
-        if largest(left) < largest(right) {
-            high = right;
+        if left.1 < right.1 {
+            (high, right) = (right.0, left);
+            let at = high - part * (high - low);
+            left = (at, largest(at));
         } else {
-            low = left;
+            (low, left) = (left.0, right);
+            let at = low + part * (high - low);
+            right = (at, largest(at));
         }
     }
-    largest(0.5 * (low + high))
+    left.1.min(right.1)
 }
