@@ -315,3 +315,24 @@ fn what_is_hotter_than_the_limit_melts() {
     assert_eq!((passage.wear, passage.melting), (None, None));
     assert!(passage.shakedown.load_factor > 1.0);
 }
+
+/// On the surface of a sliding line contact, with A = √(1 − x²) and B = 2μx of p0 (Johnson 1985,
+/// §7.1): σxx = −A − B, σzz = −A, σyy = ν (σxx + σzz), σxz = μA. From μ = 0.3 on it yields there
+/// first.
+#[test]
+fn johnson_1985_first_yield_on_the_surface() {
+    const POINTS: i32 = 4000;
+    for (friction, nu) in [(0.3, 0.28), (0.5, 0.28), (0.5, 0.3)] {
+        let shear = |k: i32| {
+            let x = f64::from(k) / f64::from(POINTS);
+            let (a, b) = ((1.0 - x * x).sqrt(), 2.0 * friction * x);
+            let [xx, zz] = [-a - b, -a];
+            let yy = nu * (xx + zz);
+            let squares = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+            (squares / 6.0 + (friction * a).powi(2)).sqrt()
+        };
+        let largest = (-POINTS..=POINTS).map(shear).fold(0.0, f64::max);
+        let found = ShakedownLimits::of(friction, nu).elastic;
+        near(found, largest.recip(), 0.01);
+    }
+}

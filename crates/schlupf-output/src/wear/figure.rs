@@ -112,7 +112,7 @@ fn shakedown(report: &WearReport) -> String {
     frame.draw_grid(&mut drawing);
     let limits: Vec<(f64, ShakedownLimits)> = (0..=POINTS)
         .map(|k| widest * f64::from(k) / f64::from(POINTS))
-        .map(|friction| (friction, ShakedownLimits::of(friction, POISSON_RATIO)))
+        .map(|friction| (friction, ShakedownLimits::of(friction, point.poisson_ratio)))
         .collect();
     let along = |value: fn(&ShakedownLimits) -> f64| -> Vec<[f64; 2]> {
         limits.iter().map(|(friction, limits)| [*friction, value(limits)]).collect()
@@ -158,6 +158,3 @@ fn shakedown(report: &WearReport) -> String {
     marks::legend_above(&mut drawing, frame.corner, frame.size[0], &entries);
     drawing.finish()
 }
-
-/// That of steel: the elastic limit hardly depends on it.
-const POISSON_RATIO: f64 = 0.3;

@@ -37,6 +37,8 @@ pub struct ShakedownPoint {
     pub elastic_limit: f64,
     /// p0/k up to which a line contact shakes down, dimensionless.
     pub shakedown_limit: f64,
+    /// Poisson's ratio of the limits, the mean of both bodies, dimensionless.
+    pub poisson_ratio: f64,
 }
 
 /// Wear of one passage.
@@ -145,7 +147,8 @@ pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result
         friction_coefficient: 1.0,
     };
     let [wheel, rail] = [&problem.wheel, &problem.rail].map(|body| body.material.poisson_ratio);
-    let limits = ShakedownLimits::of(solution.traction_coefficient, 0.5 * (wheel + rail));
+    let poisson_ratio = 0.5 * (wheel + rail);
+    let limits = ShakedownLimits::of(solution.traction_coefficient, poisson_ratio);
     let has_fields = !solution.fields.is_empty();
     let is_heated = has_fields && problem.heat.model.is_some();
     Ok(Passage {
@@ -157,6 +160,7 @@ pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result
             load_factor: normal.peak_pressure / laws.fatigue.shear_yield_stress,
             elastic_limit: limits.elastic,
             shakedown_limit: limits.shakedown,
+            poisson_ratio,
         },
         wear: has_fields.then(|| wear(&solution.fields, state.speed, laws)),
         melting: is_heated.then(|| melting(problem, &solution.fields, laws)),
