@@ -11,10 +11,12 @@ mod interpolation;
 mod tabulated;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::grid::Grid;
 use crate::kinematics::Kinematics;
 use crate::normal::{NormalContact, Pressure};
+use crate::row_motion::{RowMotion, RowSlip};
 
 #[doc(hidden)]
 pub use interpolation::Interpolation;
@@ -31,6 +33,8 @@ pub struct Patch {
     pub strips: Vec<Strip>,
     /// The contact cells.
     pub cells: Vec<Cell>,
+    /// How its rows slip beyond the motion of the plane.
+    pub rows: Option<Arc<RowMotion>>,
 }
 
 /// A run of contact cells in a row of the grid, with its own leading and trailing edge.
@@ -65,6 +69,8 @@ pub struct Cell {
     /// Path into the cell: from the leading edge if it is the first of its strip, otherwise from
     /// its upstream neighbour.
     pub path_in: Travel,
+    /// What the rigid slip of its strip has in addition to that of the plane.
+    pub row: RowSlip,
 }
 
 /// Path of a material point along x between two positions: integrals along the path, averaged over
@@ -106,12 +112,66 @@ impl Travel {
             kinematics.creepage_y * self.distance + kinematics.spin * self.moment_x,
         ]
     }
+
+    /// What a row adds to that, in m.
+    fn row_slip(&self, row: &RowSlip) -> [f64; 2] {
+        [
+            row.creepage_x * self.distance,
+            row.creepage_y * self.distance + row.spin * self.moment_x,
+        ]
+    }
+
+    /// The rigid slip distance in a row, in m.
+    pub fn rigid_slip_in_row(&self, kinematics: &Kinematics, row: &RowSlip) -> [f64; 2] {
+        sum(self.rigid_slip(kinematics), self.row_slip(row))
+    }
+}
+
+fn sum(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+    [one[0] + other[0], one[1] + other[1]]
 }
 
 impl Cell {
     /// Whether the patch covers all of it.
     pub(crate) fn is_covered(&self) -> bool {
         self.covered > 1.0 - WHOLE
+    }
+
+    /// Rigid slip of the wheel over the rail at the cell, divided by the speed; dimensionless.
+    pub fn rigid_slip(&self, kinematics: &Kinematics) -> [f64; 2] {
+        sum(kinematics.rigid_slip(self.x, self.y), self.row.at(self.x))
+    }
+
+    /// Rigid slip distance along the path into the cell, in m.
+    pub fn rigid_slip_in(&self, kinematics: &Kinematics) -> [f64; 2] {
+        self.path_in.rigid_slip_in_row(kinematics, &self.row)
+    }
+
+    /// Rigid slip distance along the path from the leading edge, in m.
+    pub fn rigid_slip_since_entry(&self, kinematics: &Kinematics) -> [f64; 2] {
+        self.since_entry.rigid_slip_in_row(kinematics, &self.row)
+    }
+
+    /// Difference of the rigid slip over a distance (in m) between the downstream end of the
+    /// distance and its middle; in m.
+    pub fn half_turn(&self, kinematics: &Kinematics, distance: f64) -> [f64; 2] {
+        let spin = kinematics.spin + self.row.spin;
+        Kinematics { spin, ..*kinematics }.half_turn(distance)
+    }
+
+    /// Derivatives with respect to the logarithm of all lengths of what the row adds: to the slip
+    /// distance along the path into the cell and to its half turn (both in m), and to the slip over
+    /// the speed (dimensionless). `slope` is that of the row times the strip's y.
+    pub(crate) fn row_by_size(&self, slope: &RowSlip) -> [[f64; 2]; 3] {
+        let Self { row, path_in, x, .. } = self;
+        let [distance, moment] = [path_in.distance, path_in.moment_x];
+        let way = [
+            (row.creepage_x + slope.creepage_x) * distance,
+            (row.creepage_y + slope.creepage_y) * distance + (2.0 * row.spin + slope.spin) * moment,
+        ];
+        let turn = [0.0, -0.5 * (2.0 * row.spin + slope.spin) * distance * distance];
+        let slip = [slope.creepage_x, slope.creepage_y + (row.spin + slope.spin) * x];
+        [way, turn, slip]
     }
 
     /// Pressure on the covered part, in Pa.
@@ -128,10 +188,41 @@ impl Cell {
 impl Patch {
     /// The patch of a normal contact on a grid that covers it.
     pub fn new(contact: &NormalContact, grid: Grid) -> Self {
-        match &contact.pressure {
+        let patch = match &contact.pressure {
             Pressure::Elliptic => elliptic::patch(&contact.summary, grid),
             Pressure::Tabulated(table, factor) => tabulated::patch(table, *factor, grid),
+        };
+        let mut patch = Self { rows: contact.rows.clone(), ..patch };
+        patch.set_rows();
+        patch
+    }
+
+    /// Without contact.
+    fn empty(grid: Grid) -> Self {
+        Self { grid, strips: Vec::new(), cells: Vec::new(), rows: None }
+    }
+
+    /// Gives the cells of every strip its motion, so that their paths add up.
+    fn set_rows(&mut self) {
+        let Some(rows) = &self.rows else { return };
+        for strip in &self.strips {
+            let [row, _] = rows.at(middle(&self.cells[strip.cells.clone()]));
+            for cell in &mut self.cells[strip.cells.clone()] {
+                cell.row = row;
+            }
         }
+    }
+
+    /// Derivatives of the rows with respect to y times the y of their strips, for each cell; `None`
+    /// if all move with the plane.
+    pub(crate) fn row_slopes(&self) -> Option<Vec<RowSlip>> {
+        let rows = self.rows.as_ref()?;
+        let of_strip = |strip: &Strip| {
+            let y = middle(&self.cells[strip.cells.clone()]);
+            let [_, slope] = rows.at(y);
+            std::iter::repeat_n(slope.times(y), strip.cells.len())
+        };
+        Some(self.strips.iter().flat_map(of_strip).collect())
     }
 
     /// Switches to another size and pressure: multiplies all lengths and all pressures by a factor
@@ -153,6 +244,21 @@ impl Patch {
         for strip in &mut self.strips {
             strip.exit = strip.exit.rescaled(length);
         }
+        self.set_rows();
+    }
+
+    /// Power over the speed (in N) of a traction on the rail (in Pa, x and y of each cell in turn)
+    /// with what the rows slip beyond the plane.
+    pub(crate) fn row_power(&self, traction: &[f64]) -> f64 {
+        if self.rows.is_none() {
+            return 0.0;
+        }
+        let power = |(cell, p): (&Cell, &[f64])| {
+            let [x, y] = cell.row.at(cell.x);
+            p[0] * x + p[1] * y
+        };
+        let cells = self.cells.iter().zip(traction.chunks_exact(2));
+        cells.map(power).sum::<f64>() * self.grid.cell_area()
     }
 
     /// Number of contact cells.
@@ -175,4 +281,10 @@ impl Patch {
     pub fn exit(&self, strip: &Strip) -> f64 {
         self.cells[strip.cells.end - 1].x - strip.exit.distance
     }
+}
+
+/// y of the middle of the covered part of a strip, in m.
+fn middle(cells: &[Cell]) -> f64 {
+    let covered: f64 = cells.iter().map(|cell| cell.covered).sum();
+    cells.iter().map(|cell| cell.covered * cell.y).sum::<f64>() / covered
 }

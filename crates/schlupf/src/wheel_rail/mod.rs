@@ -23,6 +23,7 @@ mod contact_plane;
 mod distance;
 mod pressed;
 mod creepage;
+mod rows;
 mod equilibrium;
 mod side;
 mod patch;

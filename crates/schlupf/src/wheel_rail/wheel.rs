@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use super::contact_plane::Joining;
-use super::creepage::{Motion, creepages};
+use super::creepage::{Motion, Moving, creepages};
 use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering, weight};
 use super::gap::Gap;
 use super::pair::Pair;
 use super::patch::ContactPatch;
 use super::pose::{Attitude, minus};
 use super::pressed::{Accuracy, Pressed};
+use super::rows::Interface;
 use super::side::Side;
 use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
 use crate::kinematics::Kinematics;
@@ -335,13 +336,17 @@ impl WheelOnRail {
             lowered.contacts.iter().filter(|contact| contact.force > NEGLIGIBLE * largest);
         contacts
             .map(|pressed| {
-                let here = creepages(&pose, &pressed.plane, pressed.approach, &motion);
+                let moving = Moving::new(&pose, &pressed.plane, pressed.approach, &motion);
+                let here = creepages(&pressed.plane, &moving);
+                let interface =
+                    Interface { pair: &self.pair, pose: &pose, plane: &pressed.plane };
+                let rows = interface.rows(&touched(pressed), &moving, &here)?;
                 let kinematics = Kinematics {
                     creepage_y: sign * here.creepage_y,
                     spin: sign * here.spin,
                     ..here
                 };
-                let patch = ContactPatch::new(pressed, self.side)?;
+                let patch = ContactPatch::new(pressed, rows.as_ref(), self.side)?;
                 let problem = (tangential.problem)(kinematics, patch)?;
                 let solution = (tangential.solver)(options).solve(&problem, watch)?;
                 Ok((pressed.clone(), problem, solution))
@@ -405,15 +410,18 @@ impl WheelOnRail {
 
     /// Angle by which the rail turns between the outmost rows in contact.
     fn turn(&self, pressed: &Pressed) -> f64 {
-        let columns = pressed.x.len();
-        let rows = pressed.pressure.chunks(columns);
-        let loaded = |row: &[f64]| row.iter().any(|p| *p > 0.0);
-        let touched: Vec<f64> =
-            rows.zip(&pressed.s).filter(|(row, _)| loaded(row)).map(|(_, s)| *s).collect();
+        let touched = touched(pressed);
         let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return 0.0 };
         let inclination = |s: &f64| self.pair.rail.at(pressed.plane.arcs[0] + s).inclination();
         (inclination(last) - inclination(first)).abs()
     }
+}
+
+/// Positions s of the rows in contact, in m.
+fn touched(pressed: &Pressed) -> Vec<f64> {
+    let rows = pressed.pressure.chunks(pressed.x.len());
+    let loaded = |row: &[f64]| row.iter().any(|p| *p > 0.0);
+    rows.zip(&pressed.s).filter(|(row, _)| loaded(row)).map(|(_, s)| *s).collect()
 }
 
 /// Inclination of a contact below which its friction hardly carries, in rad.

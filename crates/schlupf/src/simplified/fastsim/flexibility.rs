@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, Flexibilities, SlopeReduction};
 use crate::patch::Travel;
+use crate::row_motion::RowSlip;
 use crate::simplified::EllipticContact;
 
 /// L1, L2, L3 for longitudinal, lateral and spin creepage.
@@ -56,12 +57,18 @@ impl Flexibility {
         Self { longitudinal: mean, lateral: mean, spin: mean, reduction: 1.0 }
     }
 
-    /// Growth of the traction on the rail along a path in adhesion, in Pa.
-    pub fn stick_increment(&self, motion: &Kinematics, way: &Travel) -> [f64; 2] {
-        let turning = motion.spin / self.spin;
+    /// Growth of the traction on the rail along a path of a row in adhesion, in Pa.
+    pub fn stick_increment(
+        &self,
+        motion: &Kinematics,
+        (way, row): (&Travel, &RowSlip),
+    ) -> [f64; 2] {
+        let along = (motion.creepage_x + row.creepage_x) / self.longitudinal;
+        let across = (motion.creepage_y + row.creepage_y) / self.lateral;
+        let turning = (motion.spin + row.spin) / self.spin;
         [
-            motion.creepage_x / self.longitudinal * way.distance - turning * way.moment_y,
-            motion.creepage_y / self.lateral * way.distance + turning * way.moment_x,
+            along * way.distance - motion.spin / self.spin * way.moment_y,
+            across * way.distance + turning * way.moment_x,
         ]
     }
 
