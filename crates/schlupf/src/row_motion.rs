@@ -137,11 +137,8 @@ impl RowMotion {
     /// The mirror image at y = 0.
     #[must_use]
     pub fn mirrored(&self) -> Self {
-        let mirrored = |row: &RowSlip| RowSlip {
-            creepage_y: -row.creepage_y,
-            spin: -row.spin,
-            ..*row
-        };
+        let mirrored =
+            |row: &RowSlip| RowSlip { creepage_y: -row.creepage_y, spin: -row.spin, ..*row };
         let slope = |row: &RowSlip| mirrored(row).times(-1.0);
         Self {
             y: self.y.iter().rev().map(|y| -y).collect(),

@@ -67,6 +67,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
         motion: rolling(2.0, 2.0 / 0.46),
         support: Support::Force(10e3),
         joining: Joining::default(),
+        rows: schlupf::wheel_rail::RowsMove::default(),
         cells: 64,
     }
 }

@@ -115,10 +115,7 @@ impl Travel {
 
     /// What a row adds to that, in m.
     fn row_slip(&self, row: &RowSlip) -> [f64; 2] {
-        [
-            row.creepage_x * self.distance,
-            row.creepage_y * self.distance + row.spin * self.moment_x,
-        ]
+        [row.creepage_x * self.distance, row.creepage_y * self.distance + row.spin * self.moment_x]
     }
 
     /// The rigid slip distance in a row, in m.

@@ -23,6 +23,40 @@ use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::row_motion::{RowMotion, RowSlip};
 
+/// With what the rows of a contact move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RowsMove {
+    /// With the plane of the contact where the rail turns by up to 0.15 rad over it, with the
+    /// surface from 0.3 rad on, and in between with a mean of both that changes smoothly, so that
+    /// forces do not jump with the position.
+    #[default]
+    Automatic,
+    /// With the surface of every row.
+    WithSurface,
+    /// With the plane of the contact, as in the planar contacts of CONTACT.
+    WithPlane,
+}
+
+/// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
+pub(super) const CONFORMAL: f64 = 0.3;
+
+/// Half of that, from which on rows begin to follow the surface, in rad.
+const CURVED: f64 = 0.5 * CONFORMAL;
+
+impl RowsMove {
+    /// Share (dimensionless) of the motion of the surface where that turns by an angle, in rad.
+    pub(super) fn share(self, turn: f64) -> f64 {
+        match self {
+            Self::WithPlane => 0.0,
+            Self::WithSurface => 1.0,
+            Self::Automatic => {
+                let place = ((turn - CURVED) / (CONFORMAL - CURVED)).clamp(0.0, 1.0);
+                place * place * (3.0 - 2.0 * place)
+            }
+        }
+    }
+}
+
 /// Accuracy of a position on the outline, in m.
 const ACCURACY: f64 = 1e-13;
 
@@ -149,11 +183,7 @@ impl Interface<'_> {
             return None;
         }
         let place = [radius * sin, y + self.pair.wheel_offset, -radius * cos];
-        let tangent = [
-            -tz * sin + radius * cos * turn,
-            ty,
-            tz * cos + radius * sin * turn,
-        ];
+        let tangent = [-tz * sin + radius * cos * turn, ty, tz * cos + radius * sin * turn];
         let place = minus(self.pose.in_track(place), self.plane.origin);
         let tangent = self.pose.turned(tangent);
         let (across, normal) = (self.plane.across(), self.plane.normal());

@@ -8,9 +8,9 @@ use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering, weight};
 use super::gap::Gap;
 use super::pair::Pair;
 use super::patch::ContactPatch;
-use super::pose::{Attitude, minus};
+use super::pose::{Attitude, Pose, minus};
 use super::pressed::{Accuracy, Pressed};
-use super::rows::Interface;
+use super::rows::{CONFORMAL, Interface, RowsMove};
 use super::side::Side;
 use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
 use crate::kinematics::Kinematics;
@@ -19,6 +19,7 @@ use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
+use crate::row_motion::RowMotion;
 use crate::solution::{Solution, Status};
 use crate::solver::Solver;
 use crate::warning::Warning;
@@ -59,6 +60,8 @@ pub struct WheelOnRail {
     pub support: Support,
     /// Which contacts share a plane.
     pub joining: Joining,
+    /// With what the rows of a contact move.
+    pub rows: RowsMove,
     /// Number of cells across a contact each way on which its pressure is found.
     pub cells: usize,
 }
@@ -96,6 +99,13 @@ pub struct Contact {
     pub problem: Problem,
     /// Its solution. Creepages and moment are those at the origin of the frame.
     pub solution: Solution,
+}
+
+impl Contact {
+    /// Whether its rows move otherwise than its plane.
+    fn has_rows(&self) -> bool {
+        self.problem.normal.normal_contact(None).is_ok_and(|contact| contact.rows.is_some())
+    }
 }
 
 /// A wheel with its contacts.
@@ -143,15 +153,15 @@ impl WheelSolution {
     /// Warnings about the contacts as parts of a wheel.
     pub fn warnings(&self) -> Vec<Warning> {
         let turned = self.contacts.iter().filter(|contact| contact.turn > CONFORMAL);
-        let turned = turned.map(|contact| Warning::ConformalContact { turn: contact.turn });
+        let turned = turned.map(|contact| {
+            let has_rows = contact.solution.method.has_fields() && contact.has_rows();
+            Warning::ConformalContact { turn: contact.turn, has_rows }
+        });
         let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
         let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
         turned.chain(rough.map(|parts| Warning::RoughProfile { parts })).collect()
     }
 }
-
-/// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
-const CONFORMAL: f64 = 0.3;
 
 /// Parts of a patch that two smooth profiles hardly have.
 const MANY_PARTS: usize = 3;
@@ -338,9 +348,7 @@ impl WheelOnRail {
             .map(|pressed| {
                 let moving = Moving::new(&pose, &pressed.plane, pressed.approach, &motion);
                 let here = creepages(&pressed.plane, &moving);
-                let interface =
-                    Interface { pair: &self.pair, pose: &pose, plane: &pressed.plane };
-                let rows = interface.rows(&touched(pressed), &moving, &here)?;
+                let rows = self.rows(&pose, pressed, (&moving, &here))?;
                 let kinematics = Kinematics {
                     creepage_y: sign * here.creepage_y,
                     spin: sign * here.spin,
@@ -352,6 +360,22 @@ impl WheelOnRail {
                 Ok((pressed.clone(), problem, solution))
             })
             .collect()
+    }
+
+    /// The motion of the rows of a contact beyond that of its plane, if they have any.
+    fn rows(
+        &self,
+        pose: &Pose,
+        pressed: &Pressed,
+        (moving, motion): (&Moving, &Kinematics),
+    ) -> Result<Option<RowMotion>, Error> {
+        let share = self.rows.share(self.turn(pressed));
+        if share == 0.0 {
+            return Ok(None);
+        }
+        let interface = Interface { pair: &self.pair, pose, plane: &pressed.plane };
+        let rows = interface.rows(&touched(pressed), moving, motion)?;
+        Ok(rows.map(|rows| if share == 1.0 { rows } else { rows.scaled(share) }))
     }
 
     fn solution(

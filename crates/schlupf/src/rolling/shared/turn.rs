@@ -22,11 +22,7 @@ const SHORTEST_WAY: f64 = 0.3;
 
 /// The slide with the turn along a path. `upstream` is the length of the previous path and the
 /// elastic part of the sliding divided by that length, if there was one.
-pub(crate) fn with_turn(
-    slide: Slide,
-    way: &Way,
-    upstream: Option<(f64, [f64; 2])>,
-) -> Slide {
+pub(crate) fn with_turn(slide: Slide, way: &Way, upstream: Option<(f64, [f64; 2])>) -> Slide {
     let mut turn = way.turn;
     let upstream = upstream.filter(|(before, _)| *before > SHORTEST_WAY * way.distance);
     let Some((before, stretch)) = upstream else {
