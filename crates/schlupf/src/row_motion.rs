@@ -13,7 +13,7 @@
 //! approach, Multibody System Dynamics 52 (2021) 135–167).
 
 use crate::error::{Error, Place, require_at, require_several};
-use crate::numerics::interpolation::{hermite, hermite_slope};
+use crate::numerics::interpolation::{hermite, hermite_bend, hermite_slope};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -45,9 +45,27 @@ impl RowSlip {
         }
     }
 
-    /// Multiplied by a factor (dimensionless, or a length in m for a derivative).
-    pub(crate) fn times(&self, factor: f64) -> Self {
+    fn times(&self, factor: f64) -> Self {
         Self::sum(&[(factor, self)])
+    }
+}
+
+/// The same in a strip of cells, to first order in y across it: (Δξ + Δξ′ y, Δη + Δη′ y + Δφ x).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StripSlip {
+    /// Δξ and Δη, continued to y = 0, dimensionless.
+    pub creepages: [f64; 2],
+    /// Δξ′ and Δη′, in 1/m.
+    pub by_y: [f64; 2],
+    /// Δφ, in 1/m.
+    pub spin: f64,
+}
+
+impl StripSlip {
+    /// The additional rigid slip over the speed at x, y (in m), dimensionless.
+    pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [along, across] = [0, 1].map(|c| self.creepages[c] + self.by_y[c] * y);
+        [along, across + self.spin * x]
     }
 }
 
@@ -94,12 +112,16 @@ impl RowMotion {
         Ok(Self { y, rows, slopes })
     }
 
-    /// The row at y (in m), and its derivative with respect to y.
-    pub fn at(&self, y: f64) -> [RowSlip; 2] {
+    /// The row at y (in m), and its first two derivatives with respect to y.
+    pub fn at(&self, y: f64) -> [RowSlip; 3] {
         let last = self.y.len() - 1;
         let beyond = |end: usize| {
             let slope = self.slopes[end];
-            [RowSlip::sum(&[(1.0, &self.rows[end]), (y - self.y[end], &slope)]), slope]
+            [
+                RowSlip::sum(&[(1.0, &self.rows[end]), (y - self.y[end], &slope)]),
+                slope,
+                RowSlip::default(),
+            ]
         };
         if y <= self.y[0] {
             return beyond(0);
@@ -119,7 +141,31 @@ impl RowMotion {
                 (into * over * width, &self.slopes[k + 1]),
             ])
         };
-        [between(hermite(t), 1.0), between(hermite_slope(t), width.recip())]
+        let over = width.recip();
+        [
+            between(hermite(t), 1.0),
+            between(hermite_slope(t), over),
+            between(hermite_bend(t), over * over),
+        ]
+    }
+
+    /// The rows about y (in m).
+    pub fn strip(&self, y: f64) -> StripSlip {
+        let [row, slope, _] = self.at(y);
+        let by_y = [slope.creepage_x, slope.creepage_y];
+        let [along, across] = [row.creepage_x, row.creepage_y];
+        StripSlip { creepages: [along - by_y[0] * y, across - by_y[1] * y], by_y, spin: row.spin }
+    }
+
+    /// Derivative of that with respect to the logarithm of y.
+    pub(crate) fn strip_by_size(&self, y: f64) -> StripSlip {
+        let [_, slope, bend] = self.at(y);
+        let bend = [bend.creepage_x, bend.creepage_y];
+        StripSlip {
+            creepages: bend.map(|bend| -bend * y * y),
+            by_y: bend.map(|bend| bend * y),
+            spin: slope.spin * y,
+        }
     }
 
     /// The same with y and x measured from another origin, which lies at (x, y) (in m) in the
@@ -205,7 +251,7 @@ mod tests {
     fn parabolas_are_exact() {
         let table = table();
         for y in [-3.0, -2.7, -1.0, -0.4, 0.5, 1.9, 2.0] {
-            let [row, slope] = table.at(y);
+            let [row, slope, _] = table.at(y);
             assert_relative_eq!(row.creepage_x, parabola(y).creepage_x, epsilon = 1e-13);
             assert_relative_eq!(row.creepage_y, parabola(y).creepage_y, epsilon = 1e-13);
             assert_relative_eq!(row.spin, parabola(y).spin, epsilon = 1e-13);
@@ -214,6 +260,28 @@ mod tests {
         }
         let tangent = parabola(2.0).creepage_x + 0.5 * (3.0 - 2.0 * 2.0);
         assert_relative_eq!(table.at(2.5)[0].creepage_x, tangent, epsilon = 1e-13);
+    }
+
+    /// What is linear in y is the same in every strip.
+    #[test]
+    fn strips_follow_the_rows() {
+        let table = table();
+        for y in [-2.7, -0.4, 1.9] {
+            let slip = table.strip(y).at([0.3, y]);
+            let [row, slope, bend] = table.at(y);
+            assert_relative_eq!(slip[0], row.at(0.3)[0], epsilon = 1e-13);
+            assert_relative_eq!(slip[1], row.at(0.3)[1], epsilon = 1e-13);
+            assert_relative_eq!(bend.creepage_x, -2.0, epsilon = 1e-12);
+            let [near, grown] = [table.strip(y * (1.0 - 1e-6)), table.strip(y * (1.0 + 1e-6))];
+            let by_size = table.strip_by_size(y);
+            assert_relative_eq!(slope.spin * y, by_size.spin, epsilon = 1e-13);
+            for c in 0..2 {
+                let change = (grown.creepages[c] - near.creepages[c]) / 2e-6;
+                assert_relative_eq!(by_size.creepages[c], change, epsilon = 1e-8);
+                let change = (grown.by_y[c] - near.by_y[c]) / 2e-6;
+                assert_relative_eq!(by_size.by_y[c], change, epsilon = 1e-8);
+            }
+        }
     }
 
     /// The slip at a place is the same wherever the origin is, and that of the mirror image is

@@ -4,7 +4,7 @@
 use crate::grid::{BORDER, Grid};
 
 use super::{Cell, Patch, Strip, Travel};
-use crate::row_motion::RowSlip;
+use crate::row_motion::StripSlip;
 
 /// The part of a line y = const inside the patch, and the width across it that it represents.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,7 +81,7 @@ impl Integrals {
             y: self.y / self.area,
             since_entry: self.mean(&self.entry),
             path_in: Travel::default(),
-            row: RowSlip::default(),
+            row: StripSlip::default(),
         }
     }
 }

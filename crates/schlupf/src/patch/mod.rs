@@ -16,7 +16,7 @@ use std::sync::Arc;
 use crate::grid::Grid;
 use crate::kinematics::Kinematics;
 use crate::normal::{NormalContact, Pressure};
-use crate::row_motion::{RowMotion, RowSlip};
+use crate::row_motion::{RowMotion, StripSlip};
 
 #[doc(hidden)]
 pub use interpolation::Interpolation;
@@ -70,7 +70,7 @@ pub struct Cell {
     /// its upstream neighbour.
     pub path_in: Travel,
     /// What the rigid slip of its strip has in addition to that of the plane.
-    pub row: RowSlip,
+    pub row: StripSlip,
 }
 
 /// Path of a material point along x between two positions: integrals along the path, averaged over
@@ -113,13 +113,16 @@ impl Travel {
         ]
     }
 
-    /// What a row adds to that, in m.
-    fn row_slip(&self, row: &RowSlip) -> [f64; 2] {
-        [row.creepage_x * self.distance, row.creepage_y * self.distance + row.spin * self.moment_x]
+    /// What a strip adds to that, in m.
+    fn row_slip(&self, row: &StripSlip) -> [f64; 2] {
+        let StripSlip { creepages, by_y, spin } = row;
+        let [along, across] =
+            [0, 1].map(|c| creepages[c] * self.distance + by_y[c] * self.moment_y);
+        [along, across + spin * self.moment_x]
     }
 
-    /// The rigid slip distance in a row, in m.
-    pub fn rigid_slip_in_row(&self, kinematics: &Kinematics, row: &RowSlip) -> [f64; 2] {
+    /// The rigid slip distance in a strip, in m.
+    pub fn rigid_slip_in_row(&self, kinematics: &Kinematics, row: &StripSlip) -> [f64; 2] {
         sum(self.rigid_slip(kinematics), self.row_slip(row))
     }
 }
@@ -136,7 +139,7 @@ impl Cell {
 
     /// Rigid slip of the wheel over the rail at the cell, divided by the speed; dimensionless.
     pub fn rigid_slip(&self, kinematics: &Kinematics) -> [f64; 2] {
-        sum(kinematics.rigid_slip(self.x, self.y), self.row.at(self.x))
+        sum(kinematics.rigid_slip(self.x, self.y), self.row.at([self.x, self.y]))
     }
 
     /// Rigid slip distance along the path into the cell, in m.
@@ -156,19 +159,20 @@ impl Cell {
         Kinematics { spin, ..*kinematics }.half_turn(distance)
     }
 
-    /// Derivatives with respect to the logarithm of all lengths of what the row adds: to the slip
+    /// Derivatives with respect to the logarithm of all lengths of what the strip adds: to the slip
     /// distance along the path into the cell and to its half turn (both in m), and to the slip over
-    /// the speed (dimensionless). `slope` is that of the row times the strip's y.
-    pub(crate) fn row_by_size(&self, slope: &RowSlip) -> [[f64; 2]; 3] {
-        let Self { row, path_in, x, .. } = self;
-        let [distance, moment] = [path_in.distance, path_in.moment_x];
-        let way = [
-            (row.creepage_x + slope.creepage_x) * distance,
-            (row.creepage_y + slope.creepage_y) * distance + (2.0 * row.spin + slope.spin) * moment,
-        ];
-        let turn = [0.0, -0.5 * (2.0 * row.spin + slope.spin) * distance * distance];
-        let slip = [slope.creepage_x, slope.creepage_y + (row.spin + slope.spin) * x];
-        [way, turn, slip]
+    /// the speed (dimensionless). `change` is that of the strip.
+    pub(crate) fn row_by_size(&self, change: &StripSlip) -> [[f64; 2]; 3] {
+        let Self { row, path_in, .. } = self;
+        let longer = Travel {
+            distance: path_in.distance,
+            moment_x: 2.0 * path_in.moment_x,
+            moment_y: 2.0 * path_in.moment_y,
+        };
+        let way = sum(longer.row_slip(row), path_in.row_slip(change));
+        let turn = [0.0, -0.5 * (2.0 * row.spin + change.spin) * path_in.distance.powi(2)];
+        let moved = StripSlip { creepages: [0.0; 2], ..*row }.at([self.x, self.y]);
+        [way, turn, sum(moved, change.at([self.x, self.y]))]
     }
 
     /// Pressure on the covered part, in Pa.
@@ -203,21 +207,20 @@ impl Patch {
     fn set_rows(&mut self) {
         let Some(rows) = &self.rows else { return };
         for strip in &self.strips {
-            let [row, _] = rows.at(middle(&self.cells[strip.cells.clone()]));
+            let row = rows.strip(middle(&self.cells[strip.cells.clone()]));
             for cell in &mut self.cells[strip.cells.clone()] {
                 cell.row = row;
             }
         }
     }
 
-    /// Derivatives of the rows with respect to y times the y of their strips, for each cell; `None`
-    /// if all move with the plane.
-    pub(crate) fn row_slopes(&self) -> Option<Vec<RowSlip>> {
+    /// Derivatives of what the strips add with respect to the logarithm of all lengths, for each
+    /// cell; `None` if all move with the plane.
+    pub(crate) fn strips_by_size(&self) -> Option<Vec<StripSlip>> {
         let rows = self.rows.as_ref()?;
         let of_strip = |strip: &Strip| {
-            let y = middle(&self.cells[strip.cells.clone()]);
-            let [_, slope] = rows.at(y);
-            std::iter::repeat_n(slope.times(y), strip.cells.len())
+            let change = rows.strip_by_size(middle(&self.cells[strip.cells.clone()]));
+            std::iter::repeat_n(change, strip.cells.len())
         };
         Some(self.strips.iter().flat_map(of_strip).collect())
     }
@@ -251,7 +254,7 @@ impl Patch {
             return 0.0;
         }
         let power = |(cell, p): (&Cell, &[f64])| {
-            let [x, y] = cell.row.at(cell.x);
+            let [x, y] = cell.row.at([cell.x, cell.y]);
             p[0] * x + p[1] * y
         };
         let cells = self.cells.iter().zip(traction.chunks_exact(2));

@@ -269,7 +269,7 @@ impl<'a> Derivatives<'a> {
         let kinematics = &self.problem.kinematics;
         let turning = Kinematics { spin: kinematics.spin, ..standing(self.problem) };
         let warmer = friction.contact_temperature_by(self.problem, &contact.patch, Scaling::Size);
-        let slopes = contact.patch.row_slopes();
+        let changes = contact.patch.strips_by_size();
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             // All paths grow; the contribution of spin grows with the square.
             direct.set_motion(k, cell, &turning);
@@ -281,8 +281,8 @@ impl<'a> Derivatives<'a> {
                 direct.cause.turn[2 * k + c] = 2.0 * load_exponent * half_turn[c];
                 direct.friction.slip[k][c] *= load_exponent;
             }
-            if let Some(slopes) = &slopes {
-                let [way, turn, slip] = cell.row_by_size(&slopes[k]);
+            if let Some(changes) = &changes {
+                let [way, turn, slip] = cell.row_by_size(&changes[k]);
                 for c in 0..2 {
                     direct.cause.rigid[2 * k + c] += load_exponent * way[c];
                     direct.cause.turn[2 * k + c] += load_exponent * turn[c];

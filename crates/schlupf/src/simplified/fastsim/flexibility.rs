@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, Flexibilities, SlopeReduction};
 use crate::patch::Travel;
-use crate::row_motion::RowSlip;
+use crate::row_motion::StripSlip;
 use crate::simplified::EllipticContact;
 
 /// L1, L2, L3 for longitudinal, lateral and spin creepage.
@@ -61,15 +61,14 @@ impl Flexibility {
     pub fn stick_increment(
         &self,
         motion: &Kinematics,
-        (way, row): (&Travel, &RowSlip),
+        (way, row): (&Travel, &StripSlip),
     ) -> [f64; 2] {
-        let along = (motion.creepage_x + row.creepage_x) / self.longitudinal;
-        let across = (motion.creepage_y + row.creepage_y) / self.lateral;
-        let turning = (motion.spin + row.spin) / self.spin;
-        [
-            along * way.distance - motion.spin / self.spin * way.moment_y,
-            across * way.distance + turning * way.moment_x,
-        ]
+        let turning = motion.spin / self.spin;
+        let more = |c: usize| row.creepages[c] * way.distance + row.by_y[c] * way.moment_y;
+        let along =
+            motion.creepage_x / self.longitudinal * way.distance + more(0) / self.longitudinal;
+        let across = motion.creepage_y / self.lateral * way.distance + more(1) / self.lateral;
+        [along - turning * way.moment_y, across + (turning + row.spin / self.spin) * way.moment_x]
     }
 
     /// The single flexibility (in m³/N) that converts traction (in Pa) lost to the limit into slip:

@@ -2,7 +2,7 @@
 
 use crate::kinematics::Kinematics;
 use crate::patch::Travel;
-use crate::row_motion::RowSlip;
+use crate::row_motion::StripSlip;
 
 use super::flexibility::Flexibility;
 
@@ -23,7 +23,7 @@ impl Passage {
     pub fn new(
         flexibility: &Flexibility,
         motion: &Kinematics,
-        path: (&Travel, &RowSlip),
+        path: (&Travel, &StripSlip),
         ends: [[f64; 2]; 2],
     ) -> Self {
         Approach::new(flexibility, motion, path).passage(ends)
@@ -52,7 +52,7 @@ impl Approach {
     pub fn new(
         flexibility: &Flexibility,
         motion: &Kinematics,
-        (way, row): (&Travel, &RowSlip),
+        (way, row): (&Travel, &StripSlip),
     ) -> Self {
         let rate = motion.speed / way.distance;
         let stick_increment = flexibility.stick_increment(motion, (way, row));
