@@ -8,9 +8,9 @@
 //!
 //! (ξ − φ y + Δξ(y), η + φ x + Δη(y) + Δφ(y) x).
 //!
-//! The same is done in the conformal contacts of CONTACT, whose rigid slip follows from the curved
-//! reference surface (Vollebregt, Detailed wheel/rail geometry processing with the conformal contact
-//! approach, Multibody System Dynamics 52 (2021) 135–167).
+//! In the conformal contacts of CONTACT, too, the rigid slip is that of the surface in its local
+//! tangent (Vollebregt, Detailed wheel/rail geometry processing with the conformal contact approach,
+//! Multibody System Dynamics, 2021, doi 10.1007/s11044-020-09762-w).
 
 use crate::error::{Error, Place, require_at, require_several};
 use crate::numerics::interpolation::{hermite, hermite_bend, hermite_slope};

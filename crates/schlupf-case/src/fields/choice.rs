@@ -86,7 +86,7 @@ choices! {
     /// `normal.row_motion`.
     RowMotion {
         Automatic "automatic"
-            "plane where the surface turns by up to 0.15 rad over a contact, surface from 0.3 rad on";
+            "plane where the surface turns by up to 0.2 rad over a contact, surface from 0.3 rad on";
         Surface "surface" "every row slips and spins as the surface there";
         Plane "plane" "all rows move with the plane of the contact";
     }

@@ -1,8 +1,10 @@
 //! Motion of the rows of a curved contact, from the rigid motion at the surface of every row.
 //!
 //! Where the bodies touch, both deform; with like materials the interface is half-way between the
-//! undeformed surfaces, as the reference surface of CONTACT's conformal contacts (Vollebregt 2021,
-//! see [`crate::row_motion`]). In the plane of the contact it is the curve n(s) = (n_r + n_w)/2 of
+//! undeformed surfaces. A particle of the wheel that is pushed in by w moves with u_x = −w x/R, as
+//! its normal turns, so that at x = 0 it slips like a point at the distance r − w from the axle: as
+//! the interface. (CONTACT takes the undeformed wheel; the difference is of the order of half the
+//! overlap over the radius.) In the plane of the contact the interface is n(s) = (n_r + n_w)/2 of
 //! the rail's profile and of the wheel's outline, which is what is seen of the wheel along the
 //! track: the points of its surface whose normal has no component along the track, at
 //! x = r sin θ, sin θ = σ tan ψ in the wheelset's axes, with the slope σ = dz/dy of the wheel's
@@ -26,7 +28,7 @@ use crate::row_motion::{RowMotion, RowSlip};
 /// With what the rows of a contact move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RowsMove {
-    /// With the plane of the contact where the rail turns by up to 0.15 rad over it, with the
+    /// With the plane of the contact where the rail turns by up to 0.2 rad over it, with the
     /// surface from 0.3 rad on, and in between with a mean of both that changes smoothly, so that
     /// forces do not jump with the position.
     #[default]
@@ -40,8 +42,9 @@ pub enum RowsMove {
 /// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
 pub(super) const CONFORMAL: f64 = 0.3;
 
-/// Half of that, from which on rows begin to follow the surface, in rad.
-const CURVED: f64 = 0.5 * CONFORMAL;
+/// The same from which on rows begin to follow the surface, in rad: not much earlier, because what is
+/// less curved is compared with planar contacts.
+const CURVED: f64 = 0.2;
 
 impl RowsMove {
     /// Share (dimensionless) of the motion of the surface where that turns by an angle, in rad.
