@@ -9,8 +9,8 @@
 //! (ξ − φ y + Δξ(y), η + φ x + Δη(y) + Δφ(y) x).
 //!
 //! In the conformal contacts of CONTACT, too, the rigid slip is that of the surface in its local
-//! tangent (Vollebregt, Detailed wheel/rail geometry processing with the conformal contact approach,
-//! Multibody System Dynamics, 2021, doi 10.1007/s11044-020-09762-w).
+//! tangent (Vollebregt, Detailed wheel/rail geometry processing with the conformal contact
+//! approach, Multibody System Dynamics, 2021, doi 10.1007/s11044-020-09762-w).
 
 use crate::error::{Error, Place, require_at, require_several};
 use crate::numerics::interpolation::{hermite, hermite_bend, hermite_slope};
@@ -69,8 +69,8 @@ impl StripSlip {
     }
 }
 
-/// [`RowSlip`] over y: a table between whose entries lie the cubics with the slopes of the parabolas
-/// through three neighbours; linear beyond its ends.
+/// [`RowSlip`] over y: a table between whose entries lie the cubics with the slopes of the
+/// parabolas through three neighbours; linear beyond its ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowMotion {
     /// Ascending, in m.

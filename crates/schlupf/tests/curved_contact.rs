@@ -1,9 +1,9 @@
 //! Contacts whose surface turns across the patch, so that every row has a rigid slip of its own.
 //!
-//! The surface of the examples is that of a flange root: in the plane of the contact, which leans by
-//! 0.5 rad, an arc of radius 13 mm (that of the rail's gauge corner, EN 13674-1) on a wheel of radius
-//! 0.46 m that rolls at Ω = V/0.46 m and moves outwards at 0.01 V. At y the surface has turned by
-//! β = asin(y/R) and risen by n = R (1 − cos β), so with the rigid motion of the wheel
+//! The surface of the examples is that of a flange root: in the plane of the contact, which leans
+//! by 0.5 rad, an arc of radius 13 mm (that of the rail's gauge corner, EN 13674-1) on a wheel of
+//! radius 0.46 m that rolls at Ω = V/0.46 m and moves outwards at 0.01 V. At y the surface has
+//! turned by β = asin(y/R) and risen by n = R (1 − cos β), so with the rigid motion of the wheel
 //!
 //! Δξ = Ω n cos β₀/V,  Δη = v (cos(β₀ + β) − cos β₀)/V,  Δφ = −Ω (sin(β₀ + β) − sin β₀)/V.
 
@@ -191,9 +191,10 @@ fn a_plane_has_constant_spin() {
     }
 }
 
-/// Marching ends in the state that the steady solver finds: within 1e-4 of μN by the same equations.
-/// Stiff bristles and Coulomb's law have equations of their own in time, of the first order in the
-/// cell: what they are off by on a plane with the same motion, they may be off by here.
+/// Marching ends in the state that the steady solver finds: within 1e-4 of μN by the same
+/// equations. Stiff bristles and Coulomb's law have equations of their own in time, of the first
+/// order in the cell: what they are off by on a plane with the same motion, they may be off by
+/// here.
 #[test]
 fn marching_ends_in_the_steady_state() {
     let options = Options { max_steps: 4000, ..cells(16) };
@@ -253,8 +254,8 @@ fn the_power_balance_closes_row_by_row() {
     }
 }
 
-/// Full sliding without elasticity to speak of: the traction of every cell opposes the rigid slip of
-/// its row, in the full method and in FASTSIM with one flexibility, and so do the forces.
+/// Full sliding without elasticity to speak of: the traction of every cell opposes the rigid slip
+/// of its row, in the full method and in FASTSIM with one flexibility, and so do the forces.
 #[test]
 fn fastsim_slides_as_the_full_method() {
     let problem = with_law(&curved(0.15, 0.08), Arc::new(Coulomb));
@@ -325,8 +326,8 @@ fn derivatives_are_those_of_the_solutions() {
     }
 }
 
-/// Prescribed forces are those of the creepages that are found for them. (Hot friction falls, so that
-/// one force may have several creepages.)
+/// Prescribed forces are those of the creepages that are found for them. (Hot friction falls, so
+/// that one force may have several creepages.)
 #[test]
 fn prescribed_forces_find_their_creepages() {
     for (name, problem) in kinds().into_iter().filter(|(name, _)| *name != "hot") {
@@ -363,7 +364,8 @@ fn mirror_images_are_mirrored() {
     }
 }
 
-/// A history over which the motion changes: the powers of every step balance with the elastic energy.
+/// A history over which the motion changes: the powers of every step balance with the elastic
+/// energy.
 #[test]
 fn powers_of_every_step_balance() {
     let problem = curved(1e-3, -2e-3);

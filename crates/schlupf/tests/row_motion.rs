@@ -1,8 +1,8 @@
 //! The rigid slip of the rows of a contact between a wheel and a rail, against the rigid motion of
 //! points on the surfaces that are found by trial.
 //!
-//! The independent computation knows of the wheel only the radius of its surface over y, of the rail
-//! only its height: in a row s of the contact's plane the wheel is the lowest point, by golden
+//! The independent computation knows of the wheel only the radius of its surface over y, of the
+//! rail only its height: in a row s of the contact's plane the wheel is the lowest point, by golden
 //! section over x, of the roots n of hypot(Q_x, Q_z) = r(Q_y) on the line along the plane's normal,
 //! and the rail the root of its height on the same line. Slopes are central differences. The motion
 //! of a point is that of the wheelset, whose attitude is written down here once more.
@@ -340,9 +340,9 @@ fn rows_of_s1002_in_the_flange_root() {
     }
 }
 
-/// By themselves rows move with the plane where the surface turns by up to 0.2 rad, with the surface
-/// from 0.3 rad on, and in between with a mean that neither jumps nor has a kink; methods without
-/// rows say that they take the plane.
+/// By themselves rows move with the plane where the surface turns by up to 0.2 rad, with the
+/// surface from 0.3 rad on, and in between with a mean that neither jumps nor has a kink; methods
+/// without rows say that they take the plane.
 #[test]
 fn rows_follow_the_surface_where_it_is_curved() {
     let pair = benchmark();

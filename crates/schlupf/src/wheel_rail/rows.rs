@@ -42,8 +42,9 @@ pub enum RowsMove {
 /// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
 pub(super) const CONFORMAL: f64 = 0.3;
 
-/// The same from which on rows begin to follow the surface, in rad: not much earlier, because what is
-/// less curved is compared with planar contacts.
+/// The same from which on rows begin to follow the surface, in rad. A choice: the way to the other
+/// bound only has to be long enough for forces that do not jump, and contacts that count as plane
+/// are those that are compared with planar ones.
 const CURVED: f64 = 0.2;
 
 impl RowsMove {

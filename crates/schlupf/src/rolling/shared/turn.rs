@@ -12,7 +12,8 @@ pub(crate) struct Way {
     pub distance: f64,
     /// Rigid slip along it, in m.
     pub rigid: [f64; 2],
-    /// Difference of the rigid slip over its length between its downstream end and its middle, in m.
+    /// Difference of the rigid slip over its length between its downstream end and its middle, in
+    /// m.
     pub turn: [f64; 2],
 }
 
