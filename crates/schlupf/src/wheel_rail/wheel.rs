@@ -124,6 +124,7 @@ pub struct WheelSolution {
     /// Rounds between height and friction.
     pub rounds: usize,
     guess: Guess,
+    rows: RowsMove,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
 }
@@ -152,11 +153,13 @@ impl WheelSolution {
 
     /// Warnings about the contacts as parts of a wheel.
     pub fn warnings(&self) -> Vec<Warning> {
-        let turned = self.contacts.iter().filter(|contact| contact.turn > CONFORMAL);
-        let turned = turned.map(|contact| {
-            let has_rows = contact.solution.method.has_fields() && contact.has_rows();
-            Warning::ConformalContact { turn: contact.turn, has_rows }
-        });
+        let warning = |contact: &Contact| {
+            let (turn, is_found) = (contact.turn, contact.has_rows());
+            let is_missed = self.rows.share(turn) > 0.0 && !is_found;
+            let has_rows = is_found && contact.solution.method.has_fields();
+            (turn > CONFORMAL || is_missed).then_some(Warning::ConformalContact { turn, has_rows })
+        };
+        let turned = self.contacts.iter().filter_map(warning);
         let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
         let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
         turned.chain(rough.map(|parts| Warning::RoughProfile { parts })).collect()
@@ -404,6 +407,7 @@ impl WheelOnRail {
             contacts,
             force,
             guess: lowered.at,
+            rows: self.rows,
             rounds,
             is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
         }
