@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use schlupf::unwatched;
-use schlupf::wheel_rail::{ProfileCurve, Side, Support};
+use schlupf::wheel_rail::{ProfileCurve, RowsMove, Side, Support};
 use schlupf_case::{Case, CaseFile, Folder, Overrides};
 
 const HEAD: &str = "\
@@ -205,6 +205,22 @@ fn contradictions_are_told() {
     let file = read("", &[]).unwrap();
     let error = file.wheel().unwrap_err().to_string();
     assert!(error.contains("normal.model must be \"wheel-rail\" for the contacts"), "{error}");
+}
+
+/// With what the rows of a contact move is a name.
+#[test]
+fn the_motion_of_rows_is_chosen() {
+    let profiles = "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n";
+    let rows = |choice: &str| {
+        let chosen = with(profiles).replace("load =", &format!("{choice}\nload ="));
+        read(&chosen, &[]).map(|file| file.wheel().unwrap().rows)
+    };
+    assert_eq!(rows(""), Ok(RowsMove::Automatic));
+    assert_eq!(rows("row_motion = \"automatic\""), Ok(RowsMove::Automatic));
+    assert_eq!(rows("row_motion = \"surface\""), Ok(RowsMove::WithSurface));
+    assert_eq!(rows("row_motion = \"plane\""), Ok(RowsMove::WithPlane));
+    let error = rows("row_motion = \"plain\"").unwrap_err();
+    assert!(error.contains("normal.row_motion") && error.contains("\"plane\""), "{error}");
 }
 
 /// A case poses the contact with the largest normal force, and keeps the wheel; left out, the roll

@@ -159,6 +159,7 @@ fn profiles_are_found_from_the_cases() {
         "lateral_position = \"-4 mm\"",
         "angular_velocity = \"4.34 rad/s\"",
         "join_distance = \"8 mm\"",
+        "row_motion = \"plane\"",
     ] {
         assert!(text.contains(line), "{line}: {text}");
     }

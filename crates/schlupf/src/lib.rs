@@ -22,6 +22,7 @@ pub mod parallel;
 mod least_squares;
 pub mod material;
 pub mod kinematics;
+pub mod row_motion;
 pub mod grid;
 mod fourier;
 pub mod surface;

@@ -140,6 +140,7 @@ impl Method {
     }
 
     /// Whether it computes the traction at every point, with temperatures, rather than forces only.
+    /// If so, it takes the motion of every row ([`crate::row_motion`]), else that of the plane.
     pub fn has_fields(self) -> bool {
         match self {
             Self::Full => true,

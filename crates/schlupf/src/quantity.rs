@@ -73,6 +73,7 @@ quantities! {
     GaugeDepth "gauge_depth" "" "m" "depth below the top of the rail at which the gauge is measured"
     FlangeBackDistance "flange_back_distance" "" "m" "distance between the flange backs of a wheelset"
     JoinDistance "join_distance" "" "m" "distance below which neighbouring contacts share one plane"
+    RowMotion "row_motion" "" "" "with what the rows of a contact move"
     JoinAngle "join_angle" "" "rad" "difference of angles below which neighbouring contacts share one plane"
     WheelSide "wheel_side" "" "" "side of the wheelset"
     LateralPosition "lateral_position" "y_ws" "m" "lateral position of the wheelset"

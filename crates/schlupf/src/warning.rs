@@ -387,10 +387,19 @@ messages! {
     "conformal-contact" ConformalContact {
         /// Angle by which the surface turns over the contact, in rad.
         turn: f64,
-    } Quantity::ContactAngle, |name, words| format!(
-        "{name}: the surface turns by {turn:.2} rad over a contact, which is solved in a plane: beyond \
-         0.3 rad the pressure is too high, and the spin of the plane's middle is taken for all of it"
-    );
+        /// Whether its rows slip as the surface there.
+        has_rows: bool,
+    } Quantity::ContactAngle, |name, words| {
+        let spin = if *has_rows {
+            "the spin follows the surface over the patch"
+        } else {
+            "the spin of the plane's middle is taken for all of it"
+        };
+        format!(
+            "{name}: the surface turns by {turn:.2} rad over a contact, which is solved in a plane: \
+             beyond 0.3 rad the pressure is too high; {spin}"
+        )
+    };
 
     /// A patch of several parts on profiles that were not smoothed.
     "rough-profile" RoughProfile {

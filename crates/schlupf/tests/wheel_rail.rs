@@ -13,7 +13,7 @@ use schlupf::material::{Body, Material, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
     Contact, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
-    RollingRadiusDifference, Side, Support, Tangential, Track, WheelOnRail, WheelShape,
+    RollingRadiusDifference, RowsMove, Side, Support, Tangential, Track, WheelOnRail, WheelShape,
     WheelSolution,
 };
 use schlupf::{Error, Method, Options, Problem, Quantity, Status, unwatched};
@@ -67,6 +67,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
         motion: rolling(2.0, 2.0 / 0.46),
         support: Support::Force(10e3),
         joining: Joining::default(),
+        rows: RowsMove::default(),
         cells: 64,
     }
 }
@@ -334,7 +335,7 @@ fn assert_mirrored(name: &str, right: &WheelSolution, left: &WheelSolution, tole
 
 /// A right wheel is the mirror image of a left one to rounding (the rows of its cells are added up
 /// the other way round, which single precision in the preconditioner magnifies): on the tread, with
-/// several parts and on the flange, with bristles and by Coulomb's law.
+/// several parts and on the flange, with bristles and by Coulomb's law; rows move with the surface.
 #[test]
 fn both_sides_are_mirror_images() {
     let pair = benchmark(1.435);
@@ -345,7 +346,8 @@ fn both_sides_are_mirror_images() {
         for (force, law) in [(10e3, bristles()), (80e3, coulomb.clone())] {
             let right = wheel(&pair, Side::Right, Position { lateral, yaw, roll });
             let motion = Motion { lateral_velocity: 0.01, yaw_rate: 0.02, ..right.motion };
-            let right = WheelOnRail { motion, support: Support::Force(force), ..right };
+            let (support, rows) = (Support::Force(force), RowsMove::WithSurface);
+            let right = WheelOnRail { motion, support, rows, ..right };
             let options = Options::default();
             let solve = |wheel: &WheelOnRail| {
                 solve_with((&law, 0.3, &options), |with| wheel.solve(with, &unwatched)).unwrap()

@@ -83,6 +83,14 @@ choices! {
         Inwards "inwards" "towards the middle of the track";
     }
 
+    /// `normal.row_motion`.
+    RowMotion {
+        Automatic "automatic"
+            "plane where the surface turns by up to 0.2 rad over a contact, surface from 0.3 rad on";
+        Surface "surface" "every row slips and spins as the surface there";
+        Plane "plane" "all rows move with the plane of the contact";
+    }
+
     /// `wheelset.side`.
     WheelSide {
         Right "right" "the wheel at negative y";

@@ -38,7 +38,8 @@ mod subsurface;
 mod wheel_rail;
 
 use super::choice::{
-    Choose, HeatChoice, LateralAxis, NormalModel, PartitionChoice, Reference, VerticalAxis,
+    Choose, HeatChoice, LateralAxis, NormalModel, PartitionChoice, Reference, RowMotion,
+    VerticalAxis,
 };
 use super::field::Default::{Nothing, Same, Text};
 use super::field::{Field, Kind, Section};
@@ -290,6 +291,9 @@ section! {
         with(NORMAL_MODEL, WHEEL_RAIL);
     "join_angle" [JoinAngle] quantity(&Measure::ANGLE), Between(0.0, FRAC_PI_2), Text("20 deg"),
         "difference of their angles up to which they do", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "row_motion" [RowMotion] Kind::Choice(RowMotion::CHOICES), Finite, Text("automatic"),
+        "with what the rows across a curved contact move", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
 }
 
 /// Path of the source of the pressure.

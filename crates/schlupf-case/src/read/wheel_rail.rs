@@ -7,14 +7,14 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::contact_modulus;
 use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::wheel_rail::{
-    Joining, Motion, Pair, Position, RailShape, Side, Support, Tangential, Track, WheelOnRail,
-    WheelShape, WheelSolution,
+    Joining, Motion, Pair, Position, RailShape, RowsMove, Side, Support, Tangential, Track,
+    WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Error, Options, Problem, Solver, Watch};
 
 use super::roughness::OfRoughness;
 use crate::error::CaseError;
-use crate::fields::choice::{NormalModel, WheelSide};
+use crate::fields::choice::{NormalModel, RowMotion, WheelSide};
 use crate::fields::{FORCES, ROUGHNESS};
 use crate::profiles;
 use crate::settings::Settings;
@@ -73,6 +73,11 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
         joining: Joining {
             distance: settings.number("normal.join_distance")?,
             angle: settings.number("normal.join_angle")?,
+        },
+        rows: match settings.chosen("normal.row_motion")? {
+            RowMotion::Automatic => RowsMove::Automatic,
+            RowMotion::Surface => RowsMove::WithSurface,
+            RowMotion::Plane => RowsMove::WithPlane,
         },
         cells: settings.optional_number("normal.cells")?.map_or(CELLS, |cells| cells as usize),
     };

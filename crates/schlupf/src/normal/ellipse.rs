@@ -64,7 +64,7 @@ impl PressureSource for Ellipse {
             origin: None,
             parts: 1,
         };
-        Ok(NormalContact { summary, pressure: Pressure::Elliptic })
+        Ok(NormalContact { summary, pressure: Pressure::Elliptic, rows: None })
     }
 }
 

@@ -124,7 +124,7 @@ impl PressureSource for Hertz {
             origin: None,
             parts: 1,
         };
-        Ok(NormalContact { summary, pressure: Pressure::Elliptic })
+        Ok(NormalContact { summary, pressure: Pressure::Elliptic, rows: None })
     }
 
     fn load_exponent(&self) -> Option<f64> {

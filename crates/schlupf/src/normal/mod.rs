@@ -13,6 +13,7 @@ use std::sync::Arc;
 use crate::error::Error;
 use crate::grid::Extent;
 use crate::progress::Watch;
+use crate::row_motion::RowMotion;
 use crate::warning::Warning;
 
 use tabulated::PressureTable;
@@ -52,6 +53,9 @@ pub struct NormalContact {
     pub summary: NormalSummary,
     /// Its pressure.
     pub pressure: Pressure,
+    /// How its rows slip beyond the motion of the plane, if the surfaces turn across it; in the
+    /// contact frame.
+    pub rows: Option<Arc<RowMotion>>,
 }
 
 /// Sizes of a normal contact.

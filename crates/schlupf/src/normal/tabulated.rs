@@ -299,7 +299,7 @@ impl PressureSource for Tabulated {
             parts: self.table.parts(),
         };
         let pressure = Pressure::Tabulated(Arc::clone(&self.table), factor);
-        Ok(NormalContact { summary, pressure })
+        Ok(NormalContact { summary, pressure, rows: None })
     }
 }
 

@@ -54,6 +54,11 @@ pub(crate) fn hermite_slope(t: f64) -> [f64; 4] {
     [-6.0 * t * rest, 6.0 * t * rest, rest * (1.0 - 3.0 * t), t * (3.0 * t - 2.0)]
 }
 
+/// Their second derivatives with respect to t.
+pub(crate) fn hermite_bend(t: f64) -> [f64; 4] {
+    [12.0 * t - 6.0, 6.0 - 12.0 * t, 6.0 * t - 4.0, 6.0 * t - 2.0]
+}
+
 /// Weights of four equidistant nodes at a fraction t of the interval between the middle two, with
 /// the slopes of Hermite's cubic from the differences of neighbours (Catmull and Rom 1974).
 pub(crate) fn catmull_rom(t: f64) -> [f64; 4] {
@@ -98,6 +103,8 @@ mod tests {
         assert_relative_eq!(sum(hermite(0.3)), cubic_at(0.3), max_relative = 1e-14);
         let slope = -1.0 + 0.3 - 0.75 * 0.09;
         assert_relative_eq!(sum(hermite_slope(0.3)), slope, max_relative = 1e-14);
+        let bend = 1.0 - 1.5 * 0.3;
+        assert_relative_eq!(sum(hermite_bend(0.3)), bend, max_relative = 1e-13);
         let parabola = |x: f64| 1.0 + x * (3.0 - x);
         let terms = (-1..3).zip(catmull_rom(0.7)).map(|(k, w)| w * parabola(f64::from(k)));
         assert_relative_eq!(terms.sum::<f64>(), parabola(0.7), max_relative = 1e-14);

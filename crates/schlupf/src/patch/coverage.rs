@@ -4,6 +4,7 @@
 use crate::grid::{BORDER, Grid};
 
 use super::{Cell, Patch, Strip, Travel};
+use crate::row_motion::StripSlip;
 
 /// The part of a line y = const inside the patch, and the width across it that it represents.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,6 +81,7 @@ impl Integrals {
             y: self.y / self.area,
             since_entry: self.mean(&self.entry),
             path_in: Travel::default(),
+            row: StripSlip::default(),
         }
     }
 }

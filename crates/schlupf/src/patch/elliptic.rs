@@ -20,7 +20,7 @@ const LONGEST_INTERVAL: f64 = 0.4;
 
 /// The patch x²/a² + y²/b² < 1 under p0 √(1 − x²/a² − y²/b²).
 pub(super) fn patch(contact: &NormalSummary, grid: Grid) -> Patch {
-    let mut patch = Patch { grid, strips: Vec::new(), cells: Vec::new() };
+    let mut patch = Patch::empty(grid);
     let is_symmetric = (grid.edge_y(0) + grid.edge_y(grid.rows)).abs() <= 1e-12 * grid.spacing_y;
     let apart = if is_symmetric { grid.rows.div_ceil(2) } else { grid.rows };
     let half: Vec<Vec<Integrals>> =

@@ -11,10 +11,12 @@ mod interpolation;
 mod tabulated;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::grid::Grid;
 use crate::kinematics::Kinematics;
 use crate::normal::{NormalContact, Pressure};
+use crate::row_motion::{RowMotion, StripSlip};
 
 #[doc(hidden)]
 pub use interpolation::Interpolation;
@@ -31,6 +33,8 @@ pub struct Patch {
     pub strips: Vec<Strip>,
     /// The contact cells.
     pub cells: Vec<Cell>,
+    /// How its rows slip beyond the motion of the plane.
+    pub rows: Option<Arc<RowMotion>>,
 }
 
 /// A run of contact cells in a row of the grid, with its own leading and trailing edge.
@@ -65,6 +69,8 @@ pub struct Cell {
     /// Path into the cell: from the leading edge if it is the first of its strip, otherwise from
     /// its upstream neighbour.
     pub path_in: Travel,
+    /// What the rigid slip of its strip has in addition to that of the plane.
+    pub row: StripSlip,
 }
 
 /// Path of a material point along x between two positions: integrals along the path, averaged over
@@ -106,12 +112,67 @@ impl Travel {
             kinematics.creepage_y * self.distance + kinematics.spin * self.moment_x,
         ]
     }
+
+    /// What a strip adds to that, in m.
+    fn row_slip(&self, row: &StripSlip) -> [f64; 2] {
+        let StripSlip { creepages, by_y, spin } = row;
+        let [along, across] =
+            [0, 1].map(|c| creepages[c] * self.distance + by_y[c] * self.moment_y);
+        [along, across + spin * self.moment_x]
+    }
+
+    /// The rigid slip distance in a strip, in m.
+    pub fn rigid_slip_in_row(&self, kinematics: &Kinematics, row: &StripSlip) -> [f64; 2] {
+        sum(self.rigid_slip(kinematics), self.row_slip(row))
+    }
+}
+
+fn sum(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+    [one[0] + other[0], one[1] + other[1]]
 }
 
 impl Cell {
     /// Whether the patch covers all of it.
     pub(crate) fn is_covered(&self) -> bool {
         self.covered > 1.0 - WHOLE
+    }
+
+    /// Rigid slip of the wheel over the rail at the cell, divided by the speed; dimensionless.
+    pub fn rigid_slip(&self, kinematics: &Kinematics) -> [f64; 2] {
+        sum(kinematics.rigid_slip(self.x, self.y), self.row.at([self.x, self.y]))
+    }
+
+    /// Rigid slip distance along the path into the cell, in m.
+    pub fn rigid_slip_in(&self, kinematics: &Kinematics) -> [f64; 2] {
+        self.path_in.rigid_slip_in_row(kinematics, &self.row)
+    }
+
+    /// Rigid slip distance along the path from the leading edge, in m.
+    pub fn rigid_slip_since_entry(&self, kinematics: &Kinematics) -> [f64; 2] {
+        self.since_entry.rigid_slip_in_row(kinematics, &self.row)
+    }
+
+    /// Difference of the rigid slip over a distance (in m) between the downstream end of the
+    /// distance and its middle; in m.
+    pub fn half_turn(&self, kinematics: &Kinematics, distance: f64) -> [f64; 2] {
+        let spin = kinematics.spin + self.row.spin;
+        Kinematics { spin, ..*kinematics }.half_turn(distance)
+    }
+
+    /// Derivatives with respect to the logarithm of all lengths of what the strip adds: to the slip
+    /// distance along the path into the cell and to its half turn (both in m), and to the slip over
+    /// the speed (dimensionless). `change` is that of the strip.
+    pub(crate) fn row_by_size(&self, change: &StripSlip) -> [[f64; 2]; 3] {
+        let Self { row, path_in, .. } = self;
+        let longer = Travel {
+            distance: path_in.distance,
+            moment_x: 2.0 * path_in.moment_x,
+            moment_y: 2.0 * path_in.moment_y,
+        };
+        let way = sum(longer.row_slip(row), path_in.row_slip(change));
+        let turn = [0.0, -0.5 * (2.0 * row.spin + change.spin) * path_in.distance.powi(2)];
+        let moved = StripSlip { creepages: [0.0; 2], ..*row }.at([self.x, self.y]);
+        [way, turn, sum(moved, change.at([self.x, self.y]))]
     }
 
     /// Pressure on the covered part, in Pa.
@@ -128,10 +189,40 @@ impl Cell {
 impl Patch {
     /// The patch of a normal contact on a grid that covers it.
     pub fn new(contact: &NormalContact, grid: Grid) -> Self {
-        match &contact.pressure {
+        let patch = match &contact.pressure {
             Pressure::Elliptic => elliptic::patch(&contact.summary, grid),
             Pressure::Tabulated(table, factor) => tabulated::patch(table, *factor, grid),
+        };
+        let mut patch = Self { rows: contact.rows.clone(), ..patch };
+        patch.set_rows();
+        patch
+    }
+
+    /// Without contact.
+    fn empty(grid: Grid) -> Self {
+        Self { grid, strips: Vec::new(), cells: Vec::new(), rows: None }
+    }
+
+    /// Gives the cells of every strip its motion, so that their paths add up.
+    fn set_rows(&mut self) {
+        let Some(rows) = &self.rows else { return };
+        for strip in &self.strips {
+            let row = rows.strip(middle(&self.cells[strip.cells.clone()]));
+            for cell in &mut self.cells[strip.cells.clone()] {
+                cell.row = row;
+            }
         }
+    }
+
+    /// Derivatives of what the strips add with respect to the logarithm of all lengths, for each
+    /// cell; `None` if all move with the plane.
+    pub(crate) fn strips_by_size(&self) -> Option<Vec<StripSlip>> {
+        let rows = self.rows.as_ref()?;
+        let of_strip = |strip: &Strip| {
+            let change = rows.strip_by_size(middle(&self.cells[strip.cells.clone()]));
+            std::iter::repeat_n(change, strip.cells.len())
+        };
+        Some(self.strips.iter().flat_map(of_strip).collect())
     }
 
     /// Switches to another size and pressure: multiplies all lengths and all pressures by a factor
@@ -153,6 +244,21 @@ impl Patch {
         for strip in &mut self.strips {
             strip.exit = strip.exit.rescaled(length);
         }
+        self.set_rows();
+    }
+
+    /// Power over the speed (in N) of a traction on the rail (in Pa, x and y of each cell in turn)
+    /// with what the rows slip beyond the plane.
+    pub(crate) fn row_power(&self, traction: &[f64]) -> f64 {
+        if self.rows.is_none() {
+            return 0.0;
+        }
+        let power = |(cell, p): (&Cell, &[f64])| {
+            let [x, y] = cell.row.at([cell.x, cell.y]);
+            p[0] * x + p[1] * y
+        };
+        let cells = self.cells.iter().zip(traction.chunks_exact(2));
+        cells.map(power).sum::<f64>() * self.grid.cell_area()
     }
 
     /// Number of contact cells.
@@ -175,4 +281,10 @@ impl Patch {
     pub fn exit(&self, strip: &Strip) -> f64 {
         self.cells[strip.cells.end - 1].x - strip.exit.distance
     }
+}
+
+/// y of the middle of the covered part of a strip, in m.
+fn middle(cells: &[Cell]) -> f64 {
+    let covered: f64 = cells.iter().map(|cell| cell.covered).sum();
+    cells.iter().map(|cell| cell.covered * cell.y).sum::<f64>() / covered
 }

@@ -13,7 +13,7 @@ const CHORDS: f64 = 8.0;
 /// interpolant beyond the edges of the patch is assigned to the nearest cell of the row, so that
 /// the load is preserved.
 pub(super) fn patch(table: &PressureTable, factor: f64, grid: Grid) -> Patch {
-    let mut patch = Patch { grid, strips: Vec::new(), cells: Vec::new() };
+    let mut patch = Patch::empty(grid);
     for row in 0..grid.rows {
         let mut columns = vec![Integrals::default(); grid.columns];
         for chord in chords(table, &grid, row) {

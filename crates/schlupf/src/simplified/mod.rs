@@ -257,6 +257,7 @@ impl FastContact {
             instant.max_rise = Some(summary::temperature(&fastsim.patch, &now).max_rise);
             let power = summary::power(&fastsim.patch, &now, &force);
             instant.friction_power = power.map(|power| power.friction);
+            instant.creep_power = power.map(|power| power.creep);
             account.history = vec![instant];
             let view = View { normal, patch: &fastsim.patch, now: &now };
             account.warnings.extend(summary::caveats::of_temperatures(problem, view));

@@ -103,7 +103,8 @@ pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Option<
     let returned = now.friction_power.iter().map(|q| (-q).max(0.0)).sum::<f64>() * area;
     let shared = || now.conduction.shares().map(|share| share * (friction + returned));
     let [into_wheel, into_rail] = now.surfaces.as_ref().map_or_else(shared, |found| found.into);
-    let creep = creep_power(&now.kinematics, force)?;
+    let rows = now.kinematics.speed * patch.row_power(&now.traction);
+    let creep = creep_power(&now.kinematics, force)? + rows;
     Some(Power { friction, creep, returned, into_wheel, into_rail, exchanged: None })
 }
 

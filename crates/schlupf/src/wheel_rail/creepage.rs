@@ -33,29 +33,55 @@ impl Motion {
     }
 }
 
-/// Creepages at the origin of a plane under an approach (in m).
+/// The motion of the wheelset at the material point of the wheel at the origin of a plane.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moving {
+    /// Angular velocity ω in the track, in rad/s.
+    pub turning: [f64; 3],
+    /// Velocity of that point, in m/s.
+    at_origin: [f64; 3],
+    /// Part of its x component that is due to rolling, in m/s.
+    rolling: f64,
+}
+
+impl Moving {
+    /// The point Q = P − δ n at the origin P of a plane under an approach δ, in m.
+    pub fn new(pose: &Pose, plane: &ContactPlane, approach: f64, motion: &Motion) -> Self {
+        let normal = plane.normal();
+        let material = [0, 1, 2].map(|k| plane.origin[k] - approach * normal[k]);
+        let arm = minus(material, pose.centre);
+        let turning = pose.turned([motion.roll_rate, motion.angular_velocity, motion.yaw_rate]);
+        let [dx, dy, dz] = cross(turning, arm);
+        Self {
+            turning,
+            at_origin: [
+                motion.speed + dx,
+                motion.lateral_velocity + dy,
+                motion.vertical_velocity + dz,
+            ],
+            rolling: cross(pose.turned([0.0, motion.angular_velocity, 0.0]), arm)[0],
+        }
+    }
+
+    /// Velocity (in m/s) of the point of the wheel that is `away` (in m) from that point.
+    pub fn velocity(&self, away: [f64; 3]) -> [f64; 3] {
+        let more = cross(self.turning, away);
+        [0, 1, 2].map(|k| self.at_origin[k] + more[k])
+    }
+}
+
+/// Creepages at the origin of a plane.
 ///
 /// The material point of the wheel there, Q = P − δ n, moves at v = v_o + ω × (Q − o). With p the
 /// part of vₓ that is due to rolling, the rolling speed is V = (|vₓ − p| + |p|)/2, and
 /// ξ = vₓ/V, η = v·s/V, φ = ω·n/V (Kalker 1990).
-pub(super) fn creepages(
-    pose: &Pose,
-    plane: &ContactPlane,
-    approach: f64,
-    motion: &Motion,
-) -> Kinematics {
-    let normal = plane.normal();
-    let material = [0, 1, 2].map(|k| plane.origin[k] - approach * normal[k]);
-    let arm = minus(material, pose.centre);
-    let turning = pose.turned([motion.roll_rate, motion.angular_velocity, motion.yaw_rate]);
-    let [dx, dy, dz] = cross(turning, arm);
-    let velocity = [motion.speed + dx, motion.lateral_velocity + dy, motion.vertical_velocity + dz];
-    let rolling = cross(pose.turned([0.0, motion.angular_velocity, 0.0]), arm)[0];
-    let speed = 0.5 * ((velocity[0] - rolling).abs() + rolling.abs());
+pub(super) fn creepages(plane: &ContactPlane, moving: &Moving) -> Kinematics {
+    let Moving { turning, at_origin, rolling } = *moving;
+    let speed = 0.5 * ((at_origin[0] - rolling).abs() + rolling.abs());
     Kinematics {
         speed,
-        creepage_x: velocity[0] / speed,
-        creepage_y: dot(velocity, plane.across()) / speed,
-        spin: dot(turning, normal) / speed,
+        creepage_x: at_origin[0] / speed,
+        creepage_y: dot(at_origin, plane.across()) / speed,
+        spin: dot(turning, plane.normal()) / speed,
     }
 }

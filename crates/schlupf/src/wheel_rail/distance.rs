@@ -43,6 +43,16 @@ pub(super) struct Heights {
     pub is_beyond: Vec<bool>,
 }
 
+/// A point of the rail above a plane.
+pub(super) struct RailPoint {
+    /// Its arc length, in m.
+    pub arc: f64,
+    /// Its height, in m.
+    pub n: f64,
+    /// The slope of the height, dimensionless.
+    pub slope: f64,
+}
+
 /// A solution on the wheel: height in m, arc length in m.
 type OnWheel = [f64; 2];
 
@@ -118,6 +128,16 @@ impl<'a> PlaneView<'a> {
             arc = next.clamp(0.0, end);
         }
         None
+    }
+
+    /// The rail at s, from a guess of its arc length; both in m.
+    pub fn rail_point(&self, s: f64, guess: f64) -> Option<RailPoint> {
+        let (_, arc) = self.on_rail(s, Some((s, guess)))?;
+        let tangent = self.pair.rail.at(arc).tangent;
+        let ([_, s_y, s_z], [_, n_y, n_z]) = (self.plane.across(), self.plane.normal());
+        let along = s_y * tangent[0] + s_z * tangent[1];
+        let up = n_y * tangent[0] + n_z * tangent[1];
+        Some(RailPoint { arc, n: self.rail_height(arc), slope: up / along })
     }
 
     fn rail_height(&self, arc: f64) -> f64 {

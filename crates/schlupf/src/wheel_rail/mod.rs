@@ -10,7 +10,8 @@
 //!
 //! A right wheel is solved as the mirror image of a left one.
 //!
-//! Limits: each contact is solved in a plane (a warning says how far a conformal one turns); rails
+//! Limits: the pressure of each contact is that in a plane (a warning says how far a conformal one
+//! turns), while its rows slip as the curved surface; rails
 //! are straight prisms; the friction that helps to carry the wheel is that of steady rolling.
 
 mod spline;
@@ -23,6 +24,7 @@ mod contact_plane;
 mod distance;
 mod pressed;
 mod creepage;
+mod rows;
 mod equilibrium;
 mod side;
 mod patch;
@@ -36,5 +38,6 @@ pub use creepage::Motion;
 pub use pair::{Pair, RailShape, Track, WheelShape};
 pub use profile_curve::{CurvePoint, LEAST_SPACING, ProfileCurve};
 pub use resting::resting_roll;
+pub use rows::RowsMove;
 pub use side::Side;
 pub use wheel::{Contact, Position, Support, Tangential, WheelOnRail, WheelSolution};

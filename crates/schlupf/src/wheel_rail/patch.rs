@@ -7,6 +7,7 @@ use super::side::Side;
 use crate::error::Error;
 use crate::normal::tabulated::{PressureTable, Tabulated};
 use crate::normal::{NormalContact, NormalSummary, PressureSource};
+use crate::row_motion::RowMotion;
 
 /// The pressure in the plane of a contact. Positions are relative to the plane's origin, x along
 /// the track and y to the left.
@@ -15,11 +16,17 @@ pub struct ContactPatch {
     table: Tabulated,
     force: f64,
     approach: f64,
+    /// In the contact frame.
+    rows: Option<Arc<RowMotion>>,
 }
 
 impl ContactPatch {
-    /// That of the left wheel, or its mirror image.
-    pub(super) fn new(pressed: &Pressed, side: Side) -> Result<Arc<Self>, Error> {
+    /// That of the left wheel, or its mirror image, with the motion of its rows over s.
+    pub(super) fn new(
+        pressed: &Pressed,
+        rows: Option<&RowMotion>,
+        side: Side,
+    ) -> Result<Arc<Self>, Error> {
         let columns = pressed.x.len();
         let table = match side {
             Side::Left => {
@@ -33,9 +40,15 @@ impl ContactPatch {
         };
         let extent = table.extent();
         let middle = |side: [f64; 2]| 0.5 * (side[0] + side[1]);
-        let table = table.seen_from([middle(extent.x), middle(extent.y)]);
+        let origin = [middle(extent.x), middle(extent.y)];
+        let table = table.seen_from(origin);
+        let rows = rows.map(|rows| match side {
+            Side::Left => rows.seen_from(origin),
+            Side::Right => rows.mirrored().seen_from(origin),
+        });
         let table = Tabulated::new(table, Some(pressed.force))?;
-        Ok(Arc::new(Self { table, force: pressed.force, approach: pressed.approach }))
+        let rows = rows.map(Arc::new);
+        Ok(Arc::new(Self { table, force: pressed.force, approach: pressed.approach, rows }))
     }
 }
 
@@ -45,7 +58,7 @@ impl PressureSource for ContactPatch {
         let is_own = load.is_none_or(|load| load == self.force);
         let approach = is_own.then_some(self.approach);
         let summary = NormalSummary { approach, ..contact.summary };
-        Ok(NormalContact { summary, ..contact })
+        Ok(NormalContact { summary, rows: self.rows.clone(), ..contact })
     }
 
     fn load_exponent(&self) -> Option<f64> {

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use super::contact_plane::Joining;
-use super::creepage::{Motion, creepages};
+use super::creepage::{Motion, Moving, creepages};
 use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering, weight};
 use super::gap::Gap;
 use super::pair::Pair;
 use super::patch::ContactPatch;
-use super::pose::{Attitude, minus};
+use super::pose::{Attitude, Pose, minus};
 use super::pressed::{Accuracy, Pressed};
+use super::rows::{CONFORMAL, Interface, RowsMove};
 use super::side::Side;
 use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
 use crate::kinematics::Kinematics;
@@ -18,6 +19,7 @@ use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
+use crate::row_motion::RowMotion;
 use crate::solution::{Solution, Status};
 use crate::solver::Solver;
 use crate::warning::Warning;
@@ -58,6 +60,8 @@ pub struct WheelOnRail {
     pub support: Support,
     /// Which contacts share a plane.
     pub joining: Joining,
+    /// With what the rows of a contact move.
+    pub rows: RowsMove,
     /// Number of cells across a contact each way on which its pressure is found.
     pub cells: usize,
 }
@@ -97,6 +101,13 @@ pub struct Contact {
     pub solution: Solution,
 }
 
+impl Contact {
+    /// Whether its rows move otherwise than its plane.
+    fn has_rows(&self) -> bool {
+        self.problem.normal.normal_contact(None).is_ok_and(|contact| contact.rows.is_some())
+    }
+}
+
 /// A wheel with its contacts.
 #[derive(Debug, Clone)]
 pub struct WheelSolution {
@@ -113,6 +124,7 @@ pub struct WheelSolution {
     /// Rounds between height and friction.
     pub rounds: usize,
     guess: Guess,
+    rows: RowsMove,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
 }
@@ -141,16 +153,18 @@ impl WheelSolution {
 
     /// Warnings about the contacts as parts of a wheel.
     pub fn warnings(&self) -> Vec<Warning> {
-        let turned = self.contacts.iter().filter(|contact| contact.turn > CONFORMAL);
-        let turned = turned.map(|contact| Warning::ConformalContact { turn: contact.turn });
+        let warning = |contact: &Contact| {
+            let (turn, is_found) = (contact.turn, contact.has_rows());
+            let is_missed = self.rows.share(turn) > 0.0 && !is_found;
+            let has_rows = is_found && contact.solution.method.has_fields();
+            (turn > CONFORMAL || is_missed).then_some(Warning::ConformalContact { turn, has_rows })
+        };
+        let turned = self.contacts.iter().filter_map(warning);
         let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
         let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
         turned.chain(rough.map(|parts| Warning::RoughProfile { parts })).collect()
     }
 }
-
-/// Turn of the surface over a contact beyond which a plane is a coarse picture of it, in rad.
-const CONFORMAL: f64 = 0.3;
 
 /// Parts of a patch that two smooth profiles hardly have.
 const MANY_PARTS: usize = 3;
@@ -335,18 +349,36 @@ impl WheelOnRail {
             lowered.contacts.iter().filter(|contact| contact.force > NEGLIGIBLE * largest);
         contacts
             .map(|pressed| {
-                let here = creepages(&pose, &pressed.plane, pressed.approach, &motion);
+                let moving = Moving::new(&pose, &pressed.plane, pressed.approach, &motion);
+                let here = creepages(&pressed.plane, &moving);
+                let rows = self.rows(&pose, pressed, (&moving, &here))?;
                 let kinematics = Kinematics {
                     creepage_y: sign * here.creepage_y,
                     spin: sign * here.spin,
                     ..here
                 };
-                let patch = ContactPatch::new(pressed, self.side)?;
+                let patch = ContactPatch::new(pressed, rows.as_ref(), self.side)?;
                 let problem = (tangential.problem)(kinematics, patch)?;
                 let solution = (tangential.solver)(options).solve(&problem, watch)?;
                 Ok((pressed.clone(), problem, solution))
             })
             .collect()
+    }
+
+    /// The motion of the rows of a contact beyond that of its plane, if they have any.
+    fn rows(
+        &self,
+        pose: &Pose,
+        pressed: &Pressed,
+        (moving, motion): (&Moving, &Kinematics),
+    ) -> Result<Option<RowMotion>, Error> {
+        let share = self.rows.share(self.turn(pressed));
+        if share == 0.0 {
+            return Ok(None);
+        }
+        let interface = Interface { pair: &self.pair, pose, plane: &pressed.plane };
+        let rows = interface.rows(&touched(pressed), moving, motion)?;
+        Ok(rows.map(|rows| if share == 1.0 { rows } else { rows.scaled(share) }))
     }
 
     fn solution(
@@ -375,6 +407,7 @@ impl WheelOnRail {
             contacts,
             force,
             guess: lowered.at,
+            rows: self.rows,
             rounds,
             is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
         }
@@ -405,15 +438,18 @@ impl WheelOnRail {
 
     /// Angle by which the rail turns between the outmost rows in contact.
     fn turn(&self, pressed: &Pressed) -> f64 {
-        let columns = pressed.x.len();
-        let rows = pressed.pressure.chunks(columns);
-        let loaded = |row: &[f64]| row.iter().any(|p| *p > 0.0);
-        let touched: Vec<f64> =
-            rows.zip(&pressed.s).filter(|(row, _)| loaded(row)).map(|(_, s)| *s).collect();
+        let touched = touched(pressed);
         let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return 0.0 };
         let inclination = |s: &f64| self.pair.rail.at(pressed.plane.arcs[0] + s).inclination();
         (inclination(last) - inclination(first)).abs()
     }
+}
+
+/// Positions s of the rows in contact, in m.
+fn touched(pressed: &Pressed) -> Vec<f64> {
+    let rows = pressed.pressure.chunks(pressed.x.len());
+    let loaded = |row: &[f64]| row.iter().any(|p| *p > 0.0);
+    rows.zip(&pressed.s).filter(|(row, _)| loaded(row)).map(|(_, s)| *s).collect()
 }
 
 /// Inclination of a contact below which its friction hardly carries, in rad.

@@ -112,19 +112,22 @@ fn search(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     match search.method.whole() {
         3 => case.refuse(
             search.method,
-            "the rigid slip of the actual surfaces is not available",
-            "D = 2 is that of the contact's plane",
+            "the rigid slip of the actual surfaces in the directions of the plane is not available",
+            "D = 2 is that of the contact's plane; normal.row_motion = \"surface\" has that of the \
+             surfaces, in the directions of every row",
         ),
         4 => case.refuse(
             search.method,
             "contacts on a curved surface are not available",
-            "D = 2 is in a plane; a warning says how far the surface turns",
+            "D = 2 is in a plane; with normal.row_motion = \"surface\" the rows slip as the curved \
+             surface, under the pressure in a plane",
         ),
         _ => {}
     }
     let angle = search.angle.value.clamp(0.0, FRAC_PI_2);
     case.document.quantity("normal.join_distance", search.distance.value.max(0.0), "mm");
     case.document.quantity("normal.join_angle", angle.to_degrees(), "deg");
+    case.document.text("normal.row_motion", "plane");
 }
 
 fn write_track(case: &mut Translation, track: &Track) {

@@ -174,7 +174,8 @@ impl PressureSource for Profile {
             parts: table.parts(),
         };
         let table = Arc::new(table.seen_from(origin));
-        Ok(NormalContact { summary, pressure: Pressure::Tabulated(table, 1.0) })
+        let pressure = Pressure::Tabulated(table, 1.0);
+        Ok(NormalContact { summary, pressure, rows: None })
     }
 
     fn prepare(&self, load: Option<f64>, watch: Watch) -> Result<(), Error> {

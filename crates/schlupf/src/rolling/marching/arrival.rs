@@ -184,5 +184,5 @@ pub(super) fn positions(patch: &Patch, elements: &[Element]) -> Vec<Option<usize
 /// upstream neighbour or from the leading edge unless the edge moves.
 pub(super) fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
     let part = way / cell.path_in.distance;
-    cell.path_in.rigid_slip(kinematics).map(|slip| part * slip)
+    cell.rigid_slip_in(kinematics).map(|slip| part * slip)
 }

@@ -454,8 +454,9 @@ impl<'a> March<'a> {
             prescribed.sliding.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
             prescribed.in_contact.push(arrival.in_contact);
             prescribed.in_place.push(arrival.in_place);
-            let way = Way { distance: arrival.way, rigid };
-            slides.push(with_turn(arrival.slide, &self.now.over_step, &way, arrival.stretch));
+            let turn = cell.half_turn(&self.now.over_step, arrival.way);
+            let way = Way { distance: arrival.way, rigid, turn };
+            slides.push(with_turn(arrival.slide, &way, arrival.stretch));
         }
         (prescribed, slides)
     }

@@ -25,6 +25,8 @@ pub(super) struct Start {
     displacement: VectorField,
     traction: Vec<f64>,
     force: Resultant,
+    /// Power over the speed with what the rows slip beyond the plane, in N.
+    row_power: f64,
     /// The patch at that instant, if the step has a different one.
     pub former: Option<Former>,
 }
@@ -45,6 +47,7 @@ impl Start {
             displacement: displacement.clone(),
             traction: now.traction.clone(),
             force: summary::force(patch, now),
+            row_power: patch.row_power(&now.traction),
             former: None,
         }
     }
@@ -84,7 +87,9 @@ impl Start {
         let friction = half(&now.traction, patch, interpolation)
             + half(&self.traction, before, interpolation_before);
         let force = summary::force(&contact.patch, now).plus(1.0, &self.force).scaled(0.5, 0.5);
-        StepPower { friction, creep: summary::creep_power(&now.over_step, &force) }
+        let rows = 0.5 * (contact.patch.row_power(&now.traction) + self.row_power);
+        let creep = summary::creep_power(&now.over_step, &force);
+        StepPower { friction, creep: creep.map(|creep| creep + now.over_step.speed * rows) }
     }
 
     /// Change of A p while a material point passes each cell of a patch within the step: the change

@@ -229,7 +229,7 @@ impl DiscreteContact {
             return false;
         }
         let slip = |k: &Cell| {
-            let [x, y] = k.path_in.rigid_slip(&problem.kinematics);
+            let [x, y] = k.rigid_slip_in(&problem.kinematics);
             x.hypot(y)
         };
         let farthest = self.patch.cells.iter().map(slip).fold(0.0, f64::max);

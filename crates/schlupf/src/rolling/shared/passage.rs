@@ -44,7 +44,7 @@ pub(crate) fn pair(values: &[f64], k: usize) -> [f64; 2] {
 
 /// Rigid slip velocity in a cell, in m/s.
 pub(crate) fn rigid_velocity(motion: &Kinematics, cell: &Cell) -> [f64; 2] {
-    motion.rigid_slip(cell.x, cell.y).map(|slip| motion.speed * slip)
+    cell.rigid_slip(motion).map(|slip| motion.speed * slip)
 }
 
 /// Slip velocity (in m/s) from the rigid one, the number of cells that the material passes per

@@ -4,7 +4,6 @@
 //! known at the point itself; the elastic part is extrapolated from the last two increments.
 
 use crate::interface::contact_law::Slide;
-use crate::kinematics::Kinematics;
 
 /// A path from cell to cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,6 +12,9 @@ pub(crate) struct Way {
     pub distance: f64,
     /// Rigid slip along it, in m.
     pub rigid: [f64; 2],
+    /// Difference of the rigid slip over its length between its downstream end and its middle, in
+    /// m.
+    pub turn: [f64; 2],
 }
 
 /// A previous path shorter than this fraction of the present one is ignored: it was that through
@@ -21,13 +23,8 @@ const SHORTEST_WAY: f64 = 0.3;
 
 /// The slide with the turn along a path. `upstream` is the length of the previous path and the
 /// elastic part of the sliding divided by that length, if there was one.
-pub(crate) fn with_turn(
-    slide: Slide,
-    kinematics: &Kinematics,
-    way: &Way,
-    upstream: Option<(f64, [f64; 2])>,
-) -> Slide {
-    let mut turn = kinematics.half_turn(way.distance);
+pub(crate) fn with_turn(slide: Slide, way: &Way, upstream: Option<(f64, [f64; 2])>) -> Slide {
+    let mut turn = way.turn;
     let upstream = upstream.filter(|(before, _)| *before > SHORTEST_WAY * way.distance);
     let Some((before, stretch)) = upstream else {
         return Slide { turn, turn_by_increment: 0.0, ..slide };

@@ -47,8 +47,7 @@ fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
         contact.cell_compliance() * problem.kinematics.speed / contact.patch.grid.spacing_x;
     // If no state was found the slip is arbitrary and may hide the steep part of the law: the rigid
     // slip is used.
-    let rigid =
-        contact.patch.cells.iter().map(|cell| problem.kinematics.rigid_slip(cell.x, cell.y));
+    let rigid = contact.patch.cells.iter().map(|cell| cell.rigid_slip(&problem.kinematics));
     let rigid = rigid.map(|v| problem.kinematics.speed * v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = friction.slip.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
     let fastest = if has_state { fastest } else { rigid };

@@ -8,7 +8,6 @@
 use std::sync::Arc;
 
 use crate::interface::contact_law::{ContactLaw, Response, Slide};
-use crate::kinematics::Kinematics;
 use crate::patch::{Cell, Patch};
 use crate::problem::Problem;
 use crate::rolling::shared::cell::{CellSolver, inverse_2x2, times};
@@ -22,7 +21,6 @@ use super::strip_law::{Cause, Changed, StripLaw};
 pub(super) struct Bristles {
     law: Arc<dyn ContactLaw>,
     gamma: f64,
-    kinematics: Kinematics,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
     ways: Vec<Way>,
@@ -103,7 +101,6 @@ impl Bristles {
         Self {
             law: Arc::clone(&problem.contact_law),
             gamma: 0.0,
-            kinematics: problem.kinematics,
             bound: vec![0.0; cells],
             ways: Vec::with_capacity(cells),
             is_first,
@@ -125,7 +122,7 @@ impl Bristles {
             let stretch = [0, 1].map(|c| (handed.increment[c] - before.rigid[c]) / before.distance);
             (before.distance, stretch)
         });
-        with_turn(slide, &self.kinematics, &self.ways[k], upstream)
+        with_turn(slide, &self.ways[k], upstream)
     }
 
     /// Lets every cell slide by D − b, and passes on each slide and the law's response.
@@ -220,10 +217,10 @@ impl StripLaw for Bristles {
         self.gamma = gamma;
         self.law = Arc::clone(&problem.contact_law);
         self.remembers_distance = self.law.respond(&Slide::default()).by_distance != [[0.0; 2]; 2];
-        self.kinematics = problem.kinematics;
         let way = |cell: &Cell| Way {
             distance: cell.path_in.distance,
-            rigid: cell.path_in.rigid_slip(&problem.kinematics),
+            rigid: cell.rigid_slip_in(&problem.kinematics),
+            turn: cell.half_turn(&problem.kinematics, cell.path_in.distance),
         };
         self.ways.clear();
         self.ways.extend(patch.cells.iter().map(way));

@@ -269,6 +269,7 @@ impl<'a> Derivatives<'a> {
         let kinematics = &self.problem.kinematics;
         let turning = Kinematics { spin: kinematics.spin, ..standing(self.problem) };
         let warmer = friction.contact_temperature_by(self.problem, &contact.patch, Scaling::Size);
+        let changes = contact.patch.strips_by_size();
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             // All paths grow; the contribution of spin grows with the square.
             direct.set_motion(k, cell, &turning);
@@ -279,6 +280,14 @@ impl<'a> Derivatives<'a> {
                 direct.cause.rigid[2 * k + c] *= load_exponent;
                 direct.cause.turn[2 * k + c] = 2.0 * load_exponent * half_turn[c];
                 direct.friction.slip[k][c] *= load_exponent;
+            }
+            if let Some(changes) = &changes {
+                let [way, turn, slip] = cell.row_by_size(&changes[k]);
+                for c in 0..2 {
+                    direct.cause.rigid[2 * k + c] += load_exponent * way[c];
+                    direct.cause.turn[2 * k + c] += load_exponent * turn[c];
+                    direct.friction.slip[k][c] += load_exponent * kinematics.speed * slip[c];
+                }
             }
             // T β is a flux times the square root of a time.
             let by_size = warmer.as_ref().map_or(0.5 * friction.scaled_rise[k], |warmer| {

@@ -193,7 +193,8 @@ impl SteadySolver {
             Some(setup) => setup,
             None => Setup::new(problem, &self.options, watch)?,
         };
-        if problem.kinematics.is_pure_rolling() {
+        let is_plane = setup.levels[0].contact.patch.rows.is_none();
+        if problem.kinematics.is_pure_rolling() && is_plane {
             // Nothing slides: no earlier solution is closer than none.
             setup.earlier.clear();
         }

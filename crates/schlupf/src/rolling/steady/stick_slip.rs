@@ -131,7 +131,7 @@ impl StripLaw for StickSlip {
     fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64) {
         self.gamma = gamma;
         let since_entry =
-            patch.cells.iter().flat_map(|cell| cell.since_entry.rigid_slip(&problem.kinematics));
+            patch.cells.iter().flat_map(|cell| cell.rigid_slip_since_entry(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
         self.rigid.copy_from_slice(&self.rigid_since_entry);
         slide(&self.stencils, &mut self.rigid);

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, Flexibilities, SlopeReduction};
 use crate::patch::Travel;
+use crate::row_motion::StripSlip;
 use crate::simplified::EllipticContact;
 
 /// L1, L2, L3 for longitudinal, lateral and spin creepage.
@@ -56,13 +57,18 @@ impl Flexibility {
         Self { longitudinal: mean, lateral: mean, spin: mean, reduction: 1.0 }
     }
 
-    /// Growth of the traction on the rail along a path in adhesion, in Pa.
-    pub fn stick_increment(&self, motion: &Kinematics, way: &Travel) -> [f64; 2] {
+    /// Growth of the traction on the rail along a path of a row in adhesion, in Pa.
+    pub fn stick_increment(
+        &self,
+        motion: &Kinematics,
+        (way, row): (&Travel, &StripSlip),
+    ) -> [f64; 2] {
         let turning = motion.spin / self.spin;
-        [
-            motion.creepage_x / self.longitudinal * way.distance - turning * way.moment_y,
-            motion.creepage_y / self.lateral * way.distance + turning * way.moment_x,
-        ]
+        let more = |c: usize| row.creepages[c] * way.distance + row.by_y[c] * way.moment_y;
+        let along =
+            motion.creepage_x / self.longitudinal * way.distance + more(0) / self.longitudinal;
+        let across = motion.creepage_y / self.lateral * way.distance + more(1) / self.lateral;
+        [along - turning * way.moment_y, across + (turning + row.spin / self.spin) * way.moment_x]
     }
 
     /// The single flexibility (in m³/N) that converts traction (in Pa) lost to the limit into slip:

@@ -145,7 +145,7 @@ impl Fastsim {
             let mut carried = Carried::default();
             for k in strip.cells.clone() {
                 let cell = &self.patch.cells[k];
-                let rigid = self.flexibility.stick_increment(motion, &cell.path_in);
+                let rigid = self.flexibility.stick_increment(motion, (&cell.path_in, &cell.row));
                 carried = carried.next(rigid, self.friction[k] * cell.pressure_where_covered());
                 self.traction[k] = carried.traction;
             }
@@ -170,7 +170,7 @@ impl Fastsim {
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
                 let inherited = heat.inherited(k);
-                let approach = Approach::new(flexibility, motion, &cell.path_in);
+                let approach = Approach::new(flexibility, motion, (&cell.path_in, &cell.row));
                 let pressure_here = cell.pressure_where_covered();
                 let arrive = |mu: f64| {
                     let next = carried.next(approach.stick_increment, mu * pressure_here);
@@ -245,7 +245,8 @@ impl Fastsim {
             let is_last = k + 1 == strip.cells.end;
             let way_out = if is_last {
                 let ends = [self.traction[k], [0.0; 2]];
-                Passage::new(&self.flexibility, &now.kinematics, &strip.exit, ends)
+                let way = (&strip.exit, &cell.row);
+                Passage::new(&self.flexibility, &now.kinematics, way, ends)
             } else {
                 self.path_in(&now.kinematics, k + 1, Some(k))
             };
@@ -280,7 +281,8 @@ impl Fastsim {
             cut(self.traction[j], self.friction[k] * self.patch.cells[j].pressure_where_covered())
         };
         let ends = [before.map_or([0.0; 2], held), self.traction[k]];
-        Passage::new(&self.flexibility, motion, &self.patch.cells[k].path_in, ends)
+        let cell = &self.patch.cells[k];
+        Passage::new(&self.flexibility, motion, (&cell.path_in, &cell.row), ends)
     }
 }
 

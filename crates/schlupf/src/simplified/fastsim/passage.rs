@@ -2,6 +2,7 @@
 
 use crate::kinematics::Kinematics;
 use crate::patch::Travel;
+use crate::row_motion::StripSlip;
 
 use super::flexibility::Flexibility;
 
@@ -22,10 +23,10 @@ impl Passage {
     pub fn new(
         flexibility: &Flexibility,
         motion: &Kinematics,
-        way: &Travel,
+        path: (&Travel, &StripSlip),
         ends: [[f64; 2]; 2],
     ) -> Self {
-        Approach::new(flexibility, motion, way).passage(ends)
+        Approach::new(flexibility, motion, path).passage(ends)
     }
 
     /// The heat released, in W/m².
@@ -48,10 +49,14 @@ pub(super) struct Approach {
 }
 
 impl Approach {
-    pub fn new(flexibility: &Flexibility, motion: &Kinematics, way: &Travel) -> Self {
+    pub fn new(
+        flexibility: &Flexibility,
+        motion: &Kinematics,
+        (way, row): (&Travel, &StripSlip),
+    ) -> Self {
         let rate = motion.speed / way.distance;
-        let stick_increment = flexibility.stick_increment(motion, way);
-        let scale = rate * flexibility.along(stick_increment, way.rigid_slip(motion));
+        let stick_increment = flexibility.stick_increment(motion, (way, row));
+        let scale = rate * flexibility.along(stick_increment, way.rigid_slip_in_row(motion, row));
         let reduction = flexibility.reduction;
         Self { stick_increment, scale, distance: way.distance, reduction }
     }
