@@ -3,9 +3,9 @@
 //! Every function takes a [`Solution`](schlupf::Solution), a family of creep curves, temperatures
 //! along lines, the heat balance of a wheel, a comparison of methods, calibrated stiffnesses, a
 //! fit, a rough contact, stresses below the surface or the damage of a passage or a run, and
-//! returns text or bytes; writing files is left to the caller. Tractions and forces act on the wheel in all tables;
-//! the figures show the traction on the rail, −t, as in Neuhaus and Sextro (2014), and say so on
-//! their axes.
+//! returns text or bytes; writing files is left to the caller. Tractions and forces act on the
+//! wheel in all tables; the figures show the traction on the rail, −t, as in Neuhaus and Sextro
+//! (2014), and say so on their axes.
 
 #![forbid(unsafe_code)]
 

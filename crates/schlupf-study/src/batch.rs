@@ -29,8 +29,12 @@ pub(crate) fn solve(
     let indices = contents.rows_of(batch);
     let entries: Vec<Vec<Entry>> = indices.clone().map(|row| study.design.row(row)).collect();
     let varied = study.design.varied();
-    let conditions: Vec<Option<Quantity>> =
-        varied.iter().map(|varied| condition(varied.field.path)).collect();
+    let follows_wheel = follows_wheel(study);
+    let conditions: Vec<Option<Quantity>> = varied
+        .iter()
+        .map(|varied| condition(varied.field.path))
+        .map(|quantity| quantity.filter(|of| !follows_wheel || *of == Quantity::Spin))
+        .collect();
     let is_condition: Vec<bool> = conditions.iter().map(Option::is_some).collect();
     let mut outcomes: HashMap<usize, Outcome> = HashMap::with_capacity(entries.len());
     for members in groups(&entries, &is_condition) {
@@ -57,6 +61,14 @@ pub(crate) fn solve(
 
 fn empty(columns: &[Column]) -> Rows {
     columns.iter().map(|column| Cells::empty(column.kind)).collect()
+}
+
+/// Whether creepages follow from how the wheel turns, so that those of another speed or another
+/// lateral creepage are only known to a case of its own.
+fn follows_wheel(study: &Study) -> bool {
+    const TURNING: [&str; 2] = ["kinematics.angular_velocity", "kinematics.yaw_angle"];
+    let varied = study.design.varied().iter().map(|varied| varied.field.path);
+    study.case.given().chain(varied).any(|path| TURNING.contains(&path))
 }
 
 /// The condition that a field gives, if a solver takes it without another case.

@@ -69,6 +69,38 @@ fn numbers(path: &Path, name: &str) -> Vec<f64> {
     all
 }
 
+/// Where the case tells how the wheel turns, creepages of other speeds and other lateral creepages
+/// follow from that, also in a study.
+#[test]
+fn rows_follow_the_wheel() {
+    for (field, values) in [
+        ("kinematics.speed", ["20 m/s", "20.1 m/s", "20.2 m/s"]),
+        ("kinematics.creepage_y", ["0.0", "0.05", "0.1"]),
+        ("kinematics.spin", ["0 1/m", "0.2 1/m", "0.5 1/m"]),
+    ] {
+        let is_number = field == "kinematics.creepage_y";
+        let value = |value: &str| if is_number { value.to_owned() } else { format!("{value:?}") };
+        let list = values.map(value).join(", ");
+        let bench = Bench::new(&format!("[vary]\n{field} = [{list}]\n"));
+        let turning = "[kinematics]\nspeed = \"20 m/s\"\nangular_velocity = \"43.4 rad/s\"\n";
+        bench.write("case.toml", &format!("{CASE}{turning}"));
+        bench.run([1, 1], "table.parquet").unwrap();
+        let found = numbers(&bench.path("table.parquet"), "force.x");
+        for (found, value) in found.iter().zip(values) {
+            let set = [format!("{field}={value}")];
+            let files = Folder::new(bench.path(""));
+            let overrides = Overrides { option: "--set", assignments: &set };
+            let text = format!("{CASE}{turning}");
+            let file = CaseFile::from_str(&text, "case", files, overrides).unwrap();
+            let case = file.pose(&unwatched).unwrap();
+            let alone = solve(&case, case.rolling(None).unwrap(), &unwatched).unwrap();
+            let expected = alone.solution.force.x;
+            // A millionth of the largest force, the tolerance of a solution.
+            assert!((found - expected).abs() < 0.03, "{field}={value}: {found} {expected}");
+        }
+    }
+}
+
 /// Every row is what its case gives when it is solved alone.
 #[test]
 fn rows_are_those_of_single_cases() {

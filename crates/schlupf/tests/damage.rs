@@ -180,13 +180,13 @@ fn what_is_no_run_is_refused() {
     assert!(error.to_string().contains("distance"), "{error}");
 }
 
-/// Johnson 1985, §9.2: a line contact without traction stays elastic up to 3.1 k (von Mises,
-/// ν = 0.3) and shakes down up to 4.00 k; from a friction of 0.37 on the surface decides, 1/μ, where
-/// the surface-fatigue index is zero. The limits fall with friction.
+/// Johnson 1985, §9.2: a line contact without traction stays elastic up to 3.33 k (Tresca) and
+/// shakes down up to 4.00 k; from a friction of 0.37 on the surface decides, 1/μ, where the
+/// surface-fatigue index is zero. The limits fall with friction.
 #[test]
 fn johnson_1985_shakedown_of_a_line_contact() {
     let free = ShakedownLimits::of(0.0, 0.3);
-    near(free.elastic, 3.1, 0.01);
+    near(free.elastic, 1.0 / 0.300, 0.005);
     near(free.shakedown, 4.0, 0.002);
     for friction in [0.37, 0.45, 0.8] {
         near(ShakedownLimits::of(friction, 0.3).shakedown, 1.0 / friction, 1e-3);
@@ -318,7 +318,7 @@ fn what_is_hotter_than_the_limit_melts() {
 
 /// On the surface of a sliding line contact, with A = √(1 − x²) and B = 2μx of p0 (Johnson 1985,
 /// §7.1): σxx = −A − B, σzz = −A, σyy = ν (σxx + σzz), σxz = μA. From μ = 0.3 on it yields there
-/// first.
+/// first, by Tresca's criterion on the planes of any two of the principal stresses.
 #[test]
 fn johnson_1985_first_yield_on_the_surface() {
     const POINTS: i32 = 4000;
@@ -326,10 +326,11 @@ fn johnson_1985_first_yield_on_the_surface() {
         let shear = |k: i32| {
             let x = f64::from(k) / f64::from(POINTS);
             let (a, b) = ((1.0 - x * x).sqrt(), 2.0 * friction * x);
-            let [xx, zz] = [-a - b, -a];
-            let yy = nu * (xx + zz);
-            let squares = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
-            (squares / 6.0 + (friction * a).powi(2)).sqrt()
+            let [xx, zz, xz] = [-a - b, -a, friction * a];
+            let root = ((xx - zz).powi(2) + 4.0 * xz * xz).sqrt();
+            let mut principal = [0.5 * (xx + zz + root), nu * (xx + zz), 0.5 * (xx + zz - root)];
+            principal.sort_by(f64::total_cmp);
+            0.5 * (principal[2] - principal[0])
         };
         let largest = (-POINTS..=POINTS).map(shear).fold(0.0, f64::max);
         let found = ShakedownLimits::of(friction, nu).elastic;

@@ -1,5 +1,5 @@
-//! Files that a case names: tables of pressure, of undeformed distance, of friction over y, of wear, and of
-//! time; displacements to calibrate with, and measured points of creep curves.
+//! Files that a case names: tables of pressure, of undeformed distance, of friction over y, of
+//! wear, and of time; displacements to calibrate with, and measured points of creep curves.
 
 mod across;
 pub(crate) mod axis;

@@ -137,7 +137,7 @@ fn shakedown(report: &WearReport) -> String {
     for (height, text) in [
         (0.5 * limit.elastic, "elastic"),
         (0.5 * (limit.elastic + limit.shakedown), "shakes down"),
-        (0.5 * (limit.shakedown + highest), "deforms with every passage"),
+        (0.5 * (limit.shakedown + highest), "beyond shakedown"),
     ] {
         // The middle of a wide text stays clear of the axis.
         let x = friction.max(if text.len() > 12 { 0.16 * widest } else { 0.0 });

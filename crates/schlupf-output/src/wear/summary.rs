@@ -35,7 +35,7 @@ fn fatigue(text: &mut Summary, report: &WearReport) {
     let spin = spin.map_or(String::new(), |value| format!("{} N with spin", number(value)));
     entry(text, "Tγ", passage.t_gamma.without_spin, "N", &spin);
     let about = if passage.crack_damage > 0.0 {
-        format!("a crack after {} such passages", number(passage.crack_damage.recip()))
+        format!("a crack after some {:.0e} such passages", passage.crack_damage.recip())
     } else if passage.crack_damage < 0.0 {
         "wear removes cracks".to_owned()
     } else {
@@ -46,24 +46,20 @@ fn fatigue(text: &mut Summary, report: &WearReport) {
     let about = format!("with k = {yield_stress} MPa");
     entry(text, "fatigue index", passage.fatigue_index, "", &about);
     let point = &passage.shakedown;
-    let about = format!(
-        "p0/k at |F|/N = {}; a line contact is elastic up to {}, shakes down up to {}",
-        number(point.traction_coefficient),
-        number(point.elastic_limit),
-        number(point.shakedown_limit)
-    );
+    let about = format!("p0/k, at |F|/N = {}", number(point.traction_coefficient));
     entry(text, "load factor", point.load_factor, "", &about);
-    line(text, &format!("  {}", regime(point)));
+    entry(text, "  elastic limit", point.elastic_limit, "", "of a line contact that slides");
+    entry(text, "  shakedown limit", point.shakedown_limit, "", regime(point));
 }
 
 /// Where a point lies in the map.
 fn regime(point: &ShakedownPoint) -> &'static str {
     if point.load_factor <= point.elastic_limit {
-        "elastic from the first passage on"
+        "a line contact would be elastic from the first passage on"
     } else if point.load_factor <= point.shakedown_limit {
-        "yields at first and shakes down"
+        "a line contact would yield at first and shake down"
     } else {
-        "beyond shakedown: every passage deforms the material"
+        "beyond shakedown of a line contact, which every passage would deform"
     }
 }
 

@@ -4,8 +4,8 @@
 //! profile, the surface-fatigue index and the place in the shakedown map ([`ShakedownLimits`]),
 //! cracks by the wear number ([`CrackFunction`]), and what melts.
 //!
-//! [`of_run`] takes a run, which is a series of steady states, each with the distance over which it holds; of every state
-//! only the resultants are needed. Sums over the distance s are
+//! [`of_run`] takes a run, which is a series of steady states, each with the distance over which it
+//! holds; of every state only the resultants are needed. Sums over the distance s are
 //!
 //! - the energy E = ∫ P/v0 ds of the friction power P;
 //! - the wear number Tγ = |ξ Fx| + |η Fy|, its mean and its distribution;
@@ -14,9 +14,9 @@
 //! - the depth of wear across the profile ([`Profile`]) by two laws: [`ArchardWear`] and
 //!   [`EnergyWear`].
 //!
-//! Limits: within a state of a run wear is distributed across the patch as the load is, (1 − (y/b)²) over
-//! its width 2b, as if all of it slid; wear does not change the profiles; fatigue and wear do not
-//! compete.
+//! Limits: within a state of a run wear is distributed across the patch as the load is,
+//! (1 − (y/b)²) over its width 2b, as if all of it slid; wear does not change the profiles; fatigue
+//! and wear do not compete.
 
 mod cracks;
 mod fatigue;
@@ -122,7 +122,7 @@ pub struct Laws {
     pub wheel_radius: f64,
     /// Densities of wheel and rail, in kg/m³.
     pub densities: [f64; 2],
-    /// Temperature from which on the surfaces melt, in °C.
+    /// Temperature from which on the surfaces melt, in degC.
     pub melting_temperature: f64,
 }
 

@@ -97,7 +97,7 @@ pub struct PassageProfile {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Melting {
-    /// Largest temperature of the two surfaces, in °C.
+    /// Largest temperature of the two surfaces, in degC.
     pub max_temperature: f64,
     /// Its place along rolling, in m.
     pub x: f64,

@@ -6,8 +6,8 @@ use super::{State, WearMap};
 /// rolled, with the pressure p, the slip speed s and the hardness H. With the traction μ p where
 /// the bodies slide, ∫ p s dA is the friction power over μ.
 ///
-/// The coefficient k is that of a [`WearMap`] at the slip speed and the pressure: those of a cell in
-/// a [passage](super::of_passage); of a run, the mean slip speed of the patch
+/// The coefficient k is that of a [`WearMap`] at the slip speed and the pressure: those of a cell
+/// in a [passage](super::of_passage); of a run, the mean slip speed of the patch
 /// ([`State::slip_speed`]) and its largest pressure.
 ///
 /// Limits: those of the map; over a run, friction that falls below the given μ means more sliding

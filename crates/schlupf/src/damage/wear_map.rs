@@ -1,6 +1,6 @@
 //! Coefficients of Archard's law over slip speed and pressure.
 
-use crate::error::{Error, require};
+use crate::error::{Error, require, require_finite};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -59,7 +59,8 @@ impl WearMap {
         for (quantity, edges) in edges {
             let first = edges.first().copied().unwrap_or(f64::NAN);
             require(quantity, Requirement::Between(0.0, 0.0), first)?;
-            if let Some(k) = edges.windows(2).position(|pair| !(pair[1] > pair[0])) {
+            edges.iter().try_for_each(|edge| require_finite(quantity, *edge))?;
+            if let Some(k) = edges.windows(2).position(|pair| pair[1] <= pair[0]) {
                 let [before, after] = [edges[k], edges[k + 1]];
                 return Err(Error::NotAscending { quantity, axis: "", before, after });
             }
