@@ -5,8 +5,8 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use schlupf_case::{
-    Case, CaseFile, Effective, Folder, Overrides, Place, Preset, conditions, schema as case_schema,
-    template, template_with,
+    Case, CaseErrors, CaseFile, Effective, Folder, Overrides, Place, Preset, conditions,
+    schema as case_schema, template, template_with,
 };
 use schlupf_output::significant;
 use schlupf_tasks::contact_law;
@@ -38,7 +38,11 @@ pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
 pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
     let progress = Progress::start();
     progress.stage("posing the problem");
-    let case = read_case(arguments)?.pose(&progress.watch())?;
+    let file = read_case(arguments)?;
+    if file.given().any(|path| path.starts_with("damage.")) {
+        file.damage_laws().map_err(CaseErrors::from)?;
+    }
+    let case = file.pose(&progress.watch())?;
     drop(progress);
     let normal = case
         .problem

@@ -87,6 +87,24 @@ fn what_melts_is_told() {
     let fast: Value = serde_json::from_str(&bench.read("w.json")).unwrap();
     assert_eq!((&fast["wear"], &fast["cells"]), (&Value::Null, &Value::Null));
     assert!(number(&fast, "/t_gamma/without_spin") > 0.0);
+    let greased = run(&bench, &["--set", "friction.coefficient=0.075"]);
+    assert!(greased.stderr.contains("those of dry steel on steel"), "{}", greased.stderr);
+}
+
+/// A map goes with the default case and with a file of `init`; `check` looks at it, too.
+#[test]
+fn a_map_goes_with_a_file_of_init() {
+    let bench = Bench::new();
+    bench.write("map.csv", "slip_speed [m/s],pressure_ratio,coefficient\n0,0,2e-3\n");
+    assert_eq!(bench.run(&["init"]).code, Some(0));
+    let coarse = ["--set", "grid.cells_x=10", "--set", "grid.cells_y=10"];
+    let map = ["--set", "damage.wear_map=map.csv"];
+    let run = bench.run(&[&["wear", "case.toml"], &coarse[..], &map[..]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert_eq!(bench.run(&[&["check", "case.toml"], &map[..]].concat()).code, Some(0));
+    bench.write("map.csv", "slip_speed [m/s],pressure_ratio,coefficient\n0,0,nan\n");
+    let run = bench.run(&[&["check", "case.toml"], &map[..]].concat());
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
 }
 
 /// What cannot be is refused with its place, and nothing is written.

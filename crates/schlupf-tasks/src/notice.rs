@@ -45,6 +45,15 @@ messages! {
         "the method {method} gives no fields: wear and melting are unknown"
     );
 
+    /// Wear of dry steel where something is between the surfaces.
+    "wear-of-dry-steel" WearOfDrySteel {
+        /// μ0, dimensionless.
+        friction: f64,
+    } "damage.wear_map", |subject, words| format!(
+        "the coefficients of wear are those of dry steel on steel, but μ0 is {friction} or there is a \
+         layer: what lowers friction lowers wear by more"
+    );
+
     /// Surfaces that are hotter than what they withstand.
     "molten" Molten {
         /// Part of the area of contact, dimensionless.

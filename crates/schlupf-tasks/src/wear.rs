@@ -1,6 +1,6 @@
 //! Wear, fatigue and melting of one passage.
 
-use schlupf::damage::{Laws, of_passage};
+use schlupf::damage::{Laws, WearMap, of_passage};
 use schlupf::{Error, Watch};
 use schlupf_case::{Case, CaseErrors, CaseFile};
 use schlupf_output::wear::WearReport;
@@ -25,6 +25,10 @@ pub fn plan(file: &CaseFile, watch: Watch) -> Result<Plan, TaskError> {
     Ok(Plan { case, laws })
 }
 
+/// Coefficient of friction (dimensionless) below which steel on steel is not dry: that of a wet
+/// rail is 0.2 to 0.3 (Olofsson and Lewis 2006).
+const DRY: f64 = 0.2;
+
 impl Plan {
     /// Solves the case and computes its damage.
     ///
@@ -43,7 +47,12 @@ impl Plan {
             let (share, temperature) = (melting.share, melting.max_temperature);
             Notice::Molten { share, temperature, limit: laws.melting_temperature }.into()
         });
-        let own = without_fields.into_iter().chain(molten);
+        let friction = case.problem.friction.cold_coefficient();
+        let is_dry = friction >= DRY && case.problem.layer.is_none();
+        let is_of_dry_steel = laws.archard.map == WearMap::default();
+        let other = (!is_dry && is_of_dry_steel && passage.wear.is_some())
+            .then(|| Notice::WearOfDrySteel { friction }.into());
+        let own = without_fields.into_iter().chain(molten).chain(other);
         let warnings = Notice::of_first_contact(&case).into_iter();
         let warnings = warnings.chain(messages(&solution.warnings)).chain(own).collect();
         Ok(WearReport { title: case.title, laws, passage, solution, warnings })

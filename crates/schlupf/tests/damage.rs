@@ -210,6 +210,8 @@ fn burstow_2004_cracks_by_the_wear_number() {
         assert!((cracks.of(t_gamma) - damage).abs() < 1e-15, "{t_gamma}");
     }
     assert_eq!(cracks.of(-3.0), 0.0);
+    let rising = CrackFunction::new(vec![0.0, 15.0], vec![0.0, 1e-6]).unwrap();
+    assert_eq!((rising.of(15.0), rising.of(200.0)), (1e-6, 1e-6));
     let refused = |t_gamma: &[f64], damage: &[f64]| {
         CrackFunction::new(t_gamma.to_vec(), damage.to_vec()).unwrap_err().quantity()
     };

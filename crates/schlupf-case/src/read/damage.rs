@@ -7,6 +7,11 @@ use crate::settings::Settings;
 use crate::tables;
 
 const MAP: &str = "damage.wear_map";
+const COEFFICIENTS: [&str; 3] = [
+    "damage.wear_coefficient_mild",
+    "damage.wear_coefficient_severe",
+    "damage.wear_coefficient_catastrophic",
+];
 const CRACKS: [&str; 2] = ["damage.crack_t_gamma", "damage.crack_damage"];
 
 /// The laws of fatigue and wear; the rest of [`Laws`] is that of the default.
@@ -29,11 +34,11 @@ fn wear_map(settings: &Settings) -> Result<WearMap, CaseError> {
         let (name, bytes) = settings.read_file(MAP)?;
         return tables::wear_map_from_csv(name, bytes);
     }
-    Ok(WearMap::jendel([
-        settings.number("damage.wear_coefficient_mild")?,
-        settings.number("damage.wear_coefficient_severe")?,
-        settings.number("damage.wear_coefficient_catastrophic")?,
-    ]))
+    let mut coefficients = WearMap::DRY_STEEL;
+    for (coefficient, path) in coefficients.iter_mut().zip(COEFFICIENTS) {
+        *coefficient = settings.optional_number(path)?.unwrap_or(*coefficient);
+    }
+    Ok(WearMap::jendel(coefficients))
 }
 
 fn cracks(settings: &Settings) -> Result<CrackFunction, CaseError> {

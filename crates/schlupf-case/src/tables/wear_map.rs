@@ -56,7 +56,16 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<WearMap, CaseError> {
             return Err(columns.error(columns.header_line, message));
         }
     }
-    let mut table = vec![f64::NAN; across.len() * down.len()];
+    let (count, expected) = (columns.lines.len(), across.len() * down.len());
+    if count < expected {
+        let [speeds, ratios] = [across.len(), down.len()];
+        let message = format!(
+            "a map with {speeds} slip speeds and {ratios} pressures needs {expected} rows, but has \
+             {count}"
+        );
+        return Err(columns.error(columns.header_line, message));
+    }
+    let mut table = vec![f64::NAN; expected];
     for (row, line) in columns.lines.iter().enumerate() {
         let place = |edges: &[f64], value: f64| edges.partition_point(|edge| *edge < value);
         let at = place(&down, ratios[row]) * across.len() + place(&across, speeds[row]);
@@ -66,11 +75,6 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<WearMap, CaseError> {
             return Err(columns.error(*line, message));
         }
         table[at] = coefficients[row];
-    }
-    if let Some(at) = table.iter().position(|value| value.is_nan()) {
-        let [speed, ratio] = [across[at % across.len()], down[at / across.len()]].map(readable);
-        let message = format!("a row for {speed} m/s and p/H = {ratio} is missing");
-        return Err(columns.error(columns.header_line, message));
     }
     WearMap::new(across, down, table)
         .map_err(|error| columns.error(columns.header_line, error.to_string()))
@@ -108,7 +112,7 @@ mod tests {
             ("-1,0,1e-4\n", "m.csv:2:1: slip_speed must be at least 0, but is -1 m/s"),
             ("0.1,0,1e-4\n", "slip_speed must begin at 0, but its lowest value is 0.1"),
             ("0,0,1e-4\n0,0,2e-4\n", "m.csv:3:1: there is a row for 0 m/s and p/H = 0 already"),
-            ("0,0,1e-4\n0.2,0.5,2e-4\n", "a row for 0.2 m/s and p/H = 0 is missing"),
+            ("0,0,1e-4\n0.2,0.5,2e-4\n", "2 slip speeds and 2 pressures needs 4 rows, but has 2"),
         ] {
             let error = read(&format!("{head}{rows}")).unwrap_err();
             assert!(error.contains(part), "{rows:?}: {error}");

@@ -4,8 +4,9 @@ use crate::error::{Error, require_finite};
 use crate::quantity::Quantity;
 
 /// Damage of a passage as a function of the wear number Tγ, linear between points: the reciprocal
-/// of the number of such passages until a crack is there. It is constant below the first point,
-/// goes on along the last line, and is negative where wear removes more than a passage damages.
+/// of the number of such passages until a crack is there. It is constant below the first point; a
+/// last line that falls goes on, to negative values where wear removes more than a passage damages,
+/// and beyond one that rises the function is constant.
 ///
 /// Limits: the steel, the profiles and the traffic that the function was fitted to; Tγ without
 /// spin; no history of load.
@@ -53,7 +54,8 @@ impl CrackFunction {
         let last = self.t_gamma.len() - 1;
         let upper = self.t_gamma.partition_point(|at| *at <= t_gamma).clamp(1, last);
         let [x, y] = [&self.t_gamma, &self.damage].map(|values| [values[upper - 1], values[upper]]);
-        let part = ((t_gamma - x[0]) / (x[1] - x[0])).max(0.0);
+        let farthest = if y[1] < y[0] { f64::INFINITY } else { 1.0 };
+        let part = ((t_gamma - x[0]) / (x[1] - x[0])).clamp(0.0, farthest);
         y[0] + part * (y[1] - y[0])
     }
 }

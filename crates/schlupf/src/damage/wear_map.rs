@@ -15,13 +15,17 @@ pub struct WearMap {
 }
 
 impl Default for WearMap {
-    /// [`Self::jendel`] with the middle of its ranges, 1 to 10, 30 to 40 and 300 to 400 times 10⁻⁴.
+    /// [`Self::jendel`] with [its coefficients](Self::DRY_STEEL).
     fn default() -> Self {
-        Self::jendel([5e-4, 35e-4, 350e-4])
+        Self::jendel(Self::DRY_STEEL)
     }
 }
 
 impl WearMap {
+    /// Coefficients of mild, severe and catastrophic wear of dry steel (dimensionless): the middle
+    /// of the ranges of Jendel (2002), 1 to 10, 30 to 40 and 300 to 400 times 10⁻⁴.
+    pub const DRY_STEEL: [f64; 3] = [5e-4, 35e-4, 350e-4];
+
     /// Slip speeds from which and up to which Jendel's map has severe wear, in m/s.
     pub const SEVERE: [f64; 2] = [0.2, 0.7];
 

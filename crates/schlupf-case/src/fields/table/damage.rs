@@ -3,7 +3,7 @@
 use schlupf::requirement::Requirement::{self, Between, Finite};
 
 use super::{MODULUS, quantity};
-use crate::fields::field::Default::{Nothing, Text};
+use crate::fields::field::Default::{Computed, Nothing, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::units::Measure;
 
@@ -21,12 +21,12 @@ section! {
         "k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson 2002)";
     "hardness" [WearHardness] quantity(&Measure::PRESSURE), MODULUS, Text("2.7 GPa"),
         "H of the softer body, for Archard's law of wear; that of rail steel R260";
-    "wear_coefficient_mild" [WearCoefficientMild] Kind::Number, COEFFICIENT, Text("5e-4"),
-        "k of Archard's law for mild wear (Jendel 2002)";
-    "wear_coefficient_severe" [WearCoefficientSevere] Kind::Number, COEFFICIENT, Text("35e-4"),
-        "the same for slip speeds between 0.2 and 0.7 m/s";
-    "wear_coefficient_catastrophic" [WearCoefficientCatastrophic] Kind::Number, COEFFICIENT, Text("350e-4"),
-        "the same for pressures above 0.8 H";
+    "wear_coefficient_mild" [WearCoefficientMild] Kind::Number, COEFFICIENT, Computed("5e-4"),
+        "k of Archard's law for mild wear (Jendel 2002)", example("5e-4");
+    "wear_coefficient_severe" [WearCoefficientSevere] Kind::Number, COEFFICIENT, Computed("35e-4"),
+        "the same for slip speeds between 0.2 and 0.7 m/s", example("35e-4");
+    "wear_coefficient_catastrophic" [WearCoefficientCatastrophic] Kind::Number, COEFFICIENT, Computed("350e-4"),
+        "the same for pressures above 0.8 H", example("350e-4");
     "wear_map" [] Kind::Path, Finite, Nothing,
         "CSV with the columns slip_speed, pressure_ratio (p/H) and coefficient, in place of them",
         example("wear_map.csv");
