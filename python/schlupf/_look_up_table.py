@@ -114,15 +114,30 @@ class LookUpTable:
         """Forces under slip velocities (m/s, m/s, rad/s) at a rolling speed that may be zero.
 
         Creepages are slip velocities over √(v² + v_s²), with the standstill speed v_s in m/s, so
-        that forces go by the slip velocities alone at v = 0. Derivatives are with respect to the
-        slip velocities, and finite.
+        that forces go by the slip velocities alone at v = 0. A negative speed is that of rolling
+        backwards, where the lateral force of a spin has the other sign; between -v_s and v_s one
+        passes into the other. Derivatives are with respect to the slip velocities, and finite.
         """
         if not standstill_speed > 0.0:
             raise ValueError(f"standstill_speed must be above 0, but is {standstill_speed!r}")
         reference = np.hypot(speed, standstill_speed)
         x, y, about = (np.asarray(part, dtype=float) / reference for part in slip)
         patch = (semi_axis_x, semi_axis_y, friction_limit, shear_modulus)
-        return self._scaled(patch, (x, y, about), reference)
+        place = np.clip(np.asarray(speed, dtype=float) / standstill_speed, -1.0, 1.0)
+        forwards = self._scaled(patch, (x, y, about), reference)
+        if (place >= 1.0).all():
+            return forwards
+        # The frame turned by π rolls forwards.
+        turn = np.array([-1.0, -1.0, 1.0])
+        turned = self._scaled(patch, (-x, -y, about), reference)
+        share = np.broadcast_to(0.5 + 0.25 * place * (3.0 - place**2), forwards.in_range.shape)
+        ahead, back = share[..., None], 1.0 - share[..., None]
+        return TableForces(
+            ahead * forwards.force + back * turn * turned.force,
+            ahead[..., None] * forwards.derivatives
+            + back[..., None] * turn[:, None] * turn * turned.derivatives,
+            forwards.in_range,
+        )
 
     def _scaled(
         self,

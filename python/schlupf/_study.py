@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import os
 import time
 from dataclasses import dataclass, field
 from importlib import import_module
@@ -106,7 +105,7 @@ def sweep(
         raise TypeError("a cluster solves all of a study: leave out the shard")
     else:
         run = _core.StudyRun(opened, output)
-        _on_cluster(client, path, run)
+        _on_cluster(client, path, opened.digest(), run)
         counts = run.finish()
     result = Sweep(output, *counts)
     if warn:
@@ -204,19 +203,25 @@ def _warn(result: Sweep) -> None:
 
 
 @functools.lru_cache(maxsize=4)
-def _opened(path: str, _version: float) -> _core.Study:
-    return _core.Study(Path(path))
+def _opened(path: str, digest: str) -> _core.Study:
+    study = _core.Study(Path(path))
+    if study.digest() != digest:
+        raise ValueError(
+            f"{path} is another study on a worker than on the client: their files, or their "
+            "versions of schlupf, differ"
+        )
+    return study
 
 
-def _solve(path: str, batches: list[int]) -> tuple[list[tuple[int, str]], float]:
+def _solve(path: str, digest: str, batches: list[int]) -> tuple[list[tuple[int, str]], float]:
     """Solves batches on a worker; returns their rows, and the time that it took (in s)."""
     start = time.perf_counter()
-    study = _opened(path, os.stat(path).st_mtime)
+    study = _opened(path, digest)
     solved = [(batch, study.solve(batch)) for batch in batches]
     return solved, time.perf_counter() - start
 
 
-def _on_cluster(client: Any, path: Path, run: _core.StudyRun) -> None:
+def _on_cluster(client: Any, path: Path, digest: str, run: _core.StudyRun) -> None:
     """Has the batches that are left solved by workers; each is kept as soon as it is back."""
     # It has no types.
     as_completed: Any = import_module("distributed").as_completed
@@ -226,7 +231,7 @@ def _on_cluster(client: Any, path: Path, run: _core.StudyRun) -> None:
     def submitted() -> Any:
         batches = [left.pop() for _ in range(min(size, len(left)))]
         # A batch may be solved twice, by a worker that is lost and by another one.
-        return client.submit(_solve, str(path.resolve()), batches, pure=False)
+        return client.submit(_solve, str(path.resolve()), digest, batches, pure=False)
 
     workers = max(1, sum(client.nthreads().values()))
     futures = as_completed([submitted() for _ in range(2 * workers) if left], with_results=True)

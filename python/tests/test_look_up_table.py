@@ -55,6 +55,12 @@ def test_standstill_has_finite_derivatives():
     assert np.isfinite(found.derivatives).all()
     assert (found.force[0] == 0.0).all()
     assert found.force[2, 0] == pytest.approx(-24e3, rel=1e-3)
+    ahead, still, back = (
+        table.standstill_forces(6e-3, 4e-3, 24e3, (0.0, 0.0, 2.0), speed, 0.01).force
+        for speed in (5.0, 0.0, -5.0)
+    )
+    np.testing.assert_allclose(back, ahead * [-1.0, -1.0, 1.0], atol=1e-6)
+    assert abs(ahead[1]) > 1e3 > 1e-6 > abs(still[1])
     rolling = table.standstill_forces(6e-3, 4e-3, 24e3, (0.02, 0.01, 4.0), 20.0, 0.01)
     plain = table.forces(6e-3, 4e-3, 24e3, 1e-3, 5e-4, 0.2)
     assert rolling.force == pytest.approx(plain.force, rel=1e-5)

@@ -132,3 +132,27 @@ def test_a_cluster_that_loses_a_worker_has_the_same_table(study, tmp_path):
         assert lost not in client.run(os.getpid).values()
     assert done.rows == 4000 and done.resumed == 0
     assert done.path.read_bytes() == whole
+
+
+def test_workers_solve_the_study_of_the_client(tmp_path):
+    """A worker opens a study anew where its files have changed, and refuses another one."""
+    from schlupf import _core
+    from schlupf._study import _solve
+
+    case, study = tmp_path / "case.toml", tmp_path / "study.toml"
+    study.write_text('case = "case.toml"\n[vary]\nkinematics.creepage_x = [0.01, 0.02]\n')
+
+    def first_force(friction):
+        case.write_text(
+            f'solver.method = "polach"\nfriction.model = "constant"\n'
+            f"friction.coefficient = {friction}\n"
+        )
+        digest = _core.Study(study).digest()
+        return digest, _solve(str(study), digest, [0])[0][0][1]
+
+    old, before = first_force(0.4)
+    new, after = first_force(0.1)
+    assert old != new
+    assert before != after
+    with pytest.raises(ValueError, match="another study on a worker"):
+        _solve(str(study), old + "0", [0])

@@ -51,6 +51,11 @@ impl Study {
         Ok(Self { study: study.map_err(|error| raised(py, error))? })
     }
 
+    /// What tells it from another study, files included.
+    fn digest(&self) -> &str {
+        self.study.digest()
+    }
+
     /// Number of rows.
     fn rows(&self) -> usize {
         self.study.rows()

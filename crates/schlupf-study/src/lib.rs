@@ -13,6 +13,7 @@ mod chunks;
 mod columns;
 pub mod damage;
 pub mod design;
+mod digest;
 mod error;
 pub mod merge;
 mod order;

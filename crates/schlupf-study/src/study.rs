@@ -12,13 +12,13 @@ use schlupf_case::{
     CaseError, CaseErrors, CaseFile, Folder, LARGEST_CASE, Overrides, Place, Setting, Source,
     read_up_to,
 };
-use sha2::{Digest, Sha256};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::chunks::{self, FieldColumn};
 use crate::columns::columns;
 use crate::design::{self, Design, Sample, Values, Varied, assignment, read_states};
+use crate::digest::{digest, varied_files};
 use crate::error::StudyError;
 use crate::table::{Column, Contents};
 
@@ -49,6 +49,11 @@ pub struct Study {
 }
 
 impl Study {
+    /// What tells it from another study: case, design, files and version.
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
     /// Reads a study file; relative paths in it start in its folder.
     ///
     /// # Errors
@@ -151,6 +156,7 @@ impl StudyReader<'_> {
         let (case, path) = self.case(table, &design)?;
         inputs.extend(path.clone());
         inputs.extend(case.files().into_iter().map(|(_, path)| path));
+        inputs.extend(varied_files(&case, &design));
         let batch = match table.get("batch") {
             None if is_fast(&case, &design) => FAST_BATCH,
             None => BATCH,
@@ -543,43 +549,4 @@ fn is_fast(case: &CaseFile, design: &Design) -> bool {
     let is_varied = |name: &str| design.varied().iter().any(|varied| varied.field.path == name);
     let method = case.value(METHOD);
     !is_varied(METHOD) && method.is_some_and(|method| method != Setting::Choice("full"))
-}
-
-/// A sum over all that the table depends on.
-fn digest(
-    case: &str,
-    design: &Design,
-    (batch, fields): (usize, Option<&[&'static FieldColumn]>),
-    inputs: &[PathBuf],
-) -> Result<String, StudyError> {
-    let mut sum = Sha256::new();
-    let mut add = |bytes: &[u8]| {
-        sum.update((bytes.len() as u64).to_le_bytes());
-        sum.update(bytes);
-    };
-    add(env!("CARGO_PKG_VERSION").as_bytes());
-    add(case.as_bytes());
-    add(&batch.to_le_bytes());
-    for varied in design.varied() {
-        add(varied.field.path.as_bytes());
-        match &varied.values {
-            Values::Numbers(numbers) => {
-                let bytes: Vec<u8> =
-                    numbers.iter().flat_map(|n| n.to_bits().to_le_bytes()).collect();
-                add(&bytes);
-            }
-            Values::Texts(texts) => texts.iter().for_each(|text| add(text.as_bytes())),
-        }
-    }
-    for carried in design.carried() {
-        add(carried.name.as_bytes());
-    }
-    add(&[u8::from(matches!(design, Design::Factorial(_)))]);
-    for field in fields.into_iter().flatten() {
-        add(field.name.as_bytes());
-    }
-    for path in inputs {
-        add(&std::fs::read(path).map_err(|cause| StudyError::file(path, cause))?);
-    }
-    Ok(sum.finalize().iter().map(|byte| format!("{byte:02x}")).take(16).collect())
 }

@@ -69,6 +69,19 @@ fn numbers(path: &Path, name: &str) -> Vec<f64> {
     all
 }
 
+/// A file that a value names is part of the study: what was solved with another one is not kept.
+#[test]
+fn files_of_values_are_part_of_the_study() {
+    let bench = Bench::new("[vary]\nfriction.variation_file = [\"one.csv\", \"two.csv\"]\n");
+    let across = |factor: f64| format!("y [mm],factor\n-9,{factor}\n0,1\n9,{factor}\n");
+    bench.write("one.csv", &across(0.9));
+    bench.write("two.csv", &across(0.8));
+    let before = bench.study().unwrap().digest().to_owned();
+    assert_eq!(bench.study().unwrap().digest(), before);
+    bench.write("two.csv", &across(0.5));
+    assert_ne!(bench.study().unwrap().digest(), before);
+}
+
 /// Where the case tells how the wheel turns, creepages of other speeds and other lateral creepages
 /// follow from that, also in a study.
 #[test]

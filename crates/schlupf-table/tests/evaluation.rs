@@ -176,6 +176,17 @@ fn standstill_has_finite_derivatives() {
     let rest = contact.standstill_force([0.0; 3], 0.0, 0.01, limit);
     assert_eq!(rest.force.tangential(), 0.0);
     assert!(rest.slopes[0][0] < 0.0);
+    // Spin alone: a frame turned by π rolls the other way, so its lateral force turns, too, and
+    // vanishes where nothing rolls.
+    let turning = |speed: f64| contact.standstill_force([0.0, 0.0, 2.0], speed, 0.01, limit).force;
+    let [ahead, back, still] = [5.0, -5.0, 0.0].map(turning);
+    assert!(ahead.y.abs() > 0.1 * limit && (ahead.y + back.y).abs() < 1e-9 * limit, "{ahead:?}");
+    assert!((ahead.moment_z.unwrap() - back.moment_z.unwrap()).abs() < 1e-9 * limit);
+    assert!(still.y.abs() < 1e-9 * limit, "{still:?}");
+    // Slip without spin knows no direction of rolling.
+    let sliding =
+        |speed: f64| contact.standstill_force([0.01, 0.02, 0.0], speed, 0.01, limit).force;
+    assert!((sliding(5.0).y - sliding(-5.0).y).abs() < 1e-6 * limit);
     // At speed both are the same but for v_s²/2v².
     let motion = Kinematics { speed: 20.0, creepage_x: 1e-3, creepage_y: 5e-4, spin: 0.2 };
     let slip = [20e-3, 10e-3, 4.0];

@@ -49,6 +49,34 @@ pub struct TableForce {
     pub is_covered: bool,
 }
 
+impl TableForce {
+    /// In the frame turned by π about the normal.
+    fn turned(&self) -> Self {
+        let signs = [-1.0, -1.0, 1.0];
+        let Resultant { x, y, moment_z } = self.force;
+        Self {
+            force: Resultant { x: -x, y: -y, moment_z },
+            slopes: std::array::from_fn(|row| {
+                std::array::from_fn(|column| signs[row] * signs[column] * self.slopes[row][column])
+            }),
+            ..*self
+        }
+    }
+
+    /// Between this one and another, of which it takes a share, dimensionless.
+    fn mixed(&self, other: &Self, share: f64) -> Self {
+        let mix = |one: f64, two: f64| one + share * (two - one);
+        let rest = self.force.scaled(1.0 - share, 1.0 - share);
+        Self {
+            force: rest.plus(share, &other.force),
+            slopes: std::array::from_fn(|row| {
+                std::array::from_fn(|k| mix(self.slopes[row][k], other.slopes[row][k]))
+            }),
+            is_covered: self.is_covered && other.is_covered,
+        }
+    }
+}
+
 impl<'a> TableContact<'a> {
     /// A table for a contact. Its creep coefficients take account of its own Poisson's ratio.
     pub fn new(table: &'a LookUpTable, contact: EllipticContact) -> Self {
@@ -76,8 +104,10 @@ impl<'a> TableContact<'a> {
     /// The force under slip velocities of the wheel over the rail along and across rolling (in m/s)
     /// and about the normal (in rad/s), at a rolling speed v (in m/s) that may vanish: creepages
     /// are slip velocities over √(v² + v_s²), with v_s (in m/s, above 0) the speed below which the
-    /// forces go by the slip velocities alone. Derivatives, with respect to the slip velocities,
-    /// are finite. `limit` is μN in N. Allocates nothing.
+    /// forces go by the slip velocities alone. A negative speed is that of rolling backwards: the
+    /// frame turned by π rolls forwards, so the lateral force of a spin changes its sign; between
+    /// ∓v_s the forces pass from the one direction to the other. Derivatives, with respect to the
+    /// slip velocities, are finite. `limit` is μN in N. Allocates nothing.
     pub fn standstill_force(
         &self,
         slip: [f64; 3],
@@ -87,7 +117,22 @@ impl<'a> TableContact<'a> {
     ) -> TableForce {
         let reference = speed.hypot(standstill_speed);
         let creepages = slip.map(|slip| slip / reference);
-        self.scaled(&self.normalised(creepages, limit), limit, reference)
+        let forwards =
+            |creepages| self.scaled(&self.normalised(creepages, limit), limit, reference);
+        let place = (speed / standstill_speed).clamp(-1.0, 1.0);
+        // Of the direction forwards, with a slope that ends at both speeds.
+        let share = 0.5 + 0.25 * place * (3.0 - place * place);
+        let backwards = || {
+            let [xi, eta, spin] = creepages;
+            forwards([-xi, -eta, spin]).turned()
+        };
+        if share >= 1.0 {
+            forwards(creepages)
+        } else if share <= 0.0 {
+            backwards()
+        } else {
+            backwards().mixed(&forwards(creepages), share)
+        }
     }
 
     fn normalised(&self, [xi, eta, spin]: [f64; 3], limit: f64) -> NormalisedForce {
