@@ -175,4 +175,20 @@ fn what_is_about_one_contact_says_so() {
         assert!(found.stderr.contains(said), "{command}: {}", found.stderr);
     }
     assert!(!run("solve").stderr.contains("is about the first"));
+    // A study and the damage of a run say so, too.
+    let fields = "\n[wheelset]\nlateral_position = \"5 mm\"\nside = \"left\"\n";
+    let joined = "\njoin_distance = \"1 mm\"\njoin_angle = \"0.01 rad\"\n";
+    let case = CASE.replace("load = \"20 kN\"\n", &format!("load = \"10 kN\"{joined}"));
+    bench.write("two.toml", &format!("{case}{fields}"));
+    bench.write("run.csv", "distance [m],kinematics.speed [m/s]\n0,20\n10,20.5\n");
+    bench.write("study.toml", "case = \"two.toml\"\n[states]\nfile = \"run.csv\"\n");
+    let sweep = bench.run(&["sweep", "study.toml", "--output", "table.csv"]);
+    assert_eq!(sweep.code, Some(0), "{}", sweep.stderr);
+    assert!(bench.read("table.csv").contains("one-contact"));
+    let damage = bench.run(&["damage", "table.csv"]);
+    assert!(
+        damage.stderr.contains("in 2 of the states the wheel has several"),
+        "{}",
+        damage.stderr
+    );
 }

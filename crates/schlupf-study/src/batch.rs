@@ -172,7 +172,15 @@ impl Group<'_> {
 
 fn outcome(case: &Case, solved: Result<schlupf::Solution, Error>) -> Result<Outcome, StudyError> {
     match solved {
-        Ok(solution) => Ok(Outcome::Solved(Box::new(solution))),
+        Ok(mut solution) => {
+            // A row is about the first contact of a wheel.
+            let wheel = case.wheel.as_ref();
+            let of_wheel = wheel.map(|wheel| (wheel.warnings(), wheel.other_contacts()));
+            solution.warnings.extend(
+                of_wheel.into_iter().flat_map(|(own, others)| own.into_iter().chain(others)),
+            );
+            Ok(Outcome::Solved(Box::new(solution)))
+        }
         Err(Error::Stopped {}) => Err(StudyError::Stopped),
         Err(error) => Ok(Outcome::Failed(case.explain(&error).message)),
     }

@@ -118,6 +118,10 @@ const POWER: &str = "power.friction";
 /// The column that tells whether a state has a solution.
 const STATUS: &str = "status";
 
+/// The column with the codes of warnings, and the one of wheels with several contacts.
+const WARNINGS: &str = "warnings";
+const ONE_CONTACT: &str = "one-contact";
+
 /// The columns of a run.
 struct Run {
     needed: [Vec<f64>; NEEDED.len()],
@@ -127,11 +131,13 @@ struct Run {
     /// Which of the columns, and its numbers.
     along: (&'static str, Vec<f64>),
     across: Option<Vec<f64>>,
+    /// Whether the wheel has contacts besides that of the row; empty if nothing is known of it.
+    has_others: Vec<bool>,
 }
 
 impl Run {
     fn read(path: &Path) -> Result<Self, StudyError> {
-        let others = [POWER, STATUS, ACROSS].into_iter().chain(ALONG);
+        let others = [POWER, STATUS, WARNINGS, ACROSS].into_iter().chain(ALONG);
         let names: Vec<&str> = NEEDED.into_iter().chain(others).collect();
         let mut reader = Reader::open_only(path, &names)?;
         let contents = reader.contents().clone();
@@ -163,6 +169,7 @@ impl Run {
             is_solved: table.is_solved().ok_or_else(|| missing(STATUS))?,
             along: along.ok_or_else(|| StudyError::table(path, no_run()))?,
             across: table.numbers(ACROSS),
+            has_others: table.warned(ONE_CONTACT),
         };
         run.check_order(path)?;
         Ok(run)
@@ -250,7 +257,10 @@ impl Run {
         let left_out = (rows > 0).then_some(Notice::LeftOut { rows, first, distance });
         let Gap { rows, first, distance } = powerless;
         let no_power = (rows > 0).then_some(Notice::NoFrictionPower { rows, first, distance });
-        let gaps = left_out.into_iter().chain(no_power).map(Message::from);
+        let others = self.has_others.iter().filter(|has| **has).count();
+        let first = self.has_others.iter().position(|has| *has);
+        let others = first.map(|first| Notice::FirstContacts { rows: others, first });
+        let gaps = left_out.into_iter().chain(no_power).chain(others).map(Message::from);
         Ok(DamageReport {
             title: path.display().to_string(),
             laws: laws.clone(),
@@ -333,6 +343,16 @@ impl Table {
         match self.cells(name)? {
             Cells::Numbers(numbers) => Some(numbers.clone()),
             _ => None,
+        }
+    }
+
+    /// In which rows a warning is given.
+    fn warned(&self, code: &str) -> Vec<bool> {
+        match self.cells(WARNINGS) {
+            Some(Cells::Texts(texts)) => {
+                texts.iter().map(|text| text.split(' ').any(|word| word == code)).collect()
+            }
+            _ => Vec::new(),
         }
     }
 

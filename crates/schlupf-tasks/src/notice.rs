@@ -26,17 +26,6 @@ messages! {
         "the data have a load of {of_data:.4e} N, the case one of {of_case:.4e} N: are the units right?"
     );
 
-    /// A wheel has contacts of which nothing is computed.
-    "one-contact" OneContact {
-        /// How many the wheel has.
-        contacts: usize,
-        /// Normal force of the first over that of all, dimensionless.
-        share: f64,
-    } "normal.model", |subject, words| format!(
-        "the wheel has {contacts} contacts, and this is about the first of them, which carries \
-         {:.0} % of the normal forces", 100.0 * share
-    );
-
     /// A passage by a method that has no fields.
     "no-wear" NoWear {
         /// Its name.
@@ -78,6 +67,17 @@ messages! {
     } "status", |subject, words| format!(
         "{rows} of the states have not converged or have failed, the first in row {first}: the \
          {distance:.4e} m over which they hold are left out"
+    );
+
+    /// States of a run in which a wheel has contacts that are not counted.
+    "first-contacts" FirstContacts {
+        /// How many.
+        rows: usize,
+        /// The first of them, from 0.
+        first: usize,
+    } "normal.model", |subject, words| format!(
+        "in {rows} of the states the wheel has several contacts, in row {first} for the first time: \
+         only the first contact of each, with the largest force, is counted"
     );
 
     /// States of a run whose friction power is unknown.
@@ -137,12 +137,8 @@ impl Notice {
     /// What to know about a result that is about the first contact of a case only, besides the
     /// warnings of its solution.
     pub fn of_first_contact(case: &Case) -> Vec<Message> {
-        let of_wheel = case.wheel.as_ref().filter(|wheel| wheel.contacts.len() > 1).map(|wheel| {
-            let loads: Vec<f64> =
-                wheel.contacts.iter().map(|contact| contact.solution.normal.load).collect();
-            let share = loads.first().map_or(0.0, |first| first / loads.iter().sum::<f64>());
-            Self::OneContact { contacts: loads.len(), share }.into()
-        });
+        let others = case.wheel.as_ref().and_then(|wheel| wheel.other_contacts());
+        let of_wheel = others.map(|warning| warning.message(&FieldNames::CASE));
         case.notices.iter().cloned().chain(of_wheel).collect()
     }
 }

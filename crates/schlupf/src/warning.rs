@@ -383,6 +383,17 @@ messages! {
         100.0 * r_squared.max(0.0)
     );
 
+    /// A result about the first of several contacts of a wheel.
+    "one-contact" OneContact {
+        /// How many the wheel has.
+        contacts: usize,
+        /// Normal force of the first over that of all, dimensionless.
+        share: f64,
+    } Quantity::ContactAngle, |name, words| format!(
+        "the wheel has {contacts} contacts, and this is about the first of them, which carries \
+         {:.0} % of the normal forces", 100.0 * share
+    );
+
     /// A contact whose surface is curved more than a plane can show.
     "conformal-contact" ConformalContact {
         /// Angle by which the surface turns over the contact, in rad.

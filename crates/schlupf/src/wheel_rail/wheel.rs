@@ -151,6 +151,14 @@ impl WheelSolution {
         self.contacts.iter().map(ratio).collect()
     }
 
+    /// What to know of a result that is about the first contact only.
+    pub fn other_contacts(&self) -> Option<Warning> {
+        let loads = self.contacts.iter().map(|contact| contact.solution.normal.load);
+        let share = loads.clone().next()? / loads.sum::<f64>();
+        let contacts = self.contacts.len();
+        (contacts > 1).then_some(Warning::OneContact { contacts, share })
+    }
+
     /// Warnings about the contacts as parts of a wheel.
     pub fn warnings(&self) -> Vec<Warning> {
         let warning = |contact: &Contact| {
