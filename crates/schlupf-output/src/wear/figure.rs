@@ -132,7 +132,7 @@ fn shakedown(report: &WearReport) -> String {
         drawing.polyline(&points, &curve.stroke);
     }
     let style = TextStyle { color: MUTED, ..TextStyle::new(15.0, Anchor::Middle) };
-    let mid = limits.len() / 8;
+    let mid = limits.len() / 12;
     let (friction, limit) = limits[mid];
     for (height, text) in [
         (0.5 * limit.elastic, "elastic"),
