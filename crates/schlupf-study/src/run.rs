@@ -233,6 +233,14 @@ fn existing(output: &Path, contents: &Contents) -> Result<Report, StudyError> {
     while let Some(rows) = reader.next_batch()? {
         report.add(contents, &rows);
     }
+    let expected: usize = contents.own_batches().map(|batch| contents.rows_of(batch).len()).sum();
+    if report.rows != expected {
+        let reason = format!(
+            "it has {} rows of {expected}, so it was cut: remove it, or name another output",
+            report.rows
+        );
+        return Err(StudyError::table(output, reason));
+    }
     report.resumed = report.rows;
     Parts::remove_done(output, contents)?;
     Ok(report)

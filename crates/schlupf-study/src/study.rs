@@ -230,6 +230,7 @@ impl StudyReader<'_> {
                 .try_for_each(|(key, value)| self.add_varied(varied, &path, key, value));
         }
         let field = self.field(&path, &key.span())?;
+        self.once(field, varied.iter().map(|varied| varied.field), &key.span())?;
         let Content::Array(entries) = Content::of(value.get_ref()) else {
             let message = format!("{path} must be a list of values, such as [1, 2]");
             return Err(self.error(&value.span(), message));
@@ -245,6 +246,19 @@ impl StudyReader<'_> {
             return Err(self.error(span, message));
         }
         varied.push(Varied { field, values });
+        Ok(())
+    }
+
+    /// Refuses a field that varies already, written in another way.
+    fn once(
+        &self,
+        field: &Field,
+        mut others: impl Iterator<Item = &'static Field>,
+        span: &std::ops::Range<usize>,
+    ) -> Result<(), CaseError> {
+        if others.any(|other| other.path == field.path) {
+            return Err(self.error(span, format!("{} is given twice", field.path)));
+        }
         Ok(())
     }
 
@@ -335,6 +349,7 @@ impl StudyReader<'_> {
                 .try_for_each(|(key, value)| self.add_range(ranges, &path, key, value));
         }
         let field = self.field(&path, &key.span())?;
+        self.once(field, ranges.iter().map(|(field, _)| *field), &key.span())?;
         let ends = match Content::of(value.get_ref()) {
             Content::Array(ends) if ends.len() == 2 => self.values(field, &ends)?,
             _ => Values::Texts(Vec::new()),
@@ -345,6 +360,10 @@ impl StudyReader<'_> {
             let message = format!("{path} must be a range of numbers, such as [1, 2]");
             return Err(self.error(&value.span(), message));
         };
+        if !(ends[1] - ends[0]).is_finite() {
+            let message = format!("the range of {path} must be finite, but is not");
+            return Err(self.error(&value.span(), message));
+        }
         if ends[0] >= ends[1] {
             let message = format!("the range of {path} must increase, but does not");
             return Err(self.error(&value.span(), message));

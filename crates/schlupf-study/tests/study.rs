@@ -69,6 +69,42 @@ fn numbers(path: &Path, name: &str) -> Vec<f64> {
     all
 }
 
+/// What would be silently wrong is refused: a field that is written in two ways, two columns of one
+/// name, ranges without end, and a table that was cut.
+#[test]
+fn what_would_be_silently_wrong_is_refused() {
+    for (study, part) in [
+        (
+            "[vary]\nkinematics.creepage_x = [0.0, 0.001]\n\"kinematics.creepage_x\" = [0.01]\n",
+            "kinematics.creepage_x is given twice",
+        ),
+        (
+            "[sample]\nmethod = \"sobol\"\ncount = 4\n[sample.range]\n\
+             \"kinematics.creepage_x\" = [0.0, 0.1]\nkinematics.creepage_x = [0.0, 0.2]\n",
+            "kinematics.creepage_x is given twice",
+        ),
+        (
+            "[sample]\nmethod = \"sobol\"\ncount = 4\n[sample.range]\n\
+             wheel.radius_y = [\"1 m\", \"inf\"]\n",
+            "the range of wheel.radius_y must be finite",
+        ),
+        ("[states]\nfile = \"states.csv\"\n", "there are two columns time"),
+    ] {
+        let bench = Bench::new(study);
+        bench.write("states.csv", "time [s],time [ms],kinematics.creepage_x\n0,0,0.001\n");
+        let error = bench.study().unwrap_err().to_string();
+        assert!(error.contains(part), "{study}: {error}");
+    }
+    let bench =
+        Bench::new("batch = 2\n[vary]\nkinematics.creepage_x = [0.0, 0.001, 0.002, 0.003]\n");
+    bench.run([1, 1], "table.csv").unwrap();
+    let text = fs::read_to_string(bench.path("table.csv")).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    bench.write("table.csv", &format!("{}\n", lines[..lines.len() - 2].join("\n")));
+    let error = bench.run([1, 1], "table.csv").unwrap_err().to_string();
+    assert!(error.contains("it has 2 rows of 4, so it was cut"), "{error}");
+}
+
 /// A file that a value names is part of the study: what was solved with another one is not kept.
 #[test]
 fn files_of_values_are_part_of_the_study() {

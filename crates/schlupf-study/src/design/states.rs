@@ -45,6 +45,9 @@ fn design(path: &Path, columns: Vec<(Head, Cells)>) -> Result<Design, StudyError
         let convert = |number: f64| convert.map_or(number, |convert| convert.apply(number));
         let wrong = |name: &str| refused(format!("{name} must be numbers, but is text"));
         match (what, cells) {
+            (What::Carried(name, _), _) if carried.iter().any(|other| other.name == name) => {
+                return Err(refused(format!("there are two columns {name}")));
+            }
             (What::Carried(name, unit), Cells::Numbers(numbers)) => {
                 let values = numbers.into_iter().map(convert).collect();
                 carried.push(Carried { name, unit, values });
