@@ -6,7 +6,8 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
+use schlupf_output::significant;
 
 const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(100);
@@ -78,14 +79,33 @@ fn show(messages: &Receiver<Message>) {
     }
     let bar = ProgressBar::new_spinner().with_elapsed(start.elapsed());
     bar.enable_steady_tick(TICK);
-    update(&bar, latest);
+    let mut pace = None;
+    update(&bar, latest, &mut pace);
     for message in messages {
-        update(&bar, message);
+        update(&bar, message, &mut pace);
     }
     bar.finish_and_clear();
 }
 
-fn update(bar: &ProgressBar, message: Message) {
+/// How much was done when the bar began, part of which an earlier run may have done.
+struct Pace {
+    done: usize,
+    since: Instant,
+}
+
+impl Pace {
+    /// What is done a second since then, and the time that the rest takes at that rate.
+    fn text(&self, done: usize, total: usize) -> String {
+        let rate = done.saturating_sub(self.done) as f64 / self.since.elapsed().as_secs_f64();
+        if !(rate.is_finite() && rate > 0.0) {
+            return String::new();
+        }
+        let left = Duration::from_secs_f64((total.saturating_sub(done) as f64 / rate).min(1e9));
+        format!("{}/s, {} left", significant(rate), HumanDuration(left))
+    }
+}
+
+fn update(bar: &ProgressBar, message: Message, pace: &mut Option<Pace>) {
     let progress = match message {
         Message::Doing(name) => return bar.set_message(name),
         Message::Got(progress) => progress,
@@ -97,6 +117,8 @@ fn update(bar: &ProgressBar, message: Message) {
         }
         bar.set_length(total as u64);
         bar.set_position(done as u64);
+        let pace = pace.get_or_insert_with(|| Pace { done, since: Instant::now() });
+        bar.set_prefix(pace.text(done, total));
         bar.set_message(format!("{name}{}", residual(progress.change)));
     } else {
         bar.set_message(format!("{name} {done}{}", residual(progress.change)));
@@ -110,6 +132,6 @@ fn residual(change: Option<f64>) -> String {
 }
 
 fn style_of_known_length() -> ProgressStyle {
-    ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {per_sec} {eta}")
+    ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {prefix}")
         .unwrap_or_else(|_| ProgressStyle::default_bar())
 }

@@ -22,9 +22,13 @@ use crate::digest::{digest, varied_files};
 use crate::error::StudyError;
 use crate::table::{Column, Contents};
 
-/// Rows of a batch where each is solved in full, and where a fast method gives it.
-const BATCH: usize = 256;
-const FAST_BATCH: usize = 4096;
+/// Fewest and most rows of a batch where each is solved in full, and where a fast method gives it:
+/// as many as make some batches for each core of a machine, whatever its number of cores.
+const BATCH: [usize; 2] = [16, 256];
+const FAST_BATCH: [usize; 2] = [256, 4096];
+
+/// Batches into which a study of few rows is divided.
+const BATCHES: usize = 64;
 
 /// Most rows of a study.
 const MOST_ROWS: usize = 1_000_000_000;
@@ -158,8 +162,10 @@ impl StudyReader<'_> {
         inputs.extend(case.files().into_iter().map(|(_, path)| path));
         inputs.extend(varied_files(&case, &design));
         let batch = match table.get("batch") {
-            None if is_fast(&case, &design) => FAST_BATCH,
-            None => BATCH,
+            None => {
+                let [least, most] = if is_fast(&case, &design) { FAST_BATCH } else { BATCH };
+                rows.div_ceil(BATCHES).clamp(least, most)
+            }
             Some(value) => self.count("batch", value, 1)?,
         };
         let fields = table.get("fields");

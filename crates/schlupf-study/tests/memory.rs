@@ -9,7 +9,7 @@ use schlupf::unwatched;
 use schlupf_study::Study;
 use schlupf_study::run::run;
 
-/// Rows of a batch of a fast method.
+/// Rows of a batch, in the small study and in the large one.
 const BATCH: usize = 4096;
 
 /// Runs a study of so many batches; returns the size of its numbers, in bytes.
@@ -19,7 +19,7 @@ fn sweep(folder: &Path, batches: usize) -> usize {
         values.join(", ")
     };
     let text = format!(
-        "case = \"case.toml\"\n[vary]\nkinematics.creepage_x = [{}]\n\
+        "case = \"case.toml\"\nbatch = {BATCH}\n[vary]\nkinematics.creepage_x = [{}]\n\
          kinematics.creepage_y = [{}]\n",
         list(batches),
         list(BATCH)
