@@ -87,6 +87,16 @@ fn what_melts_is_told() {
     let fast: Value = serde_json::from_str(&bench.read("w.json")).unwrap();
     assert_eq!((&fast["wear"], &fast["cells"]), (&Value::Null, &Value::Null));
     assert!(number(&fast, "/t_gamma/without_spin") > 0.0);
+    let springs = [
+        "solver.method=fastsim",
+        "heat.model=none",
+        "layer.thickness=1 mm",
+        "layer.shear_modulus=1000 MPa",
+        "layer.yield_stress=20 MPa",
+    ];
+    let set: Vec<&str> = springs.iter().flat_map(|field| ["--set", *field]).collect();
+    let fastsim = run(&bench, &set);
+    assert!(fastsim.stderr.contains("temperatures and wear are uncertain"), "{}", fastsim.stderr);
     let greased = run(&bench, &["--set", "friction.coefficient=0.075"]);
     assert!(greased.stderr.contains("those of dry steel on steel"), "{}", greased.stderr);
 }

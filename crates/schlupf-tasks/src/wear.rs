@@ -1,8 +1,10 @@
 //! Wear, fatigue and melting of one passage.
 
 use schlupf::damage::{Laws, WearMap, of_passage};
-use schlupf::{Error, Watch};
-use schlupf_case::{Case, CaseErrors, CaseFile};
+use schlupf::message::Message;
+use schlupf::solution::Power;
+use schlupf::{Error, Method, Solution, Warning, Watch};
+use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames};
 use schlupf_output::wear::WearReport;
 
 use crate::{Notice, TaskError, messages};
@@ -29,6 +31,21 @@ pub fn plan(file: &CaseFile, watch: Watch) -> Result<Plan, TaskError> {
 /// rail is 0.2 to 0.3 (Olofsson and Lewis 2006).
 const DRY: f64 = 0.2;
 
+/// Part of the creep power that wear may miss without a warning, dimensionless.
+const LARGEST_GAP: f64 = 0.05;
+
+/// What to know where the energy of wear is not that of the creep forces, which the solution says
+/// itself where it has temperatures.
+fn gap(solution: &Solution) -> Option<Message> {
+    let Power { friction, creep, .. } = solution.power?;
+    let is_told =
+        solution.warnings.iter().any(|warning| matches!(warning, Warning::PowerGap { .. }));
+    let is_open = (friction - creep).abs() > LARGEST_GAP * creep.abs();
+    let gap = Warning::PowerGap { friction, creep, part: LARGEST_GAP };
+    let is_fastsim = matches!(solution.method, Method::Fast(method) if method.has_fields());
+    (is_open && is_fastsim && !is_told).then(|| gap.message(&FieldNames::CASE))
+}
+
 impl Plan {
     /// Solves the case and computes its damage.
     ///
@@ -52,7 +69,7 @@ impl Plan {
         let is_of_dry_steel = laws.archard.map == WearMap::default();
         let other = (!is_dry && is_of_dry_steel && passage.wear.is_some())
             .then(|| Notice::WearOfDrySteel { friction }.into());
-        let own = without_fields.into_iter().chain(molten).chain(other);
+        let own = without_fields.into_iter().chain(molten).chain(other).chain(gap(&solution));
         let warnings = Notice::of_first_contact(&case).into_iter();
         let warnings = warnings.chain(messages(&solution.warnings)).chain(own).collect();
         Ok(WearReport { title: case.title, laws, passage, solution, warnings })

@@ -317,7 +317,7 @@ messages! {
         part: f64,
     } Quantity::Method, |name, words| format!(
         "{name}: the friction power of FASTSIM, {friction:.4e} W, differs from the creep power, \
-         {creep:.4e} W, by more than {} %; the temperatures are uncertain by as much",
+         {creep:.4e} W, by more than {} %; temperatures and wear are uncertain by as much",
         100.0 * part
     );
 
