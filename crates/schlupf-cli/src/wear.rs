@@ -6,7 +6,7 @@ use clap::{Args, ValueHint};
 use schlupf::Watch;
 use schlupf_case::CaseFile;
 use schlupf_output::wear::WearReport;
-use schlupf_tasks::wear::{self, Plan};
+use schlupf_tasks::wear::{self, Cells, Plan};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
@@ -45,7 +45,9 @@ impl Task for Wear {
     }
 
     fn plan(&self, file: CaseFile, watch: Watch) -> Result<Plan, Failure> {
-        Ok(wear::plan(&file, watch)?)
+        let is_written = self.profile.is_some() || self.outputs.csv.is_some();
+        let cells = if is_written { Cells::Needed } else { Cells::IfAny };
+        Ok(wear::plan(&file, cells, watch)?)
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<WearReport>, Failure> {

@@ -43,10 +43,10 @@ fn every_output_is_written() {
     for part in ["circle", "stresses in the rail", "largest von Mises stress", "converged"] {
         assert!(run.stdout.contains(part), "{part:?} is not in\n{}", run.stdout);
     }
-    for name in
-        ["section.svg", "section.png", "shear.svg", "shear.png", "profile.svg", "profile.png"]
-    {
-        assert!(bench.path(&format!("in/here/subsurface_{name}")).exists());
+    for name in ["section", "across", "shear", "profile"] {
+        for ending in ["svg", "png"] {
+            assert!(bench.path(&format!("in/here/subsurface_{name}.{ending}")).exists());
+        }
     }
     let table = bench.read("s.csv");
     assert!(table.starts_with("# units: m, m, m, Pa"));
@@ -77,6 +77,27 @@ fn hertz_1882_largest_shear_below_a_circle() {
         let profile = &found["profile"];
         assert!((number(&profile["stress_zz"][0]) / -1e9 - 1.0).abs() < 0.01, "{profile}");
     }
+}
+
+/// Hertz on the axis of a circular contact (Johnson 1985, §3.4 (a)): σzz = −p0/(1 + z²/a²), and
+/// σrr = −(1 + ν) p0 (1 − z/a atan(a/z)) + p0/(2 (1 + z²/a²)); the points stay in their order.
+#[test]
+fn points_are_those_of_a_table() {
+    let bench = bench();
+    bench.write("points.csv", "depth [mm],x [mm],y [m]\n6,0,0\n3,0,0\n3,6,0\n");
+    let found = document(&bench, &["--points", "points.csv", "--csv", "s.csv"]);
+    let points = &found["points"];
+    let at = |name: &str, k: usize| number(&points[name][k]);
+    for (k, depth) in [1.0, 0.5].into_iter().enumerate() {
+        let hydrostatic = 1.0 / (1.0 + depth * depth);
+        let radial = -1.3 * (1.0 - depth * (1.0_f64 / depth).atan()) + 0.5 * hydrostatic;
+        assert!((at("stress_zz", k) / 1e9 + hydrostatic).abs() < 5e-3);
+        assert!((at("stress_xx", k) / 1e9 - radial).abs() < 5e-3);
+        assert!((at("stress_yy", k) / 1e9 - radial).abs() < 5e-3);
+    }
+    assert_eq!((at("x", 2), at("y", 2), at("depth", 2)), (6e-3, 0.0, 3e-3));
+    assert_eq!(bench.read("s.csv").lines().count(), 2 + 3);
+    assert_eq!(document(&bench, &[])["points"], Value::Null);
 }
 
 /// The largest stresses are those of the body, whatever layers are written.
@@ -122,7 +143,10 @@ fn the_case_says_where() {
 #[test]
 fn what_cannot_be_is_refused() {
     let bench = bench();
+    bench.write("points.csv", "x [mm],y [mm],depth [mm]\n0,0,1\n0,0,-1\n");
     for (arguments, parts) in [
+        (vec!["--points", "points.csv"], vec!["points.csv:3:1", "depth", "between 0 and 1000 m"]),
+        (vec!["--points", "points.csv", "--csv", "points.csv"], vec!["--csv", "--points"]),
         (vec!["--set", "subsurface.body=sleeper"], vec!["subsurface.body", "rail"]),
         (vec!["--set", "subsurface.depth=-1 mm"], vec!["subsurface.depth", "between"]),
         (vec!["--set", "subsurface.layers=1"], vec!["subsurface.layers"]),
@@ -130,6 +154,7 @@ fn what_cannot_be_is_refused() {
         (vec!["--set", "solver.method=polach"], vec!["solver.method", "polach"]),
         (vec!["--x", "far"], vec!["--x"]),
         (vec!["--x", "2 km"], vec!["--x", "1000"]),
+        (vec!["--x", "500 mm"], vec!["--x", "500 mm", "mm", "subsurface.margin"]),
         (vec!["--y", "500 mm"], vec!["--y", "500 mm", "-12.000 to 12.000 mm", "subsurface.margin"]),
         (vec!["--set", "subsurface.margin=0.6 m", "--set", "subsurface.layers=2"], vec!["4000000"]),
     ] {
@@ -138,7 +163,7 @@ fn what_cannot_be_is_refused() {
         for part in parts {
             assert!(run.stderr.contains(part), "{arguments:?}: {part:?} is not in {}", run.stderr);
         }
-        assert_eq!(bench.list(), ["case.toml"]);
+        assert_eq!(bench.list(), ["case.toml", "points.csv"]);
     }
 }
 

@@ -101,6 +101,21 @@ fn what_melts_is_told() {
     assert!(greased.stderr.contains("those of dry steel on steel"), "{}", greased.stderr);
 }
 
+/// Files that would have no contents are refused before the work, and one of before stays.
+#[test]
+fn files_of_cells_need_a_method_with_cells() {
+    let bench = bench();
+    bench.write("w.csv", "of before");
+    for option in ["--csv", "--profile"] {
+        let run = run(&bench, &["--set", "solver.method=polach", option, "w.csv"]);
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        for part in ["solver.method", "polach", "slip and traction in cells"] {
+            assert!(run.stderr.contains(part), "{part:?} is not in {}", run.stderr);
+        }
+        assert_eq!(bench.read("w.csv"), "of before");
+    }
+}
+
 /// A map goes with the default case and with a file of `init`; `check` looks at it, too.
 #[test]
 fn a_map_goes_with_a_file_of_init() {

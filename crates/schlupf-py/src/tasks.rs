@@ -120,7 +120,7 @@ pub fn subsurface_stresses(
     point: [Option<f64>; 2],
 ) -> PyResult<Report> {
     let [x, y] = point;
-    let request = subsurface::Request { x, y, names: ["x", "y"] };
+    let request = subsurface::Request { x, y, points: None, names: ["x", "y"] };
     report(py, case, |file, watch| {
         let found = subsurface::plan(file, request, watch)?.find(watch)?;
         Ok(Found::Subsurface(Box::new(found)))
@@ -130,7 +130,9 @@ pub fn subsurface_stresses(
 /// Wear, fatigue and melting of one passage.
 #[pyfunction]
 pub fn passage_damage(py: Python<'_>, case: &CaseFile) -> PyResult<Report> {
-    report(py, case, |file, watch| Ok(Found::Wear(Box::new(wear::plan(file, watch)?.find(watch)?))))
+    report(py, case, |file, watch| {
+        Ok(Found::Wear(Box::new(wear::plan(file, wear::Cells::IfAny, watch)?.find(watch)?)))
+    })
 }
 
 /// The bulk temperature of the wheel in the long run.

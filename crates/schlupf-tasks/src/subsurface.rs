@@ -4,20 +4,24 @@ use schlupf::error::MethodPurpose;
 use schlupf::grid::Grid;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, CaseFile, Rolling, SubsurfaceRequest};
+use schlupf_case::{
+    Case, CaseErrors, CaseFile, InputFile, Rolling, SubsurfaceRequest, read_points,
+};
 use schlupf_output::subsurface::{PROFILE_POINTS, StressReport};
 
 use crate::solve::solve;
 use crate::{Notice, TaskError, messages};
 
 /// Where to look besides the volume of the case.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Request {
     /// Place of the profile along rolling, in m; by default that of the largest stress of von
     /// Mises.
     pub x: Option<f64>,
     /// The same across rolling, in m.
     pub y: Option<f64>,
+    /// A table of points, with what messages call it.
+    pub points: Option<(&'static str, InputFile)>,
     /// What messages call x and y.
     pub names: [&'static str; 2],
 }
@@ -31,6 +35,7 @@ pub struct Plan {
     rolling: Rolling,
     volume: SubsurfaceRequest,
     request: Request,
+    points: Option<Vec<[f64; 3]>>,
 }
 
 /// Poses the case.
@@ -44,6 +49,8 @@ pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, Tas
             return Err(TaskError::Request(text));
         }
     }
+    let points = request.points.as_ref().map(|(name, file)| read_points(name, file)).transpose();
+    let points = points.map_err(CaseErrors::from)?;
     let case = file.pose(watch)?;
     if !case.method.has_fields() {
         let method = case.method.name();
@@ -52,7 +59,7 @@ pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, Tas
     }
     let rolling = case.rolling(None).map_err(CaseErrors::from)?;
     let volume = case.subsurface().map_err(CaseErrors::from)?;
-    Ok(Plan { case, rolling, volume, request })
+    Ok(Plan { case, rolling, volume, request, points })
 }
 
 impl Plan {
@@ -61,7 +68,7 @@ impl Plan {
     /// # Errors
     /// More points than can be stored, or whatever the solver refuses.
     pub fn find(self, watch: Watch) -> Result<StressReport, TaskError> {
-        let Self { case, rolling, volume: wanted, request } = self;
+        let Self { case, rolling, volume: wanted, request, points } = self;
         let explain = |error: Error| CaseErrors::from(case.explain(&error));
         let solved = solve(&case, rolling, watch).map_err(explain)?;
         let solution = solved.solution;
@@ -71,15 +78,18 @@ impl Plan {
         let depths = wanted.depths(&solution.normal);
         let margin = wanted.margin(&solution.normal, stresses.grid());
         let volume = stresses.volume(&depths, margin, watch).map_err(explain)?;
-        check_plane(&volume.grid, &request)?;
+        check_planes(&volume.grid, &request)?;
         let largest = stresses.largest(Measure::ALL, watch).map_err(explain)?;
         let by_default = largest[0].anywhere;
         let [x, y] = [request.x.unwrap_or(by_default.x), request.y.unwrap_or(by_default.y)];
         let deepest = depths.last().copied().unwrap_or(0.0);
+        let points = points.map(|points| stresses.points(&points, watch)).transpose();
+        let points = points.map_err(explain)?;
         let warnings = messages(&solution.warnings);
         Ok(StressReport {
             status: solution.status,
             profile: profile(&stresses, [x, y], deepest),
+            points,
             stresses,
             volume,
             largest,
@@ -97,20 +107,20 @@ fn profile(stresses: &SubsurfaceStress, [x, y]: [f64; 2], deepest: f64) -> Vec<P
     (0..=last).map(|k| stresses.point([x, y, depth(k)])).collect()
 }
 
-/// Refuses a plane beside the layers, which have no stresses there.
-fn check_plane(grid: &Grid, request: &Request) -> Result<(), TaskError> {
-    let [first, last] = [grid.edge_y(0), grid.edge_y(grid.rows)];
-    match request.y {
-        Some(y) if !(first..=last).contains(&y) => {
-            let name = request.names[1];
-            let [y, first, last] = [y, first, last].map(|place| 1e3 * place);
-            Err(TaskError::Request(format!(
-                "{name} must be within the layers, {first:.3} to {last:.3} mm, but is {y} mm: \
-                 subsurface.margin makes them wider"
-            )))
-        }
-        _ => Ok(()),
+/// Refuses planes beside the layers, which have no stresses there.
+fn check_planes(grid: &Grid, request: &Request) -> Result<(), TaskError> {
+    let x = [grid.edge_x(0), grid.edge_x(grid.columns)];
+    let y = [grid.edge_y(0), grid.edge_y(grid.rows)];
+    let given = request.names.into_iter().zip([(request.x, x), (request.y, y)]);
+    for (name, (place, [first, last])) in given {
+        let Some(place) = place.filter(|place| !(first..=last).contains(place)) else { continue };
+        let [place, first, last] = [place, first, last].map(|place| 1e3 * place);
+        return Err(TaskError::Request(format!(
+            "{name} must be within the layers, {first:.3} to {last:.3} mm, but is {place} mm: \
+             subsurface.margin makes them wider"
+        )));
     }
+    Ok(())
 }
 
 /// Refuses a volume that no memory holds.

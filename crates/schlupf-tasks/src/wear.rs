@@ -1,6 +1,7 @@
 //! Wear, fatigue and melting of one passage.
 
 use schlupf::damage::{Laws, WearMap, of_passage};
+use schlupf::error::MethodPurpose;
 use schlupf::message::Message;
 use schlupf::solution::Power;
 use schlupf::{Error, Method, Solution, Warning, Watch};
@@ -8,6 +9,15 @@ use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames};
 use schlupf_output::wear::WearReport;
 
 use crate::{Notice, TaskError, messages};
+
+/// Whether wear in the cells is to be written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cells {
+    /// It is.
+    Needed,
+    /// It is part of the report where the method has cells.
+    IfAny,
+}
 
 /// A case with its laws of damage.
 #[derive(Debug)]
@@ -19,11 +29,16 @@ pub struct Plan {
 /// Poses the case.
 ///
 /// # Errors
-/// A case that is wrong or has a history.
-pub fn plan(file: &CaseFile, watch: Watch) -> Result<Plan, TaskError> {
+/// A case that is wrong or has a history, and a method without cells where they are needed.
+pub fn plan(file: &CaseFile, cells: Cells, watch: Watch) -> Result<Plan, TaskError> {
     let laws = file.damage_laws().map_err(CaseErrors::from)?;
     let case = file.pose(watch)?;
     case.require_steady("wear, fatigue and melting are those")?;
+    if cells == Cells::Needed && !case.method.has_fields() {
+        let method = case.method.name();
+        let error = Error::OtherMethod { purpose: MethodPurpose::Wear, method };
+        return Err(CaseErrors::from(case.explain(&error)).into());
+    }
     Ok(Plan { case, laws })
 }
 

@@ -26,6 +26,8 @@ pub enum Stage {
     Calibration,
     /// Layers of stresses below the surface.
     Subsurface,
+    /// Points below the surface.
+    StressPoints,
     /// Layers in which the largest stresses are searched, and measures of them.
     LargestStress,
     /// States of a study.
@@ -47,6 +49,7 @@ impl Stage {
             Self::Fit => "fitting, forces",
             Self::Calibration => "calibrating, motions",
             Self::Subsurface => "layers",
+            Self::StressPoints => "stresses, points",
             Self::LargestStress => "largest stresses, layers",
             Self::Study => "states",
             Self::Table => "states of the table",

@@ -1,5 +1,6 @@
 //! Files that a case names: tables of pressure, of undeformed distance, of friction over y, of
-//! wear, and of time; displacements to calibrate with, and measured points of creep curves.
+//! wear, and of time; displacements to calibrate with, measured points of creep curves, and points
+//! below the surface.
 
 mod across;
 pub(crate) mod axis;
@@ -9,6 +10,7 @@ mod displacements;
 mod distance;
 pub(crate) mod lattice;
 pub(crate) mod npy;
+mod points;
 mod pressure;
 mod time;
 mod wear_map;
@@ -18,6 +20,7 @@ pub use creep_data::from_csv as creep_data_from_csv;
 pub use displacements::{Displacements, read as read_displacements};
 pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy};
 pub use lattice::NpyFile;
+pub use points::read as read_points;
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use time::{check as check_history, from_csv as history_from_csv};
 pub use wear_map::from_csv as wear_map_from_csv;

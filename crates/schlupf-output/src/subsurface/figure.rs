@@ -1,8 +1,8 @@
 //! Stresses below the surface: the stress of von Mises and the largest shear stress in a section
-//! along rolling, and stresses below a point.
+//! along rolling, the former in one across rolling, too, and stresses below a point.
 
 use schlupf::Status;
-use schlupf::subsurface::{Measure, PointStress, Stress};
+use schlupf::subsurface::{Measure, Plane, PointStress, Stress};
 
 use super::StressReport;
 use crate::figures::Drawing as Named;
@@ -17,8 +17,8 @@ use crate::figures::ticks::round_ticks;
 use crate::figures::units::{self, Unit};
 
 /// Names of all figures.
-pub(super) const NAMES: [&str; 3] =
-    ["subsurface_section", "subsurface_shear", "subsurface_profile"];
+pub(super) const NAMES: [&str; 4] =
+    ["subsurface_section", "subsurface_across", "subsurface_shear", "subsurface_profile"];
 
 /// Largest height of the section.
 const TALLEST: f64 = 620.0;
@@ -27,9 +27,14 @@ const BAR: f64 = 150.0;
 
 /// All figures; `None` where there is nothing to draw.
 pub(super) fn draw(report: &StressReport) -> Option<Vec<Named>> {
-    let sections = [Measure::VonMises, Measure::Shear];
-    let [von_mises, shear] = sections.map(|measure| section(report, measure));
-    let drawn = [von_mises?, shear?, profile(report)?];
+    let [x, y] = report.place();
+    let [along, across] = [Plane::AlongRolling { y }, Plane::AcrossRolling { x }];
+    let drawn = [
+        section(report, Measure::VonMises, along)?,
+        section(report, Measure::VonMises, across)?,
+        section(report, Measure::Shear, along)?,
+        profile(report)?,
+    ];
     Some(NAMES.iter().zip(drawn).map(|(name, svg)| ((*name).to_owned(), svg)).collect())
 }
 
@@ -46,31 +51,17 @@ fn unit(report: &StressReport) -> Unit {
     units::pick(units::PRESSURE, report.largest[0].anywhere.stress.von_mises())
 }
 
-/// The plane y = constant through the profile; depths downwards in the rail and upwards in the
-/// wheel, as they lie in the frame.
-fn section(report: &StressReport, measure: Measure) -> Option<String> {
-    let y = report.place()[1];
+/// A plane through the profile; depths downwards in the rail and upwards in the wheel, as they lie
+/// in the frame.
+fn section(report: &StressReport, measure: Measure, plane: Plane) -> Option<String> {
     let unit = unit(report);
     let (title, symbol) = match measure {
         Measure::VonMises => ("Equivalent stress of von Mises", "$σ$_v"),
         Measure::Shear => ("Largest shear stress", "$τ$_{max}"),
         Measure::Tension => ("Largest principal stress", "$σ$_1"),
     };
-    let volume = &report.volume;
     let is_rail = report.body() == "rail";
-    let mut rows: Vec<(f64, Vec<f64>)> = volume
-        .section(y)
-        .into_iter()
-        .zip(&volume.layers)
-        .map(|(row, layer)| {
-            let height = if is_rail { -layer.depth } else { layer.depth };
-            (height / 1e-3, row.iter().map(|stress| measure.of(stress) / unit.size).collect())
-        })
-        .collect();
-    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let x = (0..volume.grid.columns).map(|i| volume.grid.x(i) / 1e-3).collect();
-    let (heights, rows) = rows.into_iter().unzip();
-    let coarse = Lattice { x, y: heights, rows };
+    let coarse = lattice(report, plane, |stress| measure.of(stress) / unit.size);
     let [low, high] = coarse.range().filter(|[low, high]| high > low)?;
     let ends = |values: &[f64]| {
         let ends = [*values.first()?, *values.last()?];
@@ -82,37 +73,68 @@ fn section(report: &StressReport, measure: Measure) -> Option<String> {
     let height = (width * (y[1] - y[0]) / (x[1] - x[0])).clamp(160.0, TALLEST);
     let frame = Frame { corner: [LEFT, HEADING + 34.0], size: [width, height], x, y };
     let mut drawing = Drawing::new(WIDTH, frame.bottom() + 66.0);
-    let place =
-        format!("plane $y$ = {} mm of the {}", short(report.place()[1] / 1e-3), report.body());
+    let (constant, value, axis) = match plane {
+        Plane::AlongRolling { y } => ("y", y, "x"),
+        Plane::AcrossRolling { x } => ("x", x, "y"),
+    };
+    let place = format!("plane ${constant}$ = {} mm of the {}", short(value / 1e-3), report.body());
     heading(&mut drawing, report, title, &place);
-    marks::rolling_direction(&mut drawing, [WIDTH - 116.0, HEADING + 8.0]);
+    if matches!(plane, Plane::AlongRolling { .. }) {
+        marks::rolling_direction(&mut drawing, [WIDTH - 116.0, HEADING + 8.0]);
+    }
     let scale = ColorScale { palette: Palette::Mechanical, low, high };
     let levels = round_ticks(low, high, 9);
     relief::draw(&mut drawing, &frame, &coarse.refined(), (&scale, &levels));
-    for point in marked(report, measure) {
+    for point in marked(report, measure, plane) {
         let depth = if is_rail { -point.depth } else { point.depth };
-        let at = [point.x, depth].map(|place| place / 1e-3);
+        let along = match plane {
+            Plane::AlongRolling { .. } => point.x,
+            Plane::AcrossRolling { .. } => point.y,
+        };
+        let at = [along, depth].map(|place| place / 1e-3);
         if frame.x[0] <= at[0] && at[0] <= frame.x[1] && frame.y[0] <= at[1] && at[1] <= frame.y[1]
         {
             marks::cross(&mut drawing, frame.at(at), MARK);
         }
     }
     frame.draw_vertical(&mut drawing, "$z$ (mm)");
-    frame.draw_horizontal(&mut drawing, "$x$ (mm)");
+    frame.draw_horizontal(&mut drawing, &format!("${axis}$ (mm)"));
     let bar = [frame.right() + 30.0, frame.corner[1] + 28.0];
     let label = format!("{symbol} ({})", unit.symbol);
     marks::color_bar(&mut drawing, bar, height - 28.0, &scale, &label);
     Some(drawing.finish())
 }
 
-/// The points where a measure is largest, on the surface and below, as far as they lie in the
-/// plane of the section, to half a cell.
-fn marked(report: &StressReport, measure: Measure) -> Vec<&PointStress> {
-    let near = 0.5 * report.volume.grid.spacing_y;
+/// A number for every point of a plane, from its lower to its upper edge; lengths in mm.
+fn lattice(report: &StressReport, plane: Plane, value: impl Fn(&Stress) -> f64) -> Lattice {
+    let volume = &report.volume;
+    let grid = &volume.grid;
+    let sign = if report.body() == "rail" { -1.0 } else { 1.0 };
+    let rows = volume.section(plane).into_iter().zip(&volume.layers);
+    let mut rows: Vec<(f64, Vec<f64>)> = rows
+        .map(|(row, layer)| (sign * layer.depth / 1e-3, row.iter().map(&value).collect()))
+        .collect();
+    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let (heights, rows) = rows.into_iter().unzip();
+    let along = match plane {
+        Plane::AlongRolling { .. } => (0..grid.columns).map(|i| grid.x(i) / 1e-3).collect(),
+        Plane::AcrossRolling { .. } => (0..grid.rows).map(|j| grid.y(j) / 1e-3).collect(),
+    };
+    Lattice { x: along, y: heights, rows }
+}
+
+/// The points where a measure is largest, on the surface and below, as far as they lie in a plane,
+/// to half a cell.
+fn marked(report: &StressReport, measure: Measure, plane: Plane) -> Vec<&PointStress> {
+    let grid = &report.volume.grid;
+    let is_near = |point: &&PointStress| match plane {
+        Plane::AlongRolling { y } => (point.y - y).abs() <= 0.5 * grid.spacing_y,
+        Plane::AcrossRolling { x } => (point.x - x).abs() <= 0.5 * grid.spacing_x,
+    };
     let of_measure = Measure::ALL.iter().zip(&report.largest).filter(|(of, _)| **of == measure);
     let points =
         of_measure.flat_map(|(_, largest)| [Some(&largest.surface), largest.below.as_ref()]);
-    points.flatten().filter(|point| (point.y - report.place()[1]).abs() <= near).collect()
+    points.flatten().filter(is_near).collect()
 }
 
 /// The largest stresses.

@@ -22,6 +22,7 @@ pub(super) fn document(report: &StressReport) -> String {
         surface: Points::of(report, |largest| Some(&largest.surface)),
         below: Points::of(report, |largest| largest.below.as_ref()),
         profile: Arrays(report.profile.as_slice()),
+        points: report.points.as_deref().map(Arrays),
         layers: Layers {
             depth: report.volume.layers.iter().map(|layer| layer.depth).collect(),
             von_mises_stress: report.by_depth(Measure::VonMises),
@@ -43,6 +44,8 @@ struct Document<'a> {
     surface: Points<'a>,
     below: Points<'a>,
     profile: Arrays<'a, [PointStress]>,
+    /// Null unless points were asked for.
+    points: Option<Arrays<'a, [PointStress]>>,
     layers: Layers,
     warnings: &'a [Message],
 }

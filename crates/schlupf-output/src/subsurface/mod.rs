@@ -34,6 +34,8 @@ pub struct StressReport {
     pub largest: [Largest; 3],
     /// Stresses below a point, from the surface on.
     pub profile: Vec<PointStress>,
+    /// Stresses at the points that were asked for.
+    pub points: Option<Vec<PointStress>>,
     /// The normal contact.
     pub normal: NormalSummary,
     /// Warnings for whoever uses the results.
@@ -83,10 +85,10 @@ impl Report for StressReport {
         summary::text(self)
     }
 
-    /// The points of the profile.
+    /// The points that were asked for, else those of the profile.
     fn csv(&self) -> Option<String> {
         let note = format!("stresses in the {}, tension positive, z up", self.body());
-        Some(table::csv(self.profile.as_slice(), &note))
+        Some(table::csv(self.points.as_ref().unwrap_or(&self.profile).as_slice(), &note))
     }
 
     fn figure_names() -> Vec<String> {

@@ -42,6 +42,10 @@ pub(super) fn text(report: &StressReport) -> Summary {
     let [x, y] = report.place().map(|place| number(place / 1e-3));
     line(&mut text, &format!("below x = {x} mm, y = {y} mm"));
     profile(&mut text, &report.profile);
+    if let Some(points) = &report.points {
+        text.blank();
+        asked_for(&mut text, points);
+    }
     text.blank();
     line(&mut text, verdict(report.status));
     for reason in reasons(&report.warnings) {
@@ -53,6 +57,17 @@ pub(super) fn text(report: &StressReport) -> Summary {
 fn place(point: &PointStress) -> String {
     let [x, y, depth] = [point.x, point.y, point.depth].map(|place| number(place / 1e-3));
     format!("at x = {x} mm, y = {y} mm, {depth} mm deep")
+}
+
+/// How many points were asked for, and the largest stress of von Mises among them.
+fn asked_for(text: &mut Summary, points: &[PointStress]) {
+    let von_mises = |point: &&PointStress| point.stress.von_mises();
+    let largest = points.iter().max_by(|one, other| von_mises(one).total_cmp(&von_mises(other)));
+    let Some(largest) = largest else { return };
+    let count = format!("{} points asked for, which CSV and JSON have", points.len());
+    line(text, &count);
+    let value = largest.stress.von_mises() / 1e6;
+    entry(text, "largest von Mises stress of them", value, "MPa", &place(largest));
 }
 
 fn profile(text: &mut Summary, points: &[PointStress]) {

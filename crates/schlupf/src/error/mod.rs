@@ -586,6 +586,8 @@ pub enum MethodPurpose {
     Field,
     /// Stresses below the surface.
     Stress,
+    /// Wear in the cells and across the profile.
+    Wear,
 }
 
 impl MethodPurpose {
@@ -594,6 +596,7 @@ impl MethodPurpose {
             Self::BulkTemperature => "bulk temperatures need a method with temperatures",
             Self::Field => "temperatures below the surface need the heat record of \"full\"",
             Self::Stress => "stresses below the surface need pressure and traction in cells",
+            Self::Wear => "wear in cells and across the profile needs slip and traction in cells",
         }
     }
 }

@@ -84,6 +84,19 @@ impl SubsurfaceStress {
         PointStress { x, y, depth, stress: self.at([x, y], depth) }
     }
 
+    /// The stresses at points, each with x, y and depth in m.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] if `watch` says so.
+    pub fn points(&self, places: &[[f64; 3]], watch: Watch) -> Result<Vec<PointStress>, Error> {
+        let mut points = Vec::with_capacity(places.len());
+        for (k, place) in places.iter().enumerate() {
+            tell(watch, Progress::count(Stage::StressPoints, 0).of(k, places.len()))?;
+            points.push(self.point(*place));
+        }
+        Ok(points)
+    }
+
     /// Where measures are largest in the body. Layers whose depths grow by a quarter, from that of
     /// a piece of a cell to twice the smaller half of the loaded rectangle, show where the largest
     /// stresses may be; from there on places in between are found to a thousandth of the distance

@@ -57,25 +57,48 @@ pub struct StressVolume {
     pub layers: Vec<Layer>,
 }
 
+/// A vertical plane through a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Plane {
+    /// Where y, in m, is constant.
+    AlongRolling {
+        /// Place of the plane across rolling, in m.
+        y: f64,
+    },
+    /// Where x, in m, is constant.
+    AcrossRolling {
+        /// Place of the plane along rolling, in m.
+        x: f64,
+    },
+}
+
 impl StressVolume {
     /// The stress at a cell of a layer.
     pub fn at(&self, layer: usize, column: usize, row: usize) -> Stress {
         self.layers[layer].stress[self.grid.index(column, row)]
     }
 
-    /// The stresses in the plane at y (in m), a row for each layer: linear between the two
-    /// neighbouring rows of points, and those of the outermost row beyond it.
-    pub fn section(&self, y: f64) -> Vec<Vec<Stress>> {
-        let place = ((y - self.grid.y(0)) / self.grid.spacing_y).max(0.0);
-        let lower = (place as usize).min(self.grid.rows.saturating_sub(1));
-        let upper = (lower + 1).min(self.grid.rows.saturating_sub(1));
-        let part = (place - lower as f64).min(1.0);
-        let at = |layer: usize, column: usize| {
-            self.at(layer, column, lower) * (1.0 - part) + self.at(layer, column, upper) * part
+    /// The stresses in a vertical plane, a row for each layer: linear between the two neighbouring
+    /// rows (or columns) of points, and those of the outermost one beyond it.
+    pub fn section(&self, plane: Plane) -> Vec<Vec<Stress>> {
+        let Grid { rows, columns, spacing_x, spacing_y, .. } = self.grid;
+        let (place, count, length) = match plane {
+            Plane::AlongRolling { y } => ((y - self.grid.y(0)) / spacing_y, rows, columns),
+            Plane::AcrossRolling { x } => ((x - self.grid.x(0)) / spacing_x, columns, rows),
         };
-        let columns = self.grid.columns;
+        let place = place.max(0.0);
+        let lower = (place as usize).min(count.saturating_sub(1));
+        let upper = (lower + 1).min(count.saturating_sub(1));
+        let part = (place - lower as f64).min(1.0);
+        let at = |layer: usize, line: usize, k: usize| match plane {
+            Plane::AlongRolling { .. } => self.at(layer, k, line),
+            Plane::AcrossRolling { .. } => self.at(layer, line, k),
+        };
+        let between = |layer: usize, k: usize| {
+            at(layer, lower, k) * (1.0 - part) + at(layer, upper, k) * part
+        };
         (0..self.layers.len())
-            .map(|layer| (0..columns).map(|column| at(layer, column)).collect())
+            .map(|layer| (0..length).map(|k| between(layer, k)).collect())
             .collect()
     }
 }
