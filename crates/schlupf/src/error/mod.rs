@@ -5,6 +5,7 @@ mod fit;
 mod force;
 mod over_time;
 mod place;
+mod purpose;
 mod surface;
 mod wheel_rail;
 
@@ -18,6 +19,7 @@ use over_time::{OverTime, over_time};
 pub use fit::{FitCause, FitError, FitStop};
 pub use force::ForceError;
 pub use place::Place;
+pub use purpose::MethodPurpose;
 pub use surface::SurfaceError;
 pub use wheel_rail::WheelRailError;
 
@@ -574,29 +576,4 @@ impl Error {
 /// The radius of the wheel in the direction in which the bodies are flatter.
 fn flatter(curvatures: &[f64; 2]) -> Quantity {
     if curvatures[0] > curvatures[1] { Quantity::WheelRadiusY } else { Quantity::WheelRadiusX }
-}
-
-/// What temperatures or fields are needed for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum MethodPurpose {
-    /// The bulk temperature of a wheel that friction heats.
-    BulkTemperature,
-    /// Temperatures below the surface.
-    Field,
-    /// Stresses below the surface.
-    Stress,
-    /// Wear in the cells and across the profile.
-    Wear,
-}
-
-impl MethodPurpose {
-    fn text(self) -> &'static str {
-        match self {
-            Self::BulkTemperature => "bulk temperatures need a method with temperatures",
-            Self::Field => "temperatures below the surface need the heat record of \"full\"",
-            Self::Stress => "stresses below the surface need pressure and traction in cells",
-            Self::Wear => "wear in cells and across the profile needs slip and traction in cells",
-        }
-    }
 }
