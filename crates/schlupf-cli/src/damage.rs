@@ -10,6 +10,7 @@ use schlupf_study::damage::{self, Plan};
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::outputs::Input;
 use crate::progress::Progress;
 use crate::task::{Found, OwnFile, Task};
@@ -64,6 +65,6 @@ impl Task for Damage {
     }
 
     fn find(&self, plan: Plan, progress: &Progress) -> Result<Found<DamageReport>, Failure> {
-        Ok(plan.find(&progress.watch())?.into())
+        Ok(plan.find_in(interrupt::scratch, &progress.watch())?.into())
     }
 }

@@ -1,8 +1,10 @@
 //! What becomes of SIGINT and SIGTERM: the command ends at once, and nothing of it stays behind.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use tempfile::TempDir;
 
 use crate::stdout;
 
@@ -14,6 +16,8 @@ const INTERRUPTED: i32 = 130;
 pub struct Unfinished {
     files: Vec<PathBuf>,
     directories: Vec<PathBuf>,
+    /// Folders to work in, which go with what is in them.
+    scratch: Vec<PathBuf>,
     /// Whether all files of the command are in their places.
     is_written: bool,
     /// Whether what is done is kept for the next run of the command.
@@ -23,6 +27,7 @@ pub struct Unfinished {
 static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
     files: Vec::new(),
     directories: Vec::new(),
+    scratch: Vec::new(),
     is_written: false,
     keeps_parts: false,
 });
@@ -62,7 +67,22 @@ impl Unfinished {
         for directory in self.directories.iter().rev() {
             let _ = std::fs::remove_dir(directory);
         }
+        for folder in &self.scratch {
+            // Threads still work, and may put something in while it is emptied.
+            let _ = (0..ATTEMPTS).find(|_| std::fs::remove_dir_all(folder).is_ok());
+        }
     }
+}
+
+/// How often a folder is emptied that may fill again.
+const ATTEMPTS: u32 = 10;
+
+/// A folder to work in, that goes with all that is in it even if the command is interrupted.
+pub fn scratch() -> io::Result<TempDir> {
+    let mut unfinished = unfinished();
+    let folder = tempfile::tempdir()?;
+    unfinished.scratch.push(folder.path().to_owned());
+    Ok(folder)
 }
 
 /// Listens from now on. Where no handler can be set, the system ends the command in its own way.
@@ -76,7 +96,7 @@ pub fn listen() {
             (false, false) => "no file was written",
         };
         let cut = if stdout::is_writing() { "; standard output is incomplete" } else { "" };
-        let _ = writeln!(std::io::stderr(), "interrupted: {what}{cut}");
+        let _ = writeln!(io::stderr(), "interrupted: {what}{cut}");
         std::process::exit(INTERRUPTED);
     });
 }

@@ -46,6 +46,33 @@ fn a_command_that_is_interrupted_leaves_nothing() {
     }
 }
 
+/// A study that is solved for its damage has a table of its own meanwhile.
+#[test]
+fn damage_of_a_study_that_is_interrupted_leaves_nothing() {
+    let bench = Bench::new();
+    bench.write("case.toml", "grid.cells_x = 120\ngrid.cells_y = 120\n");
+    let states: String = (0..2000).map(|k| format!("{k},{}\n", 1e-6 * f64::from(k))).collect();
+    bench.write("run.csv", &format!("distance [m],kinematics.creepage_x\n{states}"));
+    bench.write("study.toml", "case = \"case.toml\"\n[states]\nfile = \"run.csv\"\n");
+    std::fs::create_dir(bench.path("tmp")).unwrap();
+    let mut command = bench.command(&["damage", "study.toml", "--json", "d.json"]);
+    command.env("TMPDIR", bench.path("tmp")).stderr(Stdio::piped());
+    let child = command.stdout(Stdio::piped()).spawn().unwrap();
+    let start = Instant::now();
+    let is_empty = || std::fs::read_dir(bench.path("tmp")).unwrap().next().is_none();
+    while is_empty() && start.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    assert!(!is_empty(), "nothing was solved");
+    std::thread::sleep(Duration::from_secs(1));
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    let run = Run::from(child.wait_with_output().unwrap());
+    assert_eq!((run.code, run.stderr.as_str()), (Some(130), "interrupted: no file was written\n"));
+    assert!(is_empty());
+    assert_eq!(bench.list(), ["case.toml", "run.csv", "study.toml", "tmp"]);
+}
+
 /// The pipe is full and nobody reads it.
 #[test]
 fn a_command_that_is_interrupted_while_it_prints_says_so() {

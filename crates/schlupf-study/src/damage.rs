@@ -1,5 +1,6 @@
 //! Damage over a run: a table of a study whose states follow one another along the track.
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 use schlupf::damage::{self, Laws, State};
@@ -8,6 +9,7 @@ use schlupf::{Status, Watch};
 use schlupf_case::{CaseErrors, CaseFile};
 use schlupf_output::damage::{DamageReport, LeftOut};
 use schlupf_tasks::Notice;
+use tempfile::TempDir;
 
 use crate::error::StudyError;
 use crate::run;
@@ -76,12 +78,24 @@ impl Plan {
     /// A table that cannot be read, is a shard, or is of no run, and those of
     /// [`run`](fn@crate::run::run).
     pub fn find(self, watch: Watch) -> Result<DamageReport, StudyError> {
+        self.find_in(tempfile::tempdir, watch)
+    }
+
+    /// The same, a study being solved in a folder that is made for it.
+    ///
+    /// # Errors
+    /// Those of [`Self::find`], and whatever keeps the folder from being made.
+    pub fn find_in(
+        self,
+        folder: impl FnOnce() -> io::Result<TempDir>,
+        watch: Watch,
+    ) -> Result<DamageReport, StudyError> {
         let Self { path, study, .. } = &self;
         let run = match study {
             None => Run::read(path)?,
             Some(study) => {
                 let fail = |cause| StudyError::file(path, cause);
-                let folder = tempfile::tempdir().map_err(fail)?;
+                let folder = folder().map_err(fail)?;
                 let table = folder.path().join("run.parquet");
                 run::run(study, [1, 1], &table, watch)?;
                 Run::read(&table)?

@@ -283,6 +283,18 @@ mod tests {
         }
     }
 
+    /// By pyarrow 22: `write_table(table, …, compression="zstd")`, the default of Polars.
+    #[test]
+    fn another_compression_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("states.parquet");
+        std::fs::write(&path, include_bytes!("../../tests/data/states_zstd.parquet")).unwrap();
+        let message = read(&path).unwrap_err().to_string();
+        for part in ["states.parquet", "kinematics.creepage_x", "ZSTD", "compression=\"snappy\""] {
+            assert!(message.contains(part), "{part:?} is not in {message}");
+        }
+    }
+
     #[test]
     fn wrong_columns_and_cells_are_named_with_their_line() {
         let refused = |text: &str| states(text).unwrap_err();

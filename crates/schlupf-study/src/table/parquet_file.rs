@@ -158,7 +158,27 @@ impl ParquetReader {
 
 fn open(path: &Path) -> Result<SerializedFileReader<File>, StudyError> {
     let file = File::open(path).map_err(|cause| StudyError::file(path, cause))?;
-    SerializedFileReader::new(file).map_err(|error| failure(path, &error))
+    let reader = SerializedFileReader::new(file).map_err(|error| failure(path, &error))?;
+    check_compression(path, &reader)?;
+    Ok(reader)
+}
+
+/// Refuses what is compressed otherwise than with Snappy.
+fn check_compression(path: &Path, reader: &SerializedFileReader<File>) -> Result<(), StudyError> {
+    let mut columns = reader.metadata().row_groups().iter().flat_map(|group| group.columns());
+    let is_foreign =
+        |codec: Compression| !matches!(codec, Compression::UNCOMPRESSED | Compression::SNAPPY);
+    let Some(column) = columns.find(|column| is_foreign(column.compression())) else {
+        return Ok(());
+    };
+    let codec = column.compression().to_string();
+    let codec = codec.split('(').next().unwrap_or_default();
+    let name = column.column_path().string();
+    let reason = format!(
+        "it must be compressed with Snappy or not at all, but its column {name} is with {codec}: \
+         write it with compression=\"snappy\""
+    );
+    Err(StudyError::table(path, reason))
 }
 
 /// All columns of a file: their names, and their numbers or texts.
