@@ -35,7 +35,8 @@ pub struct Table {
     /// Number of random states that decide, and of those that then measure the error
     #[arg(long, value_name = "N", default_value_t = TableOptions::default().states)]
     pub states: usize,
-    /// Most states to solve; the table ends there if the error is not met
+    /// Most nodes of the table: refining that would need more is not begun, and the first nodes are
+    /// solved in any case
     #[arg(long, value_name = "N", default_value_t = TableOptions::default().most_solutions)]
     pub most_solutions: usize,
     /// A table made before, of the same Poisson's ratio: its nodes are not solved again
