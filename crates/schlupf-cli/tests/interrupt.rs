@@ -51,8 +51,9 @@ fn a_command_that_is_interrupted_leaves_nothing() {
 fn damage_of_a_study_that_is_interrupted_leaves_nothing() {
     let bench = Bench::new();
     bench.write("case.toml", "grid.cells_x = 120\ngrid.cells_y = 120\n");
-    let states: String = (0..2000).map(|k| format!("{k},{}\n", 1e-6 * f64::from(k))).collect();
-    bench.write("run.csv", &format!("distance [m],kinematics.creepage_x\n{states}"));
+    let states: Vec<_> = (0..2000).map(|k| format!("{k},{}", 1e-6 * f64::from(k))).collect();
+    let states = states.join("\n");
+    bench.write("run.csv", &format!("distance [m],kinematics.creepage_x\n{states}\n"));
     bench.write("study.toml", "case = \"case.toml\"\n[states]\nfile = \"run.csv\"\n");
     std::fs::create_dir(bench.path("tmp")).unwrap();
     let mut command = bench.command(&["damage", "study.toml", "--json", "d.json"]);

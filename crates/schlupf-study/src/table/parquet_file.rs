@@ -10,7 +10,7 @@ use parquet::column::reader::ColumnReader;
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
-use parquet::file::metadata::KeyValue;
+use parquet::file::metadata::{KeyValue, RowGroupMetaData};
 use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
@@ -165,7 +165,7 @@ fn open(path: &Path) -> Result<SerializedFileReader<File>, StudyError> {
 
 /// Refuses what is compressed otherwise than with Snappy.
 fn check_compression(path: &Path, reader: &SerializedFileReader<File>) -> Result<(), StudyError> {
-    let mut columns = reader.metadata().row_groups().iter().flat_map(|group| group.columns());
+    let mut columns = reader.metadata().row_groups().iter().flat_map(RowGroupMetaData::columns);
     let is_foreign =
         |codec: Compression| !matches!(codec, Compression::UNCOMPRESSED | Compression::SNAPPY);
     let Some(column) = columns.find(|column| is_foreign(column.compression())) else {
