@@ -3,6 +3,9 @@
 
 use crate::design::Entry;
 
+/// Rows that are ordered at once, dimensionless: to find the nearest takes the square of it.
+const ORDERED: usize = 1024;
+
 /// The rows of a batch in the order in which they are solved, in groups that differ only in what a
 /// solver takes without another case: `is_condition` tells which entries these are.
 pub(crate) fn groups(rows: &[Vec<Entry>], is_condition: &[bool]) -> Vec<Vec<usize>> {
@@ -20,7 +23,11 @@ pub(crate) fn groups(rows: &[Vec<Entry>], is_condition: &[bool]) -> Vec<Vec<usiz
         }
         groups[place].1.push(k);
     }
-    groups.into_iter().map(|(_, members)| chain(rows, &members, is_condition)).collect()
+    let ordered = |members: &[usize]| -> Vec<usize> {
+        let blocks = members.chunks(ORDERED);
+        blocks.flat_map(|block| chain(rows, block, is_condition)).collect()
+    };
+    groups.into_iter().map(|(_, members)| ordered(&members)).collect()
 }
 
 /// What makes entries the same: the bits of a number, or the text.
@@ -40,7 +47,7 @@ impl Key {
 }
 
 /// From the smallest values on, always the nearest one that is left; distances are relative to the
-/// ranges of the group.
+/// ranges of the members.
 fn chain(rows: &[Vec<Entry>], members: &[usize], is_condition: &[bool]) -> Vec<usize> {
     let number = |entry: &Entry| if let Entry::Number(number) = entry { *number } else { 0.0 };
     let conditions: Vec<usize> = (0..is_condition.len()).filter(|c| is_condition[*c]).collect();
@@ -90,6 +97,20 @@ mod tests {
         assert_eq!(groups(&rows, &[false, true]), [vec![2, 3, 0], vec![4, 1]]);
         assert_eq!(groups(&rows, &[true, true]).len(), 1);
         assert_eq!(groups(&rows, &[false, false]).len(), 5);
+    }
+
+    /// A batch of any size: each block of rows has its own way, and none is lost.
+    #[test]
+    fn many_rows_are_ordered_in_blocks() {
+        let count = 2 * ORDERED + 1;
+        let rows: Vec<_> = (0..count).map(|k| row(1.0, -(k as f64))).collect();
+        let order = groups(&rows, &[true, true]).concat();
+        let blocks = [ORDERED, 2 * ORDERED, count].map(|end| end - 1);
+        assert_eq!([order[0], order[ORDERED], order[2 * ORDERED]], blocks);
+        assert_eq!(order[ORDERED - 1], 0);
+        let mut all = order;
+        all.sort_unstable();
+        assert!(all.into_iter().eq(0..count));
     }
 
     /// Not a number is near to nothing, but is not lost.
