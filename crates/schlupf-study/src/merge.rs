@@ -5,7 +5,48 @@ use std::path::{Path, PathBuf};
 use crate::error::StudyError;
 use crate::parts::{folder_with, unfinished};
 use crate::run::{Report, assemble};
-use crate::table::{Cells, Contents, Format, Reader};
+use crate::table::{Cells, Contents, Format, Place, Reader, Rows};
+
+/// Shards whose files stay open together, dimensionless; a process may open 1024 as a rule.
+const OPEN: usize = 256;
+
+/// A table to merge, open or not.
+struct Shard<'a> {
+    path: &'a Path,
+    contents: Contents,
+    reading: Reading,
+}
+
+enum Reading {
+    Open(Box<Reader>),
+    /// Closed, to go on from here.
+    Closed(Place),
+}
+
+impl<'a> Shard<'a> {
+    /// Reads what the table is of.
+    fn open(path: &'a Path, stays_open: bool) -> Result<Self, StudyError> {
+        let reader = Reader::open(path)?;
+        let contents = reader.contents().clone();
+        let place = reader.place();
+        let reading =
+            if stays_open { Reading::Open(Box::new(reader)) } else { Reading::Closed(place) };
+        Ok(Self { path, contents, reading })
+    }
+
+    /// The rows of its next batch; `None` at the end.
+    fn next_batch(&mut self) -> Result<Option<Rows>, StudyError> {
+        match &mut self.reading {
+            Reading::Open(reader) => reader.next_batch(),
+            Reading::Closed(place) => {
+                let mut reader = Reader::open_at(self.path, *place)?;
+                let rows = reader.next_batch()?;
+                *place = reader.place();
+                Ok(rows)
+            }
+        }
+    }
+}
 
 /// Writes the table of all shards: the same, byte for byte, as that of a run without shards.
 ///
@@ -14,20 +55,19 @@ use crate::table::{Cells, Contents, Format, Reader};
 /// cannot be read or written.
 pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
     Format::of(output)?;
-    let mut readers = Vec::new();
-    for path in shards {
-        readers.push((path, Reader::open(path)?));
-    }
-    let Some((first, reader)) = readers.first() else {
+    let stays_open = shards.len() <= OPEN;
+    let shards = shards.iter().map(|path| Shard::open(path, stays_open));
+    let mut shards = shards.collect::<Result<Vec<_>, _>>()?;
+    let Some(first) = shards.first() else {
         return Err(StudyError::table(output, "merging needs the tables of shards"));
     };
-    let whole = Contents { shard: [1, 1], ..reader.contents().clone() };
-    let count = reader.contents().shard[1];
-    for (path, reader) in &readers {
-        let mut own = reader.contents().clone();
+    let whole = Contents { shard: [1, 1], ..first.contents.clone() };
+    let count = first.contents.shard[1];
+    for Shard { path, contents, .. } in &shards {
+        let mut own = contents.clone();
         let shards = std::mem::replace(&mut own.shard, [1, 1])[1];
         if own != whole || shards != count {
-            let first = first.display();
+            let first = first.path.display();
             let reason = if own.program == whole.program {
                 format!("it is not of the same study as {first}")
             } else {
@@ -36,25 +76,25 @@ pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
             return Err(StudyError::table(path, reason));
         }
     }
-    readers.sort_by_key(|(_, reader)| reader.contents().shard[0]);
+    shards.sort_by_key(|shard| shard.contents.shard[0]);
     for shard in 1..=count {
-        let mut of_shard = readers.iter().filter(|(_, reader)| reader.contents().shard[0] == shard);
+        let mut of_shard = shards.iter().filter(|one| one.contents.shard[0] == shard);
         match (of_shard.next(), of_shard.next()) {
             (Some(_), None) => {}
             (None, _) => {
                 let reason = format!("shard {shard}/{count} is missing among the tables to merge");
                 return Err(StudyError::table(output, reason));
             }
-            (Some((one, _)), Some((other, _))) => {
-                let reason = format!("it is shard {shard}/{count}, as {} is", one.display());
-                return Err(StudyError::table(other, reason));
+            (Some(one), Some(other)) => {
+                let reason = format!("it is shard {shard}/{count}, as {} is", one.path.display());
+                return Err(StudyError::table(other.path, reason));
             }
         }
     }
     let mut report = Report::default();
     assemble(output, unfinished(folder_with(output)), &whole, &mut |batch| {
-        let (path, reader) = &mut readers[batch % count];
-        let rows = reader.next_batch()?;
+        let shard = &mut shards[batch % count];
+        let rows = shard.next_batch()?;
         let wanted = whole.rows_of(batch);
         let is_whole = rows.as_ref().is_some_and(|rows| {
             let index = rows.first();
@@ -69,7 +109,7 @@ pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
             }
             _ => {
                 let reason = format!("it lacks rows from {} on", wanted.start);
-                Err(StudyError::table(path, reason))
+                Err(StudyError::table(shard.path, reason))
             }
         }
     })?;

@@ -413,6 +413,27 @@ fn shards_that_do_not_belong_together_are_refused() {
     assert!(refused(&["1.csv", "2.csv"]).contains("it lacks rows from 4 on"));
 }
 
+/// More shards than a process may well have files open: each is opened again where it was left.
+#[test]
+fn many_shards_are_merged() {
+    let sample = "batch = 1\n[sample]\nmethod = \"sobol\"\ncount = 300\n[sample.range]\n\
+                  kinematics.creepage_x = [-0.01, 0.01]\n";
+    let bench = Bench::new(sample);
+    for ending in ["csv", "parquet"] {
+        let whole = format!("whole.{ending}");
+        bench.run([1, 1], &whole).unwrap();
+        let shard = |k: usize| {
+            let name = format!("{k}.{ending}");
+            bench.run([k, 260], &name).unwrap();
+            bench.path(&name)
+        };
+        let shards: Vec<PathBuf> = (1..=260).map(shard).collect();
+        let merged = format!("merged.{ending}");
+        merge(&shards, &bench.path(&merged)).unwrap();
+        assert!(bench.bytes(&merged) == bench.bytes(&whole), "{ending}");
+    }
+}
+
 /// Goal: two cores are at least 1.85 times as fast as one. What they do is counted: batches are
 /// independent, so no core waits for another before the last of them, and the products do not
 /// depend on the number of threads (that the tables are the same asserts it elsewhere). Handing

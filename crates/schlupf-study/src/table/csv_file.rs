@@ -1,10 +1,10 @@
 //! Tables as CSV: a comment with what they are of, one with units, a header, then a row a line.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, BufWriter, Read, Write};
+use std::io::{BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::{Cells, Column, Contents, Kind, Rows};
+use super::{Cells, Column, Contents, Kind, Place, Rows};
 use crate::error::StudyError;
 
 /// What the first line begins with.
@@ -106,7 +106,11 @@ fn read_some(
 pub struct CsvReader {
     path: PathBuf,
     reader: csv::Reader<BufReader<File>>,
+    /// Where the reader began, in bytes from the start of the file.
+    start: u64,
     batches: Box<dyn Iterator<Item = usize> + Send>,
+    /// Batches that are read already.
+    read: usize,
 }
 
 impl CsvReader {
@@ -114,15 +118,34 @@ impl CsvReader {
         let fail = |cause| StudyError::file(path, cause);
         let mut file = BufReader::new(File::open(path).map_err(fail)?);
         let mut lines = [const { String::new() }; 3];
+        let mut start = 0;
         for line in &mut lines {
-            file.read_line(line).map_err(fail)?;
+            start += file.read_line(line).map_err(fail)? as u64;
         }
         let about = lines[0].strip_prefix(MARK).and_then(|about| serde_json::from_str(about).ok());
         let contents: Contents =
             about.ok_or_else(|| StudyError::table(path, "it is no table of a study"))?;
         let batches = Box::new(contents.own_batches());
         let reader = csv::ReaderBuilder::new().has_headers(false).from_reader(file);
-        Ok((contents, Self { path: path.to_owned(), reader, batches }))
+        Ok((contents, Self { path: path.to_owned(), reader, start, batches, read: 0 }))
+    }
+
+    pub fn place(&self) -> Place {
+        Place { batches: self.read, byte: self.start + self.reader.position().byte() }
+    }
+
+    /// From the beginning of the table on.
+    pub fn go_to(&mut self, place: Place) -> Result<(), StudyError> {
+        let fail = |cause| StudyError::file(&self.path, cause);
+        let mut file = BufReader::new(File::open(&self.path).map_err(fail)?);
+        file.seek(SeekFrom::Start(place.byte)).map_err(fail)?;
+        self.reader = csv::ReaderBuilder::new().has_headers(false).from_reader(file);
+        self.start = place.byte;
+        if let Some(last) = place.batches.checked_sub(1) {
+            self.batches.nth(last);
+        }
+        self.read = place.batches;
+        Ok(())
     }
 
     pub fn next_batch(
@@ -131,6 +154,7 @@ impl CsvReader {
         is_read: impl Fn(&Column) -> bool,
     ) -> Result<Option<Rows>, StudyError> {
         let Some(batch) = self.batches.next() else { return Ok(None) };
+        self.read += 1;
         let wanted = contents.rows_of(batch).len();
         let rows = read_some(&mut self.reader, &contents.columns, wanted, is_read);
         let rows = rows.map_err(|reason| StudyError::table(&self.path, reason))?;

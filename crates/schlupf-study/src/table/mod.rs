@@ -207,6 +207,15 @@ pub struct Reader {
     only: Option<Vec<String>>,
 }
 
+/// Where reading a table goes on after its file was closed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place {
+    /// Batches that are read already.
+    batches: usize,
+    /// Where the next row of CSV begins, in bytes from the start of the file.
+    byte: u64,
+}
+
 enum Source {
     Csv(Box<CsvReader>),
     Parquet(Box<ParquetReader>),
@@ -242,6 +251,27 @@ impl Reader {
     pub fn open_only(path: &Path, names: &[&str]) -> Result<Self, StudyError> {
         let only = names.iter().map(|name| (*name).to_owned()).collect();
         Ok(Self { only: Some(only), ..Self::open(path)? })
+    }
+
+    /// Opens a table again where another reader of it has stopped.
+    ///
+    /// # Errors
+    /// Those of [`Self::open`].
+    pub(crate) fn open_at(path: &Path, place: Place) -> Result<Self, StudyError> {
+        let mut reader = Self::open(path)?;
+        match &mut reader.source {
+            Source::Csv(source) => source.go_to(place)?,
+            Source::Parquet(source) => source.go_to(place),
+        }
+        Ok(reader)
+    }
+
+    /// Where reading goes on.
+    pub(crate) fn place(&self) -> Place {
+        match &self.source {
+            Source::Csv(source) => source.place(),
+            Source::Parquet(source) => source.place(),
+        }
     }
 
     /// What the table is of.
@@ -308,6 +338,8 @@ mod tests {
             assert_eq!(*reader.contents(), contents);
             for batch in &batches {
                 assert_eq!(reader.next_batch().unwrap().as_ref(), Some(batch), "{name}");
+                let place = reader.place();
+                reader = Reader::open_at(&path, place).unwrap();
             }
             assert_eq!(reader.next_batch().unwrap(), None);
         }

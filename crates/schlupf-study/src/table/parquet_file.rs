@@ -16,7 +16,7 @@ use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 
-use super::{Cells, Column, Contents, Kind, Rows};
+use super::{Cells, Column, Contents, Kind, Place, Rows};
 use crate::error::StudyError;
 
 /// The key of what a table is of.
@@ -131,6 +131,14 @@ impl ParquetReader {
         let contents: Contents =
             about.ok_or_else(|| StudyError::table(path, "it is no table of a study"))?;
         Ok((contents, Self { path: path.to_owned(), reader, next: 0 }))
+    }
+
+    pub fn place(&self) -> Place {
+        Place { batches: self.next, byte: 0 }
+    }
+
+    pub fn go_to(&mut self, place: Place) {
+        self.next = place.batches;
     }
 
     pub fn next_batch(
