@@ -64,7 +64,7 @@ fn asked_for(text: &mut Summary, points: &[PointStress]) {
     let von_mises = |point: &&PointStress| point.stress.von_mises();
     let largest = points.iter().max_by(|one, other| von_mises(one).total_cmp(&von_mises(other)));
     let Some(largest) = largest else { return };
-    let count = format!("{} points asked for, which CSV and JSON have", points.len());
+    let count = format!("points asked for: {}; CSV and JSON have them all", points.len());
     line(text, &count);
     let value = largest.stress.von_mises() / 1e6;
     entry(text, "largest von Mises stress of them", value, "MPa", &place(largest));
