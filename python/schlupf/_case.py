@@ -120,7 +120,7 @@ def _data_fields() -> dict[str, Field]:
 
 def _pair(name: str, ends: Any) -> tuple[float, float]:
     """Start and end of a range, in SI units."""
-    field = FIELDS[_LIKE[name]]
+    field = FIELDS[_LIKE.get(name, f"kinematics.{name}")]
     try:
         start, end = plain(ends, field, name)
         return _number(name, field, start), _number(name, field, end)
@@ -555,13 +555,17 @@ class Case:
         spin: tuple[float | str, float | str] | None = None,
         creepage: tuple[float, float] | None = None,
         direction: float | str | None = None,
+        force_x: tuple[float | str, float | str] | None = None,
+        traction_coefficient: tuple[float, float] | None = None,
+        force_y: tuple[float | str, float | str] | None = None,
+        moment_z: tuple[float | str, float | str] | None = None,
         over: Mapping[str, Sequence[Any]] | None = None,
         points: int = DEFAULTS["curve_points"],
-        spacing: str = "refined",
+        spacing: str | None = None,
         warn: bool = True,
     ) -> Curve:
-        """A creep curve: forces along a path of creepages; or one for each value of a field, or for
-        each pair of values of two fields.
+        """A creep curve: forces along a path of creepages, or creepages along a prescribed force; or
+        one for each value of a field, or for each pair of values of two fields.
 
         Parameters
         ----------
@@ -573,14 +577,20 @@ class Case:
             Start and end of the total creepage in a `direction`, in place of both.
         direction : float or str, optional
             From longitudinal (0) to lateral (90 deg): in rad, or text with a unit.
+        force_x, force_y, moment_z : (float, float), optional
+            Start and end of a force on the wheel in N, of the moment in N m, or text with a unit:
+            one of them in place of all creepages above. Its own creepage is found.
+        traction_coefficient : (float, float), optional
+            Start and end of -Fx/N, in place of `force_x`; positive in braking.
         over : mapping, optional
             A field by its dotted path and the values that it has for the curves, such as
             ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``; with three numbers or more there is a
             `map` over the creepage and the field. Two fields make a map of the largest forces.
         points : int, optional
             Points of each curve.
-        spacing : {"refined", "even"}
-            Finer near zero creepage, or equal steps.
+        spacing : {"refined", "even"}, optional
+            Finer near zero, or equal steps; refined over a creepage and even over a force where
+            left out.
         warn : bool, default True
             Whether to issue the warnings of the curves.
 
@@ -593,27 +603,41 @@ class Case:
         Raises
         ------
         CaseError
-            If a case cannot be solved as it is, or a wheel cannot have these creepages.
+            If a case cannot be solved as it is, a wheel cannot have these creepages, or no creepage
+            causes one of the forces.
         """
-        if all(varied is None for varied in (creepage_x, creepage_y, spin, creepage)):
-            raise TypeError("a curve needs creepage_x, creepage_y, spin or creepage: (start, end)")
+        forces = {"force_x": force_x, "traction_coefficient": traction_coefficient}
+        forces |= {"force_y": force_y, "moment_z": moment_z}
+        forces = {name: ends for name, ends in forces.items() if ends is not None}
+        ranges = {"creepage_x": creepage_x, "creepage_y": creepage_y, "spin": spin}
+        ranges["creepage"] = creepage
+        ranges = {name: ends for name, ends in ranges.items() if ends is not None}
+        if not ranges and not forces:
+            raise TypeError(
+                "a curve needs creepage_x, creepage_y, spin or creepage, or one of force_x, "
+                "traction_coefficient, force_y and moment_z: (start, end)"
+            )
+        if len(forces) > 1 or (forces and ranges):
+            raise TypeError(f"a force varies alone, but given are {', '.join([*ranges, *forces])}")
         if (creepage is None) != (direction is None):
             raise TypeError("creepage and direction belong together")
         if creepage is not None and not (creepage_x is None and creepage_y is None):
             raise TypeError("creepage is in place of creepage_x and creepage_y")
-        ranges = {"creepage_x": creepage_x, "creepage_y": creepage_y, "spin": spin}
-        ranges["creepage"] = creepage
-        pairs = {name: _pair(name, ends) for name, ends in ranges.items() if ends is not None}
+        pairs = {name: _pair(name, ends) for name, ends in (ranges | forces).items()}
         if all(start == end for start, end in pairs.values()):
             raise ValueError(f"the ends must differ, but are alike: {', '.join(pairs)}")
+        if spacing is None:
+            spacing = "even" if forces else "refined"
         if spacing not in ("refined", "even"):
             raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
         angle = direction if isinstance(direction, str) else f"{direction} rad"
         total = None if creepage is None else (pairs["creepage"], angle)
+        given = tuple(pairs.get(name) for name in ("creepage_x", "creepage_y", "spin"))
+        force = next(((name, pairs[name]) for name in forces), None)
         families = self._families(over)
         curve = _core.creep_curve(
             self._file,
-            (tuple(pairs.get(name) for name in ("creepage_x", "creepage_y", "spin")), total),
+            (given, total, force),
             [text for text, _, _ in families],
             (_count("points", points), spacing == "even"),
         )

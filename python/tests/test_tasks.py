@@ -79,6 +79,10 @@ def test_the_total_creepage_varies_in_a_direction():
             "normal.load must be a force",
         ),
         ({"creepage_y": (0, 2.0)}, ValueError, "creepage_y"),
+        ({"force_x": (0, 1.0), "spin": (0, 1.0)}, TypeError, "given are spin, force_x"),
+        ({"force_x": (0, 1.0), "force_y": (0, 1.0)}, TypeError, "a force varies alone"),
+        ({"force_x": (0, "-20 m")}, schlupf.CaseError, "force_x must be a force"),
+        ({"force_y": (0, "-90 kN")}, schlupf.CaseError, "force_y cannot be"),
     ],
 )
 def test_wrong_curves_are_refused(arguments, error, part):
@@ -207,6 +211,19 @@ def test_curves_over_numbers_have_a_map():
         curves.plot_map("friction")
     with pytest.raises(ValueError, match="at least three numbers"):
         _ = SMALL.curve(creepage_x=(0.0, 0.01), points=3).map
+
+
+def test_creepage_over_a_prescribed_force():
+    curve = SMALL.curve(force_x=(0.0, "-12 kN"), points=4)
+    points = curve.points
+    np.testing.assert_allclose(points["force_x"], [0.0, -4e3, -8e3, -12e3], atol=1.0)
+    assert np.all(np.diff(points["creepage_x"]) > 0.0)
+    last = {"creepage_x": float(points["creepage_x"][3])}
+    assert SMALL.with_(kinematics=last).solve().force.x == pytest.approx(-12e3, rel=1e-4)
+    assert curve.plot().get_xlabel().startswith("longitudinal creepage")
+    over = {"kinematics.speed": [10.0, 20.0, 30.0]}
+    curves = SMALL.curve(traction_coefficient=(0.05, 0.15), over=over, points=3)
+    assert curves.map["creepage_x"].dims == ("kinematics.speed", "force_over_load")
 
 
 def test_two_fields_make_a_map_of_the_largest_forces():

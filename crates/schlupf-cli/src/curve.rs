@@ -2,8 +2,8 @@
 
 use clap::{ArgGroup, Args, ValueEnum};
 use schlupf::Watch;
-use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing};
-use schlupf_case::{CaseError, CaseErrors, CaseFile, Family, direction, range};
+use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing, VariedForce};
+use schlupf_case::{CaseError, CaseErrors, CaseFile, Family, direction, quantity_field, range};
 use schlupf_output::creep_curve::CurveFamily;
 use schlupf_tasks::curve::{self, Names, Plan, Request, Varied};
 
@@ -18,12 +18,20 @@ const CREEPAGE_Y: &str = "--creepage-y";
 const SPIN: &str = "--spin";
 const CREEPAGE: &str = "--creepage";
 const DIRECTION: &str = "--direction";
+const FORCE_X: &str = "--force-x";
+const TRACTION_COEFFICIENT: &str = "--traction-coefficient";
+const FORCE_Y: &str = "--force-y";
+const MOMENT_Z: &str = "--moment-z";
 const OVER: &str = "--over";
 
 /// Which creep curves, and where to write them.
 #[derive(Debug, Args)]
 #[command(group = ArgGroup::new("varied")
-    .args(["creepage_x", "creepage_y", "spin", "creepage"]).required(true).multiple(true))]
+    .args(["creepage_x", "creepage_y", "spin", "creepage"]).multiple(true))]
+#[command(group = ArgGroup::new("forces")
+    .args(["force_x", "traction_coefficient", "force_y", "moment_z"]).conflicts_with("varied"))]
+#[command(group = ArgGroup::new("abscissa").args(["creepage_x", "creepage_y", "spin", "creepage",
+    "force_x", "traction_coefficient", "force_y", "moment_z"]).required(true).multiple(true))]
 pub struct Curve {
     /// Which case.
     #[command(flatten)]
@@ -49,13 +57,26 @@ pub struct Curve {
     /// Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg)
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, requires = "creepage")]
     pub direction: Option<String>,
+    /// Vary the longitudinal force on the wheel, such as "0..-20 kN" (negative in braking): its
+    /// creepage is found
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub force_x: Option<String>,
+    /// Vary the same over the load, such as 0..0.25 (positive in braking)
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub traction_coefficient: Option<String>,
+    /// Vary the lateral force on the wheel
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub force_y: Option<String>,
+    /// Vary the spin moment on the wheel, such as "0..20 N m"
+    #[arg(long, value_name = "START..END", allow_hyphen_values = true)]
+    pub moment_z: Option<String>,
     /// Number of points
     #[arg(long, value_name = "N", default_value_t = Sampling::default().points,
           value_parser = number_of_points)]
     pub points: usize,
-    /// Spacing of the points
-    #[arg(long, value_enum, default_value_t = SpacingArgument::Refined)]
-    pub spacing: SpacingArgument,
+    /// Spacing of the points; refined over a creepage, even over a force unless given
+    #[arg(long, value_enum)]
+    pub spacing: Option<SpacingArgument>,
     /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s" or
     /// kinematics.speed="5..50 m/s:10"; three numbers or more make a map, given twice it is one of
     /// the largest force over both fields
@@ -123,6 +144,7 @@ impl Curve {
                 creepage_y: CREEPAGE_Y,
                 spin: SPIN,
                 creepage: CREEPAGE,
+                force: self.force().map_or(FORCE_X, |(_, option, _)| option),
                 over: OVER,
                 given: self.given(),
             },
@@ -135,12 +157,28 @@ impl Curve {
         };
         let total = range(CREEPAGE, "kinematics.creepage_x", &self.creepage)?;
         let angle = self.direction.as_deref().map(|text| direction(DIRECTION, text)).transpose()?;
+        let force = self.force().map(|(force, option, text)| {
+            let field = quantity_field(force.quantity());
+            schlupf_case::range(option, field, text).map(|range| (force, range))
+        });
         Ok(Varied {
+            force: force.transpose()?,
             creepage_x: range(CREEPAGE_X, "kinematics.creepage_x", &self.creepage_x)?,
             creepage_y: range(CREEPAGE_Y, "kinematics.creepage_y", &self.creepage_y)?,
             spin: range(SPIN, "kinematics.spin", &self.spin)?,
             total: total.zip(angle),
         })
+    }
+
+    /// The force that varies, its option and the range.
+    fn force(&self) -> Option<(VariedForce, &'static str, &str)> {
+        let forces = [
+            (VariedForce::X, FORCE_X, &self.force_x),
+            (VariedForce::OverLoad, TRACTION_COEFFICIENT, &self.traction_coefficient),
+            (VariedForce::Y, FORCE_Y, &self.force_y),
+            (VariedForce::MomentZ, MOMENT_Z, &self.moment_z),
+        ];
+        forces.into_iter().find_map(|(force, option, text)| Some((force, option, text.as_deref()?)))
     }
 
     /// The options as they were given.
@@ -151,6 +189,10 @@ impl Curve {
             (SPIN, &self.spin),
             (CREEPAGE, &self.creepage),
             (DIRECTION, &self.direction),
+            (FORCE_X, &self.force_x),
+            (TRACTION_COEFFICIENT, &self.traction_coefficient),
+            (FORCE_Y, &self.force_y),
+            (MOMENT_Z, &self.moment_z),
         ];
         let given =
             given.iter().filter_map(|(option, text)| Some(format!("{option} {}", text.as_ref()?)));
@@ -159,8 +201,11 @@ impl Curve {
 
     fn sampling(&self) -> Sampling {
         let spacing = match self.spacing {
-            SpacingArgument::Refined => Spacing::Refined,
-            SpacingArgument::Even => Spacing::Even,
+            Some(SpacingArgument::Refined) => Spacing::Refined,
+            Some(SpacingArgument::Even) => Spacing::Even,
+            // The creepage changes fastest with a force where that is largest.
+            None if self.force().is_some() => Spacing::Even,
+            None => Spacing::Refined,
         };
         Sampling { points: self.points, spacing }
     }

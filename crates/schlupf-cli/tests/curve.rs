@@ -66,6 +66,46 @@ fn a_family_has_a_curve_for_each_value() {
 }
 
 /// Two fields: curves of all pairs, each like the one alone, and maps of the largest forces.
+/// Braking forces over the load at even steps; each has its creepage.
+#[test]
+fn creepage_over_force() {
+    let bench = bench();
+    let options = ["--traction-coefficient", "0..0.2", "--over", "kinematics.speed=10..30 m/s:3"];
+    let files = ["--csv", "c.csv", "--figures", "f"];
+    let result = document(&bench, &[&options[..], &files[..]].concat());
+    assert_eq!(result["path"]["abscissa"], "force_over_load");
+    assert_eq!(result["path"]["spacing"], "even");
+    assert_eq!(result["map"]["x"]["name"], "force_over_load");
+    let curve = &result["curves"][2];
+    assert!(curve["initial_slope"].is_null() && curve["maximum"].is_null());
+    let column = |name: &str, k: usize| curve["points"][name][k].as_f64().unwrap();
+    for k in 1..9 {
+        let coefficient = 0.025 * k as f64;
+        assert!((column("abscissa", k) - coefficient).abs() < 1e-12);
+        assert!((column("traction_coefficient", k) - coefficient).abs() < 1e-5);
+        assert!(column("creepage_x", k) > column("creepage_x", k - 1));
+    }
+    let csv = bench.read("c.csv");
+    assert!(csv.lines().nth(1).unwrap().starts_with("kinematics.speed,force_over_load,speed,"));
+    assert!(bench.read("f/creep_curve.svg").contains("Creepage over force"));
+    assert!(bench.path("f/creep_map_creepage.svg").exists());
+    assert!(!bench.path("f/creep_map.svg").exists());
+}
+
+/// Whatever the case says of the direction of the force counts for nothing.
+#[test]
+fn a_force_varies_in_place_of_the_motion_of_the_case() {
+    let bench = bench();
+    let of = |motion: &str| {
+        bench.write("case.toml", &SMALL.replace("creepage_x = 0.002", motion));
+        let result = document(&bench, &["--force-x", "0..-10 kN"]);
+        result["curves"][0]["points"]["creepage_x"][8].as_f64().unwrap()
+    };
+    let found = of("creepage_x = 0.03");
+    assert!(found > 0.0 && found < 0.01, "{found}");
+    assert_eq!(found, of("force_x = \"-5 kN\""));
+}
+
 #[test]
 fn two_fields_make_a_map() {
     let bench = bench();
@@ -207,6 +247,29 @@ const BAD: &[(&[&str], &[&str])] = &[
             "friction.model=constant,temperature-linear",
         ],
         &["both must be numbers, but friction.model is none"],
+    ),
+    (&["--force-x", "0..-10"], &["--force-x 0..-10: ", "the unit is missing"]),
+    (&["--force-x", "0..1 kN", "--spin", "0..1 1/m"], &["cannot be used with"]),
+    (&["--force-x", "0..1 kN", "--force-y", "0..1 kN"], &["cannot be used with"]),
+    (&["--moment-z", "1..1 N m"], &["must differ from its start, but both are 1 N m"]),
+    (
+        &["--traction-coefficient", "0..0.9"],
+        &["--traction-coefficient 0..0.9: kinematics.traction_coefficient cannot be ", "largest"],
+    ),
+    (
+        &["--force-y", "0..1 kN", "--over", "kinematics.yaw_angle=0 deg,1 deg"],
+        &["--over must not vary kinematics.yaw_angle, in place of which --force-y varies"],
+    ),
+    (
+        &[
+            "--force-x",
+            "0..1 kN",
+            "--over",
+            "normal.load=1..2 kN:2",
+            "--over",
+            "kinematics.speed=1..2 m/s:2",
+        ],
+        &["but --force-x prescribes the force"],
     ),
     (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is also that of the case file"]),
     (&["--creepage-x", "0..0.1", "--csv", "-"], &["--csv must name a file"]),

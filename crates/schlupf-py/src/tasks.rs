@@ -7,7 +7,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use schlupf::calibration::CalibrationOptions;
-use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing};
+use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing, VariedForce};
 use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf::{Status, Watch};
 use schlupf_case::identification::parameters;
@@ -52,9 +52,17 @@ fn refused(py: Python<'_>, message: String) -> PyErr {
     errors::of_case(py, &CaseError::new("", message, place).into())
 }
 
+/// Forces that a curve may vary, by their names in Python.
+const FORCES: [(&str, VariedForce); 4] = [
+    ("force_x", VariedForce::X),
+    ("traction_coefficient", VariedForce::OverLoad),
+    ("force_y", VariedForce::Y),
+    ("moment_z", VariedForce::MomentZ),
+];
+
 /// Traces creep curves of a case: start and end of ξ, η and φ (in 1/m), or `None` for that of the
 /// case; in place of ξ and η start and end of the total creepage, and its direction, such as
-/// `45 deg`. There is one curve for each value of `over`, such as
+/// `45 deg`; or in place of all of them a force and its start and end. There is one curve for each value of `over`, such as
 /// `"kinematics.speed=10 m/s,20 m/s"`, or for each pair of values of two; each has so many points,
 /// and they are evenly spaced or not.
 #[pyfunction]
@@ -62,7 +70,7 @@ fn refused(py: Python<'_>, message: String) -> PyErr {
 pub fn creep_curve(
     py: Python<'_>,
     case: &CaseFile,
-    varied: ([Option<Range>; 3], Option<(Range, String)>),
+    varied: ([Option<Range>; 3], Option<(Range, String)>, Option<(String, Range)>),
     over: Vec<String>,
     sampling: (usize, bool),
 ) -> PyResult<Report> {
@@ -70,12 +78,23 @@ pub fn creep_curve(
     let spacing = if is_even { Spacing::Even } else { Spacing::Refined };
     let over = over.iter().map(|text| Family::parse("over", text)).collect::<Result<_, _>>();
     let over = over.map_err(|error| errors::of_case(py, &error.into()))?;
-    let ([creepage_x, creepage_y, spin], total) = varied;
+    let ([creepage_x, creepage_y, spin], total, force) = varied;
+    let force = force.and_then(|(name, range)| {
+        let (name, force) = FORCES.into_iter().find(|(own, _)| *own == name)?;
+        Some((name, (force, range)))
+    });
+    let given = force.map_or("the creepages of the curve", |(name, _)| name);
     let angle = |text: &str| direction("direction", text);
     let total = total.map(|(range, text)| angle(&text).map(|angle| (range, angle))).transpose();
     let total = total.map_err(|error| errors::of_case(py, &error.into()))?;
     let request = curve::Request {
-        varied: curve::Varied { creepage_x, creepage_y, spin, total },
+        varied: curve::Varied {
+            creepage_x,
+            creepage_y,
+            spin,
+            total,
+            force: force.map(|(_, force)| force),
+        },
         over,
         sampling: Sampling { points: checked_points(py, points)?, spacing },
         names: curve::Names {
@@ -83,8 +102,9 @@ pub fn creep_curve(
             creepage_y: "creepage_y",
             spin: "spin",
             creepage: "creepage",
+            force: given,
             over: "over",
-            given: "the creepages of the curve".to_owned(),
+            given: given.to_owned(),
         },
     };
     report(py, case, |file, watch| {

@@ -2,9 +2,9 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use schlupf::creep_curve::{self, CreepCurve, Creepages, Path, Sampling};
-use schlupf::{Watch, parallel};
-use schlupf_case::{Case, CaseErrors, CaseFile, Family, FieldNames, quantity_field};
+use schlupf::creep_curve::{self, CreepCurve, Creepages, Path, Sampling, VariedForce};
+use schlupf::{Quantity, Watch, parallel};
+use schlupf_case::{Case, CaseFile, Family, FieldNames, quantity_field};
 use schlupf_output::creep_curve::{CurveFamily, FieldValue, Member as Found};
 
 use crate::{Notice, TaskError};
@@ -23,7 +23,7 @@ pub struct Request {
     pub names: Names,
 }
 
-/// Which creepages vary, and from where to where; the others are those of the case.
+/// Which creepages vary, or which force, and from where to where; the others are those of the case.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Varied {
     /// ξ, dimensionless.
@@ -35,6 +35,9 @@ pub struct Varied {
     /// Total creepage, dimensionless, and its direction, in rad from longitudinal to lateral; in
     /// place of ξ and η.
     pub total: Option<([f64; 2], f64)>,
+    /// A prescribed force (in the unit of its quantity) in place of its creepage; then no creepage
+    /// varies.
+    pub force: Option<(VariedForce, [f64; 2])>,
 }
 
 /// What messages call the parts of a request.
@@ -48,6 +51,8 @@ pub struct Names {
     pub spin: &'static str,
     /// The total creepage.
     pub creepage: &'static str,
+    /// The force that varies; of no matter if none does.
+    pub force: &'static str,
     /// The family.
     pub over: &'static str,
     /// What varies, as it was given.
@@ -93,11 +98,12 @@ impl Plan {
         let total = members.len() * sampling.points;
         let each = members.iter().zip(&done).collect();
         let found = parallel::try_map(each, |(member, own): (&Member, &AtomicUsize)| {
-            member.found(&sampling, &|progress| {
+            let found = member.found(&sampling, &|progress| {
                 own.store(progress.done, Ordering::Relaxed);
                 let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
                 watch(progress.of(done, total))
-            })
+            });
+            found.map_err(|error| request.failure(&member.case, &error))
         })?;
         let over = request.over.iter().map(|family| family.field.to_owned()).collect();
         Ok(CurveFamily::new(title, over, sampling, found))
@@ -159,6 +165,14 @@ impl Request {
         if self.over.len() < 2 {
             return Ok(());
         }
+        if self.varied.force.is_some() {
+            let force = self.names.force;
+            let reason = format!(
+                "{over} varies two fields for a map of the largest forces, but {force} prescribes \
+                 the force: give {over} once, or vary a creepage"
+            );
+            return Err(TaskError::Request(reason));
+        }
         for (k, family) in self.over.iter().enumerate() {
             let is_number = |member: &Member| member.values[k].number.is_some();
             if !members.iter().all(is_number) {
@@ -190,6 +204,9 @@ impl Request {
     /// What varies and makes a field of the case count for nothing.
     fn in_place_of(&self, field: &str) -> Option<&'static str> {
         let Self { varied, names, .. } = self;
+        let force = |creepage| {
+            varied.force.filter(|(force, _)| force.creepage() == creepage).map(|_| names.force)
+        };
         match field {
             "kinematics.creepage_x"
             | "kinematics.angular_velocity"
@@ -197,12 +214,16 @@ impl Request {
             | "kinematics.force_x"
             | "kinematics.traction_coefficient"
             | "kinematics.wheel_torque" => {
-                varied.total.map(|_| names.creepage).or(varied.creepage_x.map(|_| names.creepage_x))
+                let creepage = varied.creepage_x.map(|_| names.creepage_x);
+                varied.total.map(|_| names.creepage).or(creepage).or(force(Quantity::CreepageX))
             }
             "kinematics.creepage_y" | "kinematics.yaw_angle" | "kinematics.force_y" => {
-                varied.total.map(|_| names.creepage).or(varied.creepage_y.map(|_| names.creepage_y))
+                let creepage = varied.creepage_y.map(|_| names.creepage_y);
+                varied.total.map(|_| names.creepage).or(creepage).or(force(Quantity::CreepageY))
             }
-            "kinematics.spin" | "kinematics.moment_z" => varied.spin.map(|_| names.spin),
+            "kinematics.spin" | "kinematics.moment_z" => {
+                varied.spin.map(|_| names.spin).or(force(Quantity::Spin))
+            }
             _ => None,
         }
     }
@@ -238,6 +259,9 @@ impl Varied {
     /// The creepages of a case with those that vary in their place.
     fn path(&self, case: &Case) -> Result<Path, schlupf::Error> {
         let own = Creepages::of(&case.problem.kinematics);
+        if let Some((force, range)) = self.force {
+            return Path::over_force(force, range, own);
+        }
         let spin = self.spin.unwrap_or([own.spin; 2]);
         if let Some((range, direction)) = self.total {
             return Path::in_direction(range, direction, spin);
@@ -250,16 +274,15 @@ impl Varied {
 }
 
 impl Member {
-    fn found(&self, sampling: &Sampling, watch: Watch) -> Result<Found, CaseErrors> {
+    fn found(&self, sampling: &Sampling, watch: Watch) -> Result<Found, schlupf::Error> {
         let curve = self.trace(sampling, watch)?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
         let warnings = Notice::of_first_contact(&self.case).into_iter().chain(of_curve).collect();
         Ok(Found { values: self.values.clone(), warnings, curve })
     }
 
-    fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, CaseErrors> {
+    fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, schlupf::Error> {
         let mut solver = self.case.solver();
         creep_curve::trace(&mut *solver, &self.case.problem, &self.path, sampling, watch)
-            .map_err(|error| self.case.explain(&error).into())
     }
 }

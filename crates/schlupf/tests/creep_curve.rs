@@ -6,7 +6,7 @@ use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
 use schlupf::Quantity;
 use schlupf::creep_curve::{
-    Abscissa, CreepCurve, Creepages, PLATEAU, Path, Sampling, Spacing, trace,
+    Abscissa, CreepCurve, Creepages, PLATEAU, Path, Sampling, Spacing, VariedForce, trace,
 };
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::winkler::Winkler;
@@ -18,6 +18,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kalker_coefficients::creep_coefficients;
 use schlupf::material::Material;
 use schlupf::normal::ellipse::Ellipse;
+use schlupf::prescribed::ForceSolver;
 use schlupf::progress::Stage;
 use schlupf::reference::winkler_strip;
 use schlupf::rolling::MarchingSolver;
@@ -221,7 +222,7 @@ fn a_fixed_direction_is_followed() {
     let mut strips = winkler();
     strips.kinematics.spin = 0.4;
     let path = Path::in_direction([0.0, 0.01], direction, [0.0; 2]).unwrap();
-    assert_eq!(path.abscissa(), Abscissa::Total { direction });
+    assert_eq!(path.abscissa(), Some(Abscissa::Total { direction }));
     let curve = curve(&strips, &cells(12), &path, 5);
     for point in &curve.points[1..] {
         assert_eq!(point.kinematics.spin, 0.0);
@@ -229,6 +230,43 @@ fn a_fixed_direction_is_followed() {
         let total = point.kinematics.creepage_x.hypot(point.kinematics.creepage_y);
         assert_relative_eq!(total, point.abscissa, max_relative = 1e-12);
     }
+}
+
+/// Forces of a curve, prescribed along another one, have its creepages, whatever the other
+/// creepages are.
+#[test]
+fn creepages_over_a_force_are_those_that_cause_it() {
+    let mut problem = problem(rolling(0.001, -0.0005, 0.3));
+    problem.elasticity = common::half_space();
+    let (options, own) = (cells(12), Creepages::of(&problem.kinematics));
+    let end = Creepages { x: 0.002, ..own };
+    let path = Path::new(Creepages { x: 0.0005, ..own }, end).unwrap();
+    let sampling = Sampling { points: 4, spacing: Spacing::Even };
+    let mut solver = SteadySolver::new(&options);
+    let given = trace(&mut solver, &problem, &path, &sampling, &unwatched).unwrap();
+    let load = given.normal.load;
+    let forces = given.points.iter().map(|point| point.force.x);
+    let mut solver = ForceSolver::new(Box::new(SteadySolver::new(&options)));
+    for (force, prescribed) in given.points.iter().zip(forces) {
+        for (varied, value) in
+            [(VariedForce::X, prescribed), (VariedForce::OverLoad, -prescribed / load)]
+        {
+            let path = Path::over_force(varied, [0.5 * value, value], own).unwrap();
+            let sampling = Sampling { points: 2, spacing: Spacing::Even };
+            let found = trace(&mut solver, &problem, &path, &sampling, &unwatched).unwrap();
+            assert!(found.is_converged() && found.maxima.is_empty());
+            assert!(found.initial_slope.is_none());
+            let [_, last] = &found.points[..] else { panic!("{:?}", found.points) };
+            assert_eq!(last.abscissa, value);
+            let (here, there) = (last.kinematics, force.kinematics);
+            assert_relative_eq!(here.creepage_x, there.creepage_x, max_relative = 2e-5);
+            assert_eq!((here.creepage_y, here.spin), (there.creepage_y, there.spin));
+            assert_relative_eq!(last.force.y, force.force.y, max_relative = 2e-5);
+        }
+    }
+    let beyond = Path::over_force(VariedForce::Y, [0.0, -load], own).unwrap();
+    let error = trace(&mut solver, &problem, &beyond, &sampling, &unwatched).unwrap_err();
+    assert_eq!(error.quantity(), Quantity::ForceY, "{error}");
 }
 
 /// A curve costs about as much as its points, which are some 50 products each from a cold start.

@@ -340,6 +340,20 @@ fn forces_beyond_friction_are_refused_with_the_largest() {
     assert!((found.force.x / limit + 0.995).abs() < 1e-5);
 }
 
+/// Friction that falls with heat: on the way to a small force the search tries creepages at which
+/// the wheel would turn millions of times as fast as it rolls, whose conduction took all memory.
+#[test]
+fn creepages_that_no_wheel_has_are_not_tried() {
+    let mut problem = heated();
+    problem.kinematics = Kinematics::free_rolling(10.0);
+    let load = problem.normal.normal_contact(None).unwrap().summary.load;
+    for part in [0.01, 0.03, 0.05, 0.1] {
+        let prescribed = forces(-part * load, None);
+        let found = solve(&Problem { prescribed, ..problem.clone() }, &options(8));
+        assert!((found.force.x / load + part).abs() < 2e-5, "{part}");
+    }
+}
+
 /// Friction that falls with heat, and spin.
 fn heated() -> Problem {
     let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
@@ -364,13 +378,17 @@ fn the_largest_force_of_falling_friction_is_the_peak() {
     let peak = (1..40).map(|k| braking(5e-4 * f64::from(k))).fold(0.0, f64::max);
     let of_force =
         |force: f64| Problem { prescribed: forces(-force, Some(0.0)), ..problem.clone() };
-    let beyond = of_force(0.399 * load);
-    let error = ForceSolver::new(Method::Full.solver(&options(16))).solve(&beyond, &unwatched);
-    match error.unwrap_err() {
-        Error::Force { error: ForceError::Unreachable { largest, limit: None, .. } } => {
-            assert!((-largest / peak - 1.0).abs() < 1e-3, "{largest} {peak}");
+    // A little beyond the peak, and so far that all of the curve is within one step.
+    for wanted in [0.399 * load, 1e12] {
+        let beyond = of_force(wanted);
+        let error = ForceSolver::new(Method::Full.solver(&options(16))).solve(&beyond, &unwatched);
+        match error.unwrap_err() {
+            Error::Force { error: ForceError::Unreachable { value, largest, limit: None, .. } } => {
+                assert!((-largest / peak - 1.0).abs() < 1e-3, "{largest} {peak}");
+                assert!((-value / wanted - 1.0).abs() < 1e-12, "{value}");
+            }
+            error => panic!("{error}"),
         }
-        error => panic!("{error}"),
     }
     let found = solve(&of_force(0.8 * peak), &options(24));
     let other = found.warnings.iter().find_map(|warning| match warning {

@@ -1,8 +1,9 @@
-//! Creep curves: force on the rail over load, moment and temperature rise against creepage.
+//! Creep curves: force on the rail over load, moment and temperature rise against creepage; or
+//! creepage against a prescribed force.
 
-use schlupf::Status;
-use schlupf::creep_curve::{Abscissa, CreepCurve, Point};
+use schlupf::creep_curve::{Abscissa, CreepCurve, Point, VariedForce};
 use schlupf::solution::Resultant;
+use schlupf::{Quantity, Status};
 
 use super::{CurveFamily, Member};
 use crate::figures::color;
@@ -13,6 +14,7 @@ use crate::figures::marks::{self, ALARM, Entry, HEADING, Sample, short};
 use crate::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, ZERO, known};
 use crate::figures::smooth::smooth;
 use crate::figures::svg::Drawing;
+use crate::figures::units::{self, Unit};
 use crate::report::Report;
 
 /// The figure; `None` where there is nothing to draw.
@@ -60,9 +62,11 @@ impl Component {
 /// Contents and abscissa of the figure.
 struct Picture<'a> {
     family: &'a CurveFamily,
-    abscissa: Abscissa,
+    along: Along,
     /// Range of the abscissa.
     x: [f64; 2],
+    /// Unit of the abscissa.
+    unit: Unit,
     /// Colour of each member.
     colors: Vec<String>,
     /// Whether each member is a line among bent curves.
@@ -71,8 +75,20 @@ struct Picture<'a> {
     components: Vec<Component>,
 }
 
+/// What varies.
+#[derive(Clone, Copy, PartialEq)]
+enum Along {
+    Creepage(Abscissa),
+    Force(VariedForce),
+}
+
 /// A component below this fraction of the largest force is invisible.
 const INVISIBLE: f64 = 0.01;
+
+/// Names of the axes of creepages.
+const LONGITUDINAL: &str = "longitudinal creepage $ξ$";
+const LATERAL: &str = "lateral creepage $η$";
+const SPIN: &str = "spin creepage $φ$ (1/m)";
 
 /// Width of the legend of the members.
 const LEGEND: f64 = 170.0;
@@ -82,21 +98,33 @@ const LEGEND_ROW: f64 = 24.0;
 
 impl<'a> Picture<'a> {
     fn new(family: &'a CurveFamily) -> Option<Self> {
-        let abscissa = family.abscissa()?;
-        let [from, to] = family.members.first()?.curve.path.range();
+        let creepage = family.abscissa().map(Along::Creepage);
+        let along = creepage.or(family.force().map(Along::Force))?;
+        let range = family.members.first()?.curve.path.range();
+        let largest = range[0].abs().max(range[1].abs());
+        let unit = match along {
+            Along::Force(VariedForce::X | VariedForce::Y) => units::pick(units::FORCE, largest),
+            _ => Unit { size: 1.0, symbol: "" },
+        };
+        let [from, to] = range.map(|end| end / unit.size);
         let x = [from.min(to), from.max(to)];
         let mut picture = Self {
             family,
-            abscissa,
+            along,
             x,
+            unit,
             colors: colors(family),
             are_lines: lines_among_curves(family),
             components: vec![],
         };
+        if !(x[1] > x[0] && x[0].is_finite() && x[1].is_finite()) {
+            return None;
+        }
+        let Along::Creepage(abscissa) = along else { return Some(picture) };
         let [main, other] = components(abscissa);
         let largest = |component: &Component| picture.largest(|point| component.of(&point.force));
         let [of_main, of_other] = [largest(&main), largest(&other)];
-        if !(x[1] > x[0] && x[0].is_finite() && x[1].is_finite()) || of_main.max(of_other) == 0.0 {
+        if of_main.max(of_other) == 0.0 {
             return None;
         }
         let is_seen = of_other > INVISIBLE * of_main;
@@ -124,7 +152,11 @@ impl<'a> Picture<'a> {
     }
 
     fn heading(&self, drawing: &mut Drawing) {
-        let title = if self.family.members.len() == 1 { "Creep curve" } else { "Creep curves" };
+        let title = match (self.along, self.family.members.len()) {
+            (Along::Force(_), _) => "Creepage over force",
+            (_, 1) => "Creep curve",
+            _ => "Creep curves",
+        };
         let remark = if self.family.status() == Status::Converged {
             ""
         } else {
@@ -153,22 +185,65 @@ impl<'a> Picture<'a> {
     }
 
     fn axis(&self) -> String {
-        match self.abscissa {
-            Abscissa::CreepageX => "longitudinal creepage $ξ$".to_owned(),
-            Abscissa::CreepageY => "lateral creepage $η$".to_owned(),
-            Abscissa::Spin => "spin creepage $φ$ (1/m)".to_owned(),
-            Abscissa::Total { direction } => {
+        let unit = self.unit.symbol;
+        match self.along {
+            Along::Creepage(Abscissa::CreepageX) => LONGITUDINAL.to_owned(),
+            Along::Creepage(Abscissa::CreepageY) => LATERAL.to_owned(),
+            Along::Creepage(Abscissa::Spin) => SPIN.to_owned(),
+            Along::Creepage(Abscissa::Total { direction }) => {
                 let degrees = short(direction.to_degrees());
                 format!("creepage $ν$ at {degrees}° to the rolling direction")
             }
+            Along::Force(VariedForce::X) => {
+                format!("longitudinal force on the wheel $F$_x ({unit})")
+            }
+            Along::Force(VariedForce::OverLoad) => {
+                "traction coefficient \u{2212}$F$_x/$N$".to_owned()
+            }
+            Along::Force(VariedForce::Y) => format!("lateral force on the wheel $F$_y ({unit})"),
+            Along::Force(VariedForce::MomentZ) => "moment on the wheel $M$_z (N m)".to_owned(),
         }
     }
 
     fn panels(&self) -> Vec<MarkedPanel> {
-        let mut panels = vec![self.forces()];
-        panels.extend(self.moments());
+        let mut panels = match self.along {
+            Along::Creepage(_) => vec![self.forces()],
+            Along::Force(force) => self.creepages(force),
+        };
+        if self.along != Along::Force(VariedForce::MomentZ) {
+            panels.extend(self.moments());
+        }
         panels.extend(self.temperatures());
         panels
+    }
+
+    /// The creepage that a force needs, and others that are found with it.
+    fn creepages(&self, force: VariedForce) -> Vec<MarkedPanel> {
+        type Creepage = fn(&Point) -> f64;
+        let all: [(Quantity, &str, Creepage); 3] = [
+            (Quantity::CreepageX, LONGITUDINAL, |point| point.kinematics.creepage_x),
+            (Quantity::CreepageY, LATERAL, |point| point.kinematics.creepage_y),
+            (Quantity::Spin, SPIN, |point| point.kinematics.spin),
+        ];
+        let is_own = |of: Quantity| of == force.creepage();
+        let is_found = |value: Creepage| {
+            let is_constant = |curve: &CreepCurve| {
+                curve.points.windows(2).all(|pair| value(&pair[0]) == value(&pair[1]))
+            };
+            self.family.members.iter().any(|member| !is_constant(&member.curve))
+        };
+        let shown = all.iter().filter(|(of, _, value)| is_own(*of) || is_found(*value));
+        let panels = shown.map(|(of, label, value)| {
+            let mut panel = self.panel(label, *value);
+            if is_own(*of) {
+                panel.panel.height = 330.0;
+                panel.explain();
+            }
+            (!is_own(*of), panel)
+        });
+        let mut panels: Vec<(bool, MarkedPanel)> = panels.collect();
+        panels.sort_by_key(|(is_other, _)| *is_other);
+        panels.into_iter().map(|(_, panel)| panel).collect()
     }
 
     fn forces(&self) -> MarkedPanel {
@@ -245,11 +320,12 @@ impl<'a> Picture<'a> {
 
     /// `None` if there is no moment and none is requested.
     fn moments(&self) -> Option<MarkedPanel> {
-        let is_seen = self.abscissa == Abscissa::Spin
+        let is_over_spin = self.along == Along::Creepage(Abscissa::Spin);
+        let is_seen = is_over_spin
             || self.largest(|point| point.normalised.moment_z.unwrap_or(0.0)) > INVISIBLE;
         let value = |point: &Point| -known(point.force.moment_z);
         let mut panel = self.panel("moment \u{2212}$M$_z (N m)", value);
-        if self.abscissa == Abscissa::Spin {
+        if is_over_spin {
             panel.tangents = self.tangents(|_, force| -known(force.moment_z));
         }
         is_seen.then_some(panel)
@@ -264,7 +340,11 @@ impl<'a> Picture<'a> {
     fn panel(&self, label: &str, value: impl Fn(&Point) -> f64 + Copy) -> MarkedPanel {
         let members = self.family.members.iter().zip(&self.colors);
         let curves = members.map(|(member, color)| {
-            let points = member.curve.points.iter().map(|point| [point.abscissa, value(point)]);
+            let points = member
+                .curve
+                .points
+                .iter()
+                .map(|point| [point.abscissa / self.unit.size, value(point)]);
             curve(&points.collect::<Vec<_>>(), color, "")
         });
         MarkedPanel {

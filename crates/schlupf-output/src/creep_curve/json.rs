@@ -66,14 +66,14 @@ impl PathEntry {
             (ends[0] != ends[1]).then_some(ends)
         };
         Self {
-            abscissa: path.abscissa().quantity().name(),
+            abscissa: path.quantity().name(),
             start,
             end,
             creepage_x: varied(|creepages| creepages.x),
             creepage_y: varied(|creepages| creepages.y),
             spin: varied(|creepages| creepages.spin),
             direction: match path.abscissa() {
-                Abscissa::Total { direction } => Some(direction),
+                Some(Abscissa::Total { direction }) => Some(direction),
                 _ => None,
             },
             points: family.sampling.points,

@@ -13,7 +13,7 @@ use super::{CurveFamily, Member};
 /// Values over two axes, of numbers in SI units (temperatures in degC, rises in K).
 #[derive(Debug, Clone, PartialEq)]
 pub struct CreepMap {
-    /// The creepage along the curves, or the first field.
+    /// The creepage or force along the curves, or the first field.
     pub x: Axis,
     /// The field in which the curves differ, or the second field.
     pub y: Axis,
@@ -24,7 +24,7 @@ pub struct CreepMap {
 /// An axis of a map.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Axis {
-    /// `creepage_x`, `creepage_y`, `spin`, `creepage`, or the dotted path of a field.
+    /// That of the quantity along the curves, such as `creepage_x`, or the dotted path of a field.
     pub name: String,
     /// SI unit of its values; empty if they are dimensionless.
     pub unit: &'static str,
@@ -70,7 +70,7 @@ impl CurveFamily {
         let x = |curve: &CreepCurve| -> Vec<f64> {
             curve.points.iter().map(|point| point.abscissa).collect()
         };
-        let (abscissae, quantity) = (x(first), first.path.abscissa().quantity());
+        let (abscissae, quantity) = (x(first), first.path.quantity());
         let [columns_of_x, places] =
             [&abscissae, &self.numbers(0)?].map(|numbers| ascending(numbers));
         let is_like = |member: &Member| x(&member.curve) == abscissae;

@@ -1,7 +1,7 @@
 //! Maps of creep curves: colours with labelled contours.
 
 use schlupf::Status;
-use schlupf::creep_curve::Abscissa;
+use schlupf::creep_curve::{Abscissa, VariedForce};
 
 use super::{Axis, CreepMap, CurveFamily};
 use crate::figures::Drawing as Named;
@@ -23,7 +23,10 @@ pub(super) const NAMES: &[&str] = &["creep_map", "creep_map_creepage", "creep_ma
 pub(super) fn draw(family: &CurveFamily) -> Vec<Named> {
     let Some(map) = family.map() else { return Vec::new() };
     let is_of_peaks = family.over.len() == 2;
-    let Some(creepage) = family.abscissa().map(Abscissa::quantity) else { return Vec::new() };
+    let force = family.force().map(VariedForce::creepage);
+    let Some(creepage) = force.or(family.abscissa().map(Abscissa::quantity)) else {
+        return Vec::new();
+    };
     let unit = if creepage.unit().is_empty() { "" } else { " (1/m)" };
     let symbol = format!("${}${unit}", creepage.symbol());
     let pictures = [
@@ -31,14 +34,15 @@ pub(super) fn draw(family: &CurveFamily) -> Vec<Named> {
             name: NAMES[0],
             title: if is_of_peaks { "Largest adhesion" } else { "Adhesion" },
             label: "|$F$|/$N$".to_owned(),
-            column: "traction_coefficient",
+            // A prescribed force needs no map.
+            column: if force.is_some() { "" } else { "traction_coefficient" },
             palette: Palette::Mechanical,
         },
         Picture {
             name: NAMES[1],
-            title: "Creepage of the largest adhesion",
+            title: if is_of_peaks { "Creepage of the largest adhesion" } else { "Creepage" },
             label: symbol,
-            column: if is_of_peaks { creepage.name() } else { "" },
+            column: if is_of_peaks || force.is_some() { creepage.name() } else { "" },
             palette: Palette::Mechanical,
         },
         Picture {
@@ -134,6 +138,10 @@ impl InUnit {
             "creepage_y" => "lateral creepage $η$",
             "spin" => "spin creepage $φ$",
             "creepage" => "creepage $ν$",
+            "force_x" => "longitudinal force on the wheel $F$_x",
+            "force_over_load" => "traction coefficient \u{2212}$F$_x/$N$",
+            "force_y" => "lateral force on the wheel $F$_y",
+            "moment_z" => "moment on the wheel $M$_z",
             field => &field
                 .trim_start_matches("kinematics.")
                 .trim_start_matches("normal.")

@@ -7,7 +7,8 @@ mod map_figure;
 mod summary;
 
 use schlupf::Status;
-use schlupf::creep_curve::{Abscissa, CreepCurve, Sampling};
+use schlupf::columns::{Column, Record};
+use schlupf::creep_curve::{Abscissa, CreepCurve, Sampling, VariedForce};
 use schlupf::message::Message;
 
 use crate::figures::{Drawing, FigureError};
@@ -66,9 +67,14 @@ impl CurveFamily {
         family
     }
 
-    /// The common abscissa of all curves.
+    /// The creepage along all curves; none if a force is.
     pub fn abscissa(&self) -> Option<Abscissa> {
-        self.members.first().map(|member| member.curve.path.abscissa())
+        self.members.first().and_then(|member| member.curve.path.abscissa())
+    }
+
+    /// The prescribed force along all curves; none if a creepage is.
+    pub fn force(&self) -> Option<VariedForce> {
+        self.members.first().and_then(|member| member.curve.path.force())
     }
 
     /// Name of a member, such as `normal.load = 60 kN`.
@@ -119,10 +125,14 @@ impl Report for CurveFamily {
     }
 
     /// The first columns are the fields in which the curves differ, if there are any, in their SI
-    /// units if they are numbers, otherwise as given; then follows the total creepage if the curves
-    /// have a fixed direction.
+    /// units if they are numbers, otherwise as given; then follows what varies, unless it is among
+    /// the columns of the points, such as the total creepage in a fixed direction.
     fn csv(&self) -> Option<String> {
-        let total = self.abscissa().filter(|a| matches!(a, Abscissa::Total { .. }));
+        let is_column = |name| {
+            CreepCurve::columns().iter().any(|column: &Column<CreepCurve>| column.name == name)
+        };
+        let varied = self.members.first().map(|member| member.curve.path.quantity());
+        let varied = varied.filter(|quantity| !is_column(quantity.name()));
         let mut table = Table::default();
         let mut are_numbers = Vec::new();
         for (k, over) in self.over.iter().enumerate() {
@@ -134,8 +144,9 @@ impl Report for CurveFamily {
                 unit.map_or("as given", |unit| if unit.is_empty() { "1" } else { unit }),
             );
         }
-        if let Some(total) = total {
-            table = table.with(total.quantity().name(), "1");
+        if let Some(varied) = varied {
+            let unit = varied.unit();
+            table = table.with(varied.name(), if unit.is_empty() { "1" } else { unit });
         }
         let mut table = table.with_columns::<CreepCurve>();
         for Member { values, curve, .. } in &self.members {
@@ -145,8 +156,8 @@ impl Report for CurveFamily {
             });
             let values: Vec<String> = values.collect();
             for (row, point) in curve.points.iter().enumerate() {
-                let total = total.map(|_| entry(point.abscissa.into()));
-                table.push(values.iter().cloned().chain(total).chain(entries(curve, row)));
+                let varied = varied.map(|_| entry(point.abscissa.into()));
+                table.push(values.iter().cloned().chain(varied).chain(entries(curve, row)));
             }
         }
         Some(table.csv("forces on the wheel"))

@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use schlupf::creep_curve::{Abscissa, CreepCurve, InitialSlope, Maximum, PLATEAU, Path, Point};
+use schlupf::creep_curve::{
+    Abscissa, CreepCurve, InitialSlope, Maximum, PLATEAU, Point, VariedForce,
+};
 use schlupf::kinematics::ReferencePoint;
 use schlupf::solution::Resultant;
 use schlupf::{Method, Status};
@@ -34,16 +36,18 @@ fn curve(text: &mut Summary, member: &Member) {
     let curve = &member.curve;
     conditions(text, curve);
     table(text, curve);
+    // Along a force there is neither.
+    let Some(abscissa) = curve.path.abscissa() else { return };
     match &curve.initial_slope {
-        Some(slope) => self::slope(text, slope, &curve.path),
+        Some(slope) => self::slope(text, slope, abscissa),
         None if curve.path.has_origin() => line(text, "initial slope     not found"),
         None => line(text, "initial slope     none: the curve does not reach zero creepage"),
     }
     for maximum in &curve.maxima {
-        top(text, maximum, curve.path.abscissa());
+        top(text, maximum, abscissa);
     }
     if curve.maximum().is_none() {
-        largest(text, curve);
+        largest(text, curve, abscissa);
     }
 }
 
@@ -64,7 +68,7 @@ fn conditions(text: &mut Summary, curve: &CreepCurve) {
             parts.push(format!("{name} {}{unit}", number(start)));
         }
     }
-    if let Abscissa::Total { direction } = curve.path.abscissa() {
+    if let Some(Abscissa::Total { direction }) = curve.path.abscissa() {
         parts.push(format!("direction {}°", number(direction.to_degrees())));
     }
     if curve.reference == ReferencePoint::File {
@@ -81,12 +85,18 @@ type Column = (String, fn(&Point) -> Option<f64>);
 
 fn table(text: &mut Summary, curve: &CreepCurve) {
     let points = &curve.points;
-    let abscissa = match curve.path.abscissa() {
-        Abscissa::Spin => "spin (1/m)".to_owned(),
-        other => other.quantity().name().to_owned(),
+    let creepages: [Column; 3] = [
+        ("creepage_x".to_owned(), |point| Some(point.kinematics.creepage_x)),
+        ("creepage_y".to_owned(), |point| Some(point.kinematics.creepage_y)),
+        ("spin (1/m)".to_owned(), |point| Some(point.kinematics.spin)),
+    ];
+    let is_given = |column: &Column| points.iter().all(|point| (column.1)(point) == Some(0.0));
+    let name = curve.path.quantity().name();
+    let first: Column = match curve.path.abscissa() {
+        Some(Abscissa::Spin) => ("spin (1/m)".to_owned(), |point| Some(point.abscissa)),
+        _ => (name.to_owned(), |point| Some(point.abscissa)),
     };
-    let mut columns: Vec<Column> = vec![
-        (abscissa, |point| Some(point.abscissa)),
+    let forces: [Column; 3] = [
         ("Fx (kN)".to_owned(), |point| {
             Some(without_noise(point.force.x, point.normalised.x) / 1e3)
         }),
@@ -97,6 +107,15 @@ fn table(text: &mut Summary, curve: &CreepCurve) {
             Some(without_noise(point.traction_coefficient, point.traction_coefficient))
         }),
     ];
+    let mut columns: Vec<Column> = match curve.path.force() {
+        None => [first].into_iter().chain(forces).collect(),
+        // What causes the forces; those that are prescribed are among the others.
+        Some(force) => {
+            let found = creepages.into_iter().filter(|column| !is_given(column));
+            let over_load = (force == VariedForce::OverLoad).then_some(first);
+            over_load.into_iter().chain(forces).chain(found).collect()
+        }
+    };
     let moment: Column =
         ("Mz (N m)".to_owned(), |point| summary::moment(&point.force, &point.normalised));
     let rise: Column = ("rise (K)".to_owned(), |point| point.max_rise);
@@ -128,8 +147,8 @@ fn row(text: &mut Summary, entries: impl Iterator<Item = String>, remark: &str) 
     line(text, &format!("{entries}{remark}"));
 }
 
-fn slope(text: &mut Summary, slope: &InitialSlope, path: &Path) {
-    let (symbol, coefficients, force_unit, moment_unit, bound) = match path.abscissa() {
+fn slope(text: &mut Summary, slope: &InitialSlope, abscissa: Abscissa) {
+    let (symbol, coefficients, force_unit, moment_unit, bound) = match abscissa {
         Abscissa::CreepageX => ("ξ", ["C11", "", ""], "kN", "N m", "μ0 N"),
         Abscissa::CreepageY => ("η", ["", "C22", "-C23"], "kN", "N m", "μ0 N"),
         Abscissa::Spin => ("φ", ["", "C23", "C33"], "kN m", "N m²", "m μ0 N"),
@@ -184,7 +203,7 @@ fn top(text: &mut Summary, maximum: &Maximum, abscissa: Abscissa) {
 }
 
 /// The position of the largest force, if that is not a maximum.
-fn largest(text: &mut Summary, curve: &CreepCurve) {
+fn largest(text: &mut Summary, curve: &CreepCurve, abscissa: Abscissa) {
     let converged = curve.points.iter().filter(|point| point.status == Status::Converged);
     let largest = converged
         .max_by(|one, other| one.traction_coefficient.total_cmp(&other.traction_coefficient));
@@ -192,7 +211,7 @@ fn largest(text: &mut Summary, curve: &CreepCurve) {
         Some(point) if curve.is_converged() => format!(
             "none within the range: |F|/N is largest at an end of it, {} at {}",
             number(point.traction_coefficient),
-            curve.path.abscissa().quantity().equation(point.abscissa)
+            abscissa.quantity().equation(point.abscissa)
         ),
         _ => "none found between the points that converged".to_owned(),
     };

@@ -59,7 +59,7 @@ pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Findin
     };
     let problem = &solver.problem;
     let Some(force) = force else {
-        let warning = Warning::NoInitialSlope { abscissa: path.abscissa().quantity() };
+        let warning = Warning::NoInitialSlope { abscissa: path.quantity() };
         return Ok(Finding { value: None, warning: Some(warning) });
     };
     let normalised = scale.normalised(&force);
@@ -125,6 +125,6 @@ impl Scale {
 
     /// The abscissa that corresponds to a creepage of one at the distance c.
     fn per_creepage(&self, path: &Path) -> f64 {
-        if path.abscissa() == Abscissa::Spin { self.lever } else { 1.0 }
+        if path.abscissa() == Some(Abscissa::Spin) { self.lever } else { 1.0 }
     }
 }

@@ -1,9 +1,10 @@
-//! Creep curves: creep forces against creepage in steady rolling.
+//! Creep curves: creep forces against creepage in steady rolling, or creepage against force.
 //!
 //! A [`Path`] defines which creepages vary, a [`Sampling`] the points, and [`trace`] solves there,
 //! from zero creepage outwards, so that every solution is close to the previous one. The slope at
 //! zero creepage is exact, from the Jacobian of the equilibrium there; the maximum of the force is
-//! found by additional solutions.
+//! found by additional solutions. Along a prescribed force ([`Path::over_force`]) the creepages are
+//! found, and there is neither slope nor maximum.
 
 mod initial_slope;
 mod maximum;
@@ -15,6 +16,7 @@ use crate::error::Error;
 use crate::kinematics::{Kinematics, ReferencePoint};
 use crate::method::Method;
 use crate::normal::NormalSummary;
+use crate::prescribed_forces::PrescribedForces;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell, within};
 use crate::solution::{Area, Power, Resultant, Solution, Status, Work};
@@ -22,7 +24,7 @@ use crate::solver::Solver;
 
 pub use initial_slope::InitialSlope;
 pub use maximum::{Maximum, PLATEAU};
-pub use path::{Abscissa, Creepages, Path};
+pub use path::{Abscissa, Creepages, Path, VariedForce};
 pub use sampling::{MAX_POINTS, Sampling, Spacing};
 
 pub use warnings::CurveWarning;
@@ -42,11 +44,12 @@ pub struct CreepCurve {
     pub reference: ReferencePoint,
     /// The points in the order of the path.
     pub points: Vec<Point>,
-    /// Slope where all varied creepages are zero. `None` if the path does not contain that point,
-    /// or if a solution needed for it did not converge, which gives a warning.
+    /// Slope where all varied creepages are zero. `None` if the path does not contain that point or
+    /// a force is prescribed, or if a solution needed for it did not converge, which gives a
+    /// warning.
     pub initial_slope: Option<InitialSlope>,
     /// Maxima of |F|, in the order of the path: one on each side of zero creepage, unless |F| still
-    /// rises at the outer end of that side, or is largest at its inner end.
+    /// rises at the outer end of that side, or is largest at its inner end. None if a force varies.
     pub maxima: Vec<Maximum>,
     /// Warnings for whoever uses the results.
     pub warnings: Vec<CurveWarning>,
@@ -78,7 +81,7 @@ impl CreepCurve {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Point {
-    /// Abscissa of the curve; dimensionless, or in 1/m for spin.
+    /// Abscissa of the curve; dimensionless, in 1/m for spin, in the unit of a force.
     pub abscissa: f64,
     /// Speed and creepages.
     pub kinematics: Kinematics,
@@ -143,7 +146,8 @@ impl Point {
 /// ```
 ///
 /// # Errors
-/// Whatever [`check`] rejects, before anything is solved, and [`Error::Stopped`].
+/// Whatever [`check`] rejects, before anything is solved, a force that no creepage causes, and
+/// [`Error::Stopped`].
 pub fn trace(
     solver: &mut dyn Solver,
     problem: &Problem,
@@ -160,6 +164,7 @@ pub fn trace(
     solver.forget();
     let mut solver = Points {
         problem: problem.clone(),
+        own: problem.prescribed,
         path,
         solver,
         watch,
@@ -182,7 +187,10 @@ pub fn trace(
     let (below, above) = abscissae.split_at(first_positive);
     let outwards: Vec<f64> = below.iter().rev().copied().collect();
     let sides = [solve_side(above)?, solve_side(&outwards)?];
-    let mut maxima = maximum::of_sides(&mut solver, &sides)?;
+    let mut maxima = match path.force() {
+        None => maximum::of_sides(&mut solver, &sides)?,
+        Some(_) => Vec::new(),
+    };
     let slope = initial_slope::find(&mut solver, &normal)?;
     warnings.extend(slope.warning);
     let [above, below] = sides;
@@ -196,7 +204,7 @@ pub fn trace(
         path: *path,
         normal,
         reference: solver.problem.reference,
-        warnings: warnings.all(path.abscissa(), &points),
+        warnings: warnings.all(path.quantity(), &points),
         points,
         initial_slope: slope.value,
         maxima,
@@ -211,7 +219,7 @@ pub fn trace(
 pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), Error> {
     sampling.check()?;
     if let Some(locked) = path.locks_at() {
-        let quantity = path.abscissa().quantity();
+        let quantity = path.quantity();
         return Err(Error::LocksOnCurve { quantity, value: locked });
     }
     let [start, end] = [path.start(), path.end()].map(|end| end.at_speed(problem.kinematics.speed));
@@ -219,6 +227,7 @@ pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), 
     let mut there = problem.clone();
     sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {
         there.kinematics = path.at(abscissa).at_speed(problem.kinematics.speed);
+        there.prescribed = path.prescribed(abscissa, &problem.prescribed);
         there.check()
     })
 }
@@ -226,6 +235,8 @@ pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), 
 /// Solves the points one after another, each starting from the previous ones.
 struct Points<'a> {
     problem: Problem,
+    /// What the problem itself prescribes.
+    own: PrescribedForces,
     path: &'a Path,
     solver: &'a mut dyn Solver,
     watch: Watch<'a>,
@@ -238,6 +249,7 @@ impl Points<'_> {
     fn move_to(&mut self, abscissa: f64) {
         let speed = self.problem.kinematics.speed;
         self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
+        self.problem.prescribed = self.path.prescribed(abscissa, &self.own);
     }
 
     fn solve(&mut self, abscissa: f64) -> Result<Solution, Error> {

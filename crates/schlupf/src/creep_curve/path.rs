@@ -1,9 +1,10 @@
-//! The path of a curve through the space of creepages.
+//! The path of a curve: through the space of creepages, or along a prescribed force.
 
 use crate::error::{Error, require_finite};
 use crate::kinematics::Kinematics;
 use crate::numerics::interpolation::mix;
 use crate::numerics::root::bisection;
+use crate::prescribed_forces::{LongitudinalForce, PrescribedForces};
 use crate::quantity::Quantity;
 
 /// Longitudinal, lateral and spin creepage.
@@ -34,7 +35,7 @@ impl Creepages {
     }
 }
 
-/// The abscissa of a curve.
+/// The creepage along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -64,14 +65,59 @@ impl Abscissa {
     }
 }
 
-/// A straight line in the space of creepages, with a direction.
+/// A force on the wheel that a curve prescribes in place of a creepage, which is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum VariedForce {
+    /// The longitudinal force Fx, in N.
+    X,
+    /// The traction coefficient −Fx/N, dimensionless.
+    OverLoad,
+    /// The lateral force Fy, in N.
+    Y,
+    /// The moment Mz about the reference point, in N m.
+    MomentZ,
+}
+
+impl VariedForce {
+    /// The corresponding quantity.
+    pub fn quantity(self) -> Quantity {
+        match self {
+            Self::X => Quantity::ForceX,
+            Self::OverLoad => Quantity::ForceOverLoad,
+            Self::Y => Quantity::ForceY,
+            Self::MomentZ => Quantity::MomentZ,
+        }
+    }
+
+    /// The creepage in the place of which it is.
+    pub fn creepage(self) -> Quantity {
+        match self {
+            Self::X | Self::OverLoad => Quantity::CreepageX,
+            Self::Y => Quantity::CreepageY,
+            Self::MomentZ => Quantity::Spin,
+        }
+    }
+}
+
+/// A straight line in the space of creepages, with a direction; or a range of a prescribed force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Path {
     start: Creepages,
     end: Creepages,
-    abscissa: Abscissa,
+    abscissa: Varied,
     range: [f64; 2],
+}
+
+/// What varies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(untagged))]
+enum Varied {
+    Creepage(Abscissa),
+    Force(VariedForce),
 }
 
 impl Path {
@@ -87,28 +133,48 @@ impl Path {
             require_finite(Quantity::CreepageY, creepages.y)?;
             require_finite(Quantity::Spin, creepages.spin)?;
         }
-        let abscissa = if start.x != end.x && start.y != end.y && is_fixed_direction(&start, &end) {
-            let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
-            Abscissa::Total { direction: larger.y.atan2(larger.x) }
-        } else if start.x != end.x {
-            Abscissa::CreepageX
-        } else if start.y != end.y {
-            Abscissa::CreepageY
-        } else {
-            if start.spin == end.spin {
+        let (abscissa, component): (Abscissa, fn(&Creepages) -> f64) =
+            if start.x != end.x && start.y != end.y && is_fixed_direction(&start, &end) {
+                let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
+                let direction = larger.y.atan2(larger.x);
+                let range = [start, end].map(|c| c.x * direction.cos() + c.y * direction.sin());
+                let abscissa = Varied::Creepage(Abscissa::Total { direction });
+                return Ok(Self { start, end, abscissa, range });
+            } else if start.x != end.x {
+                (Abscissa::CreepageX, |creepages| creepages.x)
+            } else if start.y != end.y {
+                (Abscissa::CreepageY, |creepages| creepages.y)
+            } else if start.spin != end.spin {
+                (Abscissa::Spin, |creepages| creepages.spin)
+            } else {
                 return Err(Error::NoRange { quantity: Quantity::Spin, value: end.spin });
-            }
-            Abscissa::Spin
-        };
-        let range = [start, end].map(|creepages| match abscissa {
-            Abscissa::CreepageX => creepages.x,
-            Abscissa::CreepageY => creepages.y,
-            Abscissa::Spin => creepages.spin,
-            Abscissa::Total { direction } => {
-                creepages.x * direction.cos() + creepages.y * direction.sin()
-            }
-        });
-        Ok(Self { start, end, abscissa, range })
+            };
+        let range = [component(&start), component(&end)];
+        Ok(Self { start, end, abscissa: Varied::Creepage(abscissa), range })
+    }
+
+    /// A prescribed force over a range (in N or N m, dimensionless if it is over the load), with
+    /// the creepages of the other directions; that of its own counts for nothing.
+    ///
+    /// # Errors
+    /// Ends that are equal or not finite.
+    pub fn over_force(
+        force: VariedForce,
+        range: [f64; 2],
+        creepages: Creepages,
+    ) -> Result<Self, Error> {
+        let quantity = force.quantity();
+        range.into_iter().try_for_each(|end| require_finite(quantity, end))?;
+        if range[0] == range[1] {
+            return Err(Error::NoRange { quantity, value: range[1] });
+        }
+        let mut given = creepages;
+        match force {
+            VariedForce::X | VariedForce::OverLoad => given.x = 0.0,
+            VariedForce::Y => given.y = 0.0,
+            VariedForce::MomentZ => given.spin = 0.0,
+        }
+        Ok(Self { start: given, end: given, abscissa: Varied::Force(force), range })
     }
 
     /// The total creepage (dimensionless) over a range in a fixed direction (in rad, from x towards
@@ -123,15 +189,48 @@ impl Path {
             Creepages { x, y, spin: spin[end] }
         });
         Self::new(start, end).map(|path| Self {
-            abscissa: Abscissa::Total { direction },
+            abscissa: Varied::Creepage(Abscissa::Total { direction }),
             range,
             ..path
         })
     }
 
-    /// The abscissa of the curve.
-    pub fn abscissa(&self) -> Abscissa {
-        self.abscissa
+    /// The quantity of the abscissa.
+    pub fn quantity(&self) -> Quantity {
+        match self.abscissa {
+            Varied::Creepage(abscissa) => abscissa.quantity(),
+            Varied::Force(force) => force.quantity(),
+        }
+    }
+
+    /// The abscissa of the curve; `None` if that is a force.
+    pub fn abscissa(&self) -> Option<Abscissa> {
+        match self.abscissa {
+            Varied::Creepage(abscissa) => Some(abscissa),
+            Varied::Force(_) => None,
+        }
+    }
+
+    /// The force that is the abscissa of the curve, if any.
+    pub fn force(&self) -> Option<VariedForce> {
+        match self.abscissa {
+            Varied::Creepage(_) => None,
+            Varied::Force(force) => Some(force),
+        }
+    }
+
+    /// What is prescribed at an abscissa (in the unit of its quantity), where a problem prescribes
+    /// its own.
+    pub fn prescribed(&self, abscissa: f64, own: &PrescribedForces) -> PrescribedForces {
+        let mut forces = *own;
+        match self.force() {
+            None => {}
+            Some(VariedForce::X) => forces.x = Some(LongitudinalForce::Force(abscissa)),
+            Some(VariedForce::OverLoad) => forces.x = Some(LongitudinalForce::OverLoad(abscissa)),
+            Some(VariedForce::Y) => forces.y = Some(abscissa),
+            Some(VariedForce::MomentZ) => forces.moment_z = Some(abscissa),
+        }
+        forces
     }
 
     /// Creepages at the start.
@@ -144,12 +243,14 @@ impl Path {
         self.end
     }
 
-    /// The abscissa at the start and at the end; dimensionless, or in 1/m for spin.
+    /// The abscissa at the start and at the end; dimensionless, in 1/m for spin, in the unit of a
+    /// force.
     pub fn range(&self) -> [f64; 2] {
         self.range
     }
 
-    /// Creepages at an abscissa (dimensionless, or in 1/m for spin).
+    /// Creepages at an abscissa (dimensionless, in 1/m for spin, in the unit of a force), as far
+    /// as they are given.
     pub fn at(&self, abscissa: f64) -> Creepages {
         let [from, to] = self.range;
         let share = (abscissa - from) / (to - from);
@@ -163,18 +264,23 @@ impl Path {
         };
         // Avoids the rounding error of `share`.
         match self.abscissa {
-            Abscissa::CreepageX => creepages.x = abscissa,
-            Abscissa::CreepageY => creepages.y = abscissa,
-            Abscissa::Spin => creepages.spin = abscissa,
-            Abscissa::Total { direction } => {
+            Varied::Creepage(Abscissa::CreepageX) => creepages.x = abscissa,
+            Varied::Creepage(Abscissa::CreepageY) => creepages.y = abscissa,
+            Varied::Creepage(Abscissa::Spin) => creepages.spin = abscissa,
+            Varied::Creepage(Abscissa::Total { direction }) => {
                 [creepages.x, creepages.y] = components(abscissa, direction);
             }
+            Varied::Force(_) => {}
         }
         creepages
     }
 
-    /// Whether the path starts from, ends at or runs through the zero of all varied creepages.
+    /// Whether the path starts from, ends at or runs through the zero of all varied creepages. That
+    /// of a force does not: which creepages cause none is not known.
     pub fn has_origin(&self) -> bool {
+        if self.force().is_some() {
+            return false;
+        }
         let [from, to] = self.range;
         let contains_zero = from.min(to) <= 0.0 && from.max(to) >= 0.0;
         let [start, end] = [self.start, self.end].map(|creepages| creepages.components());
@@ -187,8 +293,12 @@ impl Path {
     }
 
     /// The first abscissa (dimensionless, or in 1/m for spin), counted from the start, at which the
-    /// wheel no longer rolls: it is locked, or η is ±1. `None` if it always rolls.
+    /// wheel no longer rolls: it is locked, or η is ±1. `None` if it always rolls, or if a force
+    /// varies.
     pub fn locks_at(&self) -> Option<f64> {
+        if self.force().is_some() {
+            return None;
+        }
         let rolls = |abscissa: f64| self.at(abscissa).at_speed(1.0).check().is_ok();
         let [from, to] = self.range;
         if !rolls(from) {
@@ -236,14 +346,14 @@ mod tests {
 
     #[test]
     fn the_abscissa_is_what_varies() {
-        let abscissa = |start, end| path(start, end).abscissa();
+        let abscissa = |start, end| path(start, end).abscissa().unwrap();
         assert_eq!(abscissa([0.0, 0.01, 0.0], [0.05, 0.01, 0.0]), Abscissa::CreepageX);
         assert_eq!(abscissa([0.01, 0.0, 0.0], [0.01, 0.05, 0.0]), Abscissa::CreepageY);
         assert_eq!(abscissa([0.0; 3], [0.0, 0.0, 2.0]), Abscissa::Spin);
         assert_eq!(abscissa([0.0; 3], [0.02, 0.0, 2.0]), Abscissa::CreepageX);
         assert_eq!(abscissa([0.01, 0.0, 0.0], [0.05, 0.02, 0.0]), Abscissa::CreepageX);
         let diagonal = path([0.0; 3], [0.03, 0.04, 0.0]);
-        assert!(matches!(diagonal.abscissa(), Abscissa::Total { .. }));
+        assert!(matches!(diagonal.abscissa(), Some(Abscissa::Total { .. })));
         assert_relative_eq!(diagonal.range()[1], 0.05, max_relative = 1e-14);
         let backwards = path([-0.03, -0.04, 0.0], [0.003, 0.004, 0.0]);
         assert_relative_eq!(backwards.range()[0], 0.05, max_relative = 1e-14);
@@ -283,6 +393,22 @@ mod tests {
         assert_relative_eq!(at([0.0; 3], [0.0, -2.0, 0.0]).unwrap(), -1.0, max_relative = 1e-12);
         let lateral = at([0.0, 0.6, 0.0], [1.0, 0.6, 0.0]).unwrap();
         assert_relative_eq!(lateral, 0.8, max_relative = 1e-12);
+    }
+
+    /// Its creepages are those of the case, and only its own force is prescribed.
+    #[test]
+    fn a_force_is_in_the_place_of_a_creepage() {
+        let case = creepages(0.01, 0.002, 0.3);
+        let own = PrescribedForces { moment_z: Some(5.0), ..PrescribedForces::default() };
+        let path = Path::over_force(VariedForce::OverLoad, [-0.1, 0.3], case).unwrap();
+        assert_eq!((path.abscissa(), path.at(0.2)), (None, Creepages { x: 0.0, ..case }));
+        assert_eq!(path.quantity(), Quantity::ForceOverLoad);
+        assert_eq!((path.has_origin(), path.locks_at()), (false, None));
+        let braking = Some(LongitudinalForce::OverLoad(0.2));
+        assert_eq!(path.prescribed(0.2, &own), PrescribedForces { x: braking, ..own });
+        for range in [[2.0, 2.0], [0.0, f64::INFINITY]] {
+            assert!(Path::over_force(VariedForce::Y, range, case).is_err());
+        }
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::quantity::Quantity;
 use crate::solution::Status;
 use crate::warning::{Unconverged, Warning};
 
-use super::{Abscissa, Point};
+use super::Point;
 
 /// A warning of a creep curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,8 +97,7 @@ impl Warnings {
     }
 
     /// All of them, the points that did not converge first.
-    pub(super) fn all(self, abscissa: Abscissa, points: &[Point]) -> Vec<CurveWarning> {
-        let abscissa = abscissa.quantity();
+    pub(super) fn all(self, abscissa: Quantity, points: &[Point]) -> Vec<CurveWarning> {
         let of_curve = not_converged(abscissa, points).into_iter().chain(self.others);
         let of_curve = of_curve.map(|warning| CurveWarning { warning, at: None });
         let of_points =
@@ -135,7 +134,7 @@ mod tests {
         warnings.extend(Some(Warning::NoInitialSlope { abscissa: Quantity::Spin }));
         let counts: Vec<usize> = warnings.kinds.iter().map(|kind| kind.count).collect();
         assert_eq!(counts, [2, 3, 1]);
-        let all = warnings.all(Abscissa::Spin, &[]);
+        let all = warnings.all(Quantity::Spin, &[]);
         let texts: Vec<String> = all.iter().map(|warning| warning.message(&Names).text).collect();
         assert!(texts[0].starts_with("no initial slope"));
         assert!(texts[1].starts_with("spin = 0 1/m and one further point: margin: "));

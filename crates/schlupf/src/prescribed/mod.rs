@@ -95,6 +95,10 @@ impl Solver for ForceSolver {
 /// Most corrections of the creepages that another solver found.
 const MOST_REFINEMENTS: usize = 6;
 
+/// Tangential force over μ0 N from which the largest possible one is looked for on the way to one
+/// of this size.
+const LARGEST_TARGET: f64 = 1.0;
+
 /// Cells across the patch.
 fn cells(options: &Options) -> f64 {
     (options.cells_x * options.cells_y) as f64
@@ -215,6 +219,11 @@ impl ForceSolver {
         if !scaled.has_forces(&at_rest.force) {
             return Ok(ForceError::NotPossible { quantity: first }.into());
         }
+        // Along the way to forces far beyond friction the peak is lost between two steps.
+        let nearer = scaled.reduced(LARGEST_TARGET);
+        let nearer = nearer.map(|near| path::follow(&near, self.inner.as_mut(), (true, watch)));
+        let nearer = nearer.transpose()?.filter(|nearer| nearer.states.is_empty());
+        let path = nearer.as_ref().unwrap_or(path);
         let terms = scaled.in_terms(&path.largest);
         let Some((quantity, [value, largest])) = terms else {
             return Ok(ForceError::NotPossible { quantity: first }.into());

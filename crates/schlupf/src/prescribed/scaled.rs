@@ -16,6 +16,7 @@ use crate::solver::Solver;
 /// forces are alike and friction limits both to about one: forces over μ0 N, moments over
 /// μ0 N √(ab), and creepages times their initial stiffness over the same. Forces are those on the
 /// rail, so that they grow with the creepages.
+#[derive(Clone)]
 pub(super) struct Scaled {
     /// The problem without the forces.
     pub problem: Problem,
@@ -262,6 +263,14 @@ impl Scaled {
     pub fn tangential(&self) -> f64 {
         let forces = self.directions.iter().zip(self.target.iter());
         forces.filter(|(d, _)| **d != Direction::Spin).map(|(_, f)| f * f).sum::<f64>().sqrt()
+    }
+
+    /// With all forces reduced by the same part to a largest tangential one over μ0 N; `None` if
+    /// that is not exceeded.
+    pub fn reduced(&self, largest: f64) -> Option<Self> {
+        let ratio = self.tangential();
+        let target = &self.target * (largest / ratio);
+        (ratio > largest).then(|| Self { target, ..self.clone() })
     }
 
     /// Whether two states have different motions.

@@ -110,6 +110,10 @@ pub(super) struct Driven<'a> {
 /// Least part of the initial stiffness that the preconditioner ascribes to a contact which slides.
 const LEAST_STIFFNESS: f64 = 1e-3;
 
+/// Largest creepage that is tried in driving: the wheel turns a thousand times as fast as it rolls.
+/// The cost of conduction under a body grows with the root of its speed.
+const LARGEST_CREEPAGE: f64 = 1e3;
+
 impl<'a> Driven<'a> {
     /// With the creepages of the given problem, which must be those of the levels.
     pub fn new(problem: &Problem, levels: &'a mut [Level], drives: &'a Drives) -> Self {
@@ -155,13 +159,19 @@ impl<'a> Driven<'a> {
         SteadyState::new(&self.problem, self.levels)
     }
 
-    /// Moves the levels to other creepages.
-    fn move_to(&mut self, unknowns: &[f64]) {
-        if self.at != unknowns {
-            self.at.copy_from_slice(unknowns);
-            self.problem.kinematics = Self::motion(&self.problem.kinematics, self.drives, unknowns);
-            self.levels[0].set_motion(&self.problem);
+    /// Moves the levels to other creepages, unless no wheel has them.
+    fn move_to(&mut self, unknowns: &[f64]) -> bool {
+        if self.at == unknowns {
+            return true;
         }
+        let motion = Self::motion(&self.problem.kinematics, self.drives, unknowns);
+        if motion.check().is_err() || motion.creepage_x < -LARGEST_CREEPAGE {
+            return false;
+        }
+        self.at.copy_from_slice(unknowns);
+        self.problem.kinematics = motion;
+        self.levels[0].set_motion(&self.problem);
+        true
     }
 
     fn find_columns(&mut self) {
@@ -254,7 +264,9 @@ impl Equilibrium for Driven<'_> {
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
         let [p, unknowns] = self.parts(p);
         let [u, _] = self.parts(u);
-        self.move_to(unknowns);
+        if !self.move_to(unknowns) {
+            return f64::NAN;
+        }
         let excess = self.drives.excess(&summary::resultant(self.patch(), p), false);
         self.state().defect(p, u).hypot(norm(&excess))
     }
@@ -262,7 +274,11 @@ impl Equilibrium for Driven<'_> {
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
         let [p, unknowns] = self.parts(p);
         let [u, _] = self.parts(u);
-        self.move_to(unknowns);
+        if !self.move_to(unknowns) {
+            // Too long a step.
+            residual.fill(f64::NAN);
+            return;
+        }
         let excess = self.drives.excess(&summary::resultant(self.patch(), p), false);
         let (of_cells, of_forces) = residual.split_at_mut(p.len());
         self.state().residual(p, u, of_cells);
