@@ -90,8 +90,51 @@ fn flatten(parent: &str, table: &Table, fields: &mut Vec<(String, String)>) {
 
 #[cfg(test)]
 mod tests {
+    use schlupf::method::{FastMethod, SlopeReduction};
+
     use super::*;
     use crate::{CaseFile, Folder, Overrides};
+
+    /// The settings of a preset in a case of nothing else.
+    fn case(group: &str, name: &str) -> CaseFile {
+        let preset = presets().iter().find(|p| p.group == group && p.name == name).unwrap();
+        let assignments = preset.assignments();
+        let set = Overrides { option: "preset", assignments: &assignments };
+        CaseFile::from_str("", name, Folder::new(""), set).unwrap()
+    }
+
+    /// Hou, Kalousek and Magel (1997), by way of the user guide for CONTACT: the limit of
+    /// elasticity u_c0 (in mm) and τ_c0 (in MPa), and the slope k_u beyond (in MPa/mm), of which
+    /// k_τ = k_u (G/h)/(G/h − k_u).
+    #[test]
+    fn hou_1997_layers() {
+        for (name, elastic, stress, slope) in [
+            ("magnetite", 0.070, 560.0, 0.0),
+            ("clay", 0.040, 200.0, 400.0),
+            ("sand", 0.050, 400.0, -200.0),
+            ("molybdenum_disulphide", 0.020, 20.0, 20.0),
+        ] {
+            let case = case("layers", name).pose(&schlupf::unwatched).unwrap();
+            let layer = case.problem.layer.unwrap();
+            let limit = layer.yield_limit().unwrap();
+            let stiffness = stress / elastic;
+            let near = |found: f64, expected: f64| {
+                assert!((found - expected).abs() <= 3e-4 * expected.abs(), "{name}: {found}");
+            };
+            near(layer.compliance().recip(), 1e9 * stiffness);
+            near(limit.stress, 1e6 * stress);
+            near(limit.hardening, 1e9 * slope * stiffness / (stiffness - slope));
+        }
+    }
+
+    #[test]
+    fn the_locomotive_of_the_core_is_the_preset() {
+        let case = case("methods", "eurosprinter").pose(&schlupf::unwatched).unwrap();
+        let schlupf::Method::Fast(FastMethod::ModifiedFastsim(_, reduction)) = case.method else {
+            panic!("{:?}", case.method)
+        };
+        assert_eq!(reduction, SlopeReduction::LOCOMOTIVE);
+    }
 
     #[test]
     fn every_preset_makes_a_case_without_notices() {

@@ -23,7 +23,8 @@ fn init_writes_the_default_case_once() {
     assert_eq!(bench.list(), ["case.toml"]);
 }
 
-/// A condition by name makes a case that says where its numbers are from, and that converges.
+/// A condition by name makes a case that says where its numbers are from, and that converges at
+/// all creepages.
 #[test]
 fn init_writes_a_condition_of_the_rail() {
     let bench = Bench::new();
@@ -48,6 +49,12 @@ fn init_writes_a_condition_of_the_rail() {
         // Braking at ξ = 0.008: no more than friction, and most of it where that is low.
         let used = -found["force"]["x"].as_f64().unwrap() / 80e3 / friction;
         assert!(used > 0.4 && used <= 1.0, "{name}: {used}");
+        let arguments = ["curve", "case.toml", "--creepage-x", "0..0.1", "--points", "21"];
+        let run = bench.run(&[&arguments, &coarse[..], &["--json", "-"]].concat());
+        assert_eq!(run.code, Some(0), "{name}: {}", run.stderr);
+        let found: Value = serde_json::from_str(&run.stdout).unwrap();
+        let products = found["curves"][0]["work"]["operator_products"].as_f64().unwrap();
+        assert!(products < 21.0 * 100.0, "{name}: {products}");
     }
     let run = bench.run(&["init", "--condition", "icy"]);
     assert_eq!(run.code, Some(2));

@@ -220,6 +220,10 @@ fn what_is_no_run_is_refused() {
     refused(&["study.toml"], "distance must increase from row to row, but is 1 after 1 in row 1");
     bench.write("run.csv", "distance [m],position_y [mm],kinematics.creepage_x\n0,nan,0\n1,2,0\n");
     refused(&["study.toml"], "position_y must be a number, but is none in row 0");
+    // Before anything is solved, and about the study that was named.
+    bench.write("run.csv", "distance [m],position_y [m],kinematics.creepage_x\n0,0,0\n1,8,0\n");
+    let far = "study.toml: of its states: position_y must be between -1 and 1 m, but is 8 in row 1";
+    refused(&["study.toml"], far);
     bench.write("run.csv", "distance [m],kinematics.creepage_x\n1,0.001\n");
     refused(&["study.toml"], "at least 2 states, but has 1");
     refused(&["none.csv", "--set", "damage.hardness=-1 GPa"], "damage.hardness must be");

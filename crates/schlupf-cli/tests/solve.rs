@@ -338,3 +338,37 @@ fn a_case_may_be_a_shift_at_rest() {
     let bare = bench.run(&["solve", "shift.toml", "--set", "history.shift_x=0.015"]);
     assert!(bare.stderr.contains("history.shift_x must be a length"), "{}", bare.stderr);
 }
+
+/// Full sliding of a layer that flows: Fx = −∫ min(μ p, τ_c) dA. With p0 = 1 GPa, μ = 0.6 and τ_c =
+/// 400 MPa, p = p0 √(1 − s²) exceeds τ_c/μ up to s² = 5/9, so Fx = −πab (τ_c s² + ⅔ μ p0 (1 −
+/// s²)^(3/2)). FASTSIM has it with the ellipsoid, which is its bound unless given.
+#[test]
+fn fastsim_bounds_a_layer_by_the_pressure() {
+    let bench = Bench::new();
+    bench.write(
+        "layer.toml",
+        "[kinematics]\ncreepage_x = 0.3\n[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\n\
+         semi_axis_y = \"5 mm\"\npeak_pressure = \"1 GPa\"\n[elasticity]\nmodel = \"half-space\"\n\
+         [contact_law]\nmodel = \"coulomb\"\n[friction]\nmodel = \"constant\"\n\
+         coefficient = 0.6\n[heat]\nmodel = \"none\"\n[grid]\ncells_x = 40\ncells_y = 40\n\
+         [layer]\nthickness = \"1 mm\"\nshear_modulus = \"8000 MPa\"\nyield_stress = \"400 MPa\"\n",
+    );
+    let flowing = 5.0 / 9.0;
+    let mean = 400e6 * flowing + 2.0 / 3.0 * 0.6e9 * (1.0_f64 - flowing).powf(1.5);
+    let expected = -std::f64::consts::PI * 6e-3 * 5e-3 * mean;
+    for method in ["full", "fastsim"] {
+        let set = format!("solver.method={method}");
+        let run = bench.run(&["solve", "layer.toml", "--json", "-", "--set", &set]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let result: Value = serde_json::from_str(&run.stdout).unwrap();
+        let force = result["force"]["x"].as_f64().unwrap();
+        assert!((force / expected - 1.0).abs() < 5e-3, "{method}: {force} {expected}");
+    }
+    let bound = ["--set", "fastsim.bound=parabolic"];
+    let fastsim = ["solve", "layer.toml", "--set", "solver.method=fastsim"];
+    let run = bench.run(&[&fastsim[..], &bound].concat());
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    for part in ["--set fastsim.bound=parabolic", "must be \"elliptic\" with layer.yield_stress"] {
+        assert!(run.stderr.contains(part), "{}", run.stderr);
+    }
+}

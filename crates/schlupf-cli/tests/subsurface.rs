@@ -81,6 +81,32 @@ fn hertz_1882_largest_shear_below_a_circle() {
 
 /// Hertz on the axis of a circular contact (Johnson 1985, §3.4 (a)): σzz = −p0/(1 + z²/a²), and
 /// σrr = −(1 + ν) p0 (1 − z/a atan(a/z)) + p0/(2 (1 + z²/a²)); the points stay in their order.
+/// Beside the axis, under traction and in the wheel: the points of a profile there, one by one.
+#[test]
+fn points_are_those_of_a_profile_beside_the_axis() {
+    let bench = bench();
+    let sliding = ["--set", "kinematics.creepage_x=0.05", "--set", "subsurface.body=wheel"];
+    let profile = ["--x", "3 mm", "--y", "-1 mm"];
+    let profile = document(&bench, &[&sliding[..], &profile].concat());
+    let rows = &profile["profile"];
+    let mut table = "x [mm],y [mm],depth [mm]\n".to_owned();
+    let count = rows["depth"].as_array().unwrap().len();
+    for k in (0..count).rev() {
+        table.push_str(&format!("3,-1,{}\n", 1e3 * number(&rows["depth"][k])));
+    }
+    bench.write("points.csv", &table);
+    let found = document(&bench, &[&sliding[..], &["--points", "points.csv"]].concat());
+    for name in ["xx", "yy", "zz", "xy", "xz", "yz"].map(|c| format!("stress_{c}")) {
+        for k in 0..count {
+            let [one, other] =
+                [&found["points"][&name][k], &rows[&name][count - 1 - k]].map(number);
+            assert!((one - other).abs() < 1e-9 * 1e9, "{name} {k}: {one} {other}");
+        }
+    }
+    let shear = number(&rows["stress_xz"][count / 4]).abs();
+    assert!(shear > 1e7, "{shear}");
+}
+
 #[test]
 fn points_are_those_of_a_table() {
     let bench = bench();

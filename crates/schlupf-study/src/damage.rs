@@ -46,10 +46,15 @@ pub fn plan(
     let is_study = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     let study = if is_study { Some(Study::from_path(path)?) } else { None };
     let of_table = if let Some(study) = &study {
-        let is_along = |name: &str| ALONG.contains(&name);
-        if !study.design.carried().iter().any(|column| is_along(column.name)) {
-            return Err(StudyError::table(path, no_run()));
-        }
+        let of = |name: &str| {
+            let carried = study.design.carried().iter().find(|column| column.name == name)?;
+            Some(carried.values.as_slice())
+        };
+        let along = ALONG.into_iter().find_map(|name| Some((name, of(name)?)));
+        let along = along.ok_or_else(|| StudyError::table(path, no_run()))?;
+        // Before they are solved.
+        check_places(along, of(ACROSS))
+            .map_err(|reason| StudyError::table(path, format!("of its states: {reason}")))?;
         None
     } else {
         case_in(path)?
@@ -108,6 +113,37 @@ impl Plan {
 fn no_run() -> String {
     let [distance, time] = ALONG;
     format!("a run needs states with a column {distance} or {time}, but there is none")
+}
+
+/// Largest distance of a patch from the origin of the profile, in m: beyond, units were mistaken.
+const FARTHEST: f64 = 1.0;
+
+/// Refuses places along the run that do not increase, and places across the profile that cannot be.
+fn check_places((name, places): (&str, &[f64]), across: Option<&[f64]>) -> Result<(), String> {
+    if places.len() < 2 {
+        return Err(format!("a run must have at least 2 states, but has {}", places.len()));
+    }
+    if let Some(row) = places.iter().position(|place| !place.is_finite()) {
+        return Err(format!("{name} must be a number, but is none in row {row}"));
+    }
+    for (row, place) in across.unwrap_or_default().iter().enumerate() {
+        if !place.is_finite() {
+            return Err(format!("{ACROSS} must be a number, but is none in row {row}"));
+        }
+        if place.abs() > FARTHEST {
+            return Err(format!(
+                "{ACROSS} must be between -{FARTHEST} and {FARTHEST} m, but is {place} in row {row}"
+            ));
+        }
+    }
+    let falls = places.windows(2).position(|pair| pair[1] <= pair[0]);
+    falls.map_or(Ok(()), |row| {
+        let [one, next] = [places[row], places[row + 1]];
+        Err(format!(
+            "{name} must increase from row to row, but is {next} after {one} in row {}",
+            row + 1
+        ))
+    })
 }
 
 /// The columns that a run needs, in the order in which they are read.
@@ -185,32 +221,10 @@ impl Run {
             across: table.numbers(ACROSS),
             has_others: table.warned(ONE_CONTACT),
         };
-        run.check_order(path)?;
+        let (name, places) = &run.along;
+        check_places((name, places), run.across.as_deref())
+            .map_err(|reason| StudyError::table(path, reason))?;
         Ok(run)
-    }
-
-    /// Refuses places along the run that do not increase.
-    fn check_order(&self, path: &Path) -> Result<(), StudyError> {
-        let (name, places) = &self.along;
-        let refused = |reason: String| Err(StudyError::table(path, reason));
-        if places.len() < 2 {
-            return refused(format!("a run must have at least 2 states, but has {}", places.len()));
-        }
-        if let Some(row) = places.iter().position(|place| !place.is_finite()) {
-            return refused(format!("{name} must be a number, but is none in row {row}"));
-        }
-        let nowhere = |across: &Vec<f64>| across.iter().position(|place| !place.is_finite());
-        if let Some(row) = self.across.as_ref().and_then(nowhere) {
-            return refused(format!("{ACROSS} must be a number, but is none in row {row}"));
-        }
-        let falls = places.windows(2).position(|pair| pair[1] <= pair[0]);
-        falls.map_or(Ok(()), |row| {
-            let [one, next] = [places[row], places[row + 1]];
-            refused(format!(
-                "{name} must increase from row to row, but is {next} after {one} in row {}",
-                row + 1
-            ))
-        })
     }
 
     /// The distance over which each state holds, in m.

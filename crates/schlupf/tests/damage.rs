@@ -12,7 +12,7 @@ use schlupf::heat::Heat;
 use schlupf::interface::contact_law::Coulomb;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::material::Material;
-use schlupf::method::{FastMethod, Method};
+use schlupf::method::{Brush, FastMethod, Method, TractionBound};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::{Error, Options, Problem, Quantity, rolling, unwatched};
 
@@ -289,6 +289,32 @@ fn a_sliding_passage_has_closed_forms() {
     assert_eq!(passage.melting, None);
     near(passage.t_gamma.without_spin, creepage * friction * load, 1e-4);
     near(passage.crack_damage, CrackFunction::default().of(passage.t_gamma.without_spin), 1e-12);
+}
+
+/// The pressure of FASTSIM's paraboloid bounds the traction only: the body is worn by that of the
+/// normal contact, as with the ellipsoid.
+#[test]
+fn what_bounds_the_traction_of_fastsim_is_not_the_pressure() {
+    let problem = Problem::builder().creepage_x(0.012).build().unwrap();
+    let problem = Problem { heat: Heat::none(), ..problem };
+    let options = Options { cells_x: 20, cells_y: 20, ..Options::default() };
+    let wear = [TractionBound::Parabolic, TractionBound::Elliptic].map(|bound| {
+        let brush = Brush { bound, ..Brush::KALKER };
+        let method = Method::Fast(FastMethod::Fastsim(brush));
+        let solution = method.solver(&options).solve(&problem, &unwatched).unwrap();
+        of_passage(&problem, &solution, &laws()).unwrap().wear.unwrap()
+    });
+    assert_eq!(wear[0].cells.pressure, wear[1].cells.pressure);
+    near(wear[0].archard_volume, wear[1].archard_volume, 0.02);
+}
+
+/// Two parts of a patch, with the gap between them: the index is that of the largest pressure, as
+/// in the shakedown map.
+#[test]
+fn several_parts_have_the_index_of_the_largest_pressure() {
+    let state = State { semi_axis_x: 6e-3, semi_axis_y: 14e-3, ..sliding(1.0, 0.1) };
+    let fatigue = SurfaceFatigue { shear_yield_stress: 300e6 };
+    near(fatigue.index(&state), 0.4 - 300e6 / state.peak_pressure, 1e-12);
 }
 
 /// Cells are hotter than a limit where their temperatures say so; a method without fields has

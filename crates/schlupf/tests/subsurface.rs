@@ -10,10 +10,10 @@ use common::{cells, half_space, problem, rolling};
 use schlupf::grid::{Extent, Grid};
 use schlupf::interface::contact_law::Coulomb;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::method::{FastMethod, Method};
+use schlupf::method::{Brush, FastMethod, Method};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::reference::sliding_line_contact::SlidingLineContact;
-use schlupf::subsurface::{Measure, Stress, SubsurfaceStress, SurfaceLoad};
+use schlupf::subsurface::{Measure, Plane, Stress, SubsurfaceStress, SurfaceLoad};
 use schlupf::temperature_field::Side;
 use schlupf::{Error, Problem, Solution, Status, unwatched};
 
@@ -356,6 +356,48 @@ fn turned_loads_turn_the_stresses() {
         let Stress { xx, yy, zz, xy, xz, yz } = other.at([y, x], z);
         let back = Stress { xx: yy, yy: xx, zz, xy, xz: yz, yz: xz };
         assert!(difference(&body.at([x, y], z), &back) < 1e-6);
+    }
+}
+
+/// FASTSIM bounds the traction by a paraboloid, but presses with the pressure of the contact.
+#[test]
+fn fastsim_presses_as_the_contact_does() {
+    let problem = ellipse([6e-3, 4e-3], 0.28, 0.0);
+    let method = Method::Fast(FastMethod::Fastsim(Brush::KALKER));
+    let solution = method.solver(&cells(16)).solve(&problem, &unwatched).unwrap();
+    let fast = SubsurfaceStress::new(&problem, &solution, Side::Rail).unwrap();
+    let full = below(&problem, 16, Side::Rail);
+    for place in [[0.0, 0.0], [3e-3, 1e-3], [-5e-3, -2e-3]] {
+        for depth in [0.0, 5e-4, 3e-3] {
+            let [one, other] = [&fast, &full].map(|body| body.at(place, depth));
+            assert!(difference(&one, &other) < 1e-9 * P0, "{place:?}, {depth}");
+        }
+    }
+}
+
+/// Vertical planes through layers have the stresses at their points, and between two rows of points
+/// the mean of both.
+#[test]
+fn sections_are_vertical_planes() {
+    let body = below(&ellipse([6e-3, 4e-3], 0.28, 0.002), 12, Side::Rail);
+    let (depths, margins) = ([1e-3, 2e-3], [2, 3]);
+    let volume = body.volume(&depths, margins, &unwatched).unwrap();
+    let (columns, rows) = (volume.grid.columns, volume.grid.rows);
+    let [x, y] = [volume.grid.x(columns / 3), volume.grid.y(rows / 4)];
+    let across = volume.section(Plane::AcrossRolling { x });
+    let along = volume.section(Plane::AlongRolling { y: y + 0.5 * volume.grid.spacing_y });
+    for (layer, depth) in depths.into_iter().enumerate() {
+        assert_eq!((across[layer].len(), along[layer].len()), (rows, columns));
+        for row in 0..rows {
+            let there = body.at([x, volume.grid.y(row)], depth);
+            assert!(difference(&across[layer][row], &there) < 1e-6 * P0, "{depth} {row}");
+        }
+        for column in 0..columns {
+            let beside = [y, y + volume.grid.spacing_y];
+            let [one, other] = beside.map(|y| body.at([volume.grid.x(column), y], depth));
+            let middle = one * 0.5 + other * 0.5;
+            assert!(difference(&along[layer][column], &middle) < 1e-6 * P0, "{depth} {column}");
+        }
     }
 }
 

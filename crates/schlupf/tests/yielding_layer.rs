@@ -10,6 +10,7 @@ use common::{cells, follow, half_space, problem, rolling, solve};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
+use schlupf::history::History;
 use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
@@ -101,6 +102,109 @@ fn every_point_follows_the_law_of_the_layer() {
                 assert!(off < 0.012, "{limit:?} {creepage}: {all:?}");
             }
         }
+    }
+}
+
+/// A point of the layer under a bound of friction: elastic, flowing, sliding.
+#[derive(Clone, Copy, Default)]
+struct Sheared {
+    plastic: f64,
+    way: f64,
+}
+
+impl Sheared {
+    /// The traction at a displacement.
+    fn traction(&mut self, displacement: f64, [stress, hardening]: [f64; 2], bound: f64) -> f64 {
+        let elastic = STIFFNESS * (displacement - self.plastic);
+        let limit = (stress + hardening * self.way).max(0.0);
+        if elastic.abs() <= limit.min(bound) {
+            return elastic;
+        }
+        if limit < bound {
+            let flow = (elastic.abs() - limit) / (STIFFNESS + hardening);
+            let until = if hardening > 0.0 { (bound - limit) / hardening } else { f64::INFINITY };
+            self.way += flow.min(until);
+        }
+        let size = (stress + hardening * self.way).max(0.0).min(bound);
+        self.plastic = displacement - elastic.signum() * size / STIFFNESS;
+        elastic.signum() * size
+    }
+}
+
+/// Creepage that turns round while material passes, and stays.
+const TURNING: [[f64; 2]; 4] = [[0.0, 0.4], [0.5e-3, 0.4], [0.6e-3, -0.4], [1.4e-3, -0.4]];
+
+/// Fx over time (time and force) of independent points that travel at `speed`, under a creepage
+/// that turns round.
+fn turned(limit: [f64; 2], speed: f64) -> Vec<[f64; 2]> {
+    const ROWS: usize = 60;
+    const STEPS: usize = 120;
+    let [a, b] = SEMI_AXES;
+    let creepage = |time: f64| {
+        let after = TURNING.iter().position(|point| point[0] > time).unwrap_or(TURNING.len() - 1);
+        let [from, to] = [TURNING[after - 1], TURNING[after]];
+        from[1] + (to[1] - from[1]) * ((time - from[0]) / (to[0] - from[0])).min(1.0)
+    };
+    let step = 2.0 * a / STEPS as f64;
+    let count = (TURNING[3][0] * speed / step) as usize;
+    let mut forces = vec![0.0; count];
+    for row in 0..ROWS {
+        let y = b * ((row as f64 + 0.5) / ROWS as f64 * 2.0 - 1.0);
+        let length = a * (1.0 - (y / b).powi(2)).sqrt();
+        // From the trailing to the leading edge of the ellipse; at rest at first.
+        let mut points = vec![(Sheared::default(), 0.0); STEPS];
+        for (k, force) in forces.iter_mut().enumerate() {
+            let time = (k as f64 + 0.5) * step / speed;
+            points.remove(0);
+            points.push((Sheared::default(), 0.0));
+            for (i, (point, displacement)) in points.iter_mut().enumerate() {
+                let x = a * ((i as f64 + 0.5) / STEPS as f64 * 2.0 - 1.0);
+                if x.abs() < length {
+                    // Half a step since it entered, where that was in this step.
+                    let way = (length - x).min(step);
+                    *displacement += creepage(time) * way;
+                    let ellipse: f64 = 1.0 - (x / a).powi(2) - (y / b).powi(2);
+                    let bound = FRICTION * PEAK * ellipse.max(0.0).sqrt();
+                    let traction = point.traction(*displacement, limit, bound);
+                    *force -= traction * step * 2.0 * b / ROWS as f64;
+                }
+            }
+        }
+    }
+    forces.iter().enumerate().map(|(k, f)| [(k as f64 + 1.0) * step / speed, *f]).collect()
+}
+
+/// Loading, unloading and reversing while material passes, against points that are sheared one by
+/// one; rigid bodies.
+#[test]
+fn material_unloads_and_reverses() {
+    let limit_force = FRICTION * PEAK * 2.0 / 3.0 * std::f64::consts::PI * 6e-3 * 5e-3;
+    for limit in LIMITS {
+        let mut problem = contact(limit, Arc::new(Rigid), 0.4);
+        let speed = problem.kinematics.speed;
+        let history = History {
+            time: TURNING.iter().map(|point| point[0]).collect(),
+            creepage_x: Some(TURNING.iter().map(|point| point[1]).collect()),
+            ..History::default()
+        };
+        problem.kinematics.creepage_x = 0.0;
+        let transient = Transient { problem, history, initial_state: None };
+        let marched = march(&transient, &cells(40), &unwatched).unwrap();
+        assert_eq!(marched.status, Status::Converged, "{:?}", marched.warnings);
+        let expected = turned(limit, speed);
+        let mut largest = 0.0_f64;
+        for instant in marched.history.iter().filter(|instant| instant.time > 0.2e-3) {
+            let after = expected.iter().position(|[time, _]| *time >= instant.time);
+            let Some(after) = after.filter(|after| *after > 0) else { continue };
+            let ([t0, f0], [t1, f1]) = (expected[after - 1], expected[after]);
+            let force = f0 + (f1 - f0) * (instant.time - t0) / (t1 - t0);
+            let off = (instant.force.x - force).abs() / limit_force;
+            largest = largest.max(off);
+        }
+        println!("{limit:?}: {largest:.4}");
+        // Hardening twice as steep as the layer is stiff.
+        let bound = if limit[1] > STIFFNESS { 0.008 } else { 0.003 };
+        assert!(largest < bound, "{limit:?}: {largest}");
     }
 }
 

@@ -79,7 +79,16 @@ fn brush(settings: &Settings) -> Result<Brush, CaseError> {
         FlexibilitiesChoice::Three => Flexibilities::Three,
         FlexibilitiesChoice::One => Flexibilities::One,
     };
-    let bound = match settings.chosen("fastsim.bound")? {
+    const BOUND: &str = "fastsim.bound";
+    // The paraboloid exceeds the pressure by a third, so a layer would flow where it does not.
+    let flows = settings.is_given("layer.yield_stress");
+    let bound = match settings.chosen(BOUND)? {
+        BoundChoice::Parabolic if flows && settings.is_given(BOUND) => {
+            let reason = "must be \"elliptic\" with layer.yield_stress: the paraboloid exceeds the \
+                          pressure, so the layer would flow too early";
+            return Err(settings.error(BOUND, format!("{BOUND} {reason}")));
+        }
+        BoundChoice::Parabolic if flows => TractionBound::Elliptic,
         BoundChoice::Parabolic => TractionBound::Parabolic,
         BoundChoice::Elliptic => TractionBound::Elliptic,
     };

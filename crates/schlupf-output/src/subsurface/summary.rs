@@ -41,7 +41,8 @@ pub(super) fn text(report: &StressReport) -> Summary {
     text.blank();
     let [x, y] = report.place().map(|place| number(place / 1e-3));
     line(&mut text, &format!("below x = {x} mm, y = {y} mm"));
-    profile(&mut text, &report.profile);
+    let files = if report.points.is_some() { "JSON has" } else { "CSV and JSON have" };
+    profile(&mut text, &report.profile, files);
     if let Some(points) = &report.points {
         text.blank();
         asked_for(&mut text, points);
@@ -67,10 +68,11 @@ fn asked_for(text: &mut Summary, points: &[PointStress]) {
     let count = format!("points asked for: {}; CSV and JSON have them all", points.len());
     line(text, &count);
     let value = largest.stress.von_mises() / 1e6;
-    entry(text, "largest von Mises stress of them", value, "MPa", &place(largest));
+    entry(text, "  largest von Mises", value, "MPa", &place(largest));
 }
 
-fn profile(text: &mut Summary, points: &[PointStress]) {
+/// The profile; `files` have all of it.
+fn profile(text: &mut Summary, points: &[PointStress], files: &str) {
     let heads = ["depth (mm)", "σxx (MPa)", "σyy (MPa)", "σzz (MPa)", "σxz (MPa)", "von Mises"];
     line(text, &heads.map(|head| format!("{head:>12}")).concat());
     let last = points.len().saturating_sub(1);
@@ -82,6 +84,6 @@ fn profile(text: &mut Summary, points: &[PointStress]) {
         line(text, &format!("{:>12}{values}", number(point.depth / 1e-3)));
     }
     if rows < last {
-        line(text, &format!("  ({} of {} points; CSV and JSON have all)", rows + 1, last + 1));
+        line(text, &format!("  ({} of {} points; {files} all)", rows + 1, last + 1));
     }
 }

@@ -4,13 +4,15 @@ use super::{RunPoint, State};
 
 /// Surface-fatigue index of Ekberg, Kabo and Andersson (2002),
 ///
-/// FI = T/N − 2π a b k/(3N),
+/// FI = T/N − k/p0,
 ///
-/// the utilised friction minus that at which the surface just shakes down: the second term is k/p0
-/// of an ellipse of Hertz. Where FI is positive, every passage deforms the surface plastically.
+/// the utilised friction minus that at which the surface just shakes down. For an ellipse of Hertz
+/// the second term is 2π a b k/(3N), as they write it; for patches of other shapes or of several
+/// parts it is that of the largest pressure. Where FI is positive, every passage deforms the
+/// surface plastically.
 ///
-/// Limits: full sliding is assumed in the shakedown limit, and Hertzian pressure; the index says
-/// that fatigue begins, not how long it takes.
+/// Limits: full sliding is assumed in the shakedown limit; the index says that fatigue begins, not
+/// how long it takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceFatigue {
     /// Yield stress in pure shear k of the cyclically hardened material, in Pa.
@@ -27,9 +29,7 @@ impl Default for SurfaceFatigue {
 impl SurfaceFatigue {
     /// The index of a state, dimensionless.
     pub fn index(&self, state: &State) -> f64 {
-        let State { load, semi_axis_x, semi_axis_y, tangential_force, .. } = state;
-        let area = std::f64::consts::PI * semi_axis_x * semi_axis_y;
-        (tangential_force - 2.0 / 3.0 * area * self.shear_yield_stress) / load
+        state.tangential_force / state.load - self.shear_yield_stress / state.peak_pressure
     }
 }
 

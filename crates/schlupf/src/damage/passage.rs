@@ -2,6 +2,8 @@
 
 use super::{Laws, ShakedownLimits, State};
 use crate::error::Error;
+use crate::method::Method;
+use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::solution::{Fields, Solution, TGamma};
 
@@ -162,19 +164,39 @@ pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result
             shakedown_limit: limits.shakedown,
             poisson_ratio,
         },
-        wear: has_fields.then(|| wear(&solution.fields, state.speed, laws)),
+        wear: match has_fields {
+            true => {
+                Some(wear(&solution.fields, &pressure(problem, solution)?, (state.speed, laws)))
+            }
+            false => None,
+        },
         melting: is_heated.then(|| melting(problem, &solution.fields, laws)),
     })
 }
 
-fn wear(fields: &Fields, speed: f64, laws: &Laws) -> PassageWear {
+/// The pressure of the normal contact in each cell, which is not always what bounds the traction
+/// of a fast method.
+fn pressure(problem: &Problem, solution: &Solution) -> Result<Vec<f64>, Error> {
+    let fields = &solution.fields;
+    if !matches!(solution.method, Method::Fast(_)) {
+        return Ok(fields.pressure.clone());
+    }
+    let normal = problem.normal.normal_contact(Some(solution.normal.load))?;
+    let mut whole = vec![0.0; fields.grid.len()];
+    for cell in &Patch::new(&normal, fields.grid).cells {
+        whole[cell.index] = cell.pressure;
+    }
+    Ok(fields.cell.iter().map(|[column, row]| whole[fields.grid.index(*column, *row)]).collect())
+}
+
+fn wear(fields: &Fields, pressure: &[f64], (speed, laws): (f64, &Laws)) -> PassageWear {
     let Laws { archard, energy, densities, .. } = laws;
     let slip = fields.slip_x.iter().zip(&fields.slip_y);
     let slip_speed: Vec<f64> = slip.map(|(x, y)| x.hypot(*y)).collect();
     // Cells at the edge are in contact in part, and wear there.
     let by_slip = |k: usize| {
         let covered = fields.covered[k];
-        covered * archard.rate(slip_speed[k], fields.pressure[k] / covered) / speed
+        covered * archard.rate(slip_speed[k], pressure[k] / covered) / speed
     };
     let by_energy = |k: usize| {
         let covered = fields.covered[k];
@@ -184,7 +206,7 @@ fn wear(fields: &Fields, speed: f64, laws: &Laws) -> PassageWear {
     let cells = WearCells {
         x: fields.x.clone(),
         y: fields.y.clone(),
-        pressure: fields.pressure.clone(),
+        pressure: pressure.to_vec(),
         archard: (0..count).map(by_slip).collect(),
         energy: (0..count).map(by_energy).collect(),
         slip_speed,

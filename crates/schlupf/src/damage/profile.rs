@@ -24,9 +24,10 @@ pub struct Profile {
     pub rail_energy: Vec<f64>,
 }
 
-/// Cells across the narrowest patch, and most cells of a profile.
+/// Cells across the narrowest patch, and most cells of a profile: positions within a metre to each
+/// side and patches of 1 mm width need fewer.
 const CELLS: f64 = 20.0;
-const MOST: usize = 1000;
+const MOST: usize = 50_000;
 
 impl Profile {
     pub(super) fn of(states: &[State], points: &[RunPoint], laws: &Laws) -> Self {

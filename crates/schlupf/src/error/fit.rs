@@ -304,7 +304,10 @@ fn where_it_shows(parameter: Quantity) -> &'static str {
         | Quantity::MinimumCoefficient
         | Quantity::HotCoefficient
         | Quantity::TemperatureRange => "it shows at creepages and speeds that heat the contact",
-        Quantity::ContactStiffness | Quantity::ContactRoughness | Quantity::PolachAreaAdhesion => {
+        Quantity::ContactStiffness
+        | Quantity::ContactRoughness
+        | Quantity::LayerShearModulus
+        | Quantity::PolachAreaAdhesion => {
             "it shows at small creepages and where the force bends over"
         }
         Quantity::PolachAreaSlip => "it shows at small creepages and on the way to the maximum",

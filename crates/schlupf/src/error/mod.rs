@@ -390,8 +390,8 @@ messages! {
 
     /// A bound of FASTSIM that a pressure does not have.
     "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |name, words| format!(
-        "{name}: the pressure of a table or a profile is no paraboloid; choose {}, where the pressure \
-         itself bounds the traction",
+        "{name}: the pressure of a table or a profile, or that on a layer that flows, is no \
+         paraboloid; choose {}, where the pressure itself bounds the traction",
         words.choice(Quantity::TractionBound, "elliptic")
     );
 

@@ -1,9 +1,12 @@
 //! Where a stress is largest.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use super::layer::LayerTransform;
 use super::{Stress, StressVolume, SubsurfaceStress};
 use crate::error::Error;
 use crate::grid::Grid;
+use crate::parallel;
 use crate::progress::{Progress, Stage, Watch, tell};
 
 /// What is compared between points.
@@ -78,23 +81,27 @@ const PROMISING: f64 = 0.9;
 /// Most local maxima that are followed.
 const MOST_STARTS: usize = 6;
 
+/// Points that a thread computes at once.
+const AT_ONCE: usize = 32;
+
 impl SubsurfaceStress {
     /// The stress at (x, y) and at a depth (all in m), with its place.
     pub fn point(&self, [x, y, depth]: [f64; 3]) -> PointStress {
         PointStress { x, y, depth, stress: self.at([x, y], depth) }
     }
 
-    /// The stresses at points, each with x, y and depth in m.
+    /// The stresses at points, each with x, y and depth in m; on several threads.
     ///
     /// # Errors
     /// [`Error::Stopped`] if `watch` says so.
     pub fn points(&self, places: &[[f64; 3]], watch: Watch) -> Result<Vec<PointStress>, Error> {
-        let mut points = Vec::with_capacity(places.len());
-        for (k, place) in places.iter().enumerate() {
-            tell(watch, Progress::count(Stage::StressPoints, 0).of(k, places.len()))?;
-            points.push(self.point(*place));
-        }
-        Ok(points)
+        let done = AtomicUsize::new(0);
+        let parts = parallel::try_map(places.chunks(AT_ONCE).collect(), |part: &[[f64; 3]]| {
+            let before = done.fetch_add(part.len(), Ordering::Relaxed);
+            tell(watch, Progress::count(Stage::StressPoints, 0).of(before, places.len()))?;
+            Ok::<_, Error>(part.iter().map(|place| self.point(*place)).collect::<Vec<_>>())
+        })?;
+        Ok(parts.concat())
     }
 
     /// Where measures are largest in the body. Layers whose depths grow by a quarter, from that of

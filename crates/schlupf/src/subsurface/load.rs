@@ -46,8 +46,9 @@ impl SurfaceLoad {
     }
 
     /// The loads of a solution on one of the bodies, in so many pieces of every cell each way. A
-    /// piece has the mean pressure of its own part, times a traction over pressure that is linear
-    /// between cells; the loads of all pieces of a cell have the sum of the cell.
+    /// piece has the mean pressure of its own part, that of the normal contact, whatever bounds the
+    /// traction of a fast method, times a traction over pressure that is linear between cells; the
+    /// tractions of all pieces of a cell have the sum of the cell.
     pub(super) fn of_solution(
         problem: &Problem,
         solution: &Solution,
@@ -81,13 +82,12 @@ impl SurfaceLoad {
                     Part { at, place, pressure: shape[at] }
                 })
                 .collect();
-            let pressure = distributed(&parts, fields.pressure[k], |_| 1.0);
             let [along, across] = [0, 1].map(|c| {
                 let ratio = |place| sign * saturation[c].at([*column, *row], place);
                 distributed(&parts, sign * tractions[c][k], ratio)
             });
             for (p, part) in parts.iter().enumerate() {
-                load.pressure[part.at] = pressure[p];
+                load.pressure[part.at] = part.pressure;
                 load.traction_x[part.at] = along[p];
                 load.traction_y[part.at] = across[p];
             }

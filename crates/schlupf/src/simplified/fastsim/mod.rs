@@ -71,7 +71,8 @@ impl Fastsim {
         let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
         let mut patch = Patch::new(normal, grid);
         if brush.bound == TractionBound::Parabolic {
-            if matches!(normal.pressure, Pressure::Tabulated(..)) {
+            let flows = problem.layer.is_some_and(|layer| layer.yield_limit().is_some());
+            if flows || matches!(normal.pressure, Pressure::Tabulated(..)) {
                 return Err(Error::NoParaboloid {});
             }
             make_parabolic(&mut patch, &normal.summary);
