@@ -564,8 +564,9 @@ class Case:
         spacing: str | None = None,
         warn: bool = True,
     ) -> Curve:
-        """A creep curve: forces along a path of creepages, or creepages along a prescribed force; or
-        one for each value of a field, or for each pair of values of two fields.
+        """A creep curve: forces along a path of creepages, or creepages along a prescribed force.
+
+        Or one for each value of a field, or for each pair of values of two fields.
 
         Parameters
         ----------

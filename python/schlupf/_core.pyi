@@ -143,9 +143,7 @@ def comparison(case: CaseFile) -> Report: ...
 def conditions() -> list[tuple[str, str]]: ...
 def creep_curve(
     case: CaseFile,
-    varied: tuple[
-        tuple[_Range | None, ...], tuple[_Range, str] | None, tuple[str, _Range] | None
-    ],
+    varied: tuple[tuple[_Range | None, ...], tuple[_Range, str] | None, tuple[str, _Range] | None],
     over: list[str],
     sampling: tuple[int, bool],
 ) -> Report: ...

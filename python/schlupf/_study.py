@@ -96,6 +96,8 @@ def sweep(
         If a file cannot be read or written; what is done is kept.
     """
     path, output = Path(study), Path(output)
+    if client is not None and not hasattr(client, "submit"):
+        raise TypeError(f"client must be a distributed.Client, but is {client!r}")
     if not 1 <= shard[0] <= shard[1]:
         raise ValueError(f"shard must be (i, n) with i from 1 to n, but is {shard}")
     opened = _core.Study(path)

@@ -3,6 +3,7 @@
 import os
 import signal
 import threading
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -70,7 +71,9 @@ def test_a_cluster_is_not_asked_for_fields(study, tmp_path):
     path = study(20)
     path.write_text(path.read_text() + "[fields]\n")
     with pytest.raises(ValueError, match="fields stay on the machine that solves them"):
-        schlupf.sweep(path, tmp_path / "table.csv", client=object())
+        schlupf.sweep(path, tmp_path / "table.csv", client=SimpleNamespace(submit=None))
+    with pytest.raises(TypeError, match="must be a distributed.Client, but is 'tcp://"):
+        schlupf.sweep(path, tmp_path / "table.csv", client="tcp://10.0.0.1:8786")
     assert sorted(file.name for file in tmp_path.iterdir()) == ["case.toml", "study.toml"]
 
 

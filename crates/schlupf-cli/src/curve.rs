@@ -201,11 +201,10 @@ impl Curve {
 
     fn sampling(&self) -> Sampling {
         let spacing = match self.spacing {
-            Some(SpacingArgument::Refined) => Spacing::Refined,
             Some(SpacingArgument::Even) => Spacing::Even,
             // The creepage changes fastest with a force where that is largest.
             None if self.force().is_some() => Spacing::Even,
-            None => Spacing::Refined,
+            Some(SpacingArgument::Refined) | None => Spacing::Refined,
         };
         Sampling { points: self.points, spacing }
     }

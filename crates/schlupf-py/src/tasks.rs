@@ -24,6 +24,9 @@ use crate::report::{Found, Report};
 /// Start and end.
 type Range = [f64; 2];
 
+/// Ranges of ξ, η and φ; that of the total creepage with its direction; a force with its range.
+type Varied = ([Option<Range>; 3], Option<(Range, String)>, Option<(String, Range)>);
+
 /// Does a task, which Ctrl-C stops.
 fn report(
     py: Python<'_>,
@@ -62,15 +65,15 @@ const FORCES: [(&str, VariedForce); 4] = [
 
 /// Traces creep curves of a case: start and end of ξ, η and φ (in 1/m), or `None` for that of the
 /// case; in place of ξ and η start and end of the total creepage, and its direction, such as
-/// `45 deg`; or in place of all of them a force and its start and end. There is one curve for each value of `over`, such as
-/// `"kinematics.speed=10 m/s,20 m/s"`, or for each pair of values of two; each has so many points,
-/// and they are evenly spaced or not.
+/// `45 deg`; or in place of all of them a force and its start and end. There is one curve for each
+/// value of `over`, such as `"kinematics.speed=10 m/s,20 m/s"`, or for each pair of values of two;
+/// each has so many points, and they are evenly spaced or not.
 #[pyfunction]
 #[pyo3(signature = (case, varied, over, sampling))]
 pub fn creep_curve(
     py: Python<'_>,
     case: &CaseFile,
-    varied: ([Option<Range>; 3], Option<(Range, String)>, Option<(String, Range)>),
+    varied: Varied,
     over: Vec<String>,
     sampling: (usize, bool),
 ) -> PyResult<Report> {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::StudyError;
 use crate::parts::{folder_with, unfinished};
-use crate::run::{Report, assemble};
+use crate::run::{Report, assemble, existing};
 use crate::table::{Cells, Contents, Format, Place, Reader, Rows};
 
 /// Shards whose files stay open together, dimensionless; a process may open 1024 as a rule.
@@ -51,8 +51,8 @@ impl<'a> Shard<'a> {
 /// Writes the table of all shards: the same, byte for byte, as that of a run without shards.
 ///
 /// # Errors
-/// Tables of different studies, a shard that is missing, there twice or not whole, and files that
-/// cannot be read or written.
+/// Tables of different studies, a shard that is missing, there twice or not whole, an output that
+/// is something else than the table of this study, and files that cannot be read or written.
 pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
     Format::of(output)?;
     let stays_open = shards.len() <= OPEN;
@@ -90,6 +90,9 @@ pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
                 return Err(StudyError::table(other.path, reason));
             }
         }
+    }
+    if output.exists() {
+        return existing(output, &whole);
     }
     let mut report = Report::default();
     assemble(output, unfinished(folder_with(output)), &whole, &mut |batch| {

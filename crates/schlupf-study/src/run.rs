@@ -222,7 +222,7 @@ impl Run {
 }
 
 /// A table that is there already.
-fn existing(output: &Path, contents: &Contents) -> Result<Report, StudyError> {
+pub(crate) fn existing(output: &Path, contents: &Contents) -> Result<Report, StudyError> {
     let mut reader = Reader::open(output)?;
     if reader.contents() != contents {
         let what = contents.other(reader.contents());

@@ -199,6 +199,10 @@ fn the_table_does_not_depend_on_how_it_was_made() {
         let report = merge(&shards, &bench.path(&merged)).unwrap();
         assert_eq!(report.rows, 12);
         assert_eq!(bench.bytes(&merged), bench.bytes(&whole), "{ending}");
+        // Again there is nothing to do; what is something else stays.
+        assert_eq!(merge(&shards, &bench.path(&merged)).unwrap().resumed, 12);
+        let refused = merge(&shards, &shards[0]).unwrap_err().to_string();
+        assert!(refused.contains("remove it, or name another output"), "{refused}");
         for last in 1..40 {
             let (output, asked) = (format!("stopped.{ending}"), AtomicUsize::new(0));
             let stop = |_| {
@@ -339,6 +343,17 @@ fn states_of_a_file_are_rows_with_their_time() {
     bench.write("study.toml", &bench_text("[states]\nfile = \"again.csv\"\n"));
     bench.write("again.csv", "kinematics.creepage_x\n0.001\n");
     bench.run([1, 1], "other.csv").unwrap();
+}
+
+/// Heads with a bracket too many or too few.
+#[test]
+fn heads_of_states_have_one_unit() {
+    for head in ["normal.load [kN]]", "normal.load [kN", "normal.load [[kN]", "normal.load kN]"] {
+        let bench = Bench::new("[states]\nfile = \"run.csv\"\n");
+        bench.write("run.csv", &format!("{head}\n60\n"));
+        let message = bench.study().unwrap_err().to_string();
+        assert!(message.contains("run.csv") && message.contains(head), "{message}");
+    }
 }
 
 #[test]

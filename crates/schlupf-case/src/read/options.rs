@@ -74,12 +74,14 @@ fn look_up_table(settings: &Settings) -> Result<&'static StoredTable, CaseError>
         .map_err(|error| settings.error(TABLE, format!("{TABLE}: {name} {error}")))
 }
 
+/// The bound of FASTSIM.
+const BOUND: &str = "fastsim.bound";
+
 fn brush(settings: &Settings) -> Result<Brush, CaseError> {
     let flexibilities = match settings.chosen("fastsim.flexibilities")? {
         FlexibilitiesChoice::Three => Flexibilities::Three,
         FlexibilitiesChoice::One => Flexibilities::One,
     };
-    const BOUND: &str = "fastsim.bound";
     // The paraboloid exceeds the pressure by a third, so a layer would flow where it does not.
     let flows = settings.is_given("layer.yield_stress");
     let bound = match settings.chosen(BOUND)? {

@@ -4,6 +4,7 @@ mod figure;
 mod json;
 mod map;
 mod map_figure;
+mod marked_panel;
 mod summary;
 
 use schlupf::Status;

@@ -103,7 +103,13 @@ impl Head {
     fn read(text: &str, place: &Place) -> Result<Self, CaseError> {
         let refused = |message: String| CaseError::new("", message, place.clone());
         let (name, unit) = match text.split_once('[') {
-            Some((name, unit)) => (name.trim(), Some(unit.trim_end().trim_end_matches(']'))),
+            Some((name, unit)) => {
+                let unit =
+                    unit.trim_end().strip_suffix(']').filter(|unit| !unit.contains(['[', ']']));
+                let form =
+                    || refused(format!("a column must be named as name [unit], not `{text}`"));
+                (name.trim(), Some(unit.ok_or_else(form)?))
+            }
             None => (text.trim(), None),
         };
         let carried = CARRIED.iter().find(|(carried, _)| *carried == name);

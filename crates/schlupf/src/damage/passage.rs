@@ -152,6 +152,8 @@ pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result
     let poisson_ratio = 0.5 * (wheel + rail);
     let limits = ShakedownLimits::of(solution.traction_coefficient, poisson_ratio);
     let has_fields = !solution.fields.is_empty();
+    let pressure = has_fields.then(|| pressure(problem, solution)).transpose()?;
+    let wear = pressure.map(|p| wear(&solution.fields, &p, (state.speed, laws)));
     let is_heated = has_fields && problem.heat.model.is_some();
     Ok(Passage {
         t_gamma: solution.t_gamma,
@@ -164,12 +166,7 @@ pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result
             shakedown_limit: limits.shakedown,
             poisson_ratio,
         },
-        wear: match has_fields {
-            true => {
-                Some(wear(&solution.fields, &pressure(problem, solution)?, (state.speed, laws)))
-            }
-            false => None,
-        },
+        wear,
         melting: is_heated.then(|| melting(problem, &solution.fields, laws)),
     })
 }
