@@ -214,7 +214,7 @@ def test_curves_over_numbers_have_a_map():
 
 
 def test_creepage_over_a_prescribed_force():
-    curve = SMALL.curve(force_x=(0.0, "-12 kN"), points=4)
+    curve = SMALL.curve(force_x=(0.0, "-12 kN"), points=4, warn=False)
     points = curve.points
     np.testing.assert_allclose(points["force_x"], [0.0, -4e3, -8e3, -12e3], atol=1.0)
     assert np.all(np.diff(points["creepage_x"]) > 0.0)
@@ -222,7 +222,7 @@ def test_creepage_over_a_prescribed_force():
     assert SMALL.with_(kinematics=last).solve().force.x == pytest.approx(-12e3, rel=1e-4)
     assert curve.plot().get_xlabel().startswith("longitudinal creepage")
     over = {"kinematics.speed": [10.0, 20.0, 30.0]}
-    curves = SMALL.curve(traction_coefficient=(0.05, 0.15), over=over, points=3)
+    curves = SMALL.curve(traction_coefficient=(0.05, 0.15), over=over, points=3, warn=False)
     assert curves.map["creepage_x"].dims == ("kinematics.speed", "force_over_load")
 
 

@@ -89,12 +89,9 @@ fn points_are_those_of_a_profile_beside_the_axis() {
     let profile = ["--x", "3 mm", "--y", "-1 mm"];
     let profile = document(&bench, &[&sliding[..], &profile].concat());
     let rows = &profile["profile"];
-    let mut table = "x [mm],y [mm],depth [mm]\n".to_owned();
     let count = rows["depth"].as_array().unwrap().len();
-    for k in (0..count).rev() {
-        table.push_str(&format!("3,-1,{}\n", 1e3 * number(&rows["depth"][k])));
-    }
-    bench.write("points.csv", &table);
+    let lines = (0..count).rev().map(|k| format!("3,-1,{}\n", 1e3 * number(&rows["depth"][k])));
+    bench.write("points.csv", &format!("x [mm],y [mm],depth [mm]\n{}", lines.collect::<String>()));
     let found = document(&bench, &[&sliding[..], &["--points", "points.csv"]].concat());
     for name in ["xx", "yy", "zz", "xy", "xz", "yz"].map(|c| format!("stress_{c}")) {
         for k in 0..count {

@@ -388,15 +388,15 @@ fn sections_are_vertical_planes() {
     let along = volume.section(Plane::AlongRolling { y: y + 0.5 * volume.grid.spacing_y });
     for (layer, depth) in depths.into_iter().enumerate() {
         assert_eq!((across[layer].len(), along[layer].len()), (rows, columns));
-        for row in 0..rows {
+        for (row, found) in across[layer].iter().enumerate() {
             let there = body.at([x, volume.grid.y(row)], depth);
-            assert!(difference(&across[layer][row], &there) < 1e-6 * P0, "{depth} {row}");
+            assert!(difference(found, &there) < 1e-6 * P0, "{depth} {row}");
         }
-        for column in 0..columns {
+        for (column, found) in along[layer].iter().enumerate() {
             let beside = [y, y + volume.grid.spacing_y];
             let [one, other] = beside.map(|y| body.at([volume.grid.x(column), y], depth));
             let middle = one * 0.5 + other * 0.5;
-            assert!(difference(&along[layer][column], &middle) < 1e-6 * P0, "{depth} {column}");
+            assert!(difference(found, &middle) < 1e-6 * P0, "{depth} {column}");
         }
     }
 }
