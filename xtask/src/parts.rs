@@ -106,7 +106,9 @@ impl Part {
                     Step::cargo(&format!("clippy --package schlupf{feature} -- -D warnings"))
                 });
                 let all = Step::cargo("clippy --workspace --all-targets -- -D warnings");
-                std::iter::once(all).chain(alone).collect()
+                // Targets that are built only when asked for are not among all.
+                let bench = Step::cargo("clippy --package schlupf --bench table -- -D warnings");
+                [all, bench].into_iter().chain(alone).collect()
             }
             Self::Test => vec![Step::cargo("test --workspace")],
             Self::Doc => {

@@ -85,10 +85,14 @@ fn main() {
         families.into_iter().flatten().flat_map(case).map(Row::count).collect();
     for pass in 1..=PASSES {
         eprintln!("pass {pass} of {PASSES}");
-        rows.iter_mut().for_each(|row| row.times.measure(&row.case));
+        for row in &mut rows {
+            row.times.measure(&row.case);
+        }
     }
     println!("{}", heading());
-    rows.iter().for_each(|row| println!("{}", row.line()));
+    for row in &rows {
+        println!("{}", row.line());
+    }
     println!("\n{}\n\n{}", growth(&rows), against_the_paper(&rows));
     println!("\n{}", contact_laws::table());
     println!("\n{}", fast_methods());

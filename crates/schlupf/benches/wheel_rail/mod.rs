@@ -11,8 +11,8 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
-    Joining, Motion, Pair, Position, ProfileCurve, RailShape, Side, Support, Tangential, Track,
-    WheelOnRail, WheelShape,
+    Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support, Tangential,
+    Track, WheelOnRail, WheelShape,
 };
 use schlupf::{Method, Options, Problem, Quantity, Status, unwatched};
 
@@ -122,6 +122,7 @@ fn manchester() -> Vec<WheelOnRail> {
         },
         support: Support::Force(10e3),
         joining: Joining::default(),
+        rows: RowsMove::default(),
         cells: 64,
     };
     let given = rows("manchester_a22.csv");
