@@ -107,8 +107,9 @@ impl Part {
                 });
                 let all = Step::cargo("clippy --workspace --all-targets -- -D warnings");
                 // Targets that are built only when asked for are not among all.
-                let bench = Step::cargo("clippy --package schlupf --bench table -- -D warnings");
-                [all, bench].into_iter().chain(alone).collect()
+                let benches = ["schlupf --bench table", "schlupf-study --bench sweep"]
+                    .map(|bench| Step::cargo(&format!("clippy --package {bench} -- -D warnings")));
+                std::iter::once(all).chain(benches).chain(alone).collect()
             }
             Self::Test => vec![Step::cargo("test --workspace")],
             Self::Doc => {
