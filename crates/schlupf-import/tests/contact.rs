@@ -400,6 +400,28 @@ fn steps_become_a_history() {
     assert!(found[0].contains("T = 3: transient rolling that goes on from steady"), "{found:?}");
 }
 
+/// Forces over time: FXREL and FYREL times FSTAT FN of each step, in place of the creepages.
+#[test]
+fn forces_of_steps_become_a_history() {
+    let begin = with(
+        BALL,
+        &[("203100", "202120"), (" 0 MODULE\n", ""), ("0.001 ", "-0.5 "), ("-0.0005", "0.2")],
+    );
+    let step = " 3\n  002120\n  100000\n 0100111\n 60000. -0.4 0.2 0.0002\n 0\n";
+    let case = one(&format!("{begin}{step}"));
+    assert_eq!(case.numbers, [1, 2]);
+    // Times 0.3 · 52.359878 kN, and 0.3 · 60 kN.
+    let lines = [
+        "force_x = [\"-7.8539817 kN\", \"-7.8539817 kN\", \"-7.2 kN\"]",
+        "force_y = [\"3.14159268 kN\", \"3.14159268 kN\", \"3.6 kN\"]",
+    ];
+    has(&case.text, &lines);
+    assert!(!case.text.contains("creepage_"), "{}", case.text);
+    let mixed = step.replace("002120", "002100").replace("-0.4", "0.001");
+    let found = errors(&format!("{begin}{mixed}"));
+    assert!(found[0].contains("F = 0: a change within a sequence"), "{found:?}");
+}
+
 /// What a change of the ball's input must be refused for, and in which line.
 fn refused(changes: &[(&str, &str)], line: usize, expected: &str) {
     let found = errors(&with(BALL, changes));
@@ -504,7 +526,6 @@ fn values_that_are_not_available_are_named() {
             5,
             "F = 1: forces in a shift",
         ),
-        (&[("203100", "202110")], 5, "F = 1: forces in transient rolling"),
     ] {
         refused(changes, line, expected);
     }

@@ -74,9 +74,9 @@ pub fn write(
         variation(case, friction, frame, contact);
     }
     speed(case, rolling);
-    let level = basic.friction.as_ref().map_or(0.0, Friction::force_scale) * contact.load;
-    motion_of(case, control, motion, (Written { frame, contact }, level));
-    Some(Written { frame, contact })
+    let written = Written { frame, contact };
+    motion_of(case, control, motion, (written, forces_at(control, basic, written)));
+    Some(written)
 }
 
 fn frame(
@@ -102,17 +102,17 @@ fn speed(case: &mut Translation, rolling: Option<&Rolling>) {
     case.document.quantity("kinematics.speed", speed / 1e3, "m/s");
 }
 
-/// Creepages, forces (relative ones refer to `level`, in N) or a shift.
+/// Creepages, forces (in kN) or a shift.
 fn motion_of(
     case: &mut Translation,
     control: &Control,
     motion: &Motion,
-    (written, level): (Written, f64),
+    (written, forces): (Written, Forces),
 ) {
     match control.tangential.whole() {
         0 => case.remark("Without creepage there are no tangential tractions (T = 0)."),
         1 => write_shift(case, control, motion, written.frame),
-        _ => creepages(case, control, motion, (written, level)),
+        _ => creepages(case, control, motion, (written, forces)),
     }
 }
 
@@ -120,23 +120,21 @@ fn creepages(
     case: &mut Translation,
     control: &Control,
     motion: &Motion,
-    (written, level): (Written, f64),
+    (written, [force_x, force_y]): (Written, Forces),
 ) {
     let [x, y] = creepages_at(motion, written);
-    let Written { frame, contact } = written;
+    let contact = written.contact;
     let spin = 1e3 * motion.spin.value;
-    if control.force.is(0) {
-        case.document.number("kinematics.creepage_x", x);
-    } else {
+    if force_x.is_some() {
         check_forces(case, control, motion);
-        let force = frame.component_x * motion.tangential[0].value * level;
-        case.document.quantity("kinematics.force_x", force / 1e3, "kN");
     }
-    if control.force.is(2) {
-        let force = frame.component_y * motion.tangential[1].value * level;
-        case.document.quantity("kinematics.force_y", force / 1e3, "kN");
-    } else {
-        case.document.number("kinematics.creepage_y", y);
+    match force_x {
+        Some(force) => case.document.quantity("kinematics.force_x", force, "kN"),
+        None => case.document.number("kinematics.creepage_x", x),
+    }
+    match force_y {
+        Some(force) => case.document.quantity("kinematics.force_y", force, "kN"),
+        None => case.document.number("kinematics.creepage_y", y),
     }
     case.document.quantity("kinematics.spin", spin, "1/m");
     if contact.centre != [0.0; 2] {
@@ -149,8 +147,23 @@ fn creepages(
     }
 }
 
+/// Forces along x and y in kN, where they are given in place of the creepages.
+pub type Forces = [Option<f64>; 2];
+
+/// The forces that are given; relative ones refer to the friction limit.
+pub fn forces_at(control: &Control, basic: &Basic, written: Written) -> Forces {
+    let Written { frame, contact } = written;
+    let Some(motion) = &basic.motion else { return [None; 2] };
+    let level = basic.friction.as_ref().map_or(0.0, Friction::force_scale) * contact.load;
+    let force =
+        |component: f64, place: usize| component * motion.tangential[place].value * level / 1e3;
+    let is_given = [!control.force.is(0), control.force.is(2)];
+    [(frame.component_x, 0), (frame.component_y, 1)]
+        .map(|(component, place)| is_given[place].then(|| force(component, place)))
+}
+
 /// Refuses forces at the friction limit, which no creepage causes.
-fn check_forces(case: &mut Translation, control: &Control, motion: &Motion) {
+pub fn check_forces(case: &mut Translation, control: &Control, motion: &Motion) {
     let [x, y] = motion.tangential;
     let size = if control.force.is(2) { x.value.hypot(y.value) } else { x.value.abs() };
     if size >= 1.0 {

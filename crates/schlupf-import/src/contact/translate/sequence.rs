@@ -7,6 +7,7 @@ use std::sync::Arc;
 use schlupf_case::Source;
 
 use crate::contact::basic::{Basic, Motion, Rolling};
+use crate::contact::control::Control;
 use crate::contact::given::Given;
 use crate::contact::input::{Element, InputCase, Module};
 
@@ -64,11 +65,6 @@ pub fn translate(source: &Arc<Source>, job: &Job, wheel: WheelBody, stem: &str) 
         let what = "a step that is repeated (P = 3) is not available in transient rolling";
         case.refuse(step.control.previous, what, "P = 0 is a new step");
     }
-    if let Some(step) = job.all().find(|step| !step.control.force.is(0)) {
-        let what = "forces in transient rolling are not available";
-        case.refuse(step.control.force, what, "F = 0 gives creepages");
-        return case;
-    }
     let Some(written) = basic::write(&mut case, (control, of_first), wheel, stem) else {
         return case;
     };
@@ -121,6 +117,9 @@ struct Series {
     creepage_y: Vec<f64>,
     /// In 1/m.
     spin: Vec<f64>,
+    /// In kN; none where the creepages are given.
+    force_x: Vec<f64>,
+    force_y: Vec<f64>,
     /// In m/s.
     speed: Vec<f64>,
     /// In kN.
@@ -139,9 +138,10 @@ impl Job<'_> {
         let mut time = 0.0;
         for (place, step) in self.all().enumerate() {
             let Module::Basic(of) = &step.module else { continue };
-            if let Some(changed) = changed(of_first, of, step) {
+            if let Some(changed) = changed((self.first, of_first), of, step) {
                 let what = "a change within a sequence of steps is not available";
-                case.refuse(changed, what, "only load, creepages, spin, speed and step may change");
+                let may = "only load, creepages or forces, spin, speed and step may change";
+                case.refuse(changed, what, may);
                 return series;
             }
             let mut own = Translation::new(case.source());
@@ -157,7 +157,7 @@ impl Job<'_> {
             series.time.push(time);
             let count = if place == 0 { 2 } else { 1 };
             for _ in 0..count {
-                series.push(of, &rolling, written);
+                series.push((&step.control, of), &rolling, written);
             }
         }
         series
@@ -165,11 +165,20 @@ impl Job<'_> {
 }
 
 impl Series {
-    fn push(&mut self, of: &Basic, rolling: &Rolling, written: basic::Written) {
+    fn push(
+        &mut self,
+        (control, of): (&Control, &Basic),
+        rolling: &Rolling,
+        written: basic::Written,
+    ) {
         let Some(motion) = &of.motion else { return };
         let [x, y] = basic::creepages_at(motion, written);
-        self.creepage_x.push(x);
-        self.creepage_y.push(y);
+        let [force_x, force_y] = basic::forces_at(control, of, written);
+        // Those in place of which a force is given count for nothing.
+        self.creepage_x.push(if force_x.is_some() { 0.0 } else { x });
+        self.creepage_y.push(if force_y.is_some() { 0.0 } else { y });
+        self.force_x.extend(force_x);
+        self.force_y.extend(force_y);
         self.spin.push(1e3 * motion.spin.value);
         self.speed.push(rolling.speed.value / 1e3);
         self.load.push(written.contact.load / 1e3);
@@ -186,6 +195,12 @@ impl Series {
         if changes(&self.creepage_y) {
             document.numbers("history.creepage_y", &self.creepage_y);
         }
+        if changes(&self.force_x) {
+            document.quantities("history.force_x", &self.force_x, "kN");
+        }
+        if changes(&self.force_y) {
+            document.quantities("history.force_y", &self.force_y, "kN");
+        }
         if changes(&self.spin) {
             document.quantities("history.spin", &self.spin, "1/m");
         }
@@ -199,7 +214,7 @@ impl Series {
 }
 
 /// The digit of what a step has other than the first one, though it may not.
-fn changed(first: &Basic, of: &Basic, step: &InputCase) -> Option<Given> {
+fn changed((begin, first): (&InputCase, &Basic), of: &Basic, step: &InputCase) -> Option<Given> {
     let direction = |of: &Basic| of.rolling.map(|rolling| rolling.direction);
     [
         (first.friction == of.friction, step.control.friction_law),
@@ -208,6 +223,7 @@ fn changed(first: &Basic, of: &Basic, step: &InputCase) -> Option<Given> {
         (first.heat == of.heat, step.control.heat),
         (first.area == of.area, step.control.grid),
         (first.distance == of.distance, step.control.distance),
+        (begin.control.force.whole() == step.control.force.whole(), step.control.force),
     ]
     .into_iter()
     .find_map(|(is_same, digit)| (!is_same).then_some(digit))
