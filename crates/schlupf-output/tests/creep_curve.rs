@@ -39,6 +39,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
             force,
             normalised: normalised(&force),
             traction_coefficient: size.abs(),
+            error: Some(Resultant::new(1.0, 0.5, 0.0)),
             power: Some(Power { friction: 1.0, creep: 1.0, ..Power::default() }),
             max_rise: Some(2e3 * abscissa.abs()),
             area: Area { contact: 1e-4, stick: Some(4e-5), slip: Some(6e-5) },
@@ -151,7 +152,8 @@ fn json_has_its_keys() {
     assert_eq!(keys(&curve["maximum"]), set(names));
     assert_eq!(curve["maximum"], curve["maxima"][0]);
     let names = "abscissa speed creepage_x creepage_y spin force_x force_y moment_z normalised_x \
-                 normalised_y normalised_moment_z traction_coefficient friction_power creep_power \
+                 normalised_y normalised_moment_z traction_coefficient force_error_x force_error_y \
+                 moment_error_z friction_power creep_power \
                  max_rise contact_area stick_area slip_area status residual newton_iterations \
                  operator_products";
     assert_eq!(keys(&curve["points"]), set(names));
@@ -192,7 +194,7 @@ fn csv_reads_back_to_the_same_numbers() {
     let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
     let first = ["kinematics.speed", "speed", "creepage_x", "creepage_y", "spin", "force_x"];
     assert_eq!(header[..6], first);
-    assert_eq!(header[21], "status");
+    assert_eq!(header[24], "status");
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 42);
     let units = text.lines().next().unwrap().split(';').next().unwrap();
@@ -201,7 +203,7 @@ fn csv_reads_back_to_the_same_numbers() {
     let point = &family.members[1].curve.points[20];
     assert_eq!(rows[41][2].parse::<f64>().unwrap(), point.abscissa);
     assert_eq!(rows[41][5].parse::<f64>().unwrap(), point.force.x);
-    assert_eq!(&rows[41][21], "converged");
+    assert_eq!(&rows[41][24], "converged");
 }
 
 /// Numbers stand in the CSV in their SI unit.

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use common::{RECIPE, solution};
 use schlupf::columns::Record;
 use schlupf::message::Message;
+use schlupf::solution::{Extrapolation, Resultant};
 use schlupf::{Solution, Status};
 use schlupf_output::Report;
 use schlupf_output::solution::SolutionReport;
@@ -210,7 +211,10 @@ fn minus_zero_is_zero() {
 /// The columns of a study are the scalars of the JSON under their dotted keys, with their values.
 #[test]
 fn columns_of_a_solution_are_the_keys_of_its_json() {
-    let solution = solution(RECIPE);
+    let mut solution = solution(RECIPE);
+    let (force, normalised) = (solution.force, solution.normalised);
+    let error = Resultant::new(1.0, 2.0, 3.0);
+    solution.extrapolation = Some(Extrapolation { force, normalised, error });
     let document: serde_json::Value =
         serde_json::from_str(&report("case", solution.clone()).json()).unwrap();
     let mut count = 0;

@@ -169,6 +169,15 @@ impl Record for Solution {
             NormalisedY "normalised.y" => |solution, _| solution.normalised.y,
             NormalisedMomentZ "normalised.moment_z" => |solution, _| solution.normalised.moment_z,
             TractionCoefficient => |solution, _| solution.traction_coefficient,
+            ForceErrorX "extrapolation.error.x" => |solution, _| {
+                solution.extrapolation.map(|found| found.error.x)
+            },
+            ForceErrorY "extrapolation.error.y" => |solution, _| {
+                solution.extrapolation.map(|found| found.error.y)
+            },
+            MomentErrorZ "extrapolation.error.moment_z" => |solution, _| {
+                solution.extrapolation.and_then(|found| found.error.moment_z)
+            },
             FrictionPower "power.friction" => |solution, _| solution.power.map(|p| p.friction),
             CreepPower "power.creep" => |solution, _| solution.power.map(|p| p.creep),
             ReturnedPower "power.returned" => |solution, _| solution.power.map(|p| p.returned),
@@ -292,6 +301,9 @@ impl Record for CreepCurve {
             NormalisedY => |curve, k| curve.points[k].normalised.y,
             NormalisedMomentZ => |curve, k| curve.points[k].normalised.moment_z,
             TractionCoefficient => |curve, k| curve.points[k].traction_coefficient,
+            ForceErrorX => |curve, k| curve.points[k].error.map(|error| error.x),
+            ForceErrorY => |curve, k| curve.points[k].error.map(|error| error.y),
+            MomentErrorZ => |curve, k| curve.points[k].error.and_then(|error| error.moment_z),
             FrictionPower => |curve, k| curve.points[k].power.map(|power| power.friction),
             CreepPower => |curve, k| curve.points[k].power.map(|power| power.creep),
             MaxRise => |curve, k| curve.points[k].max_rise,

@@ -269,6 +269,21 @@ fn creepages_over_a_force_are_those_that_cause_it() {
     assert_eq!(error.quantity(), Quantity::ForceY, "{error}");
 }
 
+/// Extrapolation tells the error of every point by the cells, as it does for a single solution.
+#[test]
+fn points_know_their_error_by_the_cells() {
+    let mut problem = problem(rolling(0.0, 0.0, 0.0));
+    problem.elasticity = common::half_space();
+    let options = Options { extrapolate: true, ..cells(20) };
+    let curve = curve(&problem, &options, &over_x(&problem, [0.0, 0.002]), 3);
+    let point = &curve.points[2];
+    let there = Problem { kinematics: point.kinematics, ..problem };
+    let alone = SteadySolver::new(&options).solve(&there, &unwatched).unwrap();
+    let [error, expected] = [point.error.unwrap().x, alone.extrapolation.unwrap().error.x];
+    assert!(error.abs() > 1e-5 * alone.force.x.abs());
+    assert_relative_eq!(error, expected, max_relative = 1e-2);
+}
+
 /// A curve costs about as much as its points, which are some 50 products each from a cold start.
 #[test]
 fn work_is_that_of_the_points() {

@@ -91,6 +91,8 @@ pub struct Point {
     pub normalised: Resultant,
     /// |F|/N, dimensionless.
     pub traction_coefficient: f64,
+    /// Estimated errors of the forces by the cells, if extrapolation is requested.
+    pub error: Option<Resultant>,
     /// Power of friction and of the creep forces, if the method computes it.
     pub power: Option<Power>,
     /// Largest temperature rise, in K, if the method computes it.
@@ -113,6 +115,7 @@ impl Point {
             force: solution.force,
             normalised: solution.normalised,
             traction_coefficient: solution.traction_coefficient,
+            error: solution.extrapolation.map(|found| found.error),
             power: solution.power,
             max_rise: solution.temperature.map(|largest| largest.max_rise),
             area: solution.area,
