@@ -4,6 +4,7 @@ mod common;
 
 use std::sync::Arc;
 
+use schlupf::creep_curve::{Creepages, Path, Sampling, trace};
 use schlupf::error::ForceError;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
@@ -12,7 +13,7 @@ use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, constant::Constant};
 use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, Brush, FastMethod, Method};
+use schlupf::method::{AreaReduction, Brush, FastMethod, Method, TractionBound};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::prescribed::ForceSolver;
 use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
@@ -338,6 +339,46 @@ fn forces_beyond_friction_are_refused_with_the_largest() {
     let near = Problem { prescribed: forces(-0.995 * limit, None), ..problem.clone() };
     let found = found_by(Method::Full, &near);
     assert!((found.force.x / limit + 0.995).abs() < 1e-5);
+}
+
+/// Close to the peak of falling friction both creepages are found, each on its side of it: with
+/// laws of the temperature and of the slip speed, with the full solver and with FASTSIM.
+#[test]
+fn both_states_next_to_the_peak() {
+    let polach = Arc::new(Polach::new(0.36, 0.38, 0.7).unwrap());
+    let falling = Problem { friction: Friction::new(polach, 20.0), ..contact() };
+    let brush = Brush { bound: TractionBound::Elliptic, ..Brush::KALKER };
+    let fastsim = Method::Fast(FastMethod::Fastsim(brush));
+    for (name, problem, method) in [
+        ("heat", heated(), Method::Full),
+        ("speed", falling.clone(), Method::Full),
+        ("FASTSIM", falling, fastsim),
+    ] {
+        let own = Creepages::of(&problem.kinematics);
+        let path = Path::new(own, Creepages { x: 0.1, ..own }).unwrap();
+        let mut solver = method.solver(&options(12));
+        let curve = trace(&mut *solver, &problem, &path, &Sampling::default(), &unwatched).unwrap();
+        let peak = curve.maximum().unwrap();
+        for part in [0.9, 0.97, 0.98, 0.99, 0.995, 0.998] {
+            let force = part * peak.force.x;
+            let prescribed = forces(force, None);
+            let at = |branch: Branch| {
+                let options = Options { branch, ..options(12) };
+                let problem = Problem { prescribed, ..problem.clone() };
+                let solution =
+                    ForceSolver::new(method.solver(&options)).solve(&problem, &unwatched);
+                let solution = solution.unwrap_or_else(|error| panic!("{name}, {part}: {error}"));
+                let off = (solution.force.x / force - 1.0).abs();
+                assert!(off < 1e-4, "{name}, {part}: {off:e}");
+                let is_told = |warning: &Warning| matches!(warning, Warning::SeveralMotions { .. });
+                assert!(solution.warnings.iter().any(is_told), "{name}, {part}");
+                solution.kinematics.creepage_x
+            };
+            let (low, high) = (at(Branch::LowSlip), at(Branch::HighSlip));
+            let top = peak.kinematics.creepage_x;
+            assert!(low < top && high > top, "{name}, {part}: {low} {top} {high}");
+        }
+    }
 }
 
 /// Friction that falls with heat: on the way to a small force the search tries creepages at which

@@ -150,7 +150,15 @@ impl ForceSolver {
             self.inner.forget();
             found.extend(self.inner.solve_for_forces(&near, watch)?);
         }
-        let is_whole = found.len() == path.states.len();
+        // They are those of the path, one below and one above the largest force.
+        let are_apart = match &found[..] {
+            [low, high] => {
+                let size = |state: &Solution| scaled.creepages(&state.kinematics).norm();
+                scaled.are_distinct(low, high) && size(low) < size(high)
+            }
+            _ => true,
+        };
+        let is_whole = found.len() == path.states.len() && are_apart;
         let mut found = found.into_iter();
         let Some(first) = found.next().filter(|_| is_whole) else {
             // The states on fewer cells are not those of this grid.
@@ -225,10 +233,12 @@ impl ForceSolver {
         let nearer = nearer.transpose()?.filter(|nearer| nearer.states.is_empty());
         let path = nearer.as_ref().unwrap_or(path);
         let terms = scaled.in_terms(&path.largest);
-        let Some((quantity, [value, largest])) = terms else {
+        let Some(terms) = terms else {
             return Ok(ForceError::NotPossible { quantity: first }.into());
         };
-        if !path.is_complete {
+        let (quantity, [value, largest]) = terms;
+        let is_reached = terms.1[1].abs() >= terms.1[0].abs();
+        if !path.is_complete || is_reached {
             return Ok(ForceError::NotFound { quantity, value, nearest: largest }.into());
         }
         let limit = scaled.has_uniform_friction().then_some(scaled.limit);

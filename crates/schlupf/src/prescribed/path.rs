@@ -54,6 +54,11 @@ const FALLEN: f64 = 0.5;
 /// Halvings of the step by which the turning point of the path is found.
 const TURN_HALVINGS: usize = 12;
 
+/// Halvings of the distance of two points after which a state between them is not found, and the
+/// part of it by which Newton's method may leave them.
+const LANDING_HALVINGS: usize = 10;
+const BESIDE: f64 = 0.1;
+
 /// Error of the forces over the tolerance of the solver within which they are the prescribed ones.
 pub(super) const ACCURACY: f64 = 3.0;
 
@@ -123,35 +128,31 @@ impl Follower<'_> {
                 }
                 continue;
             };
-            if (here.share < 1.0) != (next.share < 1.0) {
-                let Some(state) = self.land(&here, &next)? else {
-                    step *= 0.5;
-                    if step < LEAST {
-                        break;
-                    }
-                    continue;
-                };
-                path.states.push(state);
-                if is_single {
-                    path.is_complete = true;
-                    return Ok(path);
-                }
-                if path.states.len() == 2 {
-                    path.is_complete = true;
+            // Once there is a state the largest forces are not asked for.
+            let turns = path.states.is_empty() && self.rises(&here) && !self.rises(&next);
+            let top = if turns { self.turn(&here, step)? } else { None };
+            let Some(found) = self.crossings(&here, top.as_ref(), (step, &next))? else {
+                step *= 0.5;
+                if step < LEAST {
                     break;
                 }
+                continue;
+            };
+            path.states.extend(found);
+            if is_single && !path.states.is_empty() {
+                path.states.truncate(1);
+                path.is_complete = true;
+                return Ok(path);
             }
-            let mut peak = None;
-            // Once there is a state the largest forces are not asked for.
-            if path.states.is_empty() && self.rises(&here) && !self.rises(&next) {
-                peak = Some(self.turn(&here, step)?);
+            if path.states.len() >= 2 {
+                path.states.truncate(2);
+                path.is_complete = true;
+                break;
             }
-            for (share, forces) in
-                [Some((next.share, next.response.forces.clone())), peak].into_iter().flatten()
-            {
-                if share > largest {
-                    largest = share;
-                    path.largest = forces;
+            for point in top.iter().map(|(_, top)| top).chain([&next]) {
+                if point.share > largest {
+                    largest = point.share;
+                    path.largest = point.response.forces.clone();
                 }
             }
             if path.states.is_empty() && next.share < FALLEN * largest {
@@ -227,11 +228,70 @@ impl Follower<'_> {
         Ok(None)
     }
 
-    /// The state with the prescribed forces between two points.
-    fn land(&mut self, here: &Point, next: &Point) -> Result<Option<Response>, Error> {
-        let part = (1.0 - here.share) / (next.share - here.share);
-        let span = &next.response.creepages - &here.response.creepages;
-        let mut creepages = &here.response.creepages + &span * part;
+    /// The states with the prescribed forces within a step that passes a turning point or not;
+    /// `None` where one of them is not found.
+    fn crossings(
+        &mut self,
+        here: &Point,
+        top: Option<&(f64, Point)>,
+        (step, next): (f64, &Point),
+    ) -> Result<Option<Vec<Response>>, Error> {
+        let mut places = vec![(0.0, here)];
+        places.extend(top.map(|(place, top)| (*place, top)));
+        places.push((step, next));
+        let mut found = Vec::new();
+        for pair in places.windows(2) {
+            let ends = [pair[0], pair[1]];
+            if (ends[0].1.share < 1.0) == (ends[1].1.share < 1.0) {
+                continue;
+            }
+            match self.land(here, ends)? {
+                Some(state) => found.push(state),
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(found))
+    }
+
+    /// The state with the prescribed forces between two points, each with its distance from the
+    /// one before: Newton's method, from closer by where it leaves them or ends on the other side
+    /// of a turning point.
+    fn land(
+        &mut self,
+        here: &Point,
+        [low, high]: [(f64, &Point); 2],
+    ) -> Result<Option<Response>, Error> {
+        let rises = high.1.share > low.1.share;
+        let end =
+            |(place, point): (f64, &Point)| (place, point.share, point.response.creepages.clone());
+        let (mut low, mut high) = (end(low), end(high));
+        for _ in 0..=LANDING_HALVINGS {
+            let part = (1.0 - low.1) / (high.1 - low.1);
+            let span = &high.2 - &low.2;
+            if let Some(found) = self.polish(&low.2, &span, part)? {
+                let slope = self.tangent(&found, &here.tangent)[self.scaled.count()];
+                if (slope > 0.0) == rises {
+                    return Ok(Some(found));
+                }
+            }
+            let middle = 0.5 * (low.0 + high.0);
+            let Some((point, _)) = self.step(here, middle)? else { return Ok(None) };
+            let is_low = (point.share < 1.0) == (low.1 < 1.0);
+            *(if is_low { &mut low } else { &mut high }) =
+                (middle, point.share, point.response.creepages);
+        }
+        Ok(None)
+    }
+
+    /// Newton's method for the prescribed forces, from a part of the way between two creepages, as
+    /// long as it stays there.
+    fn polish(
+        &mut self,
+        start: &DVector<f64>,
+        span: &DVector<f64>,
+        part: f64,
+    ) -> Result<Option<Response>, Error> {
+        let mut creepages = start + span * part;
         let tolerance = ACCURACY * self.solver.options().tolerance * self.way.norm().min(1.0);
         let mut last = f64::INFINITY;
         for _ in 0..=MOST_CORRECTIONS {
@@ -245,26 +305,27 @@ impl Follower<'_> {
             last = off.norm();
             let Some(change) = response.jacobian.clone().lu().solve(&off) else { return Ok(None) };
             creepages = response.creepages + change;
-            let from_here = (&creepages - &here.response.creepages).norm();
-            if from_here > 2.0 * span.norm() {
+            let along = (&creepages - start).dot(span) / span.norm_squared();
+            if !(-BESIDE..=1.0 + BESIDE).contains(&along) {
                 return Ok(None);
             }
         }
         Ok(None)
     }
 
-    /// The largest share, with its forces, between a point where it rises and the one a step
-    /// further, where it falls.
-    fn turn(&mut self, here: &Point, step: f64) -> Result<(f64, DVector<f64>), Error> {
-        let mut best = (here.share, here.response.forces.clone());
+    /// Where the share is largest between a point where it rises and the one a step further, where
+    /// it falls: how far from the first, and the point; `None` if that is the first.
+    fn turn(&mut self, here: &Point, step: f64) -> Result<Option<(f64, Point)>, Error> {
+        let mut best: Option<(f64, Point)> = None;
         let [mut low, mut high] = [0.0, step];
         for _ in 0..TURN_HALVINGS {
             let middle = 0.5 * (low + high);
             let Some((point, _)) = self.step(here, middle)? else { break };
-            if point.share > best.0 {
-                best = (point.share, point.response.forces.clone());
-            }
             *(if self.rises(&point) { &mut low } else { &mut high }) = middle;
+            let highest = best.as_ref().map_or(here.share, |(_, best)| best.share);
+            if point.share > highest {
+                best = Some((middle, point));
+            }
         }
         Ok(best)
     }
