@@ -3,7 +3,9 @@
 use clap::{ArgGroup, Args, ValueEnum};
 use schlupf::Watch;
 use schlupf::creep_curve::{MAX_POINTS, Sampling, Spacing, VariedForce};
-use schlupf_case::{CaseError, CaseErrors, CaseFile, Family, direction, quantity_field, range};
+use schlupf_case::{
+    CaseError, CaseErrors, CaseFile, Family, Place, direction, quantity_field, range,
+};
 use schlupf_output::creep_curve::CurveFamily;
 use schlupf_tasks::curve::{self, Names, Plan, Request, Varied};
 
@@ -152,6 +154,12 @@ impl Curve {
     }
 
     fn varied(&self) -> Result<Varied, CaseError> {
+        // Clap drops what an option requires where that conflicts with another one.
+        if let Some(text) = self.direction.as_deref().filter(|_| self.creepage.is_none()) {
+            let place = Place::Override { option: DIRECTION.into(), text: text.to_owned() };
+            let reason = format!("{DIRECTION} is that of {CREEPAGE}, which is not given");
+            return Err(CaseError::new("", reason, place));
+        }
         let range = |option, field, text: &Option<String>| {
             text.as_deref().map(|text| range(option, field, text)).transpose()
         };

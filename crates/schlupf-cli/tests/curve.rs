@@ -65,7 +65,6 @@ fn a_family_has_a_curve_for_each_value() {
     assert_eq!(table.lines().filter(|line| line.starts_with("2e1,")).count(), 9);
 }
 
-/// Two fields: curves of all pairs, each like the one alone, and maps of the largest forces.
 /// Braking forces over the load at even steps; each has its creepage.
 #[test]
 fn creepage_over_force() {
@@ -106,6 +105,7 @@ fn a_force_varies_in_place_of_the_motion_of_the_case() {
     assert_eq!(found, of("force_x = \"-5 kN\""));
 }
 
+/// Two fields: curves of all pairs, each like the one alone, and maps of the largest forces.
 #[test]
 fn two_fields_make_a_map() {
     let bench = bench();
@@ -188,6 +188,11 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--creepage 0..2 --direction 0 deg", "does not at creepage = 1"],
     ),
     (&["--creepage", "0..0.1"], &["--direction <ANGLE>"]),
+    (&["--creepage-x", "0..0.1", "--direction", "3 deg"], &["--direction is that of --creepage"]),
+    (
+        &["--force-x", "0..-40 kN", "--over", "normal.load=60 kN,70 kN"],
+        &["--force-x 0..-40 kN with normal.load = 60 kN: kinematics.force_x cannot be"],
+    ),
     (&["--creepage", "0..0.1", "--direction", "30"], &["must be an angle", "\"30\""]),
     (&["--creepage", "0..0.1", "--creepage-x", "0..1"], &["cannot be used with"]),
     (&["--creepage-x", "0..0.1", "--points", "1"], &["'1' for '--points", "between 2 and 10000"]),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 /// Sections in the order of a case file.
-const SECTIONS: [&str; 14] = [
+const SECTIONS: [&str; 15] = [
     "kinematics",
     "wheel",
     "rail",
@@ -11,6 +11,7 @@ const SECTIONS: [&str; 14] = [
     "track",
     "wheelset",
     "elasticity",
+    "layer",
     "contact_law",
     "friction",
     "heat",

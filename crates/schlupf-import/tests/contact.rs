@@ -432,13 +432,34 @@ fn refused(changes: &[(&str, &str)], line: usize, expected: &str) {
     assert!(found.iter().any(is_named), "{changes:?}: {found:#?}");
 }
 
+/// A layer between the surfaces, elastic where TAU_C0 is zero, or with a limit; points below the
+/// surface are another command's.
+#[test]
+fn a_layer_and_points_below_the_surface() {
+    let layer = |model: &str| {
+        let model = format!("GG 1,2\n {model}\n");
+        one(&with(BALL, &[("022020", "022420"), ("GG 1,2\n", &model)])).text
+    };
+    let elastic = layer("8200 1.25 0 0");
+    has(&elastic, &["thickness = \"1.25 mm\"", "shear_modulus = \"8200 MPa\""]);
+    has(&elastic, &["model = \"half-space\"", "model = \"coulomb\""]);
+    assert!(!elastic.contains("yield_stress"), "{elastic}");
+    let flows = layer("5000 1 200 434.8");
+    has(&flows, &["yield_stress = \"200 MPa\"", "hardening = \"434.8 MPa/mm\""]);
+    let below = with(BALL, &[("203100", "203101")]);
+    assert!(one(&below).text.contains("`schlupf subsurface`"));
+}
+
 /// Digit by digit: name, value, why, and the line.
 #[test]
 fn digits_that_are_not_available_are_named() {
     let gg = "GG 1,2\n";
     for (changes, line, expected) in [
-        (&[("203100", "203101")][..], 5, "S = 1: stresses below the surface are not available"),
-        (&[("203100", "213100"), (gg, "GG 1,2\n 1e-4\n")], 5, "B = 1: a compressible layer (FLXZ)"),
+        (
+            &[("203100", "213100"), (gg, "GG 1,2\n 1e-4\n")][..],
+            5,
+            "B = 1: a compressible layer (FLXZ)",
+        ),
         (&[("203100", "233100")], 5, "B = 3: a parabolic pressure on the half-space"),
         (
             &[("203100", "253000"), (" 52359.878", " 0.1")],
@@ -447,11 +468,6 @@ fn digits_that_are_not_available_are_named() {
         ),
         (&[("022020", "022120"), (gg, "GG 1,2\n 1 1 1 1\n")], 6, "M = 1: viscoelastic bodies"),
         (&[("022020", "022220"), (gg, "GG 1,2\n 1e-5 1 1 0\n")], 6, "M = 2: FASTSIM with a flexib"),
-        (
-            &[("022020", "022420"), (gg, "GG 1,2\n 8200 1.25 0 0\n")],
-            6,
-            "M = 4: a layer between the",
-        ),
         (&[("022020", "022520"), (gg, "GG 1,2\n 1 1 0\n")], 6, "M = 5: FaStrip is not available"),
         (
             &[("022020", "024020"), (" 0.28 0.28", " 0 1 2\n 0 0 1 0.1\n 0.28 0.28")],
@@ -553,13 +569,13 @@ fn everything_is_told_once() {
     let several = with(
         BALL,
         &[
-            ("203100", "203101"),
-            ("022020", "022420"),
-            (gg, "GG 1,2\n 8200 1.25 0 0\n"),
+            ("203100", "213100"),
+            ("022020", "022120"),
+            (gg, "GG 1,2\n 1e-4\n 1 1 1 1\n"),
             (" 0 MODULE\n", ""),
         ],
     );
-    let second = " 3\n 203100\n 100400\n 0100111\n 52359.878 0.002 0 0\n 0\n";
+    let second = " 3\n 203100\n 100100\n 0100111\n 52359.878 0.002 0 0\n 0\n";
     let found = errors(&(several + second));
     assert_eq!(found.len(), 3, "{found:#?}");
 }

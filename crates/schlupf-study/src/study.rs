@@ -31,7 +31,7 @@ const FAST_BATCH: [usize; 2] = [256, 4096];
 const BATCHES: usize = 64;
 
 /// Most rows of a study.
-const MOST_ROWS: usize = 1_000_000_000;
+const MOST_ROWS: usize = 100_000_000;
 
 /// A case and what varies over it.
 #[derive(Debug, Clone)]

@@ -103,7 +103,7 @@ impl Plan {
                 let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
                 watch(progress.of(done, total))
             });
-            found.map_err(|error| request.failure(&member.case, &error))
+            found.map_err(|error| request.failure(&member.case, &member.values, &error))
         })?;
         let over = request.over.iter().map(|family| family.field.to_owned()).collect();
         Ok(CurveFamily::new(title, over, sampling, found))
@@ -128,7 +128,8 @@ impl Request {
             cases = each;
         }
         let member = |(values, case): (Vec<FieldValue>, Case)| {
-            let path = self.varied.path(&case).map_err(|error| self.failure(&case, &error))?;
+            let path = self.varied.path(&case);
+            let path = path.map_err(|error| self.failure(&case, &values, &error))?;
             let case = self.varied.in_place_of_forces(case);
             Ok(Member { values, case, path })
         };
@@ -195,10 +196,10 @@ impl Request {
     }
 
     fn check(&self, member: &Member) -> Result<(), TaskError> {
-        let Member { case, path, .. } = member;
+        let Member { values, case, path } = member;
         case.require_steady("a creep curve is")?;
         creep_curve::check(&case.problem, path, &self.sampling)
-            .map_err(|error| self.failure(case, &error))
+            .map_err(|error| self.failure(case, values, &error))
     }
 
     /// What varies and makes a field of the case count for nothing.
@@ -228,12 +229,22 @@ impl Request {
         }
     }
 
-    /// An error of the core about a curve: of what varies, or of the case.
-    fn failure(&self, case: &Case, error: &schlupf::Error) -> TaskError {
+    /// An error of the core about a curve: of what varies, with the fields that make the curve one
+    /// of several, or of the case.
+    fn failure(&self, case: &Case, values: &[FieldValue], error: &schlupf::Error) -> TaskError {
         let field = quantity_field(error.quantity());
         if self.in_place_of(field).is_some() {
             let given = &self.names.given;
-            TaskError::Request(format!("{given}: {}", error.text(&FieldNames::CASE)))
+            let of_curve = self.over.iter().zip(values);
+            let of_curve =
+                of_curve.map(|(family, value)| format!("{} = {}", family.field, value.text));
+            let of_curve: Vec<String> = of_curve.collect();
+            let of_curve = if of_curve.is_empty() {
+                String::new()
+            } else {
+                format!(" with {}", of_curve.join(", "))
+            };
+            TaskError::Request(format!("{given}{of_curve}: {}", error.text(&FieldNames::CASE)))
         } else {
             case.explain(error).into()
         }

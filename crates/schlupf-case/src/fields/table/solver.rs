@@ -39,8 +39,8 @@ section! {
         Computed("\"steady\", and \"marching\" with a history"),
         "how the solution is found", example("steady"), with(METHOD, FULL);
     "branch" [Branch] Kind::Choice(BranchChoice::CHOICES), Finite, Text("low-slip"),
-        "which steady state, where friction falls so steeply that there are several",
-        with(METHOD, FULL);
+        "which steady state, where friction falls so steeply that there are several, or where two \
+         motions have the prescribed forces";
     "method" [Method] Kind::Choice(MethodChoice::CHOICES), Finite, Text("full"),
         "what is solved: all equations, or a fast method";
     "table" [LookUpTable] Kind::Path, Finite, Computed("the standard table, for ν = 0.28"),

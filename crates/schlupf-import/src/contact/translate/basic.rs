@@ -44,7 +44,7 @@ pub fn write(
     wheel: WheelBody,
     stem: &str,
 ) -> Option<Written> {
-    laws::refuse_digits(case, control);
+    laws::remark_digits(case, control);
     let rolling = control.is_rolling().then_some(basic.rolling.as_ref()).flatten();
     let frame = frame(case, control, rolling, wheel);
     if let Some(elastic) = &basic.elastic {

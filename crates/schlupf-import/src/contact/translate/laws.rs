@@ -50,7 +50,10 @@ pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
 pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
     let material = control.material;
     match material.whole() {
-        0 => {
+        0 | 4 => {
+            if material.is(4) {
+                third_body(case, elastic);
+            }
             case.document.text("elasticity.model", "half-space");
             case.document.text("contact_law.model", "coulomb");
             if control.bound.is(3) {
@@ -68,11 +71,6 @@ pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
             "FASTSIM with a flexibility FLX that is given is not available",
             "M = 3 finds the flexibilities from Kalker's coefficients",
         ),
-        4 => case.refuse(
-            material,
-            "a layer between the surfaces (GG3, LAYTHK, TAU_C0, K_TAU) is not available",
-            "M = 0 is without a layer",
-        ),
         _ => case.refuse(
             material,
             "FaStrip is not available",
@@ -82,6 +80,21 @@ pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
     bound(case, control);
     if control.damping.value >= 2.0 {
         case.refuse(control.damping, "damping is not available", "leave it out: M2 = 0");
+    }
+}
+
+/// A layer between the surfaces: GG3 in N/mm², LAYTHK in mm, TAU_C0 in N/mm², where it is zero
+/// elastic only, and K_TAU in N/mm³.
+fn third_body(case: &mut Translation, elastic: &Elastic) {
+    let [shear_modulus, thickness, stress, hardening] = elastic.model[..] else { return };
+    let document = &mut case.document;
+    document.quantity("layer.thickness", thickness.value, "mm");
+    document.quantity("layer.shear_modulus", shear_modulus.value, "MPa");
+    if stress.value > 0.0 {
+        document.quantity("layer.yield_stress", stress.value, "MPa");
+        if hardening.value != 0.0 {
+            document.quantity("layer.hardening", hardening.value, "MPa/mm");
+        }
     }
 }
 
@@ -196,13 +209,12 @@ pub fn heat(case: &mut Translation, control: &Control, heat: Option<&Heat>, whee
     }
 }
 
-/// Digits that both modules refuse.
-pub fn refuse_digits(case: &mut Translation, control: &Control) {
+/// What is said of digits of both modules.
+pub fn remark_digits(case: &mut Translation, control: &Control) {
     if control.stress.value != 0.0 {
-        case.refuse(
-            control.stress,
-            "stresses below the surface are not available",
-            "S = 0 solves the contact alone",
+        case.remark(
+            "The points of stresses below the surface (S) are left out: `schlupf subsurface` computes \
+             them for this case.",
         );
     }
 }

@@ -20,7 +20,7 @@ pub fn translate(
     folder: &str,
 ) -> Translation {
     let mut case = Translation::new(source);
-    laws::refuse_digits(&mut case, control);
+    laws::remark_digits(&mut case, control);
     digits(&mut case, control);
     materials(&mut case, control, wheel_rail);
     case.document.text("normal.model", "wheel-rail");
