@@ -32,6 +32,9 @@ pub(super) struct ForceControl {
     creepages: DVector<f64>,
     /// ∂(forces)/∂(creepages) at the end of a step, in their units.
     slopes: DMatrix<f64>,
+    /// Creepages of the last step that ended at its forces, and the slopes before any step.
+    reached: DVector<f64>,
+    first_slopes: DMatrix<f64>,
     /// Creepages and missing forces of the trial before.
     before: Option<(DVector<f64>, DVector<f64>)>,
     trials: usize,
@@ -44,6 +47,11 @@ const MOST_TRIALS: usize = 40;
 
 /// Longest change of the creepages from trial to trial: in their units, and relative to them.
 const LONGEST: [f64; 2] = [4.0, 2.0];
+
+/// Largest creepages that are tried: of a wheel that slides but still turns, and of one that turns
+/// eleven times as fast as it rolls.
+const SLOWEST: f64 = 0.95;
+const FASTEST: f64 = 10.0;
 
 /// Refuses tangential forces of at least μN, if friction is the same everywhere.
 fn refuse_beyond_friction(
@@ -106,6 +114,7 @@ impl ForceControl {
         let count = directions.len();
         // Kalker's slopes take the passage of the patch.
         let of_step = (way / normal.semi_axis_x).min(1.0);
+        let first_slopes = DMatrix::identity(count, count) * of_step;
         Ok(Some(Self {
             prescribed,
             directions,
@@ -113,7 +122,9 @@ impl ForceControl {
             force_units,
             creepage_units,
             creepages: DVector::zeros(count),
-            slopes: DMatrix::identity(count, count) * of_step,
+            slopes: first_slopes.clone(),
+            reached: DVector::zeros(count),
+            first_slopes,
             before: None,
             trials: 0,
             missing: 0.0,
@@ -129,8 +140,13 @@ impl ForceControl {
         motion.at(self.place.map(|part| -part))
     }
 
-    /// Prepares a step that ends at a time, in s.
+    /// Prepares a step that ends at a time, in s. After one whose forces no creepage causes the
+    /// search goes on from the last that had its forces.
     pub fn begin(&mut self, history: &History, time: f64) {
+        if self.trials >= MOST_TRIALS {
+            self.creepages.copy_from(&self.reached);
+            self.slopes.copy_from(&self.first_slopes);
+        }
         self.prescribed = history.prescribed(time, &self.prescribed);
         (self.before, self.trials) = (None, 0);
     }
@@ -155,7 +171,12 @@ impl ForceControl {
         let share = if bound > 0.0 { measure(bound, traction) / bound } else { 1.0 };
         self.missing = missing.norm();
         self.trials += 1;
-        if self.missing <= accuracy * size.max(share) || self.trials >= MOST_TRIALS {
+        if self.missing <= accuracy * size.max(share) {
+            self.trials = self.trials.min(MOST_TRIALS - 1);
+            self.reached.copy_from(&self.creepages);
+            return true;
+        }
+        if self.trials >= MOST_TRIALS {
             return true;
         }
         self.learn(&missing);
@@ -165,9 +186,30 @@ impl ForceControl {
         if change.norm() > longest {
             change *= longest / change.norm();
         }
+        self.keep_possible(&mut change);
         self.before = Some((self.creepages.clone(), missing));
         self.creepages += change;
         false
+    }
+
+    /// Shortens a change of the creepages to which the wheel would lock, turn backwards or turn many
+    /// times as fast as it rolls.
+    fn keep_possible(&self, change: &mut DVector<f64>) {
+        let mut part = 1.0_f64;
+        for (k, direction) in self.directions.iter().enumerate() {
+            let bounds = match direction {
+                Direction::X => [-FASTEST, SLOWEST],
+                Direction::Y => [-SLOWEST, SLOWEST],
+                Direction::Spin => continue,
+            };
+            let unit = self.creepage_units[k];
+            let next = (self.creepages[k] + change[k]) * unit;
+            let bound = if next > bounds[1] { bounds[1] } else { next.max(bounds[0]) };
+            if bound != next {
+                part = part.min((bound / unit - self.creepages[k]) / change[k]);
+            }
+        }
+        *change *= part.max(0.0);
     }
 
     /// Corrects the slopes by what the last change of the creepages did.
