@@ -4,14 +4,7 @@
 mod support;
 
 use schlupf_import::contact::WheelBody;
-use support::{BALL, errors, import, import_with, one, with};
-
-/// Lines of a case file.
-fn has(text: &str, lines: &[&str]) {
-    for line in lines {
-        assert!(text.lines().any(|of_text| of_text == *line), "{line} is missing in\n{text}");
-    }
-}
+use support::{BALL, errors, has, import, import_with, one, with};
 
 /// The whole of the simplest case: every value under its unit and sign.
 #[test]
@@ -400,28 +393,6 @@ fn steps_become_a_history() {
     assert!(found[0].contains("T = 3: transient rolling that goes on from steady"), "{found:?}");
 }
 
-/// Forces over time: FXREL and FYREL times FSTAT FN of each step, in place of the creepages.
-#[test]
-fn forces_of_steps_become_a_history() {
-    let begin = with(
-        BALL,
-        &[("203100", "202120"), (" 0 MODULE\n", ""), ("0.001 ", "-0.5 "), ("-0.0005", "0.2")],
-    );
-    let step = " 3\n  002120\n  100000\n 0100111\n 60000. -0.4 0.2 0.0002\n 0\n";
-    let case = one(&format!("{begin}{step}"));
-    assert_eq!(case.numbers, [1, 2]);
-    // Times 0.3 · 52.359878 kN, and 0.3 · 60 kN.
-    let lines = [
-        "force_x = [\"-7.8539817 kN\", \"-7.8539817 kN\", \"-7.2 kN\"]",
-        "force_y = [\"3.14159268 kN\", \"3.14159268 kN\", \"3.6 kN\"]",
-    ];
-    has(&case.text, &lines);
-    assert!(!case.text.contains("creepage_"), "{}", case.text);
-    let mixed = step.replace("002120", "002100").replace("-0.4", "0.001");
-    let found = errors(&format!("{begin}{mixed}"));
-    assert!(found[0].contains("F = 0: a change within a sequence"), "{found:?}");
-}
-
 /// What a change of the ball's input must be refused for, and in which line.
 fn refused(changes: &[(&str, &str)], line: usize, expected: &str) {
     let found = errors(&with(BALL, changes));
@@ -430,24 +401,6 @@ fn refused(changes: &[(&str, &str)], line: usize, expected: &str) {
         error.strip_prefix(&place).is_some_and(|error| error.starts_with(expected))
     };
     assert!(found.iter().any(is_named), "{changes:?}: {found:#?}");
-}
-
-/// A layer between the surfaces, elastic where TAU_C0 is zero, or with a limit; points below the
-/// surface are another command's.
-#[test]
-fn a_layer_and_points_below_the_surface() {
-    let layer = |model: &str| {
-        let model = format!("GG 1,2\n {model}\n");
-        one(&with(BALL, &[("022020", "022420"), ("GG 1,2\n", &model)])).text
-    };
-    let elastic = layer("8200 1.25 0 0");
-    has(&elastic, &["thickness = \"1.25 mm\"", "shear_modulus = \"8200 MPa\""]);
-    has(&elastic, &["model = \"half-space\"", "model = \"coulomb\""]);
-    assert!(!elastic.contains("yield_stress"), "{elastic}");
-    let flows = layer("5000 1 200 434.8");
-    has(&flows, &["yield_stress = \"200 MPa\"", "hardening = \"434.8 MPa/mm\""]);
-    let below = with(BALL, &[("203100", "203101")]);
-    assert!(one(&below).text.contains("`schlupf subsurface`"));
 }
 
 /// Digit by digit: name, value, why, and the line.

@@ -70,3 +70,10 @@ pub fn read(case: &ImportedCase) -> CaseFile {
 pub fn posed(case: &ImportedCase) -> Case {
     read(case).pose(&schlupf::unwatched).unwrap_or_else(|errors| panic!("{errors}\n{}", case.text))
 }
+
+/// Lines of a case file.
+pub fn has(text: &str, lines: &[&str]) {
+    for line in lines {
+        assert!(text.lines().any(|of_text| of_text == *line), "{line} is missing in\n{text}");
+    }
+}

@@ -192,8 +192,8 @@ impl ForceControl {
         false
     }
 
-    /// Shortens a change of the creepages to which the wheel would lock, turn backwards or turn many
-    /// times as fast as it rolls.
+    /// Shortens a change of the creepages with which the wheel would lock, turn backwards or turn
+    /// many times as fast as it rolls.
     fn keep_possible(&self, change: &mut DVector<f64>) {
         let mut part = 1.0_f64;
         for (k, direction) in self.directions.iter().enumerate() {
