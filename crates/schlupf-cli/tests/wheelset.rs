@@ -30,6 +30,22 @@ cells_y = 16
 model = \"none\"
 ";
 
+/// A case without elasticity has a table even where a patch on the flange is more slender than those
+/// that the default layer is calibrated for.
+#[test]
+fn slender_patches_do_not_keep_the_table_from_being_written() {
+    let bench = Bench::new();
+    let text = CASE.replace("[elasticity]\nmodel = \"half-space\"\n", "");
+    bench.write("case.toml", &text.replace("20 kN", "80 kN"));
+    let points = ["--lateral-position", "-8..8 mm", "--points", "5", "--csv", "c.csv"];
+    let run = bench.run(&[&["wheelset", "case.toml"], &points[..]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(bench.read("c.csv").lines().count() > 10);
+    let layer = ["--set", "elasticity.model=elastic-layer"];
+    let run = bench.run(&[&["wheelset", "case.toml"], &points[..], &layer].concat());
+    assert!(run.stderr.contains("the layer is calibrated for ratios"), "{}", run.stderr);
+}
+
 fn bench() -> Bench {
     let bench = Bench::new();
     bench.write("case.toml", CASE);

@@ -466,6 +466,17 @@ messages! {
          {tolerance:.1e}"
     );
 
+    /// Prescribed forces that a time step did not end with.
+    "missed-force" MissedForce {
+        /// What is prescribed.
+        force: Quantity,
+        /// End of the first such step, in s.
+        time: f64,
+    } *force, |name, words| format!(
+        "no creepages were found with which the time step that ends at {time:.4e} s has the {name} \
+         prescribed: it may be beyond friction"
+    );
+
     /// A march that ended early.
     "short-march" ShortMarch {
         /// Time steps that were done.

@@ -13,6 +13,7 @@ use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, constant::Constant};
 use schlupf::kinematics::Kinematics;
+use schlupf::message::Names;
 use schlupf::method::{AreaReduction, Brush, FastMethod, Method, TractionBound};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::prescribed::ForceSolver;
@@ -379,6 +380,28 @@ fn both_states_next_to_the_peak() {
             assert!(low < top && high > top, "{name}, {part}: {low} {top} {high}");
         }
     }
+}
+
+/// Forces over time beyond falling friction: the first step that misses them is named, and the
+/// creepages stay those of a wheel that turns.
+#[test]
+fn forces_over_time_beyond_falling_friction_are_named() {
+    let mut problem = heated();
+    problem.kinematics = Kinematics::free_rolling(30.0);
+    let load = problem.normal.normal_contact(None).unwrap().summary.load;
+    let history = History {
+        time: vec![0.0, 1e-3, 2e-3],
+        force_x: Some([0.0, -0.4, -0.1].map(|part| part * load).to_vec()),
+        ..History::default()
+    };
+    let transient = Transient { problem, history, initial_state: None };
+    let marched = march(&transient, &options(8), &unwatched).unwrap();
+    assert_eq!(marched.status, Status::NotConverged);
+    let told = marched.warnings[0].message(&Names).text;
+    assert!(told.contains("the time step that ends at") && told.contains("force_x"), "{told}");
+    let creepages = marched.history.iter().map(|instant| instant.kinematics.creepage_x);
+    let largest = creepages.fold(0.0_f64, |largest, creepage| largest.max(creepage.abs()));
+    assert!(largest <= 0.951, "{largest}");
 }
 
 /// Friction that falls with heat: on the way to a small force the search tries creepages at which

@@ -151,6 +151,11 @@ impl ForceControl {
         (self.before, self.trials) = (None, 0);
     }
 
+    /// What is prescribed first, if the last step did not end with its forces.
+    pub fn missed(&self) -> Option<Quantity> {
+        self.prescribed.first().filter(|_| self.trials >= MOST_TRIALS)
+    }
+
     /// Compares the forces of a trial with those prescribed under a load in N, to an accuracy
     /// relative to the bounds ‖μ pₙ‖₂ and the tractions ‖p‖₂ (in Pa). Returns whether the step is
     /// done; if not, the creepages are those of the next trial.

@@ -134,6 +134,8 @@ struct March<'a> {
     stick_slip: Option<StickSlip>,
     /// If forces are prescribed.
     control: Option<ForceControl>,
+    /// The first step that did not end with the prescribed forces: what, and its end in s.
+    missed: Option<(Quantity, f64)>,
     /// A p of the present traction on the whole grid, in m.
     displacement: VectorField,
     /// That of the bodies alone: how the material is displaced that enters.
@@ -212,6 +214,7 @@ impl<'a> March<'a> {
             largest_step: 0.0,
             passage_start: [Vec::new(), Vec::new()],
             worst_residual: 0.0,
+            missed: None,
             strip_lengths: [usize::MAX, 0],
             largest_pressure: 0.0,
             failures: 0,
@@ -395,6 +398,8 @@ impl<'a> March<'a> {
                 break moved;
             }
         };
+        let missed = control.as_ref().and_then(ForceControl::missed);
+        self.missed = self.missed.or(missed.map(|force| (force, time)));
         self.control = control;
         self.displace();
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));

@@ -63,7 +63,9 @@ impl March<'_> {
     fn why_not_converged(&self) -> Unconverged {
         let (tolerance, residual) = (self.options.tolerance, self.worst_residual);
         let (steps, change) = (self.work.steps, self.passage_change);
-        if residual > tolerance && self.history.is_shift_only() {
+        if let Some((force, time)) = self.missed {
+            Unconverged::MissedForce { force, time }
+        } else if residual > tolerance && self.history.is_shift_only() {
             let newton_steps = self.outcome.iterations;
             Unconverged::Equilibrium { newton_steps, residual, tolerance }
         } else if residual > tolerance {
