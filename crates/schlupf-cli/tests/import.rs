@@ -4,7 +4,7 @@ mod support;
 
 use support::Bench;
 
-/// A ball that brakes, a second case with a layer that is not available, and a third one with more
+/// A ball that brakes, a second case with viscous bodies, which are not available, and a third one with more
 /// creepage.
 const INPUT: &str = "\
 % A ball that brakes
@@ -22,12 +22,12 @@ const INPUT: &str = "\
 
  3  MODULE
   203100    P-B-T-N-F-S
-  102400    L-D-C-M-Z-E
+  102100    L-D-C-M-Z-E
  0100111    H-G-I-A-O-W-R
  52359.878 0.002 0.0 0.0    FN, CKSI, CETA, CPHI
  0d 0.25 30000.   CHI, DQ, VELOC
  0.28 0.28 82031.25 82031.25   POISS 1,2, GG 1,2
- 8200. 1.25 560. 0.   GG3, LAYTHK, TAU_C0, K_TAU
+ 1. 1. 1. 1.   FG1, FG2, VT1, VT2
 
  3  MODULE
   203100    P-B-T-N-F-S
@@ -44,7 +44,7 @@ fn bench() -> Bench {
 }
 
 /// Cases that are available are written, and `check` and `solve` accept them; the exit code is that
-/// of wrong input where one is not, and the layer is named once with its line.
+/// of wrong input where one is not, and what is missing is named once with its line.
 #[test]
 fn what_is_available_is_written() {
     let bench = bench();
@@ -56,8 +56,8 @@ fn what_is_available_is_written() {
         "wrote ball_1.toml: A ball that brakes\nwrote ball_3.toml: ball.inp, case 3\n\
          case 2: not available, see the errors\n"
     );
-    let layer = "ball.inp:16:1: M = 4: a layer between the surfaces";
-    assert_eq!(run.stderr.matches(layer).count(), 1, "{}", run.stderr);
+    let viscous = "ball.inp:16:1: M = 1: viscoelastic bodies are not available";
+    assert_eq!(run.stderr.matches(viscous).count(), 1, "{}", run.stderr);
     assert!(run.stderr.contains("G, I, A, O, W, MAXGS … EPS set CONTACT's own"), "{}", run.stderr);
     assert_eq!(bench.run(&["check", "ball_3.toml"]).code, Some(0));
     let run = bench.run(&["solve", "ball_1.toml"]);
@@ -81,7 +81,7 @@ fn existing_files_stay() {
     let run = bench.run(&["import", "ball.inp", "--force"]);
     assert_eq!(run.code, Some(2), "{}", run.stderr);
     assert!(bench.read("ball_3.toml").contains("creepage_x = 0.003"));
-    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102400").unwrap();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102100").unwrap();
     bench.write("one.inp", &format!("{}\n 0\n", &INPUT[..end]));
     let run = bench.run(&["import", "one.inp", "--wheel-body", "2"]);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
@@ -96,7 +96,7 @@ fn existing_files_stay() {
 #[test]
 fn a_distance_is_a_file_of_its_own() {
     let bench = Bench::new();
-    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102400").unwrap();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102100").unwrap();
     let area = " 1\n 40 40 -8. -8. 0.4 0.4\n 1 1\n 0.0016 0.0004 0.0016 0 0 0\n 0\n";
     let text = INPUT[..end].replace(" -3\n 22 22 5.0 5.0 1.1   MX, MY, AA, BB, SCALE\n", area);
     bench.write("skew.inp", &text);

@@ -66,7 +66,11 @@ impl ParquetWriter {
 
     pub fn finish(self) -> Result<(), StudyError> {
         let Self { path, writer } = self;
-        let file = writer.into_inner().map_err(|error| failure(&path, &error))?;
+        // What is buffered is written only now, and whatever keeps it from that is told as text.
+        let file = writer.into_inner().map_err(|error| match error {
+            ParquetError::General(text) => StudyError::file(&path, std::io::Error::other(text)),
+            other => failure(&path, &other),
+        })?;
         file.sync_all().map_err(|cause| StudyError::file(&path, cause))
     }
 }
