@@ -63,6 +63,12 @@ messages! {
         )
     };
 
+    /// The other motion with the prescribed forces was asked for, and there is none.
+    "one-motion" OneMotion {} Quantity::Branch, |name, words| format!(
+        "{name} asks for the falling branch of the creep curve, but only one motion with the \
+         prescribed forces was found, on the rising one"
+    );
+
     /// There may be several steady states.
     "branch-lost" BranchLost {} Quantity::Branch, |name, words| {
         "friction falls so fast that there may be several steady states; they could not be followed \

@@ -404,6 +404,21 @@ fn forces_over_time_beyond_falling_friction_are_named() {
     assert!(largest <= 0.951, "{largest}");
 }
 
+/// Where friction falls so little that the wheel would lock before a force is reached again, the
+/// falling branch that was asked for is missed aloud.
+#[test]
+fn a_branch_that_is_not_there_is_told() {
+    let law = Arc::new(Polach::new(0.4, 0.9, 0.1).unwrap());
+    let problem = Problem { friction: Friction::new(law, 20.0), ..contact() };
+    let load = problem.normal.normal_contact(None).unwrap().summary.load;
+    let problem = Problem { prescribed: forces(-0.2 * load, None), ..problem };
+    let options = Options { branch: Branch::HighSlip, ..options(12) };
+    let solution = ForceSolver::new(Method::Full.solver(&options)).solve(&problem, &unwatched);
+    let solution = solution.unwrap();
+    assert!(solution.warnings.contains(&Warning::OneMotion {}), "{:?}", solution.warnings);
+    assert!((solution.force.x / load + 0.2).abs() < 2e-5);
+}
+
 /// Friction that falls with heat: on the way to a small force the search tries creepages at which
 /// the wheel would turn millions of times as fast as it rolls, whose conduction took all memory.
 #[test]

@@ -181,7 +181,9 @@ impl ForceSolver {
         };
         let found = chosen(scaled, first, states.next(), branch);
         let mut solution = self.refined(scaled, &found, (&path, watch))?;
-        let is_of_path = |warning: &Warning| matches!(warning, Warning::SeveralMotions { .. });
+        let is_of_path = |warning: &Warning| {
+            matches!(warning, Warning::SeveralMotions { .. } | Warning::OneMotion {})
+        };
         solution.warnings.extend(found.warnings.into_iter().filter(is_of_path));
         solution.work.operator_products += path.products;
         Ok(solution)
@@ -266,7 +268,11 @@ fn refuse_beyond_friction(scaled: &Scaled) -> Result<(), Error> {
 /// The state of the branch that is asked for, with a warning if there is another.
 fn chosen(scaled: &Scaled, first: Solution, second: Option<Solution>, branch: Branch) -> Solution {
     let Some(second) = second.filter(|second| scaled.are_distinct(&first, second)) else {
-        return first;
+        let mut only = first;
+        if branch == Branch::HighSlip && !scaled.problem.has_constant_bound() {
+            only.warnings.push(Warning::OneMotion {});
+        }
+        return only;
     };
     let is_low = branch == Branch::LowSlip;
     let (mut here, there) = if is_low { (first, second) } else { (second, first) };
