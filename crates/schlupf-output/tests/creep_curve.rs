@@ -64,6 +64,7 @@ fn made_up(path: Path, bound: f64) -> CreepCurve {
         path,
         normal: NormalSummary { load: LOAD, ..solution(RECIPE).normal },
         reference: ReferencePoint::Patch,
+        holds_forces: false,
         points,
         initial_slope: Some(InitialSlope {
             force,
@@ -263,7 +264,9 @@ fn the_summary_says_why_there_is_no_slope_and_no_maximum() {
     assert!(text.contains("none: the curve does not reach zero creepage"), "{text}");
     assert!(text.contains("none within the range: |F|/N is largest at an end"), "{text}");
     family.members[0].curve.maxima = vec![Maximum { is_saturated: true, ..top }];
+    family.members[0].curve.holds_forces = true;
     let text = family.summary().to_string();
+    assert!(text.contains("none: forces are prescribed"), "{text}");
     assert!(text.contains("saturated: within 0.1 % from creepage_x = 0.015 on"), "{text}");
 }
 

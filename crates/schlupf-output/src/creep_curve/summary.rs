@@ -40,6 +40,9 @@ fn curve(text: &mut Summary, member: &Member) {
     let Some(abscissa) = curve.path.abscissa() else { return };
     match &curve.initial_slope {
         Some(slope) => self::slope(text, slope, abscissa),
+        None if curve.holds_forces => {
+            line(text, "initial slope     none: forces are prescribed");
+        }
         None if curve.path.has_origin() => line(text, "initial slope     not found"),
         None => line(text, "initial slope     none: the curve does not reach zero creepage"),
     }

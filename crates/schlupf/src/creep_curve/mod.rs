@@ -42,6 +42,8 @@ pub struct CreepCurve {
     pub normal: NormalSummary,
     /// Reference point of creepages and moments.
     pub reference: ReferencePoint,
+    /// Whether forces of other directions are prescribed: then there is no initial slope.
+    pub holds_forces: bool,
     /// The points in the order of the path.
     pub points: Vec<Point>,
     /// Slope where all varied creepages are zero. `None` if the path does not contain that point or
@@ -207,6 +209,7 @@ pub fn trace(
         path: *path,
         normal,
         reference: solver.problem.reference,
+        holds_forces: !problem.prescribed.is_none(),
         warnings: warnings.all(path.quantity(), &points),
         points,
         initial_slope: slope.value,
