@@ -273,7 +273,7 @@ INPUT = """\
  -3
  22 22 5.0 5.0 1.1   MX, MY, AA, BB, SCALE
  3  MODULE
-  203101    P-B-T-N-F-S
+  213100    P-B-T-N-F-S
   100000    L-D-C-M-Z-E
  0100111    H-G-I-A-O-W-R
  52359.878 0.002 0.0 0.0    FN, CKSI, CETA, CPHI
@@ -284,19 +284,19 @@ INPUT = """\
 def test_inputs_of_contact_are_cases(tmp_path):
     path = tmp_path / "ball.inp"
     path.write_text(INPUT)
-    with pytest.raises(schlupf.CaseError, match="S = 1: stresses below the surface") as caught:
+    with pytest.raises(schlupf.CaseError, match="B = 1: a compressible layer") as caught:
         schlupf.import_contact(path)
-    assert caught.value.field == "S"
+    assert caught.value.field == "B"
     assert caught.value.place == f"{path}:14:1"
     left_out = pytest.warns(schlupf.warnings.SettingsLeftOutWarning)
-    with left_out, pytest.warns(schlupf.SchlupfWarning, match="S = 1: stresses below the surface"):
+    with left_out, pytest.warns(schlupf.SchlupfWarning, match="B = 1: a compressible layer"):
         (case,) = schlupf.import_contact(path, available_only=True)
     assert case.title == "A ball that brakes"
     assert case.normal.load == pytest.approx(52359.878)
     # CONTACT, over μN, on 320 x 80 cells.
     force = case.solve().force.x / (0.3 * 52359.878)
     assert force == pytest.approx(-0.46379, abs=0.008)
-    path.write_text(INPUT.replace("203101", "203100"))
+    path.write_text(INPUT.replace("213100", "203100"))
     with pytest.warns(schlupf.warnings.SettingsLeftOutWarning):
         first, second = schlupf.import_contact(path, wheel_body=2)
     assert (first.kinematics.creepage_x, second.kinematics.creepage_x) == (-0.001, -0.002)

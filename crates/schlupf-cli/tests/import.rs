@@ -4,8 +4,8 @@ mod support;
 
 use support::Bench;
 
-/// A ball that brakes, a second case with viscous bodies, which are not available, and a third one with more
-/// creepage.
+/// A ball that brakes, a second case with viscous bodies, which are not available, and a third one
+/// with more creepage.
 const INPUT: &str = "\
 % A ball that brakes
  3  MODULE

@@ -30,8 +30,8 @@ cells_y = 16
 model = \"none\"
 ";
 
-/// A case without elasticity has a table even where a patch on the flange is more slender than those
-/// that the default layer is calibrated for.
+/// A case without elasticity has a table even where a patch on the flange is more slender than
+/// those that the default layer is calibrated for.
 #[test]
 fn slender_patches_do_not_keep_the_table_from_being_written() {
     let bench = Bench::new();
